@@ -60,7 +60,8 @@ std::string change_of(const std::string& path, const Entries& now, const Entries
   return fmt::format("{} = {}, which was {}", path, scene::quote(found->second), scene::quote(old->second));
 }
 
-/// A clause for each forbidden change of an entry, and from the sixth on their number; "" if there is no change.
+/// A clause for each of the first five forbidden changes of entries, and the number of further ones; "" if there is no
+/// such change.
 std::string changes_between(const Entries& now, const Entries& before, bool is_sweep) {
   Entries all = now;
   all.insert(before.begin(), before.end());

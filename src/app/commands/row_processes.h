@@ -23,9 +23,9 @@ class RowProcess {
   RowProcess(const RowProcess&) = delete;
   RowProcess& operator=(const RowProcess&) = delete;
 
-  /// Computes the row of run k. If `task` throws in the process, this function throws an exception with the same text.
-  /// UserError and std::bad_alloc remain; other exceptions become std::runtime_error. Also throws std::runtime_error if
-  /// the process ends.
+  /// Computes the row of run k. If `task` throws in the process, this function throws too: UserError and std::bad_alloc
+  /// if `task` throws them, otherwise std::runtime_error. Except for std::bad_alloc, the exception has the text of the
+  /// original one. If the process ends, this function throws std::runtime_error.
   FinishedRun run(int k);
 
  private:

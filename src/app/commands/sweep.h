@@ -1,5 +1,5 @@
 #pragma once
-/// A sweep, which runs the scene for every combination of its parameters (scene/sweep.h) on all cores. The file
+/// A sweep, which runs the scene for every combination of its parameters (scene/sweep.h) on several cores. The file
 /// sweep.csv has a row for each run, with the columns
 ///
 ///   run, the parameters, finished (1 or 0), time reached, steps, forces, estimated_time_error;

@@ -80,8 +80,8 @@ bool is_held_together(const Scene& scene) {
   return loads::present(scene.loads.get<loads::SelfGravity>()) || scene::is_confined(scene);
 }
 
-/// Refuses bodies that other models have and the finite-element model does not have, and a fluid without volumetric
-/// stiffness.
+/// Refuses bodies and loads that other models have and the finite-element model does not have. Also refuses a fluid
+/// without volumetric stiffness.
 std::optional<Refusal> refuses_body(const Scene& scene) {
   const auto offered_for_others = [&](const char* path, const char* what) {
     return Refusal{path, fmt::format("{} is", what), {}, scene::names_where(scene, [](const auto& model) {

@@ -62,7 +62,7 @@ std::vector<scene::ModelRun> runs(const Scene& scene) {
   return runs;
 }
 
-/// Refuses bodies that other models have and the polynomial model does not have.
+/// Refuses bodies and loads that other models have and the polynomial model does not have.
 std::optional<Refusal> refuses_body(const Scene& scene) {
   const auto others = scene::names_where(scene, [](const auto& model) { return model.name != "polynomial"; });
   if (scene.body.inertia)

@@ -38,8 +38,9 @@ class RunQuadrature {
     take(polynomial::choose_quadrature(setup_, body, state, request(state, stable_step, false)), state.t, body);
   }
 
-  /// The number of points, the error (or a code) and its duration, for a checkpoint. A resumed run keeps its rule even
-  /// if the end of the run has changed.
+  /// The number of points, the error of Q, and the duration of the run to which the error applies; for a checkpoint.
+  /// The error is −1 if it is not known, and `failed` if the estimate failed. A resumed run keeps its rule even if the
+  /// end of the run has changed.
   static constexpr std::size_t n_numbers = 3;
   std::array<double, n_numbers> numbers(const Body& body) const {
     return {static_cast<double>(body.space().n_points_in_direction()), error_.value_or(is_known_ ? failed : -1),

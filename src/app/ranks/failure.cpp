@@ -23,8 +23,7 @@ Failure failure_of(const std::exception& error) {
   if (const auto* agreed = dynamic_cast<const FailureOnAllRanks*>(&error)) return agreed->failure();
   if (is<UserError>(error) || is<mechanics::NoKernels>(error)) return {exit_wrong_input, error.what()};
   if (is<io::WriteError>(error)) return {exit_stopped, error.what()};
-  // The memory is also exhausted if std::vector throws length_error: the requested size is then impossible on any
-  // machine.
+  // If no machine could provide the requested size, std::vector throws length_error in place of bad_alloc.
   if (is<std::bad_alloc>(error) || is<std::length_error>(error))
     return {exit_stopped, "the memory does not suffice for this scene"};
   // A system_error has causes such as a file that cannot be read or removed, or a thread that cannot be started.

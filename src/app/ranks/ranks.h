@@ -7,8 +7,8 @@
 
 namespace pseudorigid::app {
 
-/// The ranks of a run; this class is a single process, and derived classes have several. All ranks must call the
-/// collective functions in the same order.
+/// The ranks of a run. The functions of this class are the functions of a single process. A derived class overrides
+/// them for several processes. All ranks must call the collective functions in the same order.
 class Ranks {
  public:
   virtual ~Ranks() = default;
@@ -18,8 +18,9 @@ class Ranks {
   virtual bool any(bool mine) const { return mine; }
   /// The first rank on which `mine` is true, or size() if there is no such rank. Collective.
   virtual int first_where(bool mine) const { return mine ? 0 : 1; }
-  /// Returns the `mine` of the given rank on every rank. Collective.
+  /// Returns the number `mine` of the given rank, on every rank. Collective.
   virtual int number_of(int /*rank*/, int mine) const { return mine; }
+  /// Returns the text `mine` of the given rank, on every rank. Collective.
   virtual std::string text_of(int /*rank*/, std::string mine) const { return mine; }
   /// Aborts all ranks. In a single process this function does nothing: the program ends as usual.
   virtual void abort(int /*exit_code*/) const {}

@@ -1,7 +1,7 @@
 #pragma once
 /// Relative equilibria of the pseudo-rigid body of a scene (reduced/equilibrium_families.h). `Analysis = equilibrium`
-/// writes a family of them into equilibria.csv. With the entry Initial state/Equilibrium, a motion starts at a member
-/// of a family.
+/// writes a family of relative equilibria into equilibria.csv. With the entry Initial state/Equilibrium, a motion
+/// starts at a member of a family.
 
 #include <string>
 #include <vector>
@@ -19,8 +19,8 @@ std::vector<scene::Column> ball_equilibria_columns();
 
 ModelOutcome run_ball_equilibria(const RunContext& context);
 
-/// Sets `figure` to the member of the family with this parameter, in internal units. A spin as parameter is in the
-/// user's units. Fails if there is no such member.
+/// Sets `figure` to the member of the family with this parameter. `figure` is in internal units. If the parameter is a
+/// spin, it is in the user's units. Fails if there is no such member.
 mechanics::Status figure_of_family(const scene::Scene& scene, scene::Family family, double parameter,
                                    reduced::SteadyMotion& figure);
 

@@ -17,7 +17,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Number of starts of the search, and the largest number if the search knows that equilibria are missing.
+/// Number of starts of the search. While the search knows that equilibria are missing, it continues up to the second
+/// number.
 constexpr int n_static_starts = 400, n_static_starts_at_most = 20000;
 
 std::vector<double> static_row(int index, const mechanics::CriticalPoint& p, const ReducedScene& s,

@@ -4,10 +4,10 @@
 ///
 ///   e = (n·ẋ_c at the end of the last contact) / (−n·ẋ_c at the begin of the first contact)
 ///
-/// with the normal n of the nearest plane and the centre of mass x_c. The velocity before the contact is the velocity
-/// after the last step without contact. The velocity after the contact is taken at the end of the first step without
-/// contact. A contact begins or ends when the height of the body above the nearest plane is zero. The height is
-/// interpolated linearly within a step. All quantities are in internal units.
+/// with the normal n of the nearest plane and the centre of mass x_c. A contact begins or ends when the height of the
+/// body above the nearest plane is zero. The height is interpolated linearly within a step. The velocity is not
+/// interpolated: the formula uses the end of the last step before the first contact, and the end of the first step
+/// after the last contact. Quantities are 0 before they are known. All quantities are in internal units.
 
 #include <algorithm>
 #include <array>

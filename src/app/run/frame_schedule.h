@@ -8,7 +8,8 @@
 
 namespace pseudorigid::app {
 
-/// Selects n_frames samples at equal distances, from the first to the last sample. A single frame is the last sample.
+/// Selects n_frames samples from the first to the last, at distances as equal as possible. A single frame is the last
+/// sample.
 class FrameSchedule {
  public:
   FrameSchedule(long n_frames, long n_samples) : n_frames_(n_frames), n_samples_(n_samples) {}

@@ -22,9 +22,12 @@ double exact_frequency(const ModeFrequency& f, const BallAtRest& ball) {
 }
 
 /// The frequency of the corresponding mode of the pseudo-rigid ball; 0 if the pseudo-rigid ball does not have the mode.
-/// Its modes of degree 2 are the five motions Q = Id + εH with H symmetric and trace-free, and m̄ Ḧ = −(2 + 4γ/25)μ Vol
-/// H. A compressible ball also has a mode of degree 0, H = Id with m̄ Ḧ = −(3λ + 2μ) Vol H. The volume is Vol =
-/// 5m̄/(ρr²).
+/// The modes of the pseudo-rigid ball are Q = Id + εH with
+///
+///   degree 2:   m̄ Ḧ = −(2 + 4γ/25)μ Vol H,   H symmetric and trace-free (five motions),
+///   degree 0:   m̄ Ḧ = −(3λ + 2μ) Vol H,      H ∝ Id (compressible balls only).
+///
+/// The volume is Vol = 5m̄/(ρr²).
 double reduced_frequency(const ModeFrequency& f, const BallAtRest& ball) {
   if (!f.spheroidal || f.overtone != 0) return 0;
   const auto [mu, lambda] = ball.moduli;

@@ -11,7 +11,7 @@
 
 namespace pseudorigid::app {
 
-/// A frequency in internal units. The modes with this frequency are called copies; the exact ball has 2n + 1 copies for
+/// A frequency in internal units. The modes with this frequency are called copies. The exact ball has 2n + 1 copies for
 /// degree n. An unstable motion has ω < 0 and grows at the rate −ω.
 struct ModeFrequency {
   double omega;           ///< mean over the copies

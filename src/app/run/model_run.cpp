@@ -45,9 +45,9 @@ bool ModelRunBase::is_time_to_save() const {
 }
 
 /// Returns to the last sample and halves the step, at most three times in a run. Returns false if this is not possible.
-/// The vectors must be distributed, the step automatic, and the method not adaptive. The run must be after the first
-/// sample, and the model must not have ended it. In a violent motion of finite elements, a longer step inverts an
-/// element sooner, with every method.
+/// It requires distributed vectors, a method of fixed step, a step that the program has chosen, and a sample after the
+/// first. It is not possible if the model itself ended the run. In a violent motion of finite elements, a longer step
+/// inverts an element sooner, with every method.
 bool ModelRunBase::step_back(const mechanics::RunResult& failure) {
   constexpr int most = 3;
   const bool may = traits_.is_distributed && verdict_ && adapts() && good_.position.cursor.sample > 0;

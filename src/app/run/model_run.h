@@ -163,8 +163,8 @@ class ModelRun final : public ModelRunBase {
                                        mechanics::method_fits<mechanics::DormandPrince8, System>()};
 
   static constexpr int n_lanczos = 24;
-  /// Relative accuracy of ω² at which Lanczos' iteration ends; 0: all iterations are made. If a force is costly, a step
-  /// that is shorter by a hundredth costs less than a better estimate.
+  /// Relative accuracy of ω² at which Lanczos' iteration ends; 0 means that it makes all n_lanczos steps. If a force is
+  /// costly, a step of the run that is shorter by a hundredth costs less than a better estimate.
   static constexpr double accuracy = traits.has_costly_force ? 0.02 : 0;
 
   double time() const override { return state_.t; }
@@ -200,8 +200,8 @@ class ModelRun final : public ModelRunBase {
   Status rattle_limit([[maybe_unused]] double safety, [[maybe_unused]] double& limit) const override {
     if constexpr (mechanics::ConstrainedSystem<System>) {
       auto workspace = model_.system().make_workspace();
-      // If the workspace has `held_at`, the force then has springs at all points of the surface in place of contact.
-      // The limit therefore also holds in a later contact.
+      // A workspace with `held_at` replaces contact by springs at all points of the surface. The limit therefore also
+      // holds in a later contact.
       if constexpr (requires { workspace.held_at; }) workspace.held_at = &state_.q;
       const auto frequency = mechanics::largest_frequency(model_.system(), state_, workspace, n_lanczos, accuracy);
       if constexpr (requires { workspace.held_at; }) workspace.held_at = nullptr;

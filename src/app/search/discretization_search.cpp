@@ -171,8 +171,8 @@ void DiscretizationSearch::load() {
 }
 
 void DiscretizationSearch::take(const io::Checkpoint& c) {
-  // The memory that was available at the start of the search has limited the number of discretisations. A resumed
-  // search keeps this number.
+  // The memory that was available at the start of the search has limited the ladder. A resumed search keeps the length
+  // of this ladder.
   ladder_.resize(std::clamp<std::size_t>(static_cast<std::size_t>(c.get_integer("rungs")), 1, ladder_.size()));
   position_ = std::min(static_cast<std::size_t>(c.get_integer("position")), ladder_.size() - 1);
   settled_ = c.get_integer("settled") != 0;

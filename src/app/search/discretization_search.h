@@ -1,11 +1,11 @@
 #pragma once
 /// Search for the cheapest discretisation whose estimated error in space is within Continuum/Tolerance.
 ///
-/// The program runs the scene on discretisations of increasing resolution, the ladder (scene/discretization.h). The
-/// differences of Q between successive runs give the error of the last run and predict the error of the next
-/// (analysis/space_error.h). A run that is predicted to meet the tolerance writes its results. The other runs only give
-/// their history of Q. If the estimate after the run does not confirm the prediction, the search continues. The next
-/// run that writes then replaces the files.
+/// The program runs the scene on discretisations of increasing resolution, which are called the ladder
+/// (scene/discretization.h). The differences of Q between successive runs give the error of the last run and predict
+/// the error of the next (analysis/space_error.h). A run that is predicted to meet the tolerance writes its results.
+/// The other runs only give their history of Q. If the estimate after the run does not confirm the prediction, the
+/// search continues. The next run that writes then replaces the files.
 ///
 /// Time errors must be much smaller than errors in space. A run that writes finds its own method and step. The
 /// tolerance of this run is the smaller of Time/Tolerance and a twentieth of Continuum/Tolerance. The first of the

@@ -2,10 +2,9 @@
 /// Runs `Analysis = equilibrium` for a system. It finds the critical points of the potential of the system
 /// (mechanics/equilibria/critical_points.h) and writes them into equilibria.csv.
 ///
-/// The file has a row for each point, by rising potential, with the rates of small motions of the system. The system
-/// itself, without added forces, determines these rates. For the counts n_unstable and n_stable, a system without
-/// dissipation has the additional force −M v / (unit of time). The result of Oliva, Geometric Mechanics, 5.8.3 then
-/// applies.
+/// The file has a row for each point, by rising potential, with the rates of small motions of the system. The counts
+/// n_unstable and n_stable require dissipation. For these counts only, a system without dissipation has the additional
+/// force −M v / (unit of time). The result of Oliva, Geometric Mechanics, 5.8.3 then applies.
 
 #include <vector>
 

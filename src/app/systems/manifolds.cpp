@@ -158,8 +158,8 @@ class ManifoldRun {
     return {};
   }
 
-  /// True if the state is at a critical point. The own point of the motion counts only after the motion has left it.
-  /// Sets `end` to the nearest of these points.
+  /// Returns true if the state is at a critical point. Sets `end` to the nearest critical point and the distance from
+  /// it. The own point of the motion counts only after the motion has left it.
   template <class State>
   bool arrives(const Curve& curve, const State& state, bool& has_left, End& end) {
     end = {};

@@ -35,8 +35,8 @@ class SystemModel final : public RunnableModelOf<Form> {
   State initial_state() const override { return model_.start(); }
   Eigen::MatrixXd configuration(const State& state) const override { return state.q; }
   double rate(const State& state) const override { return model_.rate(state); }
-  /// In most runs the pilot run covers the whole run, and takes a fraction of a second. A shorter pilot run would not
-  /// contain the later motion.
+  /// The duration of a pilot run, at most 1000 in internal time. Most runs are shorter, and the pilot run then covers
+  /// the whole run in a fraction of a second. A shorter pilot run would not contain the later motion.
   double pilot_window(double end) const override { return std::min(end, 1000.0); }
 
   std::vector<std::string> columns() const override { return columns_.names; }
