@@ -24,7 +24,7 @@ using analysis::Comparison, analysis::ModelSummary;
 
 constexpr double none = 0, unknown = -1;
 
-/// A column of comparison.csv that compares two models, and the group of quantities that the models need for it.
+/// A column of comparison.csv that compares two models, and the group of quantities that this column requires.
 struct Difference {
   const char* name;
   bool mechanics::Quantities::*group;

@@ -1,8 +1,8 @@
 #pragma once
 /// Estimate of the disk space for the files of a run, before the run begins, and comparison with the free disk space.
 ///
-/// A number in a table takes about 20 bytes, and a number in a compressed picture about 5. Both sizes are measured for
-/// motions without symmetry. Columns of zeros take a tenth of the space, so a symmetric motion needs less.
+/// A number in a table takes about 20 bytes, and a number in a compressed picture about 5 bytes. These sizes are
+/// measured for motions without symmetry. Columns of zeros take a tenth of the space, so a symmetric motion needs less.
 
 #include "io/run_directory.h"
 #include "scene/needs.h"

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The directories in which the dynamic linker searches for the libraries of the program. Empty if the linker does not
-/// list them.
+/// give the list.
 std::vector<fs::path> search_path() {
   void* const program = dlopen(nullptr, RTLD_LAZY);
   Dl_serinfo size{};

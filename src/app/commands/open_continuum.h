@@ -1,5 +1,6 @@
 #pragma once
-/// Opening of the library of the finite elements. A process contains deal.II, MPI and PETSc only if a scene needs them.
+/// Opening of the library of the finite elements. A process loads deal.II, MPI and PETSc only if its scene needs finite
+/// elements.
 
 #include "app/run/continuum_module.h"
 

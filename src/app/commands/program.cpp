@@ -71,7 +71,7 @@ Input read_and_validate(const Options& options, const scene::Catalogue& catalogu
 }
 
 /// Throws UserError if the rank or the number of ranks differs between MPI and the launcher. Processes can compute
-/// together only if MPI connects all of them.
+/// together only if MPI connects all processes that the launcher started.
 void require_mpi_of(const Launch& launch, const Ranks& ranks) {
   if (ranks.rank() == launch.rank && (ranks.size() == launch.n_ranks || launch.n_ranks == Launch::unknown)) return;
   throw UserError(
@@ -103,7 +103,7 @@ struct Process {
     require_mpi_of(launch, *several);
   }
 
-  /// The number of ranks from MPI or from the launcher; Launch::unknown if neither gives it.
+  /// The number of ranks from MPI, or 1 if the launcher started a single process. Otherwise returns Launch::unknown.
   int n_ranks() const { return several ? several->size() : launch.n_ranks == 1 ? 1 : Launch::unknown; }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The program: its command line, and the models that it can run.
+/// The program with its command line and the models that it can run.
 
 #include <algorithm>
 #include <map>

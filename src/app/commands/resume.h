@@ -24,9 +24,9 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory);
 /// up to five entries that differ.
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene);
 
-/// Checks the files to which a resumed run appends, before the run writes to any of them. Throws UserError if a list of
-/// pictures or a table is damaged. A damaged table has text in place of numbers, or fewer samples than its checkpoint.
-/// Does nothing for sweeps and for analyses other than a motion.
+/// Checks the files to which a resumed run appends, before the run writes to any of these files. Throws UserError if a
+/// list of pictures or a table is damaged. A damaged table has text in place of numbers, or fewer samples than its
+/// checkpoint. Does nothing for sweeps and for analyses other than a motion.
 void require_sound_files(const io::RunDirectory& directory, const scene::Scene& scene, const scene::Needs& needs);
 
 }  // namespace pseudorigid::app

@@ -26,7 +26,7 @@ namespace {
 
 enum class Answer : std::int64_t { row, wrong_input, no_memory, failure };
 
-/// The first part of an answer. It contains the kind of the answer and the sizes of the parts that follow.
+/// The first part of an answer, with the kind of the answer and the sizes of the parts that follow.
 struct Header {
   Answer answer;
   std::int64_t end, n_row, n_columns, n_values, n_letters;

@@ -23,9 +23,9 @@ class RowProcess {
   RowProcess(const RowProcess&) = delete;
   RowProcess& operator=(const RowProcess&) = delete;
 
-  /// Computes the row of run k. If `task` throws in the process, this function throws too: UserError and std::bad_alloc
-  /// if `task` throws them, otherwise std::runtime_error. Except for std::bad_alloc, the exception has the text of the
-  /// original one. If the process ends, this function throws std::runtime_error.
+  /// Computes the row of run k. If `task` throws in the process, this function also throws: a UserError for a
+  /// UserError, std::bad_alloc for std::bad_alloc, and otherwise std::runtime_error. Except for std::bad_alloc, the
+  /// exception has the text of the original exception. If the process ends, this function throws std::runtime_error.
   FinishedRun run(int k);
 
  private:

@@ -16,8 +16,8 @@ namespace pseudorigid::app {
 int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
               const std::vector<std::string>& command, const Executable& executable);
 
-/// Work of the ranks other than the first. These ranks join the runs of the finite-element model that the first rank
-/// begins, write their pieces of the pictures, and print nothing. Returns the exit code.
+/// Work of every rank except the first. The rank joins the runs of the finite-element model that the first rank begins,
+/// and writes its pieces of the pictures. It prints nothing. Returns the exit code.
 int assist_scene(const scene::ReadScene& read, const Options& options, const Executable& executable);
 
 }  // namespace pseudorigid::app

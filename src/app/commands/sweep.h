@@ -8,13 +8,13 @@
 ///   for every column c of the model's own CSV file: c_end, c_min, c_max over the samples. If the motion conserves c:
 ///   c at the start, and c_drift = c_max − c_min.
 ///
-/// If the scene requests the samples, they are written as well (kept_trajectories.h).
+/// If the scene requests the samples, the program also writes them (kept_trajectories.h).
 ///
 /// The rows have the order of the runs and do not depend on the number of threads. A resumed sweep continues after the
 /// last row.
 ///
 /// Runs 8k + 1 … 8k + 8 are computed together in SIMD lanes if possible (app/reduced/reduced_in_lanes.h). Otherwise
-/// they are computed one by one, each like a single run. Runs with finite elements have separate processes
+/// these runs are computed one by one, each like a single run. Runs with finite elements have separate processes
 /// (row_processes.h). If the scene has several models, each run compares the models, and sweep.csv has the columns of
 /// compared_runs.h.
 

@@ -23,8 +23,8 @@ constexpr std::array<const char*, 2> names_of_frequencies{"frequency", "amplitud
 bool has_frequencies(const scene::Needs& needs) { return !needs.system && needs.quantities.state; }
 
 /// Names of the columns of the ball that are constant in every run except for errors. The runs at the ends of the
-/// ranges of the parameters determine these columns. The sweep has a value and a drift for each of them. The set is
-/// empty for systems other than the ball.
+/// ranges of the parameters determine these columns. For each of these columns, sweep.csv has a value and a drift. The
+/// set is empty for systems other than the ball.
 std::set<std::string> conserved_columns(const scene::ReadScene& raw) {
   bool is_free = true, incompressible = true;
   for (const int k : corners(raw.scene.sweep)) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Interface to the runs k = 0, 1, … of a sweep. It gives the columns of sweep.csv and the row of each run.
+/// Interface to the runs k = 0, 1, … of a sweep. The interface gives the columns of sweep.csv and the row of each run.
 
 #include <optional>
 #include <string>
@@ -26,7 +26,8 @@ class SweepTask {
   /// Computes run k. Several threads call this function at the same time. Throws UserError if the scene of the run is
   /// not valid.
   virtual FinishedRun run(int k) const = 0;
-  /// Computes the runs first, …, last − 1 together. Returns an empty value if they must be computed one by one.
+  /// Computes the runs first, …, last − 1 together and returns their rows. Returns an empty value if the runs must be
+  /// computed one by one.
   virtual std::optional<std::vector<FinishedRun>> run_together(int /*first*/, int /*last*/) const { return {}; }
 };
 

@@ -126,8 +126,8 @@ std::optional<Refusal> refuses(const Scene& scene) {
   return {};
 }
 
-/// True for the methods that the finite-element model can use. They are the methods of the incompressible pseudo-rigid
-/// body that accept any type of vector.
+/// True for the methods that the finite-element model can use: the methods of the incompressible pseudo-rigid body that
+/// accept any type of vector. Also true for "auto".
 bool continuum_takes_method(std::string_view name) {
   const auto id = mechanics::find_method(name);
   return method_can_run<ElasticBody<true>>(name) &&

@@ -28,8 +28,8 @@ inline std::optional<int> quadrature_points(const scene::Scene& scene, int degre
   return std::max(*scene.polynomial.quadrature_points, polynomial::PolynomialSpace::least_points(degree));
 }
 
-/// The setup of the body in internal units. If reflect[i] is true, the body is computed on one side of the plane X_i =
-/// 0 and reflected in it.
+/// The setup of the body in internal units. If reflect[i] is true, only the half of the body on one side of the plane
+/// X_i = 0 is computed. The other half is its mirror image.
 inline polynomial::BodySetup body_setup(const scene::Scene& scene, const std::array<bool, 3>& reflect, int degree) {
   return {.degree = degree,
           .reflect = reflect,

@@ -10,8 +10,8 @@
 
 namespace pseudorigid::app {
 
-/// The reason why polynomial bodies refuse the equilibria of the scene; empty if they can compute them, or for another
-/// analysis.
+/// The reason why the polynomial model refuses the equilibria of the scene. Empty if the polynomial model can compute
+/// them, or if the scene has another analysis.
 std::optional<scene::Refusal> refuses_polynomial_equilibria(const scene::Scene& scene);
 
 ModelOutcome run_polynomial_equilibria(const RunContext& context);

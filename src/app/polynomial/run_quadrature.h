@@ -3,9 +3,9 @@
 /// polynomial/quadrature_error.h.
 ///
 /// By default the rule is the cheapest one, whose error is below the truncation error of the degree. If Time/Tolerance
-/// is below its default 1e-6, the exact motion of this polynomial body is requested. The program then adds points until
-/// the estimated error is half of the tolerance. It does not add points on the surface for self-gravity, because the
-/// cost grows as the fourth power of their number.
+/// is below its default 1e-6, the user requests the exact motion of this polynomial body. The program then adds points
+/// until the estimated error is half of the tolerance. The program does not add points on the surface for self-gravity,
+/// because the cost grows as the fourth power of the number of these points.
 
 #include <array>
 #include <cmath>
@@ -31,8 +31,8 @@ class RunQuadrature {
     if (!follows()) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, 0, true)), state.t, body);
   }
-  /// Estimates the error of the rule if it is not known and the scene needs it. Called after the search for the step.
-  /// `stable_step` is the stable step of RATTLE, or 0 if it is not known.
+  /// Estimates the error of the rule if the scene needs this error and it is not known. Called after the search for the
+  /// step. `stable_step` is the stable step of RATTLE, or 0 if this step is not known.
   void estimate(Body& body, const polynomial::BodyState& state, double stable_step) {
     if (is_known_ || !context_.needs.quadrature_error) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, stable_step, false)), state.t, body);

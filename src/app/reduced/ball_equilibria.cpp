@@ -27,8 +27,8 @@ class FamilyMaker {
         potential_(potential_of(scene_)),
         body_{potential_, scene_.body.E0.trace() / 3, scene.body.incompressible} {}
 
-  /// Computes a family. `range` is the range of its parameter. A spin in `range` and in the result is in the user's
-  /// units.
+  /// Computes a family. `range` is the range of the parameter of the family. If the parameter is a spin, it has the
+  /// user's unit in `range` and in the result.
   EquilibriumFamily make(Family family, reduced::ParameterRange range, double ratio, double time_unit) const {
     switch (family) {
       case Family::none:
@@ -67,7 +67,7 @@ class FamilyMaker {
   reduced::IsotropicBody<reduced::Potential> body_;
 };
 
-constexpr int most_rates = 10;  // spheroids have 10 rates, other figures 8; the rest is 0
+constexpr int most_rates = 10;  // spheroids have 10 rates, other figures 8; missing rates are 0
 
 enum Kind { member = 0 };  // the kind of a special point is 1 + SpecialKind
 

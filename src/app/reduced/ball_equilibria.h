@@ -19,8 +19,8 @@ std::vector<scene::Column> ball_equilibria_columns();
 
 ModelOutcome run_ball_equilibria(const RunContext& context);
 
-/// Sets `figure` to the member of the family with this parameter. `figure` is in internal units. If the parameter is a
-/// spin, it is in the user's units. Fails if there is no such member.
+/// Sets `figure` to the member of the family with this parameter, in internal units. If the parameter is a spin,
+/// `parameter` has the user's unit. Fails if there is no such member.
 mechanics::Status figure_of_family(const scene::Scene& scene, scene::Family family, double parameter,
                                    reduced::SteadyMotion& figure);
 

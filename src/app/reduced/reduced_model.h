@@ -70,8 +70,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     const auto motion = system_.motion(state);
     return mechanics::affine_rate(motion.q, motion.v);
   }
-  /// About ten periods of the slowest pulsation, in internal time, or `end` if it is earlier. After this time the time
-  /// error of regular motions grows linearly.
+  /// About ten periods of the slowest pulsation, in internal time, but at most `end`. After this time the time error of
+  /// regular motions grows linearly.
   double pilot_window(double end) const override { return std::min(end, 20.0); }
 
   std::vector<std::string> columns() const override { return trajectory_.names(); }

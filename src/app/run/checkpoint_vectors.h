@@ -64,8 +64,8 @@ class CheckpointVectors<Model> {
  public:
   explicit CheckpointVectors(const Model& model) : order_(model.rank_order()) {}
 
-  /// Reads q and v of this rank, and the memory of all ranks. The entries of this rank cannot be selected yet: their
-  /// layout is known from the workspace of the method, which is made later.
+  /// Reads q and v of this rank, and the memory of all ranks. The part of the memory that belongs to this rank is not
+  /// known yet. The workspace of the method, which is made later, determines this part.
   void take(const io::Checkpoint& file, State& state, Snapshot& snapshot) {
     const auto take_own = [&](const char* name, std::span<double> own) {
       order_.take_field(file.get_doubles(name, order_.field_size()), own);

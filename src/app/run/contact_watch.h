@@ -6,8 +6,9 @@
 ///
 /// with the normal n of the nearest plane and the centre of mass x_c. A contact begins or ends when the height of the
 /// body above the nearest plane is zero. The height is interpolated linearly within a step. The velocity is not
-/// interpolated: the formula uses the end of the last step before the first contact, and the end of the first step
-/// after the last contact. Quantities are 0 before they are known. All quantities are in internal units.
+/// interpolated. The formula uses the velocity after the last step before the first contact, and after the first step
+/// without the last contact. Each quantity of the summary is 0 until its event occurs. All quantities are in internal
+/// units.
 
 #include <algorithm>
 #include <array>

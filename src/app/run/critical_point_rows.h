@@ -17,8 +17,8 @@ std::vector<scene::Column> critical_point_columns(int n_modes);
 /// Appends the values of these columns to `row`.
 void append_critical_point(const mechanics::CriticalPoint& point, std::vector<double>& row);
 
-/// Adds the number of points and a line for each point to the results of `outcome`, and the counters of the search to
-/// its statistics. `energy` is the unit of the potential V.
+/// Adds the number of points and a line for each point to the results of `outcome`. Adds the counters of the search to
+/// the statistics of `outcome`. `energy` is the unit of the potential V.
 void report_search(const mechanics::CriticalPoints& found, double energy, const RunContext& context,
                    ModelOutcome& outcome);
 

@@ -1,8 +1,8 @@
 #pragma once
 /// The free flight of a body until its first contact with a plane. A pilot run begins shortly before this contact,
 /// because a short pilot run from the start would not contain the contact. The body is shifted along the path of its
-/// centre of mass under the uniform acceleration b. The shifted body has the deformation of the start. The deformation
-/// at the true contact differs, but its stretches have the same size.
+/// centre of mass under the uniform acceleration b. The shifted body has the deformation of the start. The body that
+/// has moved freely has another deformation with stretches of the same size.
 
 #include <cmath>
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 /// Writes the Love numbers of a ball (gravity/love_numbers.h) into love-<run>.csv and into a table for the terminal.
-/// Both also have the Love numbers of the exact homogeneous incompressible sphere.
+/// The file and the table also have the Love numbers of the exact homogeneous incompressible sphere.
 
 #include <string_view>
 #include <vector>
@@ -16,8 +16,9 @@ struct LoveRow {
   double h_error = 0, l_error = 0;
 };
 
-/// Makes a row of each element of `numbers`. `other` has the Love numbers of another discretisation. The bound of an
-/// error is twice the difference between both, plus 1e-10 of the number for the round-off of the solvers.
+/// Makes a row of each element of `numbers`. `other` has the Love numbers of another discretisation. The bound of the
+/// error of a Love number is twice its difference from `other`, plus its round-off. The round-off of the solvers is
+/// taken as 1e-10 of the Love number.
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The mesh file of the entry Continuum/Mesh. Its coordinates have the unit of length of Body/Radius. The program
-/// converts them to internal units (X/r) and shifts the centre of mass to the origin.
+/// The mesh file of the entry Continuum/Mesh. The coordinates in the file have the unit of length of Body/Radius. The
+/// program converts the coordinates to internal units (X/r) and shifts the centre of mass to the origin.
 
 #include <string>
 
@@ -22,8 +22,8 @@ CenteredMesh read_mesh_file(const scene::Scene& scene);
 /// be used, throws a UserError that names the entry.
 std::size_t require_mesh_file(const scene::Scene& scene, const scene::Origins& origins);
 
-/// Text for the mesh in the scene of a checkpoint. For a mesh file it is a checksum of the bytes of the file, so that
-/// the path of the file does not matter. Otherwise it is the entry Continuum/Mesh.
+/// Text for the mesh in the scene of a checkpoint. If the scene uses a mesh file, the text is a checksum of the bytes
+/// of the file. The path of the file then does not matter. Otherwise the text is the entry Continuum/Mesh.
 std::string mesh_identity(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

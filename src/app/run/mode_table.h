@@ -32,7 +32,7 @@ struct BallAtRest {
 };
 
 /// Text about the first frequency whose copies differ by more than the fraction `spread`; empty if there is no such
-/// frequency. Example: "the copies of T3 differ by 5.3e-01". If the copies differ by more than a hundredth, they belong
+/// frequency. Example: "the copies of T3 differ by 5.3e-01". If the difference exceeds a hundredth, the copies belong
 /// to different modes, or the mesh is too coarse for the mode.
 std::string differing_copies(const std::vector<ModeFrequency>& frequencies, double spread = 1e-2);
 /// Text about the fastest growing motion; empty if no motion grows. Example: "the ball is unstable at rest: a motion of

@@ -38,8 +38,9 @@ struct RunPosition {
 
 /// Entries of a scene as texts, which a resumed run compares with the texts of its own scene. `frozen_scene` has the
 /// entries that must be equal, except for changes that commands/resume.h admits. `stepping` has the entries that
-/// determine method and step: if one changes, the program chooses both again. The end of the run is such an entry only
-/// if the scene does not give the step. `choice` has the entries that determine the method.
+/// determine method and step. If one of these entries changes, the program chooses method and step again. The end of
+/// the run is such an entry only if the scene does not give the step. `choice` has the entries that determine the
+/// method.
 struct RunIdentity {
   std::string frozen_scene, stepping, choice;
 };

@@ -48,8 +48,8 @@ class ModelFiles : public ModelSink {
   bool writes() const { return context_.ranks->is_first(); }
   std::filesystem::path csv() const { return context_.directory.csv(model_); }
   std::filesystem::path checkpoint() const { return context_.directory.checkpoint(model_); }
-  /// A time half an interval before the next sample. It separates the written samples from the next ones in spite of
-  /// round-off.
+  /// A time half an interval before the next sample. This time separates the written samples from the next ones in
+  /// spite of round-off.
   double next_time(long n_samples_taken) const {
     return context_.time_of_sample(n_samples_taken) - context_.time_of_sample(1) / 2;
   }

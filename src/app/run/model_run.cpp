@@ -45,9 +45,9 @@ bool ModelRunBase::is_time_to_save() const {
 }
 
 /// Returns to the last sample and halves the step, at most three times in a run. Returns false if this is not possible.
-/// It requires distributed vectors, a method of fixed step, a step that the program has chosen, and a sample after the
-/// first. It is not possible if the model itself ended the run. In a violent motion of finite elements, a longer step
-/// inverts an element sooner, with every method.
+/// A return requires distributed vectors, a method of fixed step, a step that the program has chosen, and a sample
+/// after the first. A return is not possible if the model itself ended the run. In a violent motion of finite elements,
+/// a longer step inverts an element sooner, with every method.
 bool ModelRunBase::step_back(const mechanics::RunResult& failure) {
   constexpr int most = 3;
   const bool may = traits_.is_distributed && verdict_ && adapts() && good_.position.cursor.sample > 0;
@@ -129,8 +129,8 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   else if (Status status = choose(); !status)
     return status;
   if (old.steps_in_interval == 0 && time() == times_[old.cursor.sample]) {
-    // If the method is the same, its memory is kept. The memory contains past multipliers, without which a violent
-    // motion cannot start.
+    // If the method is the same, its memory is kept. The memory can contain past multipliers, and a violent motion
+    // cannot start without them.
     if (position_.method != old.method) good_.memory.clear();
     return {};
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// The run of one model. It chooses the method and the step, integrates the motion, and passes rows, pictures,
+/// The run of one model. The run chooses the method and the step, integrates the motion, and passes rows, pictures,
 /// checkpoints and progress to a sink. The class ModelRunBase does not depend on the type of the system.
 
 #include <algorithm>
@@ -163,8 +163,8 @@ class ModelRun final : public ModelRunBase {
                                        mechanics::method_fits<mechanics::DormandPrince8, System>()};
 
   static constexpr int n_lanczos = 24;
-  /// Relative accuracy of ω² at which Lanczos' iteration ends; 0 means that it makes all n_lanczos steps. If a force is
-  /// costly, a step of the run that is shorter by a hundredth costs less than a better estimate.
+  /// Relative accuracy of ω² at which Lanczos' iteration ends. If it is 0, the iteration makes all n_lanczos steps. If
+  /// a force is costly, a better estimate costs more than a step of the run that is shorter by a hundredth.
   static constexpr double accuracy = traits.has_costly_force ? 0.02 : 0;
 
   double time() const override { return state_.t; }

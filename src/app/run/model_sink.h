@@ -1,6 +1,6 @@
 #pragma once
-/// Receiver of the results of one model's run. The base class discards all results, for runs whose history of Q alone
-/// is needed (search/continuum_run.h). `RowsInMemory` keeps the rows, for sweeps. `ModelFiles` writes the files into
+/// Receiver of the results of one model's run. The base class discards all results. It serves runs that only give their
+/// history of Q (search/continuum_run.h). `RowsInMemory` keeps the rows, for sweeps. `ModelFiles` writes the files into
 /// the directory of the run.
 ///
 /// All ranks call the same functions in the same order.

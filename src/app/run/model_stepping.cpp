@@ -94,9 +94,9 @@ void ModelStepping::reconsider() {
   if (!traits_.constrained_form) return;
   position_.looks.next = position_.cursor.sample + samples_between_looks();
   double limit = 0;
-  // This ratio to the limit lies between `reserve`, for which steps are chosen, and 1, above which steps are unstable.
-  // A step is therefore not halved if the frequency oscillates by a few per cent, and is halved before it reaches the
-  // limit.
+  // Steps are chosen for the ratio `reserve` to the stability limit, and are unstable above the ratio 1. A limit
+  // between both has two advantages. A step is not halved if the frequency oscillates by a few per cent, and is halved
+  // before it becomes unstable.
   constexpr double less_reserve = 0.9;
   if (!rattle_limit(less_reserve, limit)) return;  // the next step fails for the same reason and reports the reason
   const double before = position_.step;
@@ -168,8 +168,8 @@ void ModelStepping::plan_look(double stable_rattle_step) {
   looks = {now + std::max(between, n_samples), now, stable_rattle_step, looks.fastest_change};
 }
 
-/// Sets the method and step that another run found. The step is reduced to 0.8 of the stability limit of this run if it
-/// is longer.
+/// Sets the method and step that another run found. For systems in constrained form, the step is at most 0.8 of the
+/// stability limit of this run.
 mechanics::Status ModelStepping::take_over(const Stepping& known) {
   position_.method = known.method;
   position_.step = known.step;

@@ -1,6 +1,6 @@
 #pragma once
-/// Choice of the method and the step of one model's run. Both are entries of the scene, or the program finds them for
-/// the tolerance of the scene.
+/// Choice of the method and the step of one model's run. The scene gives the method and the step, or the program finds
+/// them for the tolerance of the scene.
 
 #include <algorithm>
 #include <cmath>
@@ -53,25 +53,25 @@ class ModelStepping {
   virtual Status judge_stiffness(mechanics::StepRequest& request) const = 0;
   virtual mechanics::StepChoice choose_step(const mechanics::StepRequest& request) const = 0;
 
-  /// Sets the method, the step and the local tolerance for the rest of the run. If the program searches, it writes the
-  /// result of the search to the log and the statistics.
+  /// Sets the method, the step and the local tolerance for the rest of the run. If the program searches for them, the
+  /// result of the search is written to the log and the statistics.
   Status choose();
 
   /// True if the scene gives a step that does not exceed the present step.
   bool shortens() const { return std::isfinite(step_bound()) && step_bound() <= position_.step * (1 + 1e-12); }
   void shorten() { position_.step = std::min(position_.step, step_bound()); }
 
-  /// Checks the largest frequency, and halves the step until it is at most 0.9 of the stability limit.
+  /// Checks the largest frequency, and halves the step until the step is at most 0.9 of the stability limit.
   void reconsider();
 
   bool is_adaptive() const { return is_adaptive(position_.method); }
   /// True if the step can change during the run: the scene does not give the step, and the method is not adaptive.
   bool adapts() const { return !context_.scene.time.step && !is_adaptive(); }
 
-  /// Tolerance of the scaled constraint, for systems that solve their Gram systems by iteration. It is the entry of the
-  /// scene, if there is one. Otherwise it is 1e-4 times the tolerance of the motion, or 0 if the scene gives the step.
-  /// At 0 the method uses its own tolerance. With 1e-13 in place of 1e-4, errors and steps would change by less than a
-  /// thousandth.
+  /// Tolerance of the scaled constraint, for systems that solve their Gram systems by iteration. If the scene has an
+  /// entry for this tolerance, the entry is the tolerance. Otherwise the tolerance is 1e-4 times the tolerance of the
+  /// motion, or 0 if the scene gives the step. If the tolerance is 0, the method uses its own tolerance. With 1e-13 in
+  /// place of 1e-4, errors and steps would change by less than a thousandth.
   double constraint_tolerance() const {
     const auto& time = context_.scene.time;
     constexpr double part = 1e-4;

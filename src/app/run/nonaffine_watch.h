@@ -2,7 +2,7 @@
 /// Monitors the non-affine displacement of a fluid. Under its own gravity and quadratic potentials the exact motion is
 /// affine, x = QX (Dirichlet). A non-affine part of a computed motion is therefore an error. This error grows, because
 /// no force restores the affine form. The program warns at the first sample at which the error exceeds 1 % of the size
-/// of the body. At the end it reports the largest error.
+/// of the body. At the end of the run, the program reports the largest error.
 
 #include <algorithm>
 #include <array>

@@ -60,15 +60,16 @@ class RunnableModelOf : public RunnableModel {
   /// with the largest frequency ω of these vibrations.
   virtual double rate(const State&) const = 0;
   virtual double constraint_scale() const { return 1; }
-  /// Kinetic and potential energy. For systems with a costly force, the choice of the step bounds the change of their
-  /// sum by methods that are not symplectic.
+  /// Kinetic and potential energy. Methods that are not symplectic can change the sum of both energies. For systems
+  /// with a costly force, the choice of the step bounds this change.
   virtual Eigen::Vector2d energies(const State&) const { return Eigen::Vector2d::Zero(); }
   /// Checks the state after every step. A failure ends the run.
   virtual mechanics::Status judge(const State&) { return {}; }
   /// The state at the begin of the pilot runs, for a run that begins with `state`.
   virtual State start_of_pilot(const State& state) const { return state; }
   /// `choose_quadrature` chooses the quadrature rule before the search for the step. `estimate_quadrature` estimates
-  /// the error of the rule after the search. `stable_step` is the stable step of RATTLE, or 0 if it is not known.
+  /// the error of the rule after the search. `stable_step` is the stable step of RATTLE, or 0 if this step is not
+  /// known.
   virtual void choose_quadrature(const State&) {}
   virtual void estimate_quadrature(const State&, double /*stable_step*/) {}
   virtual std::string place_of_least_jacobian(const State&) const { return {}; }  ///< for messages of failure

@@ -23,7 +23,7 @@ inline io::Units units_of(const scene::Scene& scene) {
   return io::ball_units(scene.body.radius, scene.body.density, scene::time_scale(scene));
 }
 
-/// The initial Q₀ and, in the next function, Q̇₀ per unit of internal time.
+/// The initial deformation Q₀ and, in the next function, Q̇₀ per unit of internal time.
 inline Eigen::Matrix3d initial_deformation(const scene::Scene& scene) {
   return to_eigen(scene.initial_state.deformation);
 }
@@ -31,7 +31,7 @@ inline Eigen::Matrix3d initial_velocity(const scene::Scene& scene, const io::Uni
   return to_eigen(scene.initial_state.velocity) * units.time;
 }
 
-/// The initial position of the centre of mass and, in the next function, its initial velocity.
+/// The initial position of the centre of mass and, in the next function, the initial velocity of the centre of mass.
 inline Eigen::Vector3d initial_center(const scene::Scene& scene, const io::Units& units) {
   return to_eigen(scene.initial_state.center) / units.length;
 }

@@ -99,7 +99,7 @@ std::optional<Stepping> DiscretizationSearch::silent_stepping() const {
   return stepping;
 }
 
-/// Adds a run to the series of errors, or counts it as a failure.
+/// Adds the present run to the series of errors, or counts it as a failure.
 void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace trace) {
   if (outcome.end == mechanics::Outcome::failed) {
     ++n_failures_;

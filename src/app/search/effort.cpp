@@ -36,8 +36,8 @@ double n_nodes_of_images(int n_octants, double n) {
   return n_octants == 2 ? 2 * O - D : O;
 }
 
-/// Bytes per unknown, and bytes per pair of multipliers in a cell. They are fitted to measurements for k = 2 … 8 and r
-/// = 0 … 3. The memory of a process that has only loaded the libraries is subtracted from the resident memory.
+/// Bytes per unknown, and bytes per pair of multipliers in a cell. These sizes are fitted to measurements for k = 2 … 8
+/// and r = 0 … 3. The memory of a process that has only loaded the libraries is subtracted from the resident memory.
 constexpr double bytes_of_unknown = 600, bytes_of_pair_of_multipliers = 60;
 /// Number of doubles in a checkpoint per unknown and per multiplier: positions, velocities, and the memory of
 /// symmetric-4. Among the methods for the ball, symmetric-4 remembers the largest number of past steps.
@@ -56,8 +56,8 @@ double step_of_mesh(const scene::Discretization& d) {
   return 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
 }
 
-/// Time of a step of the finite-element model per unknown, correct within a factor of 3. It was measured on cores of 2
-/// to 4 GHz for k = 3 … 6 and r = 0 … 1.
+/// Time of a step of the finite-element model per unknown, correct within a factor of 3. The time was measured on cores
+/// of 2 to 4 GHz for k = 3 … 6 and r = 0 … 1.
 constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
 /// Typical ratio of the step to the stability limit at rest, if the program chooses the step for a tolerance.
 constexpr double usual_part_of_limit = 0.6;

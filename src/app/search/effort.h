@@ -1,7 +1,7 @@
 #pragma once
-/// Estimate of the unknowns, the memory and the largest stable step of a finite-element run. It is made before the mesh
-/// is built. The program shows it to the user, and refuses a run that needs more memory than the machine has. For small
-/// motions about rest, the stable step of RATTLE is
+/// Estimate of the unknowns, the memory and the largest stable step of a finite-element run. The estimate is made
+/// before the mesh is built. The program shows it to the user, and refuses a run that needs more memory than the
+/// machine has. For small motions about rest, the stable step of RATTLE is
 ///
 ///   h = 0.38/(k (k + 0.4)) · 0.493^r / √(μ + 0.296 λ)      (μ, λ Lamé's moduli at rest, ρ = 1, radius 1)
 ///
@@ -38,8 +38,8 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& discret
 /// A size in bytes as text, for example "12 kB", "9000 MB", "12 GB".
 std::string in_bytes(double bytes);
 
-/// The largest stable step of the scene's method on the builtin mesh, in the user's unit of time. For an adaptive
-/// method it is infinite. If the program chooses the method, it is the step of RATTLE.
+/// The largest stable step of the scene's method on the builtin mesh, in the user's unit of time. The step is infinite
+/// for an adaptive method. If the program chooses the method, the function returns the step of RATTLE.
 double stable_step(const scene::Scene& scene, const scene::Discretization& discretization);
 
 /// The result of scene::needs with lines about the effort of the run, and with a warning if the scene's step is not

@@ -24,8 +24,8 @@ struct CompanionPair {
 };
 
 /// Runs the scene on the discretisation, or on the companion if `is_companion` is true. For the discretisation,
-/// `stepping` is empty. For the companion, it is the method and step of the run on the discretisation. `trace` receives
-/// the history of Q.
+/// `stepping` is empty. For the companion, `stepping` is the method and step of the run on the discretisation. `trace`
+/// receives the history of Q.
 using RunOfPair = std::function<ModelOutcome(const RunContext& context, bool is_companion,
                                              const std::optional<Stepping>& stepping, DeformationTrace* trace)>;
 
@@ -38,7 +38,7 @@ ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& 
 ModelOutcome run_with_estimate(const RunContext& context, const ContinuumRun& run);
 
 /// Returns the history `trace` as a table, with a factor. The factor converts the difference between the run and
-/// `trace` to an error of the run. The comparison of the models uses both.
+/// `trace` to an error of the run. The comparison of the models uses the table and the factor.
 analysis::OtherResolution other_resolution(const DeformationTrace& trace, double resolution, double resolution_of_trace,
                                            double least_rate, const RunContext& context);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Runs `Analysis = equilibrium` for a system. It finds the critical points of the potential of the system
+/// Runs `Analysis = equilibrium` for a system. The run finds the critical points of the potential of the system
 /// (mechanics/equilibria/critical_points.h) and writes them into equilibria.csv.
 ///
 /// The file has a row for each point, by rising potential, with the rates of small motions of the system. The counts

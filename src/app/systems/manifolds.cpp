@@ -121,8 +121,8 @@ class ManifoldRun {
   }
 
   /// Integrates a motion from its start, backwards in time on a stable manifold. The motion ends at a critical point,
-  /// after the time of the scene, or when a step fails. On a stable manifold it also ends if its energy is far above
-  /// all critical points, and a failed step is not an error.
+  /// after the time of the scene, or when a step fails. On a stable manifold, the motion also ends if its energy is far
+  /// above all critical points, and a failed step is not an error.
   template <class Form>
   Status follow(const Form& form, systems::AnyModel& at_rest, const Curve& curve, const PhaseVector& start, End& end) {
     using Method = mechanics::DormandPrince8;

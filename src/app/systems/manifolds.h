@@ -1,5 +1,5 @@
 #pragma once
-/// Runs `Analysis = manifolds` for a system. It computes motions on the unstable and the stable manifolds of the
+/// Runs `Analysis = manifolds` for a system. The run computes motions on the unstable and the stable manifolds of the
 /// critical points of the system (Oliva, Geometric Mechanics, 5.8). The motions show which critical points are
 /// connected. In addition to equilibria.csv the run writes
 ///

@@ -26,7 +26,7 @@ using mechanics::Status;
 using Method = mechanics::DormandPrince8;
 
 constexpr int looks_per_step = 8, steps_between_interrupts = 256;
-/// Local tolerance of the integration that locates a crossing. It is close to the least tolerance that the method
+/// Local tolerance of the integration that locates a crossing. This tolerance is close to the least one that the method
 /// accepts.
 constexpr double tolerance_of_location = 1e-15;
 
@@ -145,8 +145,8 @@ class SectionRun {
     return (rises && wanted != scene::Crossings::down) || (falls && wanted != scene::Crossings::up);
   }
 
-  /// Locates the crossing between the times `early` and `late` within the step from `start`, and writes it. Does
-  /// nothing if there is no crossing.
+  /// Locates the crossing between the times `early` and `late` within the step from `start`, and writes a row for it.
+  /// `before` and `after` are the distances at these times. Does nothing if there is no crossing.
   Status take(const State& start, double early, double late, double before, double after) {
     if (!counts(before, after)) return {};
     Status status;

@@ -1,5 +1,5 @@
 #pragma once
-/// Runs `Analysis = section` for a system. It computes the points at which a motion crosses a surface of section
+/// Runs `Analysis = section` for a system. The run computes the points at which a motion crosses a surface of section
 /// (Poincaré). On this surface, one column of the system's file has a given value. The points are the rows of
 /// section.csv, with the columns of the motion.
 ///

@@ -14,7 +14,7 @@
 
 namespace pseudorigid::app {
 
-/// The object refers to `form` and `model`, which must outlive it.
+/// The object refers to `form` and `model`. Both must exist as long as the object.
 template <class Form>
 class SystemModel final : public RunnableModelOf<Form> {
   using Base = RunnableModelOf<Form>;
