@@ -127,7 +127,7 @@ std::optional<Refusal> refuses(const Scene& scene) {
 }
 
 /// True for the methods that the finite-element model can use: the methods of the incompressible pseudo-rigid body that
-/// accept any type of vector. Also true for "auto".
+/// accept any type of vector. The name "auto" is also accepted.
 bool continuum_takes_method(std::string_view name) {
   const auto id = mechanics::find_method(name);
   return method_can_run<ElasticBody<true>>(name) &&
