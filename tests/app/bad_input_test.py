@@ -74,7 +74,7 @@ class BadInput(RefusedInputTest):
         self.refused_entries({"Analysis": "modes", "Models": "continuum", "Continuum/Symmetry": "none"},
                              "Continuum/Symmetry", "set Symmetry = auto")
         self.refused_entries({"Analysis": "modes", "Models": "continuum",
-                              "Initial state/Velocity": "0, 1, 0; 0, 0, 0; 0, 0, 0"}, "Initial state/Velocity", "about rest")
+                              "Initial state/Velocity": "0, 1, 0; 0, 0, 0; 0, 0, 0"}, "Initial state/Velocity", "from rest")
         self.refused_entries({"Analysis": "equilibrium", "Models": "reduced, continuum"}, "Analysis", "set Models = reduced")
 
     # Values.

@@ -255,7 +255,7 @@ class ContinuumLoads(StoppedRunTest):
         refuse({"Material/Viscosity": -1}, "Material/Viscosity")
         refuse({"Loads/Acceleration": "1, 0, 0", "Continuum/Symmetry": "octant"}, "Continuum/Symmetry", "normal x",
                "Loads/Acceleration")
-        refuse({"Models": "continuum", "Analysis": "modes", "Material/Viscosity": 1}, "Analysis", "ball alone")
+        refuse({"Models": "continuum", "Analysis": "modes", "Material/Viscosity": 1}, "Material/Viscosity", "ball alone")
         tide = {"Models": "reduced", "Loads/Tidal amplitude": "0.2, 0, 0; 0, -0.1, 0; 0, 0, -0.1"}
         refuse({**tide, "Time/Method": "symmetric-8"}, "Time/Method", "depend on the position alone")
         refuse({**tide, "Time/Method": "energy-momentum"}, "Time/Method", "energy-momentum")

@@ -154,6 +154,18 @@ class Scenes(ProgramTest):
         self.assertIn("polynomial-3", result.stdout)
         self.assertIn("polynomial-3", (self.scratch / "output/ladder/report.html").read_text())
 
+    def test_love_numbers(self):
+        """The moon of ice; with elements of degree 3 for 8, and one polynomial body that has Kelvin's solution."""
+        self.scene((SOURCE / "params/love_numbers.prm").read_text(), "love_numbers.prm")
+        self.run_done("run", "love_numbers.prm", *overrides({"Polynomial/Degree": 3, "Continuum/Degree": 3}))
+        h = {name: self.table(f"output/love_numbers/love-{name}.csv").column("h")[0]
+             for name in ("reduced", "polynomial", "continuum")}
+        gamma = 4 * math.pi / 3 * 6.6743e-11 * 1500**2 * 2.5e5**2 / 4e9
+        exact = 2.5 / (1 + 9.5 / gamma)
+        self.assertAlmostEqual(h["reduced"], 2.5 / (1 + 12.5 / gamma), delta=1e-14)
+        self.assertAlmostEqual(h["polynomial"] / exact, 1, delta=1e-12)
+        self.assertAlmostEqual(h["continuum"] / exact, 1, delta=1e-3)
+
     def test_modes(self):
         """PHYSICS.md 3, in other units: radius 2, density 3 and shear modulus 0.75 have c/r = 1/4."""
         self.scene((SOURCE / "params/modes.prm").read_text(), "modes.prm")

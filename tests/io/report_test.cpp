@@ -40,7 +40,7 @@ TEST(Report, HoldsTheFilesOfTheRunInTheirElements) {
     const auto begin = empty.rfind('\n', at) + 1;
     empty.erase(begin, empty.find('\n', at) + 1 - begin);
   }
-  EXPECT_EQ(n_of_movers, 7);
+  EXPECT_EQ(n_of_movers, 8);
   EXPECT_EQ(without(without(page, manifest), "set Title = x\n"), empty);
 }
 

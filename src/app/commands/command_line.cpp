@@ -17,7 +17,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Joins the lines of CLI11's text for a wrong command line: an error message has one sentence.
+/// Joins the lines of CLI11's text for a wrong command line, because an error message has one sentence.
 std::string one_sentence(std::string text) {
   for (char& c : text)
     if (c == '\n') c = ' ';
@@ -47,7 +47,7 @@ scene::Format format_of(const std::string& name) {
   throw CLI::ValidationError("--format", "expected prm, markdown or json, got \"" + name + "\"");
 }
 
-/// Text that names the directory of the installed scenes; empty if the program is not installed.
+/// Text with the directory of the installed scenes; empty if the program is not installed.
 std::string note_on_scenes() {
   std::error_code none;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
@@ -55,7 +55,8 @@ std::string note_on_scenes() {
   return std::filesystem::is_directory(scenes, none) ? "\n\nScenes to begin with: " + scenes.string() : "";
 }
 
-/// Throws a UserError that lists the commands if the command is unknown. The message of CLI11 does not list them.
+/// Throws a UserError if the first argument is not a command. The message lists the commands, which the message of
+/// CLI11 does not do.
 void require_known_command(const CLI::App& app, int argc, const char* const* argv) {
   const std::string_view word = argc > 1 ? argv[1] : "";
   if (word.empty() || word.starts_with('-')) return;
@@ -68,7 +69,7 @@ void require_known_command(const CLI::App& app, int argc, const char* const* arg
                               scene::did_you_mean(word, {names.begin(), names.end()}), fmt::join(names, ", ")));
 }
 
-/// Throws a UserError for surplus arguments and unknown options.
+/// Throws a UserError for `words`, the surplus arguments and unknown options of the command.
 [[noreturn]] void refuse_arguments(const CLI::App& command, const std::vector<std::string>& words) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())

@@ -1,5 +1,5 @@
 #pragma once
-/// The command line of `pseudorigid` (README.md), parsed into values.
+/// The command line of `pseudorigid` (README.md), and its conversion to options.
 
 #include <filesystem>
 #include <optional>
@@ -16,9 +16,9 @@ enum class Command { run, check, parameters, report, version, help };
 struct Options {
   Command command = Command::help;
   std::filesystem::path scene;
-  std::vector<std::string> overrides;           ///< --set
-  std::optional<std::filesystem::path> output;  ///< --output
-  std::filesystem::path run_directory;          ///< DIR of `report`
+  std::vector<std::string> overrides;           ///< arguments of --set
+  std::optional<std::filesystem::path> output;  ///< argument of --output
+  std::filesystem::path run_directory;          ///< argument DIR of `report`
   bool resume = false;
   io::Verbosity verbosity = io::Verbosity::normal;
   scene::Format format = scene::Format::markdown;

@@ -18,7 +18,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Reads the runs of all models that have written a file.
+/// Reads the tables of all runs that have written a file.
 std::vector<RunOfModel> runs_with_files(const RunContext& context, const io::Manifest& manifest) {
   std::vector<RunOfModel> runs;
   for (const scene::ModelDescription* model : context.needs.models)
@@ -29,7 +29,8 @@ std::vector<RunOfModel> runs_with_files(const RunContext& context, const io::Man
   return runs;
 }
 
-/// Truncates all tables to the common samples, because a model that stopped early has fewer.
+/// Truncates all tables to the samples that every run has, because a model that stopped early has fewer samples.
+/// Removes all runs if fewer than two samples remain.
 void truncate_to_common_samples(std::vector<RunOfModel>& runs) {
   std::size_t n_common = runs.empty() ? 0 : runs.front().table.n_rows();
   for (const RunOfModel& run : runs) n_common = std::min(n_common, run.table.n_rows());
@@ -42,8 +43,8 @@ std::optional<double> counter(const io::Manifest::Model& statistics, const char*
   return found == statistics.counters.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// The errors that a model's run has estimated. A pseudo-rigid body does not have an error in space. For finite
-/// elements, the error in space contains the quadrature error.
+/// The errors that a model's run has estimated. The pseudo-rigid body has no error in space and no quadrature error.
+/// For finite elements, the error in space contains the quadrature error.
 analysis::RunErrors errors_of(const scene::ModelDescription& model, const io::Manifest::Model& statistics,
                               const OtherResolutions& others) {
   const auto other = others.find(model.name);
@@ -71,7 +72,7 @@ analysis::Comparison compare(const RunContext& context, const RunOfModel& run, c
                              const OtherResolutions& others) {
   const scene::Scene& scene = context.scene;
   analysis::ComparisonOptions options{.facts = facts_of(context)};
-  // The exact value applies if the pseudo-rigid model is compared with the finite-element model. The ball must be
+  // The exact ratio applies if the pseudo-rigid model is compared with the finite-element model. The ball must be
   // incompressible, because a compressible ball can oscillate mainly in its volume.
   if (const auto small = small_pulsation(scene);
       small && scene.body.incompressible && !run.model->has_nonaffine && reference.model->discretized)

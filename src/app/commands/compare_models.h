@@ -1,8 +1,8 @@
 #pragma once
-/// The comparison of the models of a run. Each model is compared with the last one, which has the most degrees of
-/// freedom. For two models the files are comparison.csv and comparison.json. For more, each comparison has its files
-/// `comparison-<model>.csv` and .json, and comparison.json is an overview. A model that runs alone has a table on the
-/// terminal.
+/// The comparison of the models of a run. Each run is compared with the last one, whose model has the most degrees of
+/// freedom. For two runs the files are comparison.csv and comparison.json. For more runs, each comparison has the files
+/// `comparison-<model>.csv` and `comparison-<model>.json`, and comparison.json is an overview. If a model runs alone, a
+/// summary is printed on the terminal.
 
 #include <functional>
 #include <map>
@@ -16,32 +16,35 @@
 
 namespace pseudorigid::app {
 
-/// For each model by its name, the motion on another discretisation.
+/// Maps the name of a model to the motion on another discretisation.
 using OtherResolutions = std::map<std::string, analysis::OtherResolution, std::less<>>;
 
-/// A run of a model with its samples.
+/// A run of a model, with the table of its samples.
 struct RunOfModel {
   const scene::ModelDescription* model;
-  std::string name;  ///< name of its files
+  std::string name;  ///< name of the files of the run
   std::string adjective;
   io::Manifest::Model statistics;
   io::Table table;
 };
 
-/// The adjective of the ball in a run, "elastic". If the run has chosen its degree, the text is "polynomial N = 7".
+/// The adjective of the ball in a run, for example "elastic". If the run has chosen its degree, the text is for example
+/// "polynomial N = 7".
 std::string adjective_of(const scene::ModelRun& run, const io::Manifest::Model& statistics);
 
-/// The comparison of each run with the last one over the samples that all runs have; empty if there are fewer than two.
+/// Compares each run with the last run, at the samples that all runs have. Returns an empty vector if there are fewer
+/// than two runs or two common samples.
 std::vector<analysis::Comparison> comparisons_of(const RunContext& context, std::vector<RunOfModel> runs,
                                                  const OtherResolutions& others);
 
-/// Compares the models that ran, writes the files and prints a table. Returns the reason if printing fails, otherwise
-/// an empty string.
+/// Compares the models that have results, writes the comparison files, and prints a table unless `quiet` is true. Does
+/// nothing for fewer than two runs or two common samples. Returns the reason if printing fails, otherwise an empty
+/// string.
 std::string compare_models(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others,
                            bool quiet);
 
-/// Prints a summary of the only model, or of the system. Returns the reason if printing fails, otherwise an empty
-/// string.
+/// Prints a summary of the motion of the system, or of the only model. Does nothing if there are several models or
+/// fewer than two samples. Returns the reason if printing fails, otherwise an empty string.
 std::string summarize_run(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others);
 
 }  // namespace pseudorigid::app

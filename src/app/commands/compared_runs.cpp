@@ -24,7 +24,7 @@ using analysis::Comparison, analysis::ModelSummary;
 
 constexpr double none = 0, unknown = -1;
 
-/// A column of comparison.csv that compares two models, with the group of quantities that the column needs.
+/// A column of comparison.csv that compares two models, and the group of quantities that this column requires.
 struct Difference {
   const char* name;
   bool mechanics::Quantities::*group;
@@ -48,7 +48,7 @@ constexpr std::array differences{
     Difference{"multiplier_difference", &mechanics::Quantities::multiplier},
 };
 
-/// The results of all models of a run.
+/// The results of all models for one run of the sweep.
 struct Results {
   std::vector<RunOfModel> runs;
   std::vector<bool> finished;  ///< for each element of `runs`
@@ -62,7 +62,8 @@ double counter(const io::Manifest::Model& statistics, const char* name, double o
   return found == statistics.counters.end() ? otherwise : found->second;
 }
 
-/// A column for a model: its name after "m_", and its value. The summary is null if the runs are not compared.
+/// A column for a model: the part of its name after "m_", and a function for its value. `summary` is null if the runs
+/// are not compared.
 struct ColumnOfRun {
   const char* name;
   double (*value)(const RunOfModel& run, const ModelSummary* summary);
@@ -141,7 +142,8 @@ std::string prefix(const std::string& run) {
   return name;
 }
 
-/// Runs the models one after the other. If one stops early, its samples are kept, and the other models still run.
+/// Runs the models one after the other. If a model stops early, its samples are kept, and the other models still run.
+/// An interrupt ends all.
 Results run_models(const RunContext& context, const Executable& executable, std::map<std::string, io::Table>& tables) {
   Results results;
   const auto n_samples = static_cast<std::size_t>(context.scene.output.samples) + 1;
@@ -165,7 +167,7 @@ Results run_models(const RunContext& context, const Executable& executable, std:
   return results;
 }
 
-/// Appends the part of the row that follows the parameters.
+/// Appends the columns that follow the parameters.
 void add_results(const RunContext& context, const Results& results, std::vector<double>& row) {
   const std::vector<Comparison> comparisons = comparisons_of(context, results.runs, results.others);
   row.push_back(!comparisons.empty());

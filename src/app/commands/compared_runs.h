@@ -1,6 +1,6 @@
 #pragma once
-/// The runs of a sweep with several models. Each run computes all models and compares each of them with the last one.
-/// Let m be the name of a model's files, with "_" in place of "-". Then sweep.csv has the columns
+/// The runs of a sweep with several models. Each run computes all models and compares each model with the last one. Let
+/// m be the name of a model's files, with "_" in place of "-". The columns of sweep.csv are then
 ///
 ///   run, the parameters, compared (1 or 0);
 ///   for every m  m_finished (1 or 0), m_time (reached), m_steps, m_forces, m_time_error, m_space_error, m_frequency,
@@ -11,8 +11,8 @@
 ///   for the last nonaffine_kinetic_fraction (mean), nonaffine_displacement (largest), min_jacobian, and
 ///                surface_limit_time.
 ///
-/// A number that does not exist is 0. An error that is not known, or a time that is not reached, is −1. The phases of
-/// two motions of angular frequencies ω and ω' differ by a tenth of a period after  t = 0.2 π/|ω − ω'|.
+/// A quantity that does not exist is 0. An error, a drift or a time that is not known is −1. Motions of angular
+/// frequencies ω and ω' have phases that differ by a tenth of a period after the time t = 0.2 π/|ω − ω'|.
 
 #include <string>
 #include <vector>
@@ -29,7 +29,7 @@ std::vector<std::string> columns_of_compared_runs(const scene::Scene& scene, con
 
 class ComparedRuns : public SweepTask {
  public:
-  /// `context` is the context of the first run.
+  /// `context` is the context of the first run of the sweep.
   ComparedRuns(const scene::ReadScene& raw, const Executable& executable, const RunContext& context);
 
   std::vector<std::string> columns() const override;

@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Usual and largest number of characters of a number: 17 digits, sign, point, exponent and comma.
+/// Usual and largest number of characters of a number in a table. The largest number has 17 digits, sign, point,
+/// exponent and comma.
 constexpr double bytes_per_value = 20, most_bytes_per_value = 24;
 constexpr double bytes_per_value_of_picture = 5;
 constexpr double bytes_of_small_checkpoint = 1e4;  // mainly the text of the scene
@@ -43,7 +44,7 @@ double values_of_sweep(const scene::Scene& scene, const scene::Needs& needs) {
   return n_runs * (more + per_column * n_columns + (scene.sweep_trajectories ? n_samples(scene) * (n_columns + 1) : 0));
 }
 
-/// Number of values in the tables that have a row for every sample.
+/// Number of entries in all tables that have a row for every sample.
 double values_of_motion(const scene::Scene& scene, const scene::Needs& needs) {
   if (needs.system) return n_samples(scene) * static_cast<double>(columns_of_run(scene, needs).size());
   constexpr double of_comparison = 16;
@@ -60,7 +61,7 @@ double values_of_families(const scene::Scene& scene, const scene::Needs& needs) 
   return n * scene.equilibria.number;
 }
 
-/// The number of values in all tables; empty if it depends on the motion.
+/// Number of entries in all tables; empty if it depends on the motion.
 std::optional<double> values_of_tables(const scene::Scene& scene, const scene::Needs& needs) {
   using enum scene::Analysis;
   if (!scene.sweep.empty()) return values_of_sweep(scene, needs);
@@ -69,20 +70,22 @@ std::optional<double> values_of_tables(const scene::Scene& scene, const scene::N
   return scene.analysis == equilibrium && !needs.system ? values_of_families(scene, needs) : 0;
 }
 
-/// Number of points in a picture of the whole ball: of its elements, or of the blocks that the other models use.
+/// Number of points in a picture of the whole ball. The points belong to the finite elements, or to the blocks that the
+/// other models use.
 double n_points(const scene::ModelDescription& model, const std::optional<Effort>& of_elements) {
   static const auto of_blocks = static_cast<double>(io::ball_blocks(4, 2).points.size());
   return model.discretized && of_elements ? of_elements->n_points_of_picture : of_blocks;
 }
 
-/// The effort of the finite-element run; empty if the discretisation is not known yet.
+/// The effort of the finite-element run; empty without finite elements, or if the discretisation is not known yet.
 std::optional<Effort> effort_of_elements(const scene::Scene& scene, const scene::Needs& needs) {
   const auto fixed = scene::fixed_discretization(scene);
   if (!needs.discretized || !fixed) return std::nullopt;
   return effort_of(scene, *fixed, scene::has_mesh_file(scene) ? read_mesh_file(scene).mesh.cells.size() : 0);
 }
 
-/// Numbers per point of a picture that remain after compression, which removes data that are equal at all points.
+/// Number of components per point of a picture that need space after compression. Components that are equal at all
+/// points need almost no space.
 double values_per_point(const scene::ModelDescription& model, const scene::Fields& fields) {
   const double moving = 3 + (fields.displacement ? 9 : 0) + (fields.velocity ? 3 : 0);
   return moving +
@@ -122,8 +125,9 @@ double bytes_of_files(const fs::path& folder) {
   return bytes;
 }
 
-/// Free bytes on the disk of the directory, plus the bytes of the results there, which the run replaces. Empty if the
-/// system does not give this number. Other problems of the directory are reported when it is created.
+/// Free bytes on the disk of the directory, plus the bytes of the earlier results in the directory, which the run
+/// replaces. Empty if the operating system does not give the free space. Other problems of the directory are reported
+/// when it is created.
 std::optional<double> room_in(const io::RunDirectory& directory) {
   std::error_code error;
   const fs::space_info space = fs::space(nearest_existing(directory.path()), error);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double largest_amplitude = 0.25, largest_rate = 0.75, no_spin = 1e-9;
 
-/// True if the initial state is in the range of the sweeps of docs/adequacy.md.
+/// True if the initial state is in the range of the sweeps of docs/adequacy.md, and without spin.
 bool is_moderate(const scene::Scene& scene) {
   const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation);
   const Eigen::Matrix3d L = loads::to_eigen(scene.initial_state.velocity) * Q.inverse() * units_of(scene).time;
@@ -28,7 +28,8 @@ bool is_moderate(const scene::Scene& scene) {
          (L - L.transpose()).norm() <= no_spin * (1 + L.norm());
 }
 
-/// The frequency of the polynomial body of degree N in internal units; empty if the computation fails.
+/// Frequency of the slowest pulsation (spheroidal, degree 2) of the polynomial body of degree N, in internal units.
+/// Empty if the computation fails.
 std::optional<double> pulsation_of_polynomial(const scene::Scene& scene, int N) {
   constexpr std::size_t n_frequencies = 6;
   std::vector<polynomial::RestFrequency> found;

@@ -11,7 +11,7 @@
 
 namespace pseudorigid::app {
 
-/// Names for the files of models and systems of the catalogue.
+/// The names of the files of all models and systems of the catalogue, without extensions.
 inline std::vector<std::string> movers(const scene::Catalogue& catalogue) {
   std::vector<std::string> names;
   for (const scene::ModelDescription& model : catalogue.models) {
@@ -22,6 +22,7 @@ inline std::vector<std::string> movers(const scene::Catalogue& catalogue) {
   return names;
 }
 
+/// The names of all checkpoints.
 inline std::vector<std::string> writers_of_checkpoints(const scene::Catalogue& catalogue) {
   std::vector<std::string> names = movers(catalogue);
   names.insert(names.end(), {SweepRows::name, DiscretizationSearch::checkpoint_name, degree_checkpoint_name});

@@ -1,6 +1,6 @@
 #pragma once
-/// The table trajectories.csv of a sweep with Sweep/Trajectories. It has all samples of all runs. The number of the run
-/// precedes the columns of the model's own file.
+/// The table trajectories.csv of a sweep with Sweep/Trajectories. The table has all samples of all runs. Its columns
+/// are the number of the run, and then the columns of the model's own file.
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ namespace pseudorigid::app {
 
 inline constexpr const char* trajectories_name = "trajectories";
 
-/// The columns of the file that one run of a sweep would write.
+/// The columns of the file that a single run of the scene would write.
 std::vector<std::string> columns_of_run(const scene::Scene& scene, const scene::Needs& needs);
 
 }  // namespace pseudorigid::app

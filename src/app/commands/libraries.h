@@ -1,5 +1,5 @@
 #pragma once
-/// Versions of the libraries that the program is built with, for the manifest.
+/// Versions of the libraries with which the program is built, for the manifest.
 
 #include <fmt/format.h>
 #include <spdlog/version.h>

@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The directories in which the dynamic linker searches for libraries of the program.
+/// The directories in which the dynamic linker searches for the libraries of the program. Empty if the linker does not
+/// give the list.
 std::vector<fs::path> search_path() {
   void* const program = dlopen(nullptr, RTLD_LAZY);
   Dl_serinfo size{};
@@ -33,8 +34,8 @@ bool read(std::ifstream& file, std::uint64_t position, Record& record) {
       file.seekg(static_cast<std::streamoff>(position)).read(reinterpret_cast<char*>(&record), sizeof record));
 }
 
-/// The names of the libraries that a library needs, read from its ELF file. The code assumes that addresses equal
-/// offsets in the file, as linkers place them.
+/// The names of the libraries that a library needs, from its ELF file; empty if the file is not an ELF file. The code
+/// assumes that addresses equal offsets in the file, as linkers place them.
 std::vector<std::string> needed_by(const fs::path& library) {
   std::ifstream file(library, std::ios::binary);
   ElfW(Ehdr) header;

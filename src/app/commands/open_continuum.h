@@ -1,12 +1,14 @@
 #pragma once
-/// Opens the library of the finite elements. A process then has deal.II, MPI and PETSc only if a scene needs them.
+/// Opening of the library of the finite elements. A process loads deal.II, MPI and PETSc only if its scene needs finite
+/// elements.
 
 #include "app/run/continuum_module.h"
 
 namespace pseudorigid::app {
 
-/// Opens the library at its path in the build or the installation, relative to the executable. Throws NoContinuum if
-/// the library does not exist or cannot be opened, std::system_error if the address space is too small.
+/// Opens the library at its path relative to the executable, in the build or the installation. Returns the functions of
+/// the library. Throws NoContinuum if the library does not exist or cannot be opened, and std::system_error if the
+/// limit of the address space is too low.
 const ContinuumModule* open_continuum();
 
 }  // namespace pseudorigid::app

@@ -39,13 +39,13 @@
 namespace pseudorigid::app {
 namespace {
 
-/// The scene before validation (`raw`) and the scene that can run (`read`). For a sweep, `read` is the first run. The
-/// ends of the ranges of its parameters have then been checked.
+/// The scene before validation (`raw`) and the validated scene (`read`). For a sweep, `read` is the scene of the first
+/// run. The runs at the ends of the ranges of the parameters have then been checked.
 struct Input {
   scene::ReadScene raw, read;
 };
 
-/// Adapts a resumed scene to a later Time/End.
+/// Sets the number of samples of a resumed scene, which may have a later Time/End.
 void go_on(scene::Scene& scene, const Options& options) {
   try {
     keep_sampling(scene, io::RunDirectory(scene.output.directory, options.scene, options.output));
@@ -70,8 +70,8 @@ Input read_and_validate(const Options& options, const scene::Catalogue& catalogu
   return input;
 }
 
-/// Throws UserError if MPI has other ranks than the launcher. Processes can compute together only if MPI connects all
-/// of them.
+/// Throws UserError if the rank or the number of ranks differs between MPI and the launcher. Processes can compute
+/// together only if MPI connects all processes that the launcher started.
 void require_mpi_of(const Launch& launch, const Ranks& ranks) {
   if (ranks.rank() == launch.rank && (ranks.size() == launch.n_ranks || launch.n_ranks == Launch::unknown)) return;
   throw UserError(
@@ -80,15 +80,15 @@ void require_mpi_of(const Launch& launch, const Ranks& ranks) {
                   launch.rank, ranks.size(), ranks.size() == 1 ? "" : "s"));
 }
 
-/// The state of the process: the library that it has opened, and its ranks.
+/// The opened library and the ranks of this process.
 struct Process {
   Executable executable;
   Launch launch{};
   bool has_continuum = false;
   std::unique_ptr<Ranks> several{};  ///< the ranks of MPI, after MPI has started
 
-  /// Opens the library of the finite elements. It also starts MPI, which takes 0.3 s, if the process may be one of
-  /// several. Throws NoContinuum.
+  /// Opens the library of the finite elements, unless it is open. Also starts MPI, which takes 0.3 s, if the process
+  /// may be one of several. Throws NoContinuum.
   void open_continuum(int argc, char** argv) {
     if (has_continuum) return;
     const ContinuumModule& module = *executable.open_continuum();
@@ -103,12 +103,12 @@ struct Process {
     require_mpi_of(launch, *several);
   }
 
-  /// The number of ranks. MPI gives it if the launcher does not.
+  /// The number of ranks from MPI, or 1 if the launcher started a single process. Otherwise returns Launch::unknown.
   int n_ranks() const { return several ? several->size() : launch.n_ranks == 1 ? 1 : Launch::unknown; }
 };
 
-/// All inputs that determine the actions of a process: the scene with included files and overrides, the options, the
-/// mesh file and the environment.
+/// Texts of all inputs that determine the actions of a process. The inputs are the scene with included files and
+/// overrides, the options, the mesh file, and the environment.
 std::vector<std::string> identity_of(const Options& options, const scene::ReadScene& read) {
   const io::RunDirectory directory(read.scene.output.directory, options.scene, options.output);
   std::vector<std::string> lines{fmt::format("results in {}", directory.path().string()),
@@ -121,8 +121,8 @@ std::vector<std::string> identity_of(const Options& options, const scene::ReadSc
   return lines;
 }
 
-/// Opens the library of the finite elements for a valid scene. If it is missing, throws a UserError that lists the
-/// models that do not need it.
+/// Opens the library of the finite elements for a valid scene. If the library is missing, throws a UserError that lists
+/// the models that do not need it.
 void open_continuum_for(const scene::ReadScene& read, int argc, char** argv, Process& process) try {
   process.open_continuum(argc, argv);
 } catch (const NoContinuum& error) {
@@ -209,7 +209,7 @@ int run_program(int argc, char** argv, const Executable& executable) {
     // Only MPI can compare the scenes of all ranks.
     if (argc > 1 && std::string_view(argv[1]) == "run" && launch.n_ranks != 1) try {
         process.open_continuum(argc, argv);
-      } catch (const NoContinuum&) {  // only scenes that need the library fail, later
+      } catch (const NoContinuum&) {  // only scenes that need the library fail later
       }
     Options options;
     on_all_ranks(*process.executable.ranks, [&] { options = parse_command_line(argc, argv); });
@@ -217,8 +217,8 @@ int run_program(int argc, char** argv, const Executable& executable) {
   } catch (const std::exception& error) {
     const Failure failure = failure_of(error);
     const Ranks& ranks = *process.executable.ranks;
-    // If all ranks have an error, the first rank reports it. If only another rank has an error, this rank reports it
-    // and aborts all, because the first rank would wait for it.
+    // If all ranks have an error, the first rank reports it. If only a later rank has an error, this rank reports the
+    // error and aborts all ranks. Otherwise the first rank would wait for this rank forever.
     const bool alone = ranks.rank() > 0 && !dynamic_cast<const FailureOnAllRanks*>(&error);
     const bool unconnected = process.several && ranks.size() == 1 && launch.n_ranks == Launch::unknown;
     const bool is_first = ranks.rank() == 0 && launch.rank == 0;

@@ -13,11 +13,11 @@
 
 namespace pseudorigid::app {
 
-/// The parts that are linked into an executable, and the library that it opens.
+/// The models and functions of an executable, and the library that the executable can open.
 struct Executable {
   std::vector<BallModel> models;                   ///< all models that scenes may name, in the order of the catalogue
   std::map<std::string, std::string> libraries{};  ///< name → version, for the manifest
-  /// The SIMD instructions that the kernels use, "" without kernels. Throws mechanics::NoKernels.
+  /// Returns the SIMD instructions of the kernels, or "" if there are no kernels. Throws mechanics::NoKernels.
   std::string_view (*instructions)() = [] { return std::string_view(); };
   /// Function that opens the library of the finite elements. Throws NoContinuum.
   const ContinuumModule* (*open_continuum)() = []() -> const ContinuumModule* {

@@ -24,7 +24,7 @@ std::vector<std::string> movers_of_run(const io::RunDirectory& directory) try {
   throw UserError(std::string("DIR: expected the directory of a run; ") + error.what());
 }
 
-/// True if the chosen path causes the error, false if the machine does.
+/// True if the chosen path causes the error, false if the machine causes it.
 bool is_of_the_place(const io::WriteError& error) {
   constexpr int numbers[] = {ENOENT, ENOTDIR, EISDIR, EACCES, EPERM, EROFS, ENAMETOOLONG, ELOOP, EEXIST, ENXIO};
   return std::ranges::find(numbers, error.error_number) != std::end(numbers);
@@ -46,7 +46,7 @@ void report_run(const Options& options) {
     if (!is_of_the_place(error)) throw;
     throw UserError(fmt::format("{}: {}", options.output ? "--output" : "DIR", in_words(error)));
   }
-  // The path is printed only if it is a regular file, not a pipe or a device.
+  // The path is printed only if it names a regular file, not a pipe or a device.
   if (io::kind_unless_file(path).empty()) io::print(path.native() + "\n");
 }
 

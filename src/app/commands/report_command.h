@@ -1,6 +1,6 @@
 #pragma once
-/// The command `pseudorigid report DIR`, which makes report.html for a run without one. The run may have finished, may
-/// still be running, or may have been killed.
+/// The command `pseudorigid report DIR`, which makes report.html from the files of a run. The run may have finished,
+/// may still be running, or may have been killed.
 
 #include "app/commands/command_line.h"
 

@@ -26,14 +26,14 @@ namespace {
 
 constexpr const char* end_of_time = "Time/End";
 constexpr const char* number_of_samples = "Output/Samples";
-/// Entries outside the section Time that may change. Pictures follow the present scene. `keep_sampling` has checked the
-/// number of samples and the end.
+/// Entries outside the section Time that may change, and the two that `keep_sampling` has checked. Pictures follow the
+/// present scene.
 constexpr std::array<std::string_view, 6> may_change{end_of_time,     number_of_samples, "Output/Frames",
                                                      "Output/Fields", "Output/Cells",    "Output/Graphics"};
 
 using Entries = std::map<std::string, std::string>;
 
-/// The entries in a text. `origin` is the file that contains the text.
+/// The entries in the text `prm`. `origin` is the file that contains the text, for messages.
 Entries entries_of(const std::string& prm, const std::filesystem::path& origin) {
   Entries entries;
   scene::read_prm_text(prm, origin, [&](const scene::Statement& statement) {
@@ -42,7 +42,7 @@ Entries entries_of(const std::string& prm, const std::filesystem::path& origin) 
   return entries;
 }
 
-/// The entries of the scene of a checkpoint.
+/// The entries of the scene of a checkpoint, given the path of the checkpoint.
 Entries entries_of(const std::filesystem::path& checkpoint) {
   return entries_of(io::Checkpoint::load(checkpoint).get_string("scene"), checkpoint);
 }
@@ -60,7 +60,8 @@ std::string change_of(const std::string& path, const Entries& now, const Entries
   return fmt::format("{} = {}, which was {}", path, scene::quote(found->second), scene::quote(old->second));
 }
 
-/// One clause for each forbidden change of an entry; "" if there is none.
+/// A clause for each of the first five forbidden changes of entries, and the number of further ones; "" if there is no
+/// such change.
 std::string changes_between(const Entries& now, const Entries& before, bool is_sweep) {
   Entries all = now;
   all.insert(before.begin(), before.end());
@@ -76,7 +77,7 @@ std::string changes_between(const Entries& now, const Entries& before, bool is_s
   return n > most ? fmt::format("{}; and {} more", text, n - most) : text;
 }
 
-/// The columns of each CSV file with samples, by the name of the file.
+/// The columns of each CSV file with samples. The key is the name of the file.
 std::map<std::string, std::vector<std::string>> headers(const scene::Scene& scene, const scene::Needs& needs) {
   if (needs.system) return {{std::string(needs.system->file), columns_of_run(scene, needs)}};
   std::map<std::string, std::vector<std::string>> headers;
@@ -86,12 +87,13 @@ std::map<std::string, std::vector<std::string>> headers(const scene::Scene& scen
   return headers;
 }
 
-/// Checks all rows of the table of shapes, in which a killed run may have left an incomplete row.
+/// Checks that all rows of a table of shapes are complete, because a killed run may have left an incomplete row. The
+/// table need not exist.
 void require_shapes(const std::filesystem::path& path) {
   if (io::is_there(path)) io::require_rows(path, io::columns_in(path), io::n_rows_before(path, HUGE_VAL));
 }
 
-/// Checks the files of an earlier run of a model, if there are any.
+/// Checks the files of an earlier run of a model. Does nothing if there is no checkpoint.
 void require_files_of_run(const io::RunDirectory& directory, const std::string& name,
                           const std::vector<std::string>& columns) {
   if (!io::is_there(directory.checkpoint(name))) return;
@@ -115,7 +117,7 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory) {
   const Entries before = entries_of(found.front());
   const auto end = number(before, end_of_time), n = number(before, number_of_samples);
   if (!end || !n) return;
-  // The end in a checkpoint is positive also if time runs backwards. used.prm has the sign.
+  // If time runs backwards, the end in a checkpoint is positive, but the end in used.prm is negative.
   const auto used = number(entries_of(io::read_file(directory.used_prm()), directory.used_prm()), end_of_time);
   if (used && (*used < 0) != (scene.time.end < 0))
     throw UserError(

@@ -1,6 +1,6 @@
 #pragma once
-/// Checks of a scene and of the files in a directory before a run is resumed. Some parameters may differ from the first
-/// run.
+/// Checks of a scene and of the files in a directory before a run is resumed. Some entries of the scene may differ from
+/// the first run.
 
 #include <filesystem>
 #include <vector>
@@ -11,21 +11,22 @@
 
 namespace pseudorigid::app {
 
-/// The existing checkpoints of a run of the scene in the directory.
+/// The paths of the existing checkpoints in the directory that a run of the scene may have written.
 std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene);
 
-/// Sets the number of samples of a resumed scene, so that the interval between samples remains that of the earlier run.
-/// Time/End may be later than in the earlier run. Throws UserError if it is earlier, or if it is not a multiple of the
-/// interval. If there is no checkpoint, the scene does not change.
+/// Sets the number of samples of a resumed scene, so that the interval between samples remains the interval of the
+/// earlier run. Time/End may be later than in the earlier run. Throws UserError if Time/End is earlier, is not a
+/// multiple of the interval, or makes too many samples. If there is no checkpoint, or for a sweep, the scene does not
+/// change.
 void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory);
 
 /// Checks that every checkpoint in the directory is readable and belongs to this scene. Throws a UserError that names
-/// the entries that differ.
+/// up to five entries that differ.
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene);
 
-/// Throws UserError if a file that the resumed run appends to is damaged. The file is a list of pictures, or a table. A
-/// table is damaged if it has fewer samples than its checkpoint, or text in place of numbers. Call this function before
-/// writing to any of the files.
+/// Checks the files to which a resumed run appends, before the run writes to any of these files. Throws UserError if a
+/// list of pictures or a table is damaged. A damaged table has text in place of numbers, or fewer samples than its
+/// checkpoint. Does nothing for sweeps and for analyses other than a motion.
 void require_sound_files(const io::RunDirectory& directory, const scene::Scene& scene, const scene::Needs& needs);
 
 }  // namespace pseudorigid::app

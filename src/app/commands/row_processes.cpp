@@ -26,7 +26,7 @@ namespace {
 
 enum class Answer : std::int64_t { row, wrong_input, no_memory, failure };
 
-/// The first part of an answer: its kind, and the sizes of the parts that follow.
+/// The first part of an answer, with the kind of the answer and the sizes of the parts that follow.
 struct Header {
   Answer answer;
   std::int64_t end, n_row, n_columns, n_values, n_letters;
@@ -86,7 +86,7 @@ std::array<int, 2> make_pipe() {
 RowProcess::RowProcess(const SweepTask& task) {
   const auto [request_out, request_in] = make_pipe();
   const auto [answer_out, answer_in] = make_pipe();
-  std::fflush(nullptr);  // otherwise the copy would write buffered text again
+  std::fflush(nullptr);  // otherwise the child process would write buffered text again
   const pid_t parent = ::getpid();
   process_ = ::fork();
   if (process_ == 0) {
@@ -199,7 +199,8 @@ FinishedRun TaskInProcesses::run(int k) const {
     process = std::move(idle_.back());
     idle_.pop_back();
   }
-  // The process returns to the list also after an exception. If the process has ended, the next run reports this again.
+  // The process returns to the list also after an exception. If the process has ended, the next run reports the end
+  // again.
   struct Return {
     const TaskInProcesses& owner;
     std::unique_ptr<RowProcess>& process;

@@ -1,7 +1,7 @@
 #pragma once
 /// Separate processes for the runs of a sweep, for models whose libraries support only one thread per process. Each
-/// thread of the sweep has a process, which computes one row after the other. A process ends if its parent process
-/// ends.
+/// thread of the sweep uses one process, which computes one row after the other. These processes end if their parent
+/// process ends.
 
 #include <sys/types.h>
 
@@ -14,18 +14,18 @@
 
 namespace pseudorigid::app {
 
-/// A copy of this process that computes rows of `task`. The destructor closes the pipes to the process and ends it.
+/// A copy of this process that computes rows of `task`. The destructor closes the pipes to the copy and ends the copy.
 class RowProcess {
  public:
-  /// Throws std::system_error. Call it while the process has a single thread.
+  /// The calling process must have a single thread. Throws std::system_error if the process cannot be created.
   explicit RowProcess(const SweepTask& task);
   ~RowProcess();
   RowProcess(const RowProcess&) = delete;
   RowProcess& operator=(const RowProcess&) = delete;
 
-  /// Computes the row of run k. If `task` throws in the process, this function throws an exception with the same text.
-  /// The types UserError and std::bad_alloc are kept; other exceptions become std::runtime_error. It also throws
-  /// std::runtime_error if the process ends.
+  /// Computes the row of run k. If `task` throws in the process, this function also throws: a UserError for a
+  /// UserError, std::bad_alloc for std::bad_alloc, and otherwise std::runtime_error. Except for std::bad_alloc, the
+  /// exception has the text of the original exception. If the process ends, this function throws std::runtime_error.
   FinishedRun run(int k);
 
  private:
@@ -37,7 +37,8 @@ class RowProcess {
   pid_t process_ = -1;
 };
 
-/// A task that distributes its runs over `n_processes` such processes.
+/// A task that distributes the runs of `task` over `n_processes` processes. At most this number of threads may call
+/// `run` at the same time.
 class TaskInProcesses : public SweepTask {
  public:
   TaskInProcesses(const SweepTask& task, int n_processes);

@@ -30,7 +30,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Runs one model and writes its statistics into the manifest.
+/// Runs one model and writes the statistics of its runs into the manifest.
 ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& context, io::ManifestFile& manifest) {
   ModelOutcome outcome = run(context);
   if (const auto& counters = outcome.statistics.counters; counters.contains("steps"))  // equilibria do not have steps
@@ -43,8 +43,8 @@ ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& co
 
 bool is_resumable(const RunContext& context) { return !checkpoints(context.directory, context.scene).empty(); }
 
-/// The context in which a model runs. All ranks share a finite-element run, except the analyses of modes and Love
-/// numbers: a single process computes them in one octant.
+/// The context in which a model runs. All ranks share a finite-element run, but a single process computes modes and
+/// Love numbers in one octant.
 RunContext context_of(const scene::ModelDescription& model, const RunContext& context, const Executable& executable) {
   RunContext of_model = context;
   if (model.discretized && !scene::is_linear(context.scene.analysis) && executable.ranks->of_first(true))
@@ -60,7 +60,7 @@ std::string print(const std::string& results) try {
   return error.what();
 }
 
-/// Writes the final log line and manifest entry; returns the exit code.
+/// Writes the last line of the log and the end into the manifest. Returns the exit code.
 int end_run(mechanics::Outcome outcome, int exit_code, const std::string& message, const char* advice,
             const RunContext& context, io::ManifestFile& manifest) {
   if (outcome == mechanics::Outcome::finished)
@@ -110,7 +110,7 @@ int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, cons
                  context, manifest);
 }
 
-/// The columns of a model's file, one by one. The documentation can have a range such as "Q11 ... Q33" in one line.
+/// The columns of a model's file, one by one. The documentation can describe a range such as "Q11 ... Q33" in one line.
 std::vector<scene::Column> columns_of(const scene::ModelDescription& model, const scene::Quantities& quantities) {
   const auto stem = [](std::string_view name) { return name.substr(0, name.find_first_of("0123456789")); };
   std::vector<scene::Column> columns;
@@ -164,13 +164,13 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
   return content;
 }
 
-/// Writes the report, which shows the other files, at the end of the run.
+/// Writes the report, which shows the contents of the other files, at the end of the run.
 void add_report(const RunContext& context) {
   io::write_report(context.directory, io::movers_in(context.directory.manifest()));
   context.log->info("the report is {}", context.directory.report().string());
 }
 
-/// Ends the run after an exception, and records the message in the log and the manifest.
+/// Ends the run after an exception. Records the message in the log and the manifest, and returns the exit code.
 int stop(const Failure& failure, const RunContext& context, std::optional<io::ManifestFile>& manifest) {
   const bool goes_on = failure.exit_code == exit_stopped && is_resumable(context);
   context.log->error("{}{}", failure.message,
@@ -182,8 +182,8 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
   return failure.exit_code;
 }
 
-/// Prepares the directory. Problems are reported before anything in it changes. The message names the entry or option
-/// that determines the directory.
+/// Prepares the directory. Problems are reported before anything in the directory changes. The message names the entry
+/// or option that determines the directory.
 io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const scene::Needs& needs,
                     const Options& options) {
   constexpr const char* entry = "Output/Directory";

@@ -1,6 +1,6 @@
 #pragma once
-/// The command `pseudorigid run`: runs the models of a scene one after the other, compares them, and writes the
-/// manifest and the log.
+/// The command `pseudorigid run`. It runs the models of a scene one after the other, compares their motions, and writes
+/// the manifest and the log.
 
 #include <string>
 #include <vector>
@@ -11,13 +11,13 @@
 
 namespace pseudorigid::app {
 
-/// `raw` is the scene before scene::validate, and `read` is the scene after it. The runs of a sweep are validated one
-/// by one. Returns the exit code. After the directory is prepared, exceptions are written to the log.
+/// Runs a scene. `raw` is the scene before scene::validate, and `read` is the validated scene; the runs of a sweep are
+/// validated one by one. Returns the exit code. After the directory is prepared, exceptions are written to the log.
 int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
               const std::vector<std::string>& command, const Executable& executable);
 
-/// The work of all ranks but the first. They join the runs of the finite-element model that the first rank begins,
-/// write their pieces of the pictures, and print nothing. Returns the exit code.
+/// Work of every rank except the first. The rank joins the runs of the finite-element model that the first rank begins,
+/// and writes its pieces of the pictures. It prints nothing. Returns the exit code.
 int assist_scene(const scene::ReadScene& read, const Options& options, const Executable& executable);
 
 }  // namespace pseudorigid::app

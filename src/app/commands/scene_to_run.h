@@ -1,12 +1,14 @@
 #pragma once
-/// Conversion of a scene from its text to the scene that runs: validated, with the values of its initial equilibrium.
+/// Conversion of the scene in the parameter file to the scene that runs, which is validated and has explicit initial
+/// values.
 
 #include "app/reduced/ball_equilibria.h"
 #include "scene/validate.h"
 
 namespace pseudorigid::app {
 
-/// Validates the scene and replaces an initial equilibrium by explicit initial values. Throws UserError.
+/// Validates the scene and replaces an initial equilibrium by explicit initial values. Throws UserError if this is not
+/// possible.
 inline scene::Scene scene_to_run(const scene::Scene& read, const scene::Origins& origins) {
   scene::Scene scene = scene::validate(read, origins);
   if (scene.initial_state.equilibrium == scene::Family::none) return scene;

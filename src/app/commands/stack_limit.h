@@ -3,7 +3,8 @@
 
 namespace pseudorigid::app {
 
-/// Throws std::system_error if the limit is below the need of the program; the system would kill the program later.
+/// Throws std::system_error if the limit is less than the program needs. Otherwise the operating system would kill the
+/// program later.
 void require_stack();
 
 }  // namespace pseudorigid::app

@@ -40,7 +40,7 @@ std::string describe_run(const scene::Sweep& sweep, int k) {
   throw UserError(fmt::format("{}: {}: {}", raw.origins.of(entry), entry, sentence));
 }
 
-/// Refuses a parameter with the name of another column, because each parameter becomes a column of sweep.csv.
+/// Refuses a parameter with the name of another column of sweep.csv, because each parameter is a column of this file.
 void require_own_names(const scene::ReadScene& raw) {
   scene::Scene scene = scene_of_run(raw, scene::values_of_run(raw.scene.sweep, 0));
   const scene::Sweep parameters = std::exchange(scene.sweep, {});
@@ -57,7 +57,7 @@ void require_own_names(const scene::ReadScene& raw) {
           raw, fmt::format("expected other names than those of the columns of sweep.csv, got \"{}\"", parameter.name));
 }
 
-/// Refuses a parameter that no expression uses, because it would give equal runs.
+/// Refuses a parameter that no expression uses, because its runs would be equal.
 void require_used(const scene::ReadScene& raw) {
   std::set<std::string> used;
   for (const auto& [path, text] : raw.scene.expressions) used.merge(scene::names_used(text, raw.scene.sweep));
@@ -70,7 +70,7 @@ void require_used(const scene::ReadScene& raw) {
 
 /// Computes the runs that do not have a row yet. Several threads take one group of runs after the other. Groups and
 /// rows do not depend on the number of threads or on an interruption. A thread that runs out of memory leaves its group
-/// to the other threads, and the last thread continues alone.
+/// to the other threads and ends. The last thread continues alone.
 class Workers {
  public:
   /// `end` is the run after the last one.
@@ -83,7 +83,7 @@ class Workers {
         end_(end),
         next_(first_ / group * group) {}
 
-  /// Computes the runs. Returns the number of threads that could be started.
+  /// Computes the runs. Returns the number of threads, including the calling thread.
   int work(int n_threads) {
     left_.reserve(static_cast<std::size_t>(n_threads));  // allocated now, because memory may be exhausted later
     std::vector<std::jthread> threads;
@@ -101,13 +101,13 @@ class Workers {
 
   int n_failed() const { return n_failed_; }
   int n_together() const { return n_together_; }
-  /// The first run with wrong input, with its message.
+  /// The number of the first run with wrong input, and its message; empty if there is no such run.
   const std::optional<std::pair<int, std::string>>& wrong_input() const { return wrong_input_; }
 
  private:
   static constexpr int group = 8;
 
-  /// The runs begin, …, end − 1. The runs from `next` on do not have a row yet.
+  /// The runs begin, …, end − 1. The runs next, …, end − 1 do not have a row yet.
   struct Group {
     int begin, next, end;
   };
@@ -158,7 +158,7 @@ class Workers {
     }
   }
 
-  /// Ends the sweep: no thread takes another group. The caller must hold the mutex.
+  /// Ends the sweep, so that no thread takes another group. `error` may be null. The caller must hold the mutex.
   void end_with(std::exception_ptr error) {
     if (!error_) error_ = std::move(error);
     left_.clear();
@@ -181,24 +181,25 @@ class Workers {
   const scene::Sweep& parameters_;
   const RunContext& context_;
   SweepRows& rows_;
-  int first_;  ///< first run without a row at the start
+  int first_;  ///< first run without a row when the sweep starts
   int end_;
   std::mutex mutex_;         ///< protects the members below
   int next_;                 ///< first run of the next group
-  std::vector<Group> left_;  ///< groups left by threads without memory
+  std::vector<Group> left_;  ///< groups that threads without memory have left
   std::exception_ptr error_;
   std::optional<std::pair<int, std::string>> wrong_input_;
   int n_failed_ = 0;
   std::atomic<int> n_together_ = 0;
 };
 
-/// The number of threads. It is at least 1 also if a part of a sweep does not have runs.
+/// The number of threads. It is at least 1, also if the part of the sweep does not have runs.
 int n_threads_of(const scene::Scene& scene, int n_runs) {
   const auto n_cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   return std::clamp(scene.sweep_threads.value_or(n_cores), 1, std::max(1, n_runs));
 }
 
-/// The number of processes for which the memory suffices, if every run has the discretisation of the first.
+/// The number of processes for which the memory suffices, if every run has the discretisation of the first run. If this
+/// discretisation has a mesh file or is not known, the number is n_threads.
 int n_processes_of(const scene::Scene& scene, int n_threads) {
   const auto discretization = scene::fixed_discretization(scene);
   if (!discretization || scene::has_mesh_file(scene)) return n_threads;

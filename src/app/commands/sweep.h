@@ -1,6 +1,6 @@
 #pragma once
-/// A sweep: runs the scene for every combination of its parameters (scene/sweep.h) on all cores. It writes only
-/// sweep.csv, with a row for each run:
+/// A sweep, which runs the scene for every combination of its parameters (scene/sweep.h) on several cores. The file
+/// sweep.csv has a row for each run, with the columns
 ///
 ///   run, the parameters, finished (1 or 0), time reached, steps, forces, estimated_time_error;
 ///   for the ball: frequency (of the component of C = QᵀQ that varies most, 0 if there is none) and amplitude of C, as
@@ -8,26 +8,28 @@
 ///   for every column c of the model's own CSV file: c_end, c_min, c_max over the samples. If the motion conserves c:
 ///   c at the start, and c_drift = c_max − c_min.
 ///
-/// If the scene requests it, the samples are written as well (kept_trajectories.h).
+/// If the scene requests the samples, the program also writes them (kept_trajectories.h).
 ///
 /// The rows have the order of the runs and do not depend on the number of threads. A resumed sweep continues after the
 /// last row.
 ///
-/// Runs 8k + 1 … 8k + 8 are computed together in SIMD lanes if possible (app/reduced/reduced_in_lanes.h). The others
-/// are computed one by one, each like a single run. Runs with finite elements have separate processes
-/// (row_processes.h). If the scene has several models, each run compares them, with the columns of compared_runs.h.
+/// Runs 8k + 1 … 8k + 8 are computed together in SIMD lanes if possible (app/reduced/reduced_in_lanes.h). Otherwise
+/// these runs are computed one by one, each like a single run. Runs with finite elements have separate processes
+/// (row_processes.h). If the scene has several models, each run compares the models, and sweep.csv has the columns of
+/// compared_runs.h.
 
 #include "app/commands/program.h"
 #include "scene/read_scene.h"
 
 namespace pseudorigid::app {
 
-/// Checks a sweep before anything is written. Throws UserError if a run with first or last values of the parameters is
-/// not valid. `raw` is the scene before validation. Other runs are validated when they begin. An invalid run ends the
-/// sweep as failed, and the rows before it are kept.
+/// Checks a sweep before anything is written. `raw` is the scene before validation. Throws UserError if a run with
+/// first or last values of the parameters is not valid. Also throws UserError if a parameter is not used or has the
+/// name of a column. Other runs are validated when they begin. An invalid run ends the sweep as failed, and the rows
+/// before it are kept.
 void check_sweep(const scene::ReadScene& raw);
 
-/// `context` is the context of the first run.
+/// Computes the runs of the sweep and writes its files. `context` is the context of the first run.
 ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
                        bool shows_progress);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Output of sweep.csv, and of trajectories.csv if it is requested. Several threads deliver rows; the rows are written
-/// in the order of the runs, with a checkpoint every few seconds.
+/// Output of sweep.csv, and of trajectories.csv if the scene requests it. Several threads deliver rows in any order.
+/// The rows are written in the order of the runs, with a checkpoint every few seconds.
 
 #include <chrono>
 #include <cstdint>
@@ -24,7 +24,7 @@ class SweepRows {
  public:
   static constexpr const char* name = "sweep";
 
-  /// Creates or continues the table of the runs first_run, …, first_run + n_runs − 1.
+  /// Creates the table of the runs first_run, …, first_run + n_runs − 1, or continues it if the sweep is resumed.
   SweepRows(const RunContext& context, const std::vector<std::string>& columns, int first_run, int n_runs,
             bool shows_progress)
       : identity_(run_identity(context.scene)),
@@ -78,7 +78,7 @@ class SweepRows {
     return names;
   }
 
-  /// Checks both files before either is truncated.
+  /// Checks both tables before one of them is truncated. Throws UserError if a table is damaged.
   void require_sound_tables(const RunContext& context, const std::vector<std::string>& columns,
                             std::int64_t n_samples) const {
     io::require_rows(context.directory.csv(name), columns, n_written_);

@@ -23,11 +23,12 @@ constexpr std::array<const char*, 2> names_of_frequencies{"frequency", "amplitud
 bool has_frequencies(const scene::Needs& needs) { return !needs.system && needs.quantities.state; }
 
 /// Names of the columns of the ball that are constant in every run except for errors. The runs at the ends of the
-/// ranges of the parameters decide this. A value and a drift describe such a column.
+/// ranges of the parameters determine these columns. For each of these columns, sweep.csv has a value and a drift. The
+/// set is empty for systems other than the ball.
 std::set<std::string> conserved_columns(const scene::ReadScene& raw) {
   bool is_free = true, incompressible = true;
   for (const int k : corners(raw.scene.sweep)) {
-    // The scene is not validated here, because check_sweep has done so.
+    // The scene is not validated here, because check_sweep has validated it.
     const scene::Scene scene = scene::with_parameters(raw.scene, scene::values_of_run(raw.scene.sweep, k), raw.origins);
     if (scene.system != scene::ball) return {};
     is_free = is_free && scene::is_free(scene);
@@ -64,7 +65,7 @@ std::set<int> corners(const scene::Sweep& sweep) {
 }
 
 std::set<std::string> names_conserved(bool is_free, bool incompressible) {
-  std::set<std::string> names{"energy"};  // it includes the energies of loads and dissipation
+  std::set<std::string> names{"energy"};  // the energy includes the energies of loads and dissipation
   if (is_free) names.insert({"J1", "J2", "J3", "Z1", "Z2", "Z3"});
   if (incompressible) names.insert("volume_ratio");
   return names;
@@ -115,7 +116,7 @@ std::optional<std::vector<FinishedRun>> SweepRun::run_together(int first, int la
   std::vector<scene::Scene> scenes;
   try {
     for (int k = first; k < last; ++k) scenes.push_back(scene_of_run(raw_, scene::values_of_run(raw_.scene.sweep, k)));
-  } catch (const UserError&) {  // the run itself reports the error later, with its number
+  } catch (const UserError&) {  // the single run reports the error later, with the number of the run
     return {};
   }
   std::vector<RunContext> contexts;

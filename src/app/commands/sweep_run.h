@@ -1,5 +1,5 @@
 #pragma once
-/// The runs of a sweep with one model or system, and their rows of sweep.csv (sweep.h).
+/// The runs of a sweep with one model or system, and their rows in sweep.csv (sweep.h).
 
 #include <memory>
 #include <optional>
@@ -17,22 +17,24 @@
 
 namespace pseudorigid::app {
 
-/// The values as text, for example "mu = 0.5, k = 2".
+/// The parameters of a run as text, for example "mu = 0.5, k = 2".
 std::string describe_values(const scene::ParameterValues& values);
 
-/// The validated scene of a run with these parameters. Throws UserError if it cannot run.
+/// The validated scene of a run with these parameters. Throws UserError if the scene cannot run.
 scene::Scene scene_of_run(const scene::ReadScene& raw, const scene::ParameterValues& values);
 
-/// The runs in which each parameter has its first or its last value.
+/// The numbers of the runs in which each parameter has its first or its last value. For parameters of a Latin
+/// hypercube, these are the first and the last point of the hypercube.
 std::set<int> corners(const scene::Sweep& sweep);
 
-/// Names of the columns of the ball that the motion conserves.
+/// Names of the columns of the ball that the motion conserves. The energy is always conserved, the momenta if
+/// `is_free`, and the volume if `incompressible`.
 std::set<std::string> names_conserved(bool is_free, bool incompressible);
 
-/// Names of the columns frequency and amplitude of the ball.
+/// Names of the two columns "frequency" and "amplitude" of the ball.
 std::vector<std::string> columns_of_frequencies();
 
-/// The columns of sweep.csv for one model or system.
+/// The columns of sweep.csv for one model or system. The names in `conserved` have a value and a drift.
 std::vector<std::string> columns_of_sweep(const scene::Scene& scene, const scene::Needs& needs,
                                           const std::set<std::string>& conserved);
 
@@ -47,7 +49,7 @@ class SweepRun : public SweepTask {
   std::optional<std::vector<FinishedRun>> run_together(int first, int last) const override;
 
  private:
-  /// The samples and the outcome of a run.
+  /// The rows and the outcome of one run.
   struct Result {
     io::Table rows;
     ModelOutcome outcome;

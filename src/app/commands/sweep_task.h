@@ -1,5 +1,5 @@
 #pragma once
-/// Interface to the runs k = 0, 1, … of a sweep: the columns of sweep.csv and the row of each run.
+/// Interface to the runs k = 0, 1, … of a sweep. The interface gives the columns of sweep.csv and the row of each run.
 
 #include <optional>
 #include <string>
@@ -13,9 +13,9 @@ namespace pseudorigid::app {
 /// The row and the outcome of a run.
 struct FinishedRun {
   std::vector<double> row;  ///< row of sweep.csv
-  io::Table samples;        ///< samples, if they are kept and the sweep has one model
+  io::Table samples;        ///< samples, if they are kept and the sweep has one model; otherwise empty
   mechanics::Outcome end = mechanics::Outcome::finished;
-  std::string message;  ///< one sentence if not finished
+  std::string message;  ///< one sentence if the run has not finished
 };
 
 class SweepTask {
@@ -23,9 +23,11 @@ class SweepTask {
   virtual ~SweepTask() = default;
 
   virtual std::vector<std::string> columns() const = 0;
-  /// Computes run k. Several threads call it. Throws UserError if the scene of the run is not valid.
+  /// Computes run k. Several threads call this function at the same time. Throws UserError if the scene of the run is
+  /// not valid.
   virtual FinishedRun run(int k) const = 0;
-  /// Computes the runs first, …, last − 1 together. Returns nothing if they must be computed one by one.
+  /// Computes the runs first, …, last − 1 together and returns their rows. Returns an empty value if the runs must be
+  /// computed one by one.
   virtual std::optional<std::vector<FinishedRun>> run_together(int /*first*/, int /*last*/) const { return {}; }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Adapter of the finite-element ball of a scene, incompressible or compressible, to the RunnableModel interface.
+/// The finite-element ball of a scene, incompressible or compressible, as a model that ModelRun can integrate.
 
 #include <fmt/format.h>
 
@@ -44,7 +44,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   const continuum::RankOrder& rank_order() const { return rank_order_; }
   Eigen::Vector2d energies(const State& state) const override { return continuum::energies(ball_, state); }
 
-  /// Text with the least det F and its place. Collective.
+  /// Text with the least det F and its place in the body. Collective.
   std::string place_of_least_jacobian(const State& state) const override {
     return "least " + continuum::in_words(ball_.least_jacobian(state.q));
   }
@@ -98,8 +98,8 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   std::array<double, 3> own_remarks() const override { return wrinkling_.remarks(); }
   void take_own_remarks(std::span<const double, 3> remarks) override { wrinkling_.take_remarks(remarks); }
 
-  /// Counts since the mesh was built, so that the search for the step is included. Messages and bytes are means over
-  /// the ranks. Collective.
+  /// Adds the numbers of messages, bytes and reductions since the mesh was built. The search for the step is included.
+  /// Messages and bytes are means over the ranks. Collective.
   void report_messages(std::map<std::string, double>& counters) const {
     const continuum::MessageCounts own = continuum::message_counts() - counts_at_start_;
     const auto sums = continuum::sum_over_ranks(std::array{own.messages, own.bytes}, MPI_COMM_WORLD);
@@ -123,7 +123,8 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
     mesh.cells = body.mesh.cells;
     return {mesh, n_refinements, communicator};
   }
-  /// Grades the mesh towards the two poles on the axis that is closest to the normal of the first plane.
+  /// Grading of the mesh towards the two poles on one axis. If the scene has planes, this axis is closest to the normal
+  /// of the first plane.
   static continuum::Grading grading_of(const scene::Scene& scene) {
     continuum::Grading grading{.size = scene.continuum.grading};
     const auto planes = loads::constant_forcing(internal_loads(scene)).planes;
@@ -134,7 +135,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   System ball_;
   continuum::RankOrder rank_order_;
   WrinklingWatch wrinkling_;
-  mechanics::PointBlocks blocks_;  ///< empty until the first frame
+  mechanics::PointBlocks blocks_;  ///< empty before the first picture
   continuum::MessageCounts counts_at_start_ = continuum::message_counts();
 };
 

@@ -23,7 +23,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// The processes that a launcher such as mpirun has started.
+/// The processes that a launcher, for example mpirun, has started.
 class MpiRanks final : public Ranks {
  public:
   MpiRanks(int argc, char** argv) : session_(argc, argv, 1) {}
@@ -48,15 +48,15 @@ class MpiRanks final : public Ranks {
   dealii::Utilities::MPI::MPI_InitFinalize session_;
 };
 
-/// Translates deal.II's exception for exhausted memory into std::bad_alloc.
+/// Runs the model, and replaces deal.II's exception for exhausted memory by std::bad_alloc.
 ModelOutcome run_within_memory(const RunContext& context) try {
   return run_continuum(context);
 } catch (const dealii::StandardExceptions::ExcOutOfMemory&) {
   throw std::bad_alloc();
 }
 
-/// All ranks call this function together. If one rank aborts all, the first rank cannot complete the manifest and
-/// remove the lock, so the failing rank does both.
+/// Runs the model on all ranks; every rank must call this function. A rank that fails alone aborts all ranks. The first
+/// rank then cannot complete the manifest or remove the lock, so the failing rank does both.
 ModelOutcome run_on_all_ranks(const RunContext& context) {
   return together_or_not_at_all(
       *context.ranks, [&] { return run_within_memory(context); },
@@ -81,7 +81,8 @@ std::map<std::string, std::string> libraries() {
 
 const pseudorigid::app::ContinuumModule* pseudorigid_continuum() {
   using namespace pseudorigid::app;
-  // The kernels use SIMD in a single thread. Threads in deal.II's vectors would make sums irreproducible.
+  // The kernels use SIMD in a single thread. With several threads, the sums of deal.II's vectors would not be
+  // reproducible.
   dealii::MultithreadInfo::set_thread_limit(1);
   static constexpr ContinuumModule module{
       .run = run_on_all_ranks,

@@ -1,5 +1,6 @@
 #pragma once
-/// The finite-element ball at rest of a scene, on one octant of the builtin mesh. Modes and Love numbers start from it.
+/// The finite-element ball of a scene at rest, on one octant of the builtin mesh, for the computation of modes and Love
+/// numbers.
 
 #include <memory>
 

@@ -20,8 +20,9 @@ mechanics::Status find(const scene::Scene& scene, const scene::Discretization& d
   return continuum::love_numbers(ball.problem(), degrees, numbers);
 }
 
-/// A mesh resolves tides of a low degree better, so the relative error is at least that of all lower degrees. Without
-/// this rule a small difference to the companion may be an accident.
+/// Raises the relative error of a degree to the largest one of the lower degrees. A mesh resolves tides of a low degree
+/// better. A smaller relative error at a higher degree would therefore be an accident of the difference from the
+/// companion.
 struct RisingBound {
   double relative = 0;
 
@@ -31,7 +32,8 @@ struct RisingBound {
   }
 };
 
-/// `numbers` and `other` have all degrees from 2 to the last of the scene.
+/// Makes the rows of the degrees of the scene. `numbers` and `other` have all degrees from 2 to the largest degree of
+/// the scene, on the discretisation and on its companion.
 std::vector<LoveRow> rows_of(const scene::Scene& scene, const std::vector<continuum::BallLoveNumbers>& numbers,
                              const std::vector<continuum::BallLoveNumbers>& other) {
   const auto means = [](const auto& all) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Analysis = love numbers of the finite-element ball: love-continuum.csv.
+/// Runs `Analysis = love numbers` for the finite-element ball and writes love-continuum.csv.
 
 #include "app/run/run_context.h"
 

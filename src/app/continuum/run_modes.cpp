@@ -27,8 +27,8 @@ std::vector<ModeFrequency> rows_of(const std::vector<BallFrequency>& frequencies
   return rows;
 }
 
-/// Writes a mode of each frequency as a displacement of the ball at rest, scaled to a largest displacement of one
-/// radius.
+/// Writes pictures of the modes: for each frequency, a displacement of the ball at rest. The largest displacement is
+/// one radius. The entry Output/Frames limits the number of pictures.
 void write_shapes(const std::vector<BallFrequency>& frequencies, const continuum::BallSpace& space,
                   const RunContext& context) {
   const scene::Cells cells = context.scene.output.cells;
@@ -74,8 +74,8 @@ ModelOutcome run_modes(const RunContext& context) {
   counters["applications_of_the_inverse"] = static_cast<double>(report.n_applications);
   const std::vector<ModeFrequency> rows = rows_of(frequencies);
   outcome.message = !status ? status.reason() : instability(rows, context.units);
-  // A mesh breaks the symmetry of the sphere, so that the copies of a mode differ. A mesh that resolves the mode has
-  // differences below a tenth.
+  // A mesh breaks the symmetry of the sphere, so the frequencies of the copies of a mode differ. If the mesh resolves
+  // the mode, the frequencies differ by less than a tenth.
   constexpr double most = 0.1;
   constexpr const char* remedy = "raise Continuum/Degree or Continuum/Refinements";
   if (const std::string copies = differing_copies(rows, most); outcome.message.empty() && !copies.empty())

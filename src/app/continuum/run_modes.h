@@ -1,6 +1,6 @@
 #pragma once
-/// Runs `Analysis = modes` for the finite-element model. It writes the frequencies about rest into modes.csv and the
-/// modes as pictures.
+/// Runs `Analysis = modes` for the finite-element model. The file modes.csv has the frequencies about rest. If the
+/// scene requests pictures, the modes are also written as pictures.
 
 #include "app/run/run_context.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Conversion of the scene's material to the stored energy of the finite elements, in internal units.
+/// Conversion of the material of a scene to the stored energy of the finite elements, in internal units.
 
 #include "app/run/scene_to_model.h"
 #include "continuum/kernels/stored_energy.h"

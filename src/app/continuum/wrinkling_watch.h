@@ -1,7 +1,8 @@
 #pragma once
-/// Reports the first sample at which the surface of an incompressible ball reaches the limit of its law. For
-/// neo-Hookean and Mooney–Rivlin bodies it is Biot's limit (continuum/output/surface_stretch.h). Beyond the limit, the
-/// exact motion has growing surface waves of every length. The finite elements show those waves that the mesh resolves.
+/// Monitors the surface of an incompressible ball, and warns at the first sample at which the surface reaches the limit
+/// of its law. For neo-Hookean and Mooney–Rivlin bodies, this limit is Biot's limit
+/// (continuum/output/surface_stretch.h). Beyond the limit, the exact motion has growing surface waves of every length.
+/// The finite elements show only the waves that the mesh resolves.
 
 #include <algorithm>
 #include <array>
@@ -33,7 +34,8 @@ class WrinklingWatch {
         time, surface.value, surface.where[0], surface.where[1], surface.where[2], *limit_);
   }
 
-  /// The least ratio, the time of the first report, and 1 if there was a report; for checkpoints.
+  /// The least ratio of stretches, the time of the warning (0 without a warning), and 1 if there was a warning; for
+  /// checkpoints.
   std::array<double, 3> remarks() const { return {least_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
   void take_remarks(std::span<const double, 3> remarks) {
     least_ = remarks[0];
@@ -47,7 +49,7 @@ class WrinklingWatch {
 
  private:
   const RunContext& context_;
-  std::optional<double> limit_;  ///< nothing is checked if empty
+  std::optional<double> limit_;  ///< limit of the law; if empty, nothing is checked
   double least_ = 1;
   std::optional<double> first_;
 };

@@ -1,6 +1,6 @@
 #pragma once
-/// The models of the ball. To add a model, write a source file of this folder that describes and runs it. Then add two
-/// lines below: the declaration of its function and the entry in `ball_models`.
+/// The models of the ball. To add a model, write a source file of this folder that describes and runs the model. Then
+/// add two lines below: the declaration of its function, and its entry in `ball_models`.
 
 #include <optional>
 #include <span>
@@ -12,24 +12,25 @@
 namespace pseudorigid::app {
 
 using RunModel = ModelOutcome (*)(const RunContext&);
-/// Computes several runs of a sweep at the same time. Returns nothing if they must run one by one.
+/// A function that computes several runs of a sweep at the same time. It returns an empty value if the runs must be
+/// computed one by one.
 using RunTogether = std::optional<std::vector<ModelOutcome>> (*)(std::span<const RunContext>);
 
 struct BallModel {
-  /// `run` is null for a discretized model: the program opens the library that runs it later. Throws std::logic_error
-  /// if any other part is missing.
+  /// `run_model` is null for a discretized model, whose function is in a library that the program opens later. Throws
+  /// std::logic_error if any other part of the description is missing.
   BallModel(scene::ModelDescription description, RunModel run, RunTogether together = nullptr);
 
   scene::ModelDescription description;
   RunModel run;
-  RunTogether together;  ///< null if runs of a sweep run one by one
+  RunTogether together;  ///< null if the runs of a sweep are computed one by one
 };
 
 BallModel reduced_model();
 BallModel polynomial_model();
 BallModel continuum_model();
 
-/// The models in the order of the catalogue: a later model has more degrees of freedom.
+/// The models in the order of the catalogue, by increasing number of degrees of freedom.
 inline std::vector<BallModel> ball_models() {
   return {
       reduced_model(),
@@ -38,8 +39,8 @@ inline std::vector<BallModel> ball_models() {
   };
 }
 
-/// The reason why the method or the law of the scene is refused; empty if both are accepted. The test uses the
-/// pseudo-rigid body, because the motions of every model of the ball include the affine ones.
+/// The reason why the method or the law of the scene is refused; empty if both are accepted. The check uses the
+/// pseudo-rigid body, because the motions of every model of the ball include the affine motions.
 std::optional<scene::Refusal> refuses_motion(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

@@ -1,6 +1,6 @@
 #pragma once
-/// Catalogue of the models, methods and systems that parameter files and `pseudorigid parameters` offer. It is made
-/// from their tables (ball_models.h, mechanics/methods/methods.h, systems/table.h).
+/// The catalogue of the models, methods and systems that parameter files and the command `pseudorigid parameters`
+/// offer. The catalogue is made from the tables of ball_models.h, mechanics/methods/methods.h and systems/table.h.
 
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace pseudorigid::app {
 
 scene::Catalogue catalogue_with(const std::vector<BallModel>& models);
 
-/// The catalogue of the program's own models; it lives as long as the program.
+/// The catalogue of the program's own models. The reference is valid until the program ends.
 const scene::Catalogue& program_catalogue();
 
 }  // namespace pseudorigid::app

@@ -42,7 +42,8 @@ std::optional<std::string> continuum_companion(const Scene& scene) {
 
 std::string continuum_skipped(const Scene&) { return "continuum: not among Models; no mesh, no deal.II, MPI or PETSc"; }
 
-/// Refuses modes and Love numbers without a given discretisation, or on a graded mesh.
+/// Refuses modes and Love numbers if the discretisation is not given or the mesh is graded. Also refuses Love numbers
+/// of degrees that the mesh does not resolve.
 std::optional<Refusal> refuses_modes(const Scene& scene) {
   if (!scene::is_linear(scene.analysis)) return {};
   if (!scene::fixed_discretization(scene))
@@ -79,7 +80,8 @@ bool is_held_together(const Scene& scene) {
   return loads::present(scene.loads.get<loads::SelfGravity>()) || scene::is_confined(scene);
 }
 
-/// Refuses features that other models have and the finite-element model does not have.
+/// Refuses bodies and loads that other models have and the finite-element model does not have. Also refuses a fluid
+/// without volumetric stiffness.
 std::optional<Refusal> refuses_body(const Scene& scene) {
   const auto offered_for_others = [&](const char* path, const char* what) {
     return Refusal{path, fmt::format("{} is", what), {}, scene::names_where(scene, [](const auto& model) {
@@ -124,7 +126,8 @@ std::optional<Refusal> refuses(const Scene& scene) {
   return {};
 }
 
-/// The finite-element model takes the methods of the incompressible pseudo-rigid body that accept any type of vector.
+/// True for the methods that the finite-element model can use: the methods of the incompressible pseudo-rigid body that
+/// accept any type of vector. The name "auto" is also accepted.
 bool continuum_takes_method(std::string_view name) {
   const auto id = mechanics::find_method(name);
   return method_can_run<ElasticBody<true>>(name) &&

@@ -44,7 +44,7 @@ std::optional<std::string> polynomial_companion(const Scene& scene) {
 
 std::string polynomial_skipped(const Scene&) { return "polynomial body: not among Models"; }
 
-/// Name of a run whose degree is not the last of the list.
+/// Name of the files of a run whose degree is not the last of the list.
 std::string rung(int N) { return fmt::format("polynomial-{}", N); }
 
 std::vector<std::string> rungs() {
@@ -62,7 +62,7 @@ std::vector<scene::ModelRun> runs(const Scene& scene) {
   return runs;
 }
 
-/// Refuses features that other models have and polynomial bodies do not have.
+/// Refuses bodies and loads that other models have and the polynomial model does not have.
 std::optional<Refusal> refuses_body(const Scene& scene) {
   const auto others = scene::names_where(scene, [](const auto& model) { return model.name != "polynomial"; });
   if (scene.body.inertia)

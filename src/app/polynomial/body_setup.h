@@ -1,5 +1,5 @@
 #pragma once
-/// Data for a run of the polynomial model with one body of one degree.
+/// Data for a run of the polynomial model with a body of one degree.
 
 #include <algorithm>
 #include <array>
@@ -16,19 +16,20 @@ namespace pseudorigid::app {
 
 struct PolynomialTask {
   int degree;
-  std::string name = "polynomial";     ///< name of its files
-  DeformationTrace* trace = nullptr;   ///< receives the history of Q; null if not requested
-  std::optional<Stepping> stepping{};  ///< from another run, in place of a search
+  std::string name = "polynomial";     ///< name of the files of the run
+  DeformationTrace* trace = nullptr;   ///< receives the history of Q; null if the history is not requested
+  std::optional<Stepping> stepping{};  ///< method and step of another run; empty: a search
 };
 
-/// Number of quadrature points: the entry of the scene, but at least the number that the degree needs. Empty:
-/// automatic.
+/// Number of quadrature points in each direction: the entry of the scene, but at least the number that the degree
+/// requires. Empty if the scene leaves the choice to the program.
 inline std::optional<int> quadrature_points(const scene::Scene& scene, int degree) {
   if (!scene.polynomial.quadrature_points) return std::nullopt;
   return std::max(*scene.polynomial.quadrature_points, polynomial::PolynomialSpace::least_points(degree));
 }
 
-/// The setup of the body in internal units.
+/// The setup of the body in internal units. If reflect[i] is true, only the half of the body on one side of the plane
+/// X_i = 0 is computed. The other half is its mirror image.
 inline polynomial::BodySetup body_setup(const scene::Scene& scene, const std::array<bool, 3>& reflect, int degree) {
   return {.degree = degree,
           .reflect = reflect,

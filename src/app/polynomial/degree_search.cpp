@@ -48,7 +48,9 @@ class DegreeSearch {
   }
 
  private:
-  /// Stops at the first degree whose error is within the tolerance, or at the last degree.
+  /// Runs the degrees 1, 3, 5, … and sets `degree_` to the last one. The search ends at a degree with an error within
+  /// the tolerance, at the largest degree, or if the motion itself ends. The returned outcome is `finished` or
+  /// `interrupted`.
   ModelOutcome search() {
     analysis::SpaceErrorLadder errors(analysis::least_polynomial_rate);
     ModelOutcome outcome;
@@ -123,8 +125,9 @@ class DegreeSearch {
   DeformationTrace before_;  ///< history of Q in the run whose degree is less by two
 };
 
-/// Runs the body of the scene, or the last one of several. If the scene does not have finite elements, other models are
-/// compared with this body. A companion run then estimates its error if the scene needs it.
+/// Runs the only degree N of the scene, or the last of several. If the scene does not have finite elements, other
+/// models are compared with this body. If the scene then requests error estimates, a companion run estimates the error
+/// of this body.
 ModelOutcome run_richest_degree(const RunContext& context, const PolynomialRun& run, int N) {
   const scene::Needs& needs = context.needs;
   if (!needs.companion || needs.models.back()->discretized) return run(context, {.degree = N});

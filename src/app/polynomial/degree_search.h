@@ -1,21 +1,22 @@
 #pragma once
 /// Runs of one polynomial scene with several degrees.
 ///
-/// The degrees that the scene lists run one after the other. The last one writes polynomial.csv and is the model of the
-/// scene. The others write `polynomial-<degree>.csv` and are compared with the reference as further models.
+/// The degrees that the scene lists run one after the other. The run of the last degree writes polynomial.csv and is
+/// the model of the scene. The other runs write `polynomial-<degree>.csv` and are compared with the reference as
+/// further models.
 ///
-/// If the scene leaves the degree open (auto), the program runs it with N = 1, 3, 5, … and keeps the history of Q only.
-/// In motions with the symmetry of an octant, even degrees are equivalent to the odd degree below. The differences of Q
-/// between successive runs give the error of the last run (analysis/space_error.h with N as the resolution). The first
-/// degree whose error is within Polynomial/Tolerance runs again and writes the results. A checkpoint keeps this degree,
-/// so that a resumed run does not repeat the search. An interrupted search starts again. Time errors are at most a
-/// twentieth of the tolerance.
+/// If the scene leaves the degree open (auto), the program runs the scene with N = 1, 3, 5, … and keeps the history of
+/// Q only. In motions with the symmetry of an octant, an even degree is equivalent to the next lower odd degree. The
+/// differences of Q between successive runs give the error of the last run (analysis/space_error.h with N as the
+/// resolution). The first degree whose error is within Polynomial/Tolerance runs again and writes the results. A
+/// checkpoint contains this degree, so that a resumed run does not repeat the search. An interrupted search starts
+/// again. The error in time is at most a twentieth of the tolerance.
 ///
-/// If other models are compared with a body of given degree, this body has a companion run of another degree
-/// (search/error_estimate.h).
+/// If other models are compared with a body of given degree, a companion run estimates the error of this body. The
+/// companion has another degree (search/error_estimate.h).
 ///
 /// Counters of the run are estimated_space_error and relative_space_error (|Q − Q'|/|Q|). A search also has search_runs
-/// and search_work, and a companion run has companion_degree and companion_work.
+/// and search_work. A body with a companion run has companion_degree and companion_work.
 
 #include <functional>
 
@@ -27,7 +28,7 @@ using PolynomialRun = std::function<ModelOutcome(const RunContext& context, cons
 
 inline constexpr const char* degree_checkpoint_name = "degree";
 
-/// Runs a scene that lists one degree or several.
+/// Runs a scene that lists one or several degrees.
 ModelOutcome run_listed_degrees(const RunContext& context, const PolynomialRun& run);
 
 /// Runs a scene that leaves the degree open.

@@ -20,7 +20,8 @@ constexpr std::size_t slowest = 10;  // number of rates in a row
 /// Index of the rotation about axis 3 among the symmetries of the whole body.
 constexpr int about_axis_3 = 2;
 
-/// The rates of all classes by rising frequency.
+/// The ten rates of lowest frequency among the rates of all classes of motions, by rising frequency. If there are fewer
+/// rates, the others are 0.
 std::vector<mechanics::Rate> slowest_rates(const RotationMember& member) {
   std::vector<mechanics::Rate> rates;
   for (const ClassStability& of_class : member.classes)
@@ -119,7 +120,7 @@ EquilibriumRows::EquilibriumRows(const polynomial::BodySetup& setup, bool incomp
                            : Body(polynomial::CompressibleBody(of_whole_body(setup, false)))),
       spectrum_(spectrum) {}
 
-/// Observables of the steadily rotating figure in the inertial frame.
+/// Sets the observables of the figure that rotates about axis 3 with the rate `spin`, in the inertial frame.
 mechanics::Status EquilibriumRows::observe(const Eigen::VectorXd& x, double spin,
                                            mechanics::ContinuumObservables& observables) const {
   return std::visit(

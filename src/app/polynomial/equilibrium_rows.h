@@ -1,5 +1,5 @@
 #pragma once
-/// Columns and rows of equilibria-polynomial.csv.
+/// Columns and rows of the file equilibria-polynomial.csv.
 
 #include <string>
 #include <variant>
@@ -17,7 +17,7 @@ std::vector<scene::Column> polynomial_equilibria_columns();
 /// Name of a class of motions, for example "even in z, m = 2".
 std::string name_of(const polynomial::MotionClass& motions, polynomial::Figure figure);
 
-/// The class with the fastest growing motion; null if all motions are stable.
+/// The class that contains the fastest growing motion; null if no motion grows.
 const polynomial::ClassStability* fastest_growing(const polynomial::RotationMember& member);
 
 class EquilibriumRows {
@@ -25,8 +25,8 @@ class EquilibriumRows {
   EquilibriumRows(const polynomial::BodySetup& setup, bool incompressible,
                   const polynomial::RotationSpectrum& spectrum);
 
-  /// Sets `row` to the values of one row in internal units. Only the parameter has the unit of its family. `special` is
-  /// null for an ordinary member.
+  /// Sets `row` to one row of the table. All columns are in internal units except the parameter, which has the unit of
+  /// its family. `special` is null for an ordinary member of the family.
   mechanics::Status row(int index, const polynomial::RotationMember& member, const polynomial::SpecialRotation* special,
                         std::vector<double>& row) const;
 

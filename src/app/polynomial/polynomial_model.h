@@ -1,5 +1,5 @@
 #pragma once
-/// Adapter of the polynomial body of a scene, incompressible or compressible, to the RunnableModel interface.
+/// The polynomial body of a scene, incompressible or compressible, as a model that ModelRun can integrate.
 
 #include <fmt/format.h>
 
@@ -25,8 +25,8 @@ template <class Body>
 class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces> {
   using Base = FieldModel<Body, polynomial::MaterialFaces>;
   using Base::context_;
-  /// A step of a body of low degree takes microseconds, so the clock and the interrupt flag are checked in few steps
-  /// only.
+  /// A step of a body of low degree takes microseconds. The clock and the interrupt flag are therefore checked only
+  /// once in this many steps.
   static constexpr int between_looks = 16;
 
  public:
@@ -84,7 +84,8 @@ class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces>
   }
 
  private:
-  /// The blocks of a picture. If they are cut into cells, a quarter of a circle has 8 straight edges.
+  /// The points of a picture in the blocks of a ball. If the blocks are cut into cells, a quarter of a circle has 8
+  /// straight edges.
   struct Picture {
     explicit Picture(const polynomial::PolynomialSpace& space) : ball(io::ball_blocks(4, 2)), at(space, ball.points) {}
     io::BallBlocks ball;
@@ -104,7 +105,7 @@ class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces>
 
   System body_;
   RunQuadrature<System> quadrature_;
-  std::optional<Picture> picture_;  ///< empty until the first picture
+  std::optional<Picture> picture_;  ///< empty before the first picture
 };
 
 }  // namespace pseudorigid::app

@@ -25,7 +25,7 @@ using polynomial::FigureCondition;
 using polynomial::FigureParameter;
 using scene::Family;
 
-/// True for families of figures that rotate as a rigid body.
+/// True for the families of figures that rotate as a rigid body. Polynomial bodies have only these families.
 bool is_offered(Family family) {
   return family == Family::maclaurin || family == Family::spheroids || family == Family::spinning ||
          family == Family::jacobi;
@@ -33,8 +33,7 @@ bool is_offered(Family family) {
 
 /// ln(a₂/a₁) for a member of Jacobi's family. At a₂ = a₁ the family bifurcates from the spheroids, and the ratio does
 /// not determine the figure. Near this point the figure is an even function of the logarithm, because a change of sign
-/// exchanges the axes. A neighbour at the distance 1e-5 therefore has the same spin and axes up to terms of order
-/// 1e-10.
+/// exchanges the axes. A figure at the distance 1e-5 therefore has the same spin and axes up to terms of order 1e-10.
 double log_ratio_of_axes(double a2_to_a1) {
   constexpr double apart = 1e-5;
   const double value = std::log(a2_to_a1);

@@ -1,7 +1,7 @@
 #pragma once
-/// Runs `Analysis = equilibrium` for the polynomial model. It computes a family of figures that rotate steadily about
-/// axis 3, and their stability (polynomial/rotation_family.h). The file equilibria-polynomial.csv has the rows of each
-/// degree that the scene lists.
+/// Runs `Analysis = equilibrium` for the polynomial model. For each degree that the scene lists, the run computes a
+/// family of figures that rotate steadily about axis 3. It also computes the stability of each figure
+/// (polynomial/rotation_family.h). The file equilibria-polynomial.csv has the rows.
 
 #include <optional>
 
@@ -10,7 +10,8 @@
 
 namespace pseudorigid::app {
 
-/// The reason why polynomial bodies do not have this family; empty if they have it.
+/// The reason why the polynomial model refuses the equilibria of the scene. Empty if the polynomial model can compute
+/// them, or if the scene has another analysis.
 std::optional<scene::Refusal> refuses_polynomial_equilibria(const scene::Scene& scene);
 
 ModelOutcome run_polynomial_equilibria(const RunContext& context);

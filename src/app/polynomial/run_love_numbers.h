@@ -1,6 +1,6 @@
 #pragma once
-/// Analysis = love numbers of polynomial bodies: love-polynomial.csv, and love-polynomial-<N>.csv of the lower degrees
-/// of a list.
+/// Runs `Analysis = love numbers` for polynomial bodies. The last degree of the list writes love-polynomial.csv, and
+/// each other degree N writes love-polynomial-<N>.csv.
 
 #include "app/run/run_context.h"
 

@@ -26,7 +26,8 @@ ModelOutcome run_polynomial_modes(const RunContext& context) {
   std::vector<ModeFrequency> rows;
   for (const auto& f : found)
     rows.push_back({f.omega, f.least, f.largest, f.spheroidal, f.degree, f.overtone, 2 * f.degree + 1});
-  // The space of polynomials is invariant under rotations, so the copies of a mode differ by round-off only.
+  // The space of polynomials is invariant under rotations, so the frequencies of the copies of a mode differ by
+  // round-off only.
   outcome.message = !status ? status.reason() : instability(rows, context.units);
   if (outcome.message.empty()) outcome.message = differing_copies(rows);
   if (!outcome.message.empty()) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Runs `Analysis = modes` for the polynomial model and writes the frequencies about rest into modes.csv. The file is
-/// modes-polynomial.csv if the scene also has the finite-element model.
+/// Runs `Analysis = modes` for the polynomial model and writes the frequencies about rest into modes.csv. If the scene
+/// has another model too, the file is modes-polynomial.csv.
 
 #include "app/run/run_context.h"
 

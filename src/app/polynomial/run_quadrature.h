@@ -1,11 +1,11 @@
 #pragma once
-/// The quadrature rule of a polynomial body in a run: the number of its points, and the resulting error of Q
-/// (polynomial/quadrature_error.h).
+/// The quadrature rule of a polynomial body in a run. The error of Q that the rule causes is estimated as in
+/// polynomial/quadrature_error.h.
 ///
-/// By default the rule is the cheapest one, whose error is below the truncation error of the degree. A value of
-/// Time/Tolerance below its default 1e-6 requires the exact motion of this polynomial body. The program then adds
-/// points until the estimate is half of the tolerance. It does not add points on the surface for self-gravity, because
-/// their cost grows as the fourth power of their number.
+/// By default the rule is the cheapest one, whose error is below the truncation error of the degree. If Time/Tolerance
+/// is below its default 1e-6, the user requests the exact motion of this polynomial body. The program then adds points
+/// until the estimated error is half of the tolerance. The program does not add points on the surface for self-gravity,
+/// because the cost grows as the fourth power of the number of these points.
 
 #include <array>
 #include <cmath>
@@ -26,19 +26,21 @@ class RunQuadrature {
   RunQuadrature(const RunContext& context, std::string_view model, polynomial::BodySetup setup)
       : context_(context), model_(model), setup_(std::move(setup)) {}
 
-  /// Called before the search for the step: adds points if the tolerance requires them.
+  /// Adds points if the tolerance requires them. Called before the search for the step.
   void choose(Body& body, const polynomial::BodyState& state) {
     if (!follows()) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, 0, true)), state.t, body);
   }
-  /// Called after the search: estimates the error of the rule if it is not known. `stable_step` is the stable step of
-  /// RATTLE, 0 if it is not known.
+  /// Estimates the error of the rule if the scene needs this error and it is not known. Called after the search for the
+  /// step. `stable_step` is the stable step of RATTLE, or 0 if this step is not known.
   void estimate(Body& body, const polynomial::BodyState& state, double stable_step) {
     if (is_known_ || !context_.needs.quadrature_error) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, stable_step, false)), state.t, body);
   }
 
-  /// The rule and its error as numbers for a checkpoint. A resumed run keeps its rule even if its end has changed.
+  /// The number of points, the error of Q, and the duration of the run to which the error applies; for a checkpoint.
+  /// The error is −1 if it is not known, and `failed` if the estimate failed. A resumed run keeps its rule even if the
+  /// end of the run has changed.
   static constexpr std::size_t n_numbers = 3;
   std::array<double, n_numbers> numbers(const Body& body) const {
     return {static_cast<double>(body.space().n_points_in_direction()), error_.value_or(is_known_ ? failed : -1),
@@ -103,7 +105,7 @@ class RunQuadrature {
   const RunContext& context_;
   std::string_view model_;
   polynomial::BodySetup setup_;
-  std::optional<double> error_{};  ///< error for a run of duration length_
+  std::optional<double> error_{};  ///< error of Q for a run of duration length_
   bool is_known_ = false;          ///< true if the error was estimated, or if the estimate failed
   double length_ = 1;
   long n_force_ = 0;

@@ -23,10 +23,10 @@ Failure failure_of(const std::exception& error) {
   if (const auto* agreed = dynamic_cast<const FailureOnAllRanks*>(&error)) return agreed->failure();
   if (is<UserError>(error) || is<mechanics::NoKernels>(error)) return {exit_wrong_input, error.what()};
   if (is<io::WriteError>(error)) return {exit_stopped, error.what()};
-  // std::vector throws length_error if the requested size is impossible on any machine.
+  // If no machine could provide the requested size, std::vector throws length_error in place of bad_alloc.
   if (is<std::bad_alloc>(error) || is<std::length_error>(error))
     return {exit_stopped, "the memory does not suffice for this scene"};
-  // Files cannot be read or removed, or threads cannot be started.
+  // A system_error has causes such as a file that cannot be read or removed, or a thread that cannot be started.
   if (is<std::system_error>(error)) return {exit_stopped, std::string("the system refuses: ") + error.what()};
   return {exit_defect, std::string("a defect of pseudorigid, please report it: ") + error.what()};
 }

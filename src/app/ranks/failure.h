@@ -1,5 +1,5 @@
 #pragma once
-/// Exit codes of the program, and the exit code for each kind of exception.
+/// The exit codes of the program, and the exit code of each kind of exception.
 
 #include <exception>
 #include <string>
@@ -19,8 +19,8 @@ struct Failure {
   std::string message;  ///< one sentence for the user
 };
 
-/// The exit code and message for an exception. There are three kinds: wrong input of the user (UserError), lack of
-/// memory, disk space or another resource, and defects of the program.
+/// The exit code and the message for an exception. There are three kinds of exceptions: wrong input of the user, lack
+/// of memory, disk space or another resource, and defects of the program.
 Failure failure_of(const std::exception& error);
 
 }  // namespace pseudorigid::app

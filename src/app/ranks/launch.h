@@ -1,11 +1,11 @@
 #pragma once
-/// Rank and number of processes under mpirun or srun, read from environment variables of the launcher. A process that
-/// does not need MPI then need not start it.
+/// Rank and number of processes under mpirun or srun, from environment variables of the launcher. With these variables,
+/// a process that does not need MPI can avoid the start of MPI.
 ///
-/// Open MPI's mpirun sets OMPI_*. MPICH's mpirun and `srun --mpi=pmi2` set PMI_*. PMIx alone (`srun --mpi=pmix`) gives
-/// the rank but not the number, which MPI itself must give. SLURM_PROCID is not used as a rank: batch scripts and
-/// `srun --mpi=none` also set it, and their processes are independent. Each of these processes is a separate run. The
-/// lock of the results directory prevents two of them from writing into the same directory.
+/// Open MPI's mpirun sets OMPI_*. MPICH's mpirun and `srun --mpi=pmi2` set PMI_*. With PMIx alone (`srun --mpi=pmix`),
+/// the environment has the rank but not the number of processes, which only MPI can give. SLURM_PROCID is not used as a
+/// rank: batch scripts and `srun --mpi=none` also set it, and their processes are independent. Each of these processes
+/// is a separate run. The lock of the results directory prevents two of them from writing into the same directory.
 
 #include <cstdlib>
 #include <initializer_list>
@@ -15,7 +15,7 @@ namespace pseudorigid::app {
 struct Launch {
   static constexpr int unknown = 0;
   int rank = 0;
-  int n_ranks = 1;       ///< or `unknown`
+  int n_ranks = 1;       ///< `unknown` if the launcher gives only the rank
   int n_ranks_here = 1;  ///< number of ranks on this machine; 1 if the launcher does not give it
 
   Launch() {

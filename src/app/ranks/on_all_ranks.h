@@ -1,5 +1,5 @@
 #pragma once
-/// Functions that end all ranks if one rank fails; otherwise the other ranks would wait for the failed one forever. An
+/// Functions that end all ranks if one rank fails. Otherwise the other ranks would wait for the failed one forever. An
 /// exception may leave a collective operation only if every rank throws it. There are two cases:
 ///   - Work of one rank without the others, for example with files, can fail. `on_all_ranks` runs such work and then
 ///     throws the exception on all ranks.
@@ -28,8 +28,8 @@ class FailureOnAllRanks : public std::runtime_error {
   int exit_code_;
 };
 
-/// Runs the work and throws FailureOnAllRanks if it fails on any rank. Collective. The work itself must not contain
-/// collective operations: after a failure on one rank the others would wait in them.
+/// Runs `work` on every rank. If it fails on any rank, throws FailureOnAllRanks on all ranks. Collective. The work
+/// itself must not contain collective operations: after a failure on one rank, the other ranks would wait in them.
 template <class Work>
 void on_all_ranks(const Ranks& ranks, Work&& work) {
   if (ranks.size() == 1) return work();
@@ -45,8 +45,8 @@ void on_all_ranks(const Ranks& ranks, Work&& work) {
   throw FailureOnAllRanks({exit_code, ranks.text_of(first, std::move(mine.message))});
 }
 
-/// Runs collective work and returns its result. If it fails on one of several ranks, this rank calls
-/// `last_words(failure)` and aborts all.
+/// Runs collective work and returns its result. If the work fails on one of several ranks, this rank calls
+/// `last_words(failure)` and aborts all ranks.
 template <class Work, class LastWords>
 auto together_or_not_at_all(const Ranks& ranks, Work&& work, LastWords&& last_words) {
   try {

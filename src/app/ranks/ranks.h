@@ -1,13 +1,14 @@
 #pragma once
 /// Interface to the processes of a run. If a launcher has started several processes, a scene without finite elements
-/// runs on one of them only. A scene with finite elements runs on all. The first rank then writes the files and the
-/// messages.
+/// runs on one of them only. A scene with finite elements runs on all processes. The first process then writes the
+/// files and the messages.
 
 #include <string>
 
 namespace pseudorigid::app {
 
-/// A single process. All ranks must call the collective functions in the same order.
+/// The ranks of a run. The functions of this class are the functions of a single process. A derived class overrides
+/// them for several processes. All ranks must call the collective functions in the same order.
 class Ranks {
  public:
   virtual ~Ranks() = default;
@@ -15,19 +16,20 @@ class Ranks {
   virtual int size() const { return 1; }
   /// True if `mine` is true on any rank. Collective.
   virtual bool any(bool mine) const { return mine; }
-  /// The first rank on which `mine` is true, size() if there is none. Collective.
+  /// The first rank on which `mine` is true, or size() if there is no such rank. Collective.
   virtual int first_where(bool mine) const { return mine ? 0 : 1; }
-  /// Broadcasts `mine` from `rank` and returns it. Collective.
+  /// Returns the number `mine` of the given rank, on every rank. Collective.
   virtual int number_of(int /*rank*/, int mine) const { return mine; }
+  /// Returns the text `mine` of the given rank, on every rank. Collective.
   virtual std::string text_of(int /*rank*/, std::string mine) const { return mine; }
-  /// Aborts all ranks. In a single process it does nothing: the program ends as usual.
+  /// Aborts all ranks. In a single process this function does nothing: the program ends as usual.
   virtual void abort(int /*exit_code*/) const {}
 
   bool of_first(bool mine) const { return number_of(0, mine) != 0; }
   bool is_first() const { return rank() == 0; }
 };
 
-/// The object for runs of one process.
+/// The ranks of a run in a single process.
 inline const Ranks& one_rank() {
   static const Ranks ranks;
   return ranks;

@@ -1,6 +1,6 @@
 #pragma once
-/// Check that processes that were started together have the same input. Otherwise the input of some would be ignored,
-/// or the ranks would wait for each other forever.
+/// Check that processes that were started together have the same input. Otherwise the input of some processes would be
+/// ignored, or the ranks would wait for each other forever.
 
 #include <string>
 #include <string_view>
@@ -12,8 +12,8 @@
 
 namespace pseudorigid::app {
 
-/// Throws FailureOnAllRanks, which names the first line that differs, if the inputs differ. `mine` has the lines of the
-/// input of this rank. Collective.
+/// Compares the input of all ranks. `mine` has the lines of the input of this rank. If the inputs differ, throws
+/// FailureOnAllRanks, whose message has the first line that differs. Collective.
 inline void require_same_on_all_ranks(const Ranks& ranks, const std::vector<std::string>& mine) {
   if (ranks.size() == 1) return;
   std::string text;

@@ -19,7 +19,7 @@ using reduced::EquilibriumFamily;
 using reduced::EquilibriumPoint;
 using scene::Family;
 
-/// Makes the families of a scene. It holds the potential, and the body that refers to the potential.
+/// Makes the families of a scene. The object contains the potential, because the body refers to the potential.
 class FamilyMaker {
  public:
   explicit FamilyMaker(const scene::Scene& scene)
@@ -27,7 +27,8 @@ class FamilyMaker {
         potential_(potential_of(scene_)),
         body_{potential_, scene_.body.E0.trace() / 3, scene.body.incompressible} {}
 
-  /// `range` refers to the parameter of the family. If this is a spin, it is in the user's units.
+  /// Computes a family. `range` is the range of the parameter of the family. If the parameter is a spin, it has the
+  /// user's unit in `range` and in the result.
   EquilibriumFamily make(Family family, reduced::ParameterRange range, double ratio, double time_unit) const {
     switch (family) {
       case Family::none:
@@ -66,9 +67,9 @@ class FamilyMaker {
   reduced::IsotropicBody<reduced::Potential> body_;
 };
 
-constexpr int most_rates = 10;  // spheroids have 10 rates, other figures 8; 0 fills the rest
+constexpr int most_rates = 10;  // spheroids have 10 rates, other figures 8; missing rates are 0
 
-enum Kind { member = 0 };  // special points have the kind 1 + SpecialKind
+enum Kind { member = 0 };  // the kind of a special point is 1 + SpecialKind
 
 std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& p) {
   const reduced::SteadyMotion& m = p.motion;

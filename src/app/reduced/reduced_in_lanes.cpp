@@ -15,10 +15,11 @@ namespace pseudorigid::app {
 namespace {
 
 using reduced::n_body_lanes;
-/// The method for Method = auto: symmetric, with one force and one constraint solve per step.
+/// The method for Method = auto. This method is symmetric and needs one force and one constraint solve per step.
 using LaneMethod = mechanics::Symmetric8;
 
-/// True if two runs differ only in the shape of the body and the initial state.
+/// True if two runs have the same law, method, tolerance, step and times. The shape of the body and the initial state
+/// may differ.
 bool alike(const RunContext& a, const materials::AnyLaw& law_of_a, const RunContext& b,
            const materials::AnyLaw& law_of_b) {
   const auto& s = a.scene.time;
@@ -29,14 +30,14 @@ bool alike(const RunContext& a, const materials::AnyLaw& law_of_a, const RunCont
          a.internal_time(s.end) == b.internal_time(t.end) && a.scene.output.samples == b.scene.output.samples;
 }
 
-/// True if the body is incompressible and has no forces other than those of its law.
+/// True if the body is incompressible and has no forces other than the stress of its law.
 bool is_plain(const RunContext& context, const ReducedScene& s) {
   return context.scene.body.incompressible && form_of(s) != ReducedForm::dissipative &&
          form_of(s) != ReducedForm::touching && s.forcing.gravity_constant == 0 &&
          !reduced::ExternalPotential(s.forcing).present();
 }
 
-/// Q or Q̇ of all bodies in lanes. `matrix_of(body)` is the matrix of one body.
+/// The matrices of all bodies in lanes. `matrix_of(body)` is the matrix of one body, Q or Q̇ or another.
 template <class MatrixOf>
 reduced::MatricesInLanes in_lanes(const MatrixOf& matrix_of) {
   reduced::MatricesInLanes values;
@@ -101,8 +102,8 @@ class RunInLanes {
                                      in_lanes([&](int i) { return scenes_[i].start.v; }), method, times, n_steps);
   }
 
-  /// The largest step of RATTLE that is stable for all bodies in these states, times `reserve`; 0 if a frequency is not
-  /// found.
+  /// `reserve` times the largest step of RATTLE that is stable for all bodies in the given states. Returns 0 if a
+  /// frequency is not found.
   template <class StateOf>
   double rattle_limit(const StateOf& state_of, double reserve) const {
     constexpr int n_lanczos = 24;
@@ -159,8 +160,8 @@ class RunInLanes {
     return run;
   }
 
-  /// Checks the stability of the step. A step that accuracy makes much shorter than the stability limit is stable
-  /// during the whole motion. Other steps are checked at a few samples, because runs in lanes cannot reduce their step.
+  /// True if the step is stable during the whole motion. A step far below the stability limit at the start is assumed
+  /// to be stable. Other steps are checked at a few samples, because runs in lanes cannot reduce their step.
   bool is_stable(const mechanics::StepChoice& choice, const reduced::MotionsInLanes& motions) const {
     constexpr double much = 4, little_reserve = 0.9;
     constexpr long n_looks = 16;
@@ -179,7 +180,7 @@ class RunInLanes {
     return true;
   }
 
-  /// Writes the rows of one run into its sink. Returns false if a row fails.
+  /// Writes the rows of run i into its sink. Returns false if a row fails or is not finite.
   bool deliver(int i, const reduced::MotionsInLanes& motions, io::Manifest::Model& statistics) const {
     const RunContext& context = contexts_[i];
     ReducedModel<Body> model(bodies_[i], scenes_[i], context);
@@ -197,7 +198,7 @@ class RunInLanes {
     return true;
   }
 
-  static constexpr double pilot_window = 20;  // same as ReducedModel::pilot_window
+  static constexpr double pilot_window = 20;  // the same as in ReducedModel::pilot_window
 
   std::span<const RunContext> contexts_;
   const std::vector<ReducedScene>& scenes_;

@@ -1,5 +1,5 @@
 #pragma once
-/// Eight runs of a sweep at the same time, one in each lane of a SIMD vector (reduced/motions_in_lanes.h).
+/// Eight runs of a sweep at the same time, one run in each lane of SIMD vectors (reduced/motions_in_lanes.h).
 
 #include <optional>
 #include <span>
@@ -10,11 +10,11 @@
 namespace pseudorigid::app {
 
 /// Runs eight contexts together, writes their rows into their sinks, and returns their outcomes. If Method = auto, the
-/// method is symmetric-8. All eight take the step that the run with the largest error needs.
+/// method is symmetric-8. All eight runs use the step that the run with the largest error needs.
 ///
-/// Returns nothing if the runs must be computed one by one. The bodies must be incompressible, and only the stress of
-/// the law may act on them. Law, method, tolerance, step and times must be equal. All motions must reach their end, and
-/// the step must be stable on all of them.
+/// Returns an empty value if the runs must be computed one by one. The bodies must be incompressible, and only the
+/// stress of the law may act on them. Law, method, tolerance, step and times must be equal. All motions must reach
+/// their end, and the step must be stable for all of them.
 std::optional<std::vector<ModelOutcome>> run_reduced_in_lanes(std::span<const RunContext> contexts);
 
 }  // namespace pseudorigid::app

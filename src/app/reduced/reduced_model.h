@@ -1,5 +1,5 @@
 #pragma once
-/// Adapter of the pseudo-rigid body of a scene, in one of its forms, to the RunnableModel interface.
+/// The pseudo-rigid body of a scene, in one of its forms (reduced_scene.h), as a model that ModelRun can integrate.
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ namespace pseudorigid::app {
 template <class BodySystem>
 class ReducedModel final : public RunnableModelOf<BodySystem> {
   using Base = RunnableModelOf<BodySystem>;
-  /// Steps take less than 1 µs, so the clock and the interrupt flag are polled only once in this many steps.
+  /// A step takes less than 1 µs. The clock and the interrupt flag are therefore checked only once in this many steps.
   static constexpr int between_looks = 256;
 
  public:
@@ -49,7 +49,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
 
   const System& system() const override { return system_; }
   State initial_state() const override { return start_; }
-  /// Q. If the scene has contact planes, the centre of mass is a fourth column.
+  /// The matrix Q. If the scene has contact planes, the centre of mass is a fourth column.
   Eigen::MatrixXd configuration(const State& state) const override {
     if constexpr (on_planes)
       return state.q.template leftCols<4>();
@@ -70,7 +70,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     const auto motion = system_.motion(state);
     return mechanics::affine_rate(motion.q, motion.v);
   }
-  /// About ten periods of the slowest pulsation. After this time the time error of regular motions grows linearly.
+  /// About ten periods of the slowest pulsation, in internal time, but at most `end`. After this time the time error of
+  /// regular motions grows linearly.
   double pilot_window(double end) const override { return std::min(end, 20.0); }
 
   std::vector<std::string> columns() const override { return trajectory_.names(); }
@@ -84,8 +85,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
         return status;
     if (auto status = add_center_of_mass(state); !status) return status;
     if constexpr (on_planes) {
-      // At t = 0 no step has been recorded yet, so a body that touches a plane at the start begins its first contact
-      // here.
+      // `judge` is called after steps only. This call records a contact that exists at the start.
       if (state.t == 0) contacts_.look(0, system_.contact(state.q), System::center(state.v));
       contacts_.write(observables_.contact);
     }
@@ -95,15 +95,15 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     return {};
   }
 
-  /// Checks the least singular value of Q after every step. It is the distance of Q from the nearest singular matrix
-  /// (Eckart and Young). If it is below the tolerance of Q, the exact motion may have collapsed already. A body that
-  /// preserves its volume cannot collapse.
+  /// Records the contact after a step, and checks the least singular value of Q for a body that can change its volume.
+  /// This value is the distance of Q from the nearest singular matrix (Eckart and Young). If it is at most the
+  /// tolerance of Q, the exact motion may have collapsed already, and the function fails.
   mechanics::Status judge(const State& state) override {
     if constexpr (on_planes) contacts_.look(state.t, system_.contact(state.q), System::center(state.v));
     if constexpr (!mechanics::unconstrained<System>) return {};
     const Eigen::Matrix3d Q = Q_of(state);
     const double tolerance = context_.scene.time.tolerance;
-    // Because det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2, most steps do not need the singular values.
+    // Because det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2, the singular values are not needed in most steps.
     if (2 * Q.determinant() > tolerance * Q.squaredNorm()) return {};
     const double least = mechanics::principal_axes(Q).a.minCoeff();
     if (least > tolerance) return {};
@@ -145,7 +145,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     double Lambda = 0;
     if constexpr (!mechanics::unconstrained<System>)
       if (auto status = mechanics::multiplier_of_motion(system_, state, workspace, Lambda); !status) return status;
-    if (!ball_) ball_ = io::ball_blocks(4, 2);  // cut into cells, a quarter circle has 8 edges
+    if (!ball_) ball_ = io::ball_blocks(4, 2);  // if the blocks are cut into cells, a quarter of a circle has 8 edges
     write_picture(context_, path, time, ball_->blocks, fields(state, Lambda));
     return {};
   }
@@ -167,7 +167,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
       return center_.at(state.t);
   }
 
-  /// Fields for a picture. All of them except positions and velocities are uniform in the body.
+  /// The fields for a picture. All fields except positions and velocities are uniform in the body.
   mechanics::BodyFields fields(const State& state, double Lambda) {
     const auto& body = system_.body();
     const auto motion = system_.motion(state);
@@ -191,13 +191,14 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     size_ = std::max(size_, Q.cwiseAbs().maxCoeff());
   }
 
-  /// Warns if a motion about rest is not much larger than the error of Q. Its energies then have no correct digit.
+  /// Warns if Q moves from its start by not much more than the error of Q. The energies of this motion then have no
+  /// correct digit.
   void warn_of_resolution(const io::Manifest::Model& statistics) const {
     if (!knows_motion_ || n_noted_ < 2) return;
     constexpr double well_above = 10, epsilon = std::numeric_limits<double>::epsilon();
     const auto estimate = statistics.counters.find("estimated_time_error");
     const double error = std::max(epsilon * size_, estimate == statistics.counters.end() ? 0 : estimate->second);
-    // A body at rest in equilibrium moves by round-off alone. This is correct and needs no warning.
+    // A body at rest in equilibrium moves by round-off alone. This motion is correct and needs no warning.
     const double round_off = 16 * epsilon * size_;
     const bool rests = start_.v.isZero(0) && motion_ <= round_off;
     if (rests || motion_ > well_above * error) return;
@@ -208,7 +209,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
         motion_ > well_above * round_off ? "give a smaller Time/Tolerance" : "they are lost in round-off");
   }
 
-  /// The limit is the same as for the initial state (scene/validate.cpp).
+  /// Fails if an entry of Q is larger than 1e12, the limit for an initial state (scene/validate.cpp).
   static mechanics::Status check_size(const State& state) {
     constexpr double largest_stretch = 1e12;
     if (System::matrix(state.q).cwiseAbs().maxCoeff() <= largest_stretch) return {};
@@ -226,7 +227,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     const reduced::CenterOfMass& law = center_.law();
     observables_.kinetic += mass * law.kinetic(motion);
     observables_.external += mass * law.potential(motion);
-    if constexpr (on_planes) return {};  // the energies of the system contain the rest
+    if constexpr (on_planes) return {};  // the energies of the system contain the other terms
     if (center_is_driven_) observables_.external += mass * law.driven(motion, t);
     if (drag_on_center_) {
       const reduced::CenterOfMass::Motion start{law.position, law.velocity};
@@ -246,7 +247,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   io::Trajectory<mechanics::ReducedObservables> trajectory_;
   mechanics::ObservableRequest request_;
   TensionWatch tension_;
-  double motion_ = 0, size_ = 0;  ///< largest entry of |Q − Q₀| and |Q| at the samples
+  double motion_ = 0, size_ = 0;  ///< largest entries of |Q − Q₀| and |Q| at the samples
   bool knows_motion_ = true;      ///< false if a resumed run has earlier rows without Q
   long n_noted_ = 0;
   mechanics::ReducedObservables observables_;

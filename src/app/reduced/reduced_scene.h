@@ -1,5 +1,6 @@
 #pragma once
-/// Conversion of a scene to a pseudo-rigid body in internal units, and the choice of the form that is integrated.
+/// Conversion of a scene to a pseudo-rigid body in internal units, and choice of the form of the body that is
+/// integrated.
 
 #include <optional>
 
@@ -27,12 +28,12 @@ struct ReducedScene {
 
 ReducedScene reduced_scene(const scene::Scene& scene);
 
-/// The forms of the pseudo-rigid body. A form does not have the parts that only other forms need.
+/// The forms of the pseudo-rigid body. Each form has only the forces and coordinates that it needs.
 enum class ReducedForm {
-  elastic,      ///< law of the neo-Hookean kind without loads; the law is known at compile time
+  elastic,      ///< neo-Hookean energy (Ciarlet–Geymonat's type) and no loads; law known at compile time
   general,      ///< any law, self-gravity, and loads with a potential
   diagonal,     ///< Q stays diagonal, three unknowns; loads as for `general`
-  dissipative,  ///< viscosity, drag or loads that depend on time, and the energy that they exchange
+  dissipative,  ///< viscosity, drag or loads that depend on time, and the energy of these forces
   touching      ///< rigid planes, which couple the centre of mass to Q; any other loads
 };
 
@@ -41,7 +42,7 @@ using ElasticBody = reduced::PseudoRigidBody<materials::CiarletGeymonat, incompr
 template <bool incompressible>
 using GeneralBody = reduced::PseudoRigidBody<reduced::Potential, incompressible>;
 
-/// The sum of all potentials that act on the body: stored energy, self-gravity and loads.
+/// The sum of the potentials of all conservative forces: stored energy, self-gravity and loads.
 inline reduced::Potential potential_of(const ReducedScene& s) { return {s.law, s.body, s.forcing}; }
 
 template <bool incompressible>
@@ -51,7 +52,7 @@ GeneralBody<incompressible> general_body(const ReducedScene& s) {
 
 ReducedForm form_of(const ReducedScene& scene);
 
-/// The system of a form. The forms elastic and diagonal are valid only if `form_of` returns them.
+/// The system of a form. The forms `elastic` and `diagonal` are valid only if `form_of` returns them.
 template <ReducedForm form, bool incompressible>
 auto system_of(const ReducedScene& s) {
   using Body = GeneralBody<incompressible>;
@@ -67,7 +68,7 @@ auto system_of(const ReducedScene& s) {
     return reduced::BodyOnPlanes<Body>(general_body<incompressible>(s), s.loads);
 }
 
-/// The initial state in the coordinates of a form.
+/// The initial state in the coordinates of the system of a form.
 template <class System>
 mechanics::State<System> start_of(const ReducedScene& s) {
   if constexpr (requires { System::state_of(s.start, s.center.position, s.center.velocity); })

@@ -1,6 +1,6 @@
 #pragma once
-/// Runs one form of the pseudo-rigid body with any method. Each form has a source file (run_reduced_form.cpp.in),
-/// because all forms in one file would take a minute to compile.
+/// The run of one form of the pseudo-rigid body. Each form has a source file (run_reduced_form.cpp.in), because all
+/// forms in one file would take a minute to compile.
 
 #include "app/reduced/reduced_scene.h"
 #include "app/run/run_context.h"

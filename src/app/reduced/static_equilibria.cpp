@@ -17,7 +17,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// The search makes more starts than the first number only while it is known that points are missing.
+/// Number of starts of the search. While the search knows that equilibria are missing, it continues up to the second
+/// number.
 constexpr int n_static_starts = 400, n_static_starts_at_most = 20000;
 
 std::vector<double> static_row(int index, const mechanics::CriticalPoint& p, const ReducedScene& s,
@@ -40,7 +41,7 @@ std::vector<double> static_row(int index, const mechanics::CriticalPoint& p, con
   return row;
 }
 
-/// Reports the equilibrium of the centre of mass, which moves independently of Q: ẍ = b − Tx.
+/// Reports the equilibrium of the centre of mass, ẍ = b − Tx = 0. The centre of mass moves independently of Q.
 void report_center(const ReducedScene& s, const io::Units& units, const RunContext& context, ModelOutcome& outcome) {
   const Eigen::Matrix3d& T = s.forcing.quadratic;
   const Eigen::Vector3d& b = s.forcing.acceleration;

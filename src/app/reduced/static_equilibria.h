@@ -1,6 +1,6 @@
 #pragma once
-/// Static equilibria of the pseudo-rigid body of a scene (reduced/static_equilibria.h). `Equilibrium/Family = static`
-/// writes the critical points of its potential energy into equilibria.csv.
+/// Static equilibria of the pseudo-rigid body of a scene (reduced/static_equilibria.h). With `Equilibrium/Family =
+/// static` the program writes the critical points of the potential energy into equilibria.csv.
 
 #include <vector>
 

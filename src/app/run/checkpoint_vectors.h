@@ -1,6 +1,7 @@
 #pragma once
-/// Transfer of q, v and the method's memory between a model's run and its checkpoint. A checkpoint holds whole vectors
-/// in an order that does not depend on the number of ranks. Each rank holds its own entries only.
+/// Transfer of the vectors q and v and of the method's memory between a run and its checkpoint. A checkpoint contains
+/// the complete vectors, in an order that does not depend on the number of ranks. If a model distributes its vectors,
+/// each rank has only a part of their entries.
 
 #include <algorithm>
 #include <optional>
@@ -20,15 +21,15 @@ inline constexpr bool is_distributed = requires(const Model& model) {
   model.rank_order();
 };
 
-/// Restores the memory that a method carries from step to step. Throws std::invalid_argument if the memory belongs to
-/// another method.
+/// Copies the memory that a method carries from step to step into the workspace of the method. Does nothing if `memory`
+/// is empty. Throws std::invalid_argument if the memory belongs to another method.
 template <class Workspace>
 void give_memory(Workspace& workspace, std::span<const double> memory) {
   if (!memory.empty() && !mechanics::restore_memory(workspace, memory))
     throw std::invalid_argument("memory of another method");
 }
 
-/// The transfer for a model whose vectors are complete on one process.
+/// Transfer for a model whose vectors are complete on one process.
 template <class Model>
 class CheckpointVectors {
   using State = typename Model::State;
@@ -54,7 +55,7 @@ class CheckpointVectors {
   }
 };
 
-/// The transfer for a model whose vectors are distributed over ranks.
+/// Transfer for a model whose vectors are distributed over the ranks.
 template <class Model>
 requires is_distributed<Model>
 class CheckpointVectors<Model> {
@@ -63,8 +64,8 @@ class CheckpointVectors<Model> {
  public:
   explicit CheckpointVectors(const Model& model) : order_(model.rank_order()) {}
 
-  /// Keeps the memory of all ranks: only the method's workspace, which is made later, can select the entries of this
-  /// rank.
+  /// Reads q and v of this rank, and the memory of all ranks. The part of the memory that belongs to this rank is not
+  /// known yet. The workspace of the method, which is made later, determines this part.
   void take(const io::Checkpoint& file, State& state, Snapshot& snapshot) {
     const auto take_own = [&](const char* name, std::span<double> own) {
       order_.take_field(file.get_doubles(name, order_.field_size()), own);
@@ -82,7 +83,7 @@ class CheckpointVectors<Model> {
       snapshot.memory = layout_->take(snapshot.memory);
     give_memory(workspace, snapshot.memory);
   }
-  /// Returns the whole vectors on the rank that writes. Collective.
+  /// Returns the complete vectors on the rank that writes the checkpoint. Collective.
   SavedVectors collect(State& state, const Snapshot& snapshot) const {
     return {order_.collect_field(mechanics::local_values(state.q)),
             order_.collect_field(mechanics::local_values(state.v)),

@@ -1,11 +1,13 @@
 #pragma once
-/// Summary of the contacts of a body with rigid planes, updated after every step. It has the begin of the first
-/// contact, the end of the last contact, the largest force, and the coefficient of restitution
+/// Summary of the contacts of a body with rigid planes, updated after every step. The summary has the begin of the
+/// first contact, the end of the last contact, the largest force, and the coefficient of restitution
 ///
 ///   e = (n·ẋ_c at the end of the last contact) / (−n·ẋ_c at the begin of the first contact)
 ///
 /// with the normal n of the nearest plane and the centre of mass x_c. A contact begins or ends when the height of the
-/// body above the nearest plane is zero. The height is interpolated linearly within a step. Numbers are in internal
+/// body above the nearest plane is zero. The height is interpolated linearly within a step. The velocity is not
+/// interpolated. The formula uses the velocity after the last step before the first contact, and after the first step
+/// without the last contact. Each quantity of the summary is 0 until its event occurs. All quantities are in internal
 /// units.
 
 #include <algorithm>
@@ -19,8 +21,8 @@ namespace pseudorigid::app {
 
 class ContactWatch {
  public:
-  /// Updates the summary at the end of a step. `velocity` is the velocity of the centre of mass. If a step is repeated
-  /// after a failure, its times are known already and it is ignored.
+  /// Updates the summary at the end of a step. `velocity` is the velocity of the centre of mass. Does nothing if `t` is
+  /// not after the last recorded time, because the step is then a repetition of an earlier step.
   void look(double t, const loads::Contact& now, const Eigen::Vector3d& velocity) {
     if (is_begun_ && t <= t_) return;
     const double v = now.normal.dot(velocity);
@@ -49,7 +51,7 @@ class ContactWatch {
     o.restitution = restitution_;
   }
 
-  /// The data members as numbers, for checkpoints.
+  /// The data members as an array, for checkpoints.
   static constexpr std::size_t n_numbers = 10;
   std::array<double, n_numbers> numbers() const {
     return {is_begun_ ? 1.0 : 0.0, t_,    height_,        v_,          has_touched_ ? 1.0 : 0.0, first_,
@@ -70,7 +72,7 @@ class ContactWatch {
 
  private:
   bool is_begun_ = false, has_touched_ = false;
-  double t_ = 0, height_ = 0, v_ = 0;  ///< at the end of the last step
+  double t_ = 0, height_ = 0, v_ = 0;  ///< time, height and n·ẋ_c at the end of the last step
   double first_ = 0, speed_before_ = 0, last_ = 0, largest_force_ = 0, restitution_ = 0;
 };
 

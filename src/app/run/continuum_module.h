@@ -1,7 +1,7 @@
 #pragma once
 /// Interface between the program and the library libpseudorigid-continuum. The program opens the library if a scene
-/// needs finite elements (app/commands/open_continuum.h). The program calls a single function of the library,
-/// `pseudorigid_continuum`.
+/// needs finite elements (app/commands/open_continuum.h), and calls its function `pseudorigid_continuum`. This function
+/// returns a table of further functions.
 
 #include <map>
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace pseudorigid::app {
 
-/// Exception for a library that cannot be opened; its text is the reason.
+/// Exception for a library that cannot be opened. Its text is the reason.
 struct NoContinuum : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -22,8 +22,8 @@ struct NoContinuum : std::runtime_error {
 struct ContinuumModule {
   ModelOutcome (*run)(const RunContext& context);
   std::map<std::string, std::string> (*libraries)();  ///< name → version, for the manifest
-  std::string_view (*instructions)();                 ///< SIMD instructions of its kernels; throws mechanics::NoKernels
-  /// Starts MPI for the processes of a launcher. The destructor of the object ends MPI.
+  std::string_view (*instructions)();                 ///< SIMD instructions of the kernels; throws mechanics::NoKernels
+  /// Starts MPI for the processes of a launcher. The destructor of the returned object ends MPI.
   std::unique_ptr<Ranks> (*start_ranks)(int argc, char** argv);
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Output of critical points (mechanics/equilibria/critical_points.h), for any coordinates.
+/// Output of critical points of a potential (mechanics/equilibria/critical_points.h). The coordinates can be of any
+/// kind.
 
 #include <vector>
 
@@ -9,13 +10,15 @@
 
 namespace pseudorigid::app {
 
-/// Columns for the Morse index, the nullity and the dimensions of the invariant manifolds of a critical point. They
-/// also contain the eigenvalues of the Hessian of the potential and the rates of small motions, for n_modes degrees of
-/// freedom.
+/// Columns of a critical point for `n_modes` degrees of freedom. The first four have the Morse index, the nullity, and
+/// the dimensions of the unstable and the stable manifold. The others have the eigenvalues of the Hessian of the
+/// potential and the rates of small motions.
 std::vector<scene::Column> critical_point_columns(int n_modes);
+/// Appends the values of these columns to `row`.
 void append_critical_point(const mechanics::CriticalPoint& point, std::vector<double>& row);
 
-/// Writes the lines of the results and the counters of the manifest. `energy` is the unit of V.
+/// Adds the number of points and a line for each point to the results of `outcome`. Adds the counters of the search to
+/// the statistics of `outcome`. `energy` is the unit of the potential V.
 void report_search(const mechanics::CriticalPoints& found, double energy, const RunContext& context,
                    ModelOutcome& outcome);
 

@@ -1,8 +1,10 @@
 #pragma once
-/// The history of Q at the samples of a run, and two measures of the difference of two histories. The maxima are over
-/// the samples that both histories contain:
+/// The history of Q at the samples of a run, and two measures of the difference between two histories. The maxima are
+/// over the samples that both histories contain:
 ///
 ///   largest   max_t max_ij |Q_ij − Q'_ij|,     relative   max_t |Q − Q'| / |Q|   (Frobenius).
+///
+/// Both measures are 0 if the histories do not have a common sample.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -34,7 +36,8 @@ inline TraceDifference difference(const DeformationTrace& a, const DeformationTr
   return d;
 }
 
-/// Conversion to and from the numbers of a checkpoint: the sample number and the nine entries of Q for each sample.
+/// Conversion of a history to the array of a checkpoint, and back. The array has the sample number and the nine entries
+/// of Q for each sample.
 inline std::vector<double> numbers_of(const DeformationTrace& trace) {
   std::vector<double> numbers;
   for (const auto& [sample, Q] : trace) {

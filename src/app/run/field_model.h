@@ -1,5 +1,6 @@
 #pragma once
-/// Base class of the two models whose displacement need not be affine: finite elements and polynomials.
+/// Base class of the two models whose displacement need not be affine: the finite-element model and the polynomial
+/// model.
 
 #include <algorithm>
 #include <array>
@@ -23,12 +24,13 @@
 
 namespace pseudorigid::app {
 
-/// `Faces`: continuum::MaterialFaces or polynomial::MaterialFaces.
+/// `Faces` is continuum::MaterialFaces or polynomial::MaterialFaces.
 template <class S, class Faces>
 class FieldModel : public RunnableModelOf<S> {
   using Base = RunnableModelOf<S>;
-  /// Factor of the tolerance in a pilot run, which covers only the begin of the motion. There the time error of a
-  /// release can grow at only 0.45 of its mean rate (measured at Time/Tolerance = 1e-3 and 1e-4 until t = 10).
+  /// Factor of the tolerance in the search for the step. A pilot run covers only the begin of the motion. At the begin
+  /// of a release, the time error can grow at only 0.45 of its mean rate over the run. (Measured at Time/Tolerance =
+  /// 1e-3 and 1e-4 until t = 10.)
   static constexpr double reserve = 0.4;
 
  public:
@@ -47,7 +49,7 @@ class FieldModel : public RunnableModelOf<S> {
     else
       return this->system().multiplier_scale();
   }
-  /// The affine part of the positions. If the scene has contact, the centre of mass is a fourth column.
+  /// The matrix Q of the affine part of the positions. If the scene has contact, the centre of mass is a fourth column.
   Eigen::MatrixXd configuration(const State& state) const final {
     if (!context_.needs.contact) return affine_part(state.q);
     Eigen::MatrixXd configuration(3, 4);
@@ -67,9 +69,10 @@ class FieldModel : public RunnableModelOf<S> {
   double rate(const State& state) const final {
     return mechanics::affine_rate(affine_part(state.q), affine_part(state.v));
   }
-  /// Internal time, r/c for an elastic ball without self-gravity. At t = 1, about 0.4 periods of the slowest mode, the
-  /// shear front from the surface has reached the centre. A contact of a fast body takes three times as long. A force
-  /// that depends on time can act later, so its window is about four periods.
+  /// Length of the pilot runs in internal time, at most `end`. The unit is r/c for an elastic ball without
+  /// self-gravity. At t = 1 the shear front from the surface has reached the centre. This time is 0.4 periods of the
+  /// slowest mode. A contact of a fast body takes up to three times as long. A force that depends on time can act
+  /// later, so the length is then about four periods.
   double pilot_window(double end) const final {
     const double window = mechanics::time_dependent(this->system()) ? 10.0 : context_.needs.contact ? 3.0 : 1.0;
     return std::min(end, window);
@@ -78,8 +81,7 @@ class FieldModel : public RunnableModelOf<S> {
 
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) override {
     if (auto status = observe(this->system(), state, workspace, request_, observables_); !status) return status;
-    // At t = 0 no step has been recorded yet, so a body that touches a plane at the start begins its first contact
-    // here.
+    // `judge` is called after steps only. This call records a contact that exists at the start.
     if (context_.needs.contact && state.t == 0) contacts_.look(0, this->system().contact(state.q), mean(state.v));
     contacts_.write(observables_.contact);
     trajectory_.row(time, observables_, row);
@@ -108,7 +110,7 @@ class FieldModel : public RunnableModelOf<S> {
     take_own_remarks(remarks.subspan<3, 3>());
     if (context_.needs.contact) contacts_.take_numbers(remarks.subspan<6, ContactWatch::n_numbers>());
   }
-  /// Records the contacts after every step. Collective.
+  /// Records the contact at the end of a step, and never fails. Collective.
   mechanics::Status judge(const State& state) final {
     if (context_.needs.contact) contacts_.look(state.t, this->system().contact(state.q), mean(state.v));
     return {};
@@ -119,7 +121,8 @@ class FieldModel : public RunnableModelOf<S> {
     columns.insert(columns.end(), mechanics::shape_columns.begin(), mechanics::shape_columns.end());
     return columns;
   }
-  /// The rows of the shape, on the first rank. Collective.
+  /// The rows of the table of shapes, with lengths in the user's units; empty on ranks other than the first.
+  /// Collective.
   std::vector<std::vector<double>> shape(double time, const State& state) const final {
     if (!faces_) faces_.emplace(this->system().space());
     std::vector<std::vector<double>> rows = faces_->rows(state.q);
@@ -148,7 +151,7 @@ class FieldModel : public RunnableModelOf<S> {
     request_.multiplier |= tension_.watches();
   }
 
-  /// The field c + A X of positions or velocities.
+  /// The field c + A X of positions, or of velocities.
   virtual Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const = 0;
   virtual Eigen::Matrix3d affine_part(const Vector& x) const = 0;
   virtual Eigen::Vector3d mean(const Vector& x) const = 0;
@@ -162,7 +165,7 @@ class FieldModel : public RunnableModelOf<S> {
     return std::lround(time / context_.scene.time.end * static_cast<double>(context_.scene.output.samples));
   }
 
-  DeformationTrace* trace_;  ///< receives the history of Q; null if not requested
+  DeformationTrace* trace_;  ///< receives the history of Q; null if the history is not requested
   io::Trajectory<mechanics::ContinuumObservables> trajectory_;
   mechanics::ObservableRequest request_;
   mechanics::ContinuumObservables observables_;

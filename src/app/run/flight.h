@@ -1,8 +1,8 @@
 #pragma once
 /// The free flight of a body until its first contact with a plane. A pilot run begins shortly before this contact,
 /// because a short pilot run from the start would not contain the contact. The body is shifted along the path of its
-/// centre of mass under the uniform acceleration b. It keeps its deformation, although the exact deformation at the
-/// contact differs: the stretches have the same size.
+/// centre of mass under the uniform acceleration b. The shifted body has the deformation of the start. The body that
+/// has moved freely has another deformation with stretches of the same size.
 
 #include <cmath>
 #include <optional>
@@ -16,13 +16,14 @@ struct Flight {
   Eigen::Vector3d displacement, velocity_change;
 };
 
-/// Empty if the body touches a plane, does not approach a plane, or has loads other than b.
+/// Empty if the body is less than 0.01 radii above the nearest plane, or if its path does not reach the plane. Also
+/// empty if a quadratic potential or a drag acts.
 inline std::optional<Flight> flight_to_contact(const loads::Contact& now, const Eigen::Vector3d& velocity,
                                                const loads::Forcing& loads) {
   constexpr double margin = 0.01;  // radii above the plane at the end of the flight
   const double height = now.height - margin, v = now.normal.dot(velocity), b = now.normal.dot(loads.acceleration);
   if (!std::isfinite(now.height) || height <= 0 || !loads.quadratic.isZero(0) || loads.drag != 0) return {};
-  // Solves height + v t + b t²/2 = 0 by the formula that has no cancellation for v < 0 (approach).
+  // Solves height + v t + b t²/2 = 0 by the formula that has no cancellation for v < 0, the velocity of an approach.
   const double root = v * v - 2 * b * height;
   if (root < 0) return {};
   const double divisor = -v + std::sqrt(root);

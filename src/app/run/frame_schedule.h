@@ -8,16 +8,17 @@
 
 namespace pseudorigid::app {
 
-/// Selects n_frames samples, evenly spread from the first to the last. A single frame is the last sample.
+/// Selects n_frames samples from the first to the last, at distances as equal as possible. A single frame is the last
+/// sample.
 class FrameSchedule {
  public:
   FrameSchedule(long n_frames, long n_samples) : n_frames_(n_frames), n_samples_(n_samples) {}
 
-  /// Sample of frame j = 0 … n_frames − 1.
+  /// Sample of frame j, with j = 0 … n_frames − 1.
   long sample(long j) const {
     return n_frames_ == 1 ? n_samples_ : std::lround(static_cast<double>(j) * n_samples_ / (n_frames_ - 1.0));
   }
-  /// Number of frames before sample k. If sample k becomes a frame, this is also the number of that frame.
+  /// Number of frames before sample k. If sample k is a frame, the return value is also the index j of this frame.
   long n_before(long k) const {
     const auto frames = std::views::iota(0L, n_frames_);
     return std::ranges::partition_point(frames, [&](long j) { return sample(j) < k; }) - frames.begin();
@@ -31,8 +32,8 @@ class FrameSchedule {
   long n_frames_, n_samples_;
 };
 
-/// Selects the samples for the shapes of a report: the first, the last, and four between them. Their distances are
-/// unequal, so that the shapes of a periodic motion have different phases.
+/// Selects the samples for the shapes of a report: the first, the last, and four between them. A sample that coincides
+/// with another is omitted. The distances are unequal, so that the shapes of a periodic motion have different phases.
 class ShapeSchedule {
  public:
   explicit ShapeSchedule(long n_samples) {

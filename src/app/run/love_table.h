@@ -1,6 +1,6 @@
 #pragma once
-/// love-<run>.csv, and a table for the terminal: Love numbers of a ball (gravity/love_numbers.h), compared with those
-/// of the exact homogeneous sphere.
+/// Writes the Love numbers of a ball (gravity/love_numbers.h) into love-<run>.csv and into a table for the terminal.
+/// The file and the table also have the Love numbers of the exact homogeneous incompressible sphere.
 
 #include <string_view>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace pseudorigid::app {
 
-/// Numbers of one degree, and bounds of the error that the discretisation makes in h and l.
+/// Love numbers of one degree, and bounds of the errors of h and l that the discretisation causes.
 struct LoveRow {
   gravity::LoveNumbers numbers;
   double h_error = 0, l_error = 0;
@@ -21,16 +21,17 @@ struct LoveRow {
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other, double round_off);
 
-/// γ = ρgr/μ of the ball at rest, g = (4/3)πGρr.
+/// The ratio γ = ρgr/μ of the ball at rest, with g = (4/3)πGρr.
 double gravity_to_elasticity(const scene::Scene& scene);
 
 std::vector<scene::Column> love_columns();
 
-/// Writes the file of a run, and adds the lines for people to the results.
+/// Writes love-<run>.csv and adds the table for the terminal to the results of `outcome`. The title of the table
+/// contains the adjective `ball`.
 void write_love_table(const std::vector<LoveRow>& rows, std::string_view run, std::string_view ball,
                       const RunContext& context, ModelOutcome& outcome);
 
-/// The numbers of the pseudo-rigid ball, in closed form.
+/// Writes the Love numbers of the pseudo-rigid ball, which are known in closed form.
 ModelOutcome run_reduced_love_numbers(const RunContext& context);
 
 }  // namespace pseudorigid::app

@@ -15,7 +15,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Limits of the radius in the unit Body/Radius: inside, lengths are of order 1.
+/// Limits of the largest distance of a node from the centre of mass, in the unit Body/Radius. Lengths in internal units
+/// are then of order 1.
 constexpr double largest_radius = 10, least_radius = 0.1;
 
 }  // namespace

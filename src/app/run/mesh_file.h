@@ -1,6 +1,6 @@
 #pragma once
-/// The mesh file of the entry Continuum/Mesh. The file has the unit of length of Body/Radius. The program converts it
-/// to internal units (X/r) and shifts its centre of mass to the origin.
+/// The mesh file of the entry Continuum/Mesh. The coordinates in the file have the unit of length of Body/Radius. The
+/// program converts the coordinates to internal units (X/r) and shifts the centre of mass to the origin.
 
 #include <string>
 
@@ -10,20 +10,20 @@
 namespace pseudorigid::app {
 
 struct CenteredMesh {
-  io::HexahedralMesh mesh;           ///< internal units
-  io::HexahedralMesh::Point center;  ///< centre of mass in the units of the file
+  io::HexahedralMesh mesh;           ///< in internal units
+  io::HexahedralMesh::Point center;  ///< centre of mass in the unit of length of the file
   bool is_moved;                     ///< true if the shift exceeds round-off
 };
 
-/// Reads, converts and shifts the mesh. Throws UserError.
+/// Reads, converts and shifts the mesh. Throws UserError if the mesh cannot be used.
 CenteredMesh read_mesh_file(const scene::Scene& scene);
 
-/// Number of cells of the scene's mesh file, 0 for the builtin mesh. If the mesh cannot be used, throws a UserError
-/// that names the entry.
+/// Returns the number of cells of the scene's mesh file, or 0 if the scene does not use a mesh file. If the mesh cannot
+/// be used, throws a UserError that names the entry.
 std::size_t require_mesh_file(const scene::Scene& scene, const scene::Origins& origins);
 
-/// Text for the mesh in the scene of a checkpoint: a checksum of the bytes of the file, so that its path does not
-/// matter.
+/// Text for the mesh in the scene of a checkpoint. If the scene uses a mesh file, the text is a checksum of the bytes
+/// of the file. The path of the file then does not matter. Otherwise the text is the entry Continuum/Mesh.
 std::string mesh_identity(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

@@ -1,6 +1,6 @@
 #pragma once
-/// The table of the modes of the ball, as modes.csv and for the terminal. It compares the frequencies about rest with
-/// the frequencies of the exact sphere (analysis/sphere_frequencies.h) and of the pseudo-rigid ball.
+/// The table of the modes of the ball, as a CSV file and for the terminal. The table compares the frequencies about
+/// rest with the frequencies of the exact sphere (analysis/sphere_frequencies.h) and of the pseudo-rigid ball.
 
 #include <string>
 #include <string_view>
@@ -11,35 +11,35 @@
 
 namespace pseudorigid::app {
 
-/// A frequency in internal units, with the 2n + 1 modes of degree n ("copies"). An unstable motion has ω < 0 and grows
-/// at the rate −ω.
+/// A frequency in internal units. The modes with this frequency are called copies. The exact ball has 2n + 1 copies for
+/// degree n. An unstable motion has ω < 0 and grows at the rate −ω.
 struct ModeFrequency {
   double omega;           ///< mean over the copies
-  double least, largest;  ///< least and largest value among the copies
+  double least, largest;  ///< least and largest frequency among the copies
   bool spheroidal;
   int degree;
-  int overtone;  ///< 0 for the fundamental mode
+  int overtone;  ///< 0 for the mode of lowest frequency
   int multiplicity;
 
   double spread() const { return (largest - least) / omega; }
 };
 
-/// The ball in internal units: Lamé's moduli at rest, and γ = ρgr/μ with g = (4/3)πGρr.
+/// Data of the ball in internal units: Lamé's moduli at rest, and γ = ρgr/μ with g = (4/3)πGρr.
 struct BallAtRest {
   materials::RestModuli moduli;
   bool incompressible;
   double gamma;
 };
 
-/// Text on the first frequency whose copies differ by more than the fraction `spread`; empty if there is none. Example:
-/// "the copies of T3 differ by 5.3e-01". If the copies differ by more than a hundredth, they belong to different modes,
-/// or the mesh is too coarse for the mode.
+/// Text about the first frequency whose copies differ by more than the fraction `spread`; empty if there is no such
+/// frequency. Example: "the copies of T3 differ by 5.3e-01". If the difference exceeds a hundredth, the copies belong
+/// to different modes, or the mesh is too coarse for the mode.
 std::string differing_copies(const std::vector<ModeFrequency>& frequencies, double spread = 1e-2);
-/// Text on the fastest growing motion; empty if no motion grows. Example: "the ball is unstable at rest: a motion of
+/// Text about the fastest growing motion; empty if no motion grows. Example: "the ball is unstable at rest: a motion of
 /// kind T1 grows at the rate 0.3".
 std::string instability(const std::vector<ModeFrequency>& frequencies, const io::Units& units);
 
-/// Writes the file and adds the table for the terminal to the results.
+/// Writes the CSV file `file`, and adds the table for the terminal to the results of `outcome`.
 void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallAtRest& ball, const RunContext& context,
                       std::string_view file, ModelOutcome& outcome);
 

@@ -10,7 +10,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Value in a checkpoint for an error that was not estimated.
+/// Value in a checkpoint for a time error that is not known.
 inline constexpr double unknown_error = -1;
 
 }  // namespace

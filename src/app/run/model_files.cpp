@@ -43,7 +43,7 @@ std::optional<io::Checkpoint> ModelFiles::state_to_resume() {
   if (!context_.resumes) return std::nullopt;
   bool exists = false;
   on_all_ranks(*context_.ranks, [&] { exists = io::is_there(checkpoint()); });
-  // The first rank decides: the other ranks may read the disk later or have another disk.
+  // The first rank decides for all ranks, because the others may read the disk later or have another disk.
   if (!context_.ranks->of_first(exists)) return std::nullopt;
   std::optional<io::Checkpoint> state;
   on_all_ranks(*context_.ranks, [&] { state = io::Checkpoint::load(checkpoint()); });
@@ -79,7 +79,7 @@ void ModelFiles::draw_frame(long sample, const Draw& draw) {
     context_.log->warn("{}: no picture at t = {:.6g}: {}", model_, time, status.reason());
   else
     on_all_ranks(*context_.ranks, [&] {
-      // If there are several ranks, the list names the file that lists their pieces.
+      // If there are several ranks, the collection has the path of the .pvtu file, which lists the pieces of all ranks.
       if (pvd_)
         pvd_->add(time, context_.ranks->size() > 1 ? std::filesystem::path(file).replace_extension("pvtu") : file);
     });
@@ -94,8 +94,8 @@ void ModelFiles::create_shapes(const std::string& name, const std::vector<std::s
 void ModelFiles::resume_shapes(const std::string& name, const std::vector<std::string>& columns, long n_samples_taken) {
   on_all_ranks(*context_.ranks, [&] {
     if (!writes()) return;
-    // Keeps the shapes before the next sample. A run with an earlier end wrote them at times that differ from the
-    // present schedule. The first row, at the start, is always kept.
+    // Keeps the shapes before the next sample. If the earlier run had an earlier end, the times of its shapes differ
+    // from the present schedule. The first row, at the start, is always kept.
     const auto path = context_.directory.csv(name);
     const std::int64_t least = n_samples_taken > 0 ? 1 : 0;
     shapes_csv_.emplace(

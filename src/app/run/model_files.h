@@ -1,7 +1,7 @@
 #pragma once
-/// The sink that writes the files of one model's run: rows, pictures and their list, shapes, checkpoints. If there are
-/// several ranks, the first rank writes these files, and each rank writes its piece of a picture. If writing fails on
-/// one rank, for example because the disk is full, it fails on all ranks.
+/// The sink that writes the files of one model's run: rows, pictures and their list, shapes, and checkpoints. If there
+/// are several ranks, the first rank writes these files, and each rank writes its piece of a picture. If writing fails
+/// on one rank, for example because the disk is full, it fails on all ranks.
 
 #include <filesystem>
 #include <optional>
@@ -31,8 +31,8 @@ class ModelFiles : public ModelSink {
   io::Table rows_so_far() override;
 
   bool wants_frame(long sample) const override { return context_.needs.graphics && frames_.has(sample); }
-  /// Omits a picture that cannot be drawn and logs a warning, so that pictures do not change the run. For example, a
-  /// node can have det F ≤ 0 while all quadrature points have det F > 0.
+  /// Writes a picture. If the picture cannot be drawn, logs a warning, and the run continues. For example, a node can
+  /// have det F ≤ 0 while all quadrature points have det F > 0.
   void draw_frame(long sample, const Draw& draw) override;
 
   bool has_shapes() const override { return context_.needs.report; }
@@ -48,11 +48,12 @@ class ModelFiles : public ModelSink {
   bool writes() const { return context_.ranks->is_first(); }
   std::filesystem::path csv() const { return context_.directory.csv(model_); }
   std::filesystem::path checkpoint() const { return context_.directory.checkpoint(model_); }
-  /// A time between the last written sample and the next. Half an interval makes it safe against round-off.
+  /// A time half an interval before the next sample. This time separates the written samples from the next ones in
+  /// spite of round-off.
   double next_time(long n_samples_taken) const {
     return context_.time_of_sample(n_samples_taken) - context_.time_of_sample(1) / 2;
   }
-  /// Continues the list and the numbers of the pictures of an earlier run.
+  /// Continues the list of the pictures of an earlier run, and their numbers.
   void resume_pictures(long n_samples_taken);
 
   const RunContext& context_;
@@ -66,7 +67,7 @@ class ModelFiles : public ModelSink {
   std::optional<io::PvdCollection> pvd_;
 };
 
-/// Makes sinks that write into the directory of the run.
+/// Returns a function that makes sinks for files in the directory of the run.
 SinkOfModel files_of_models(bool shows_progress);
 
 }  // namespace pseudorigid::app

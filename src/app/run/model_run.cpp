@@ -44,8 +44,10 @@ bool ModelRunBase::is_time_to_save() const {
   return context_.ranks->of_first(Clock::now() - last_save_ > seconds_between_checkpoints);
 }
 
-/// Returns to the last sample with half the step, at most three times in a run, if the program has chosen the step. In
-/// a violent motion of finite elements, the longer the step, the sooner an element is inverted, whatever the method.
+/// Returns to the last sample and halves the step, at most three times in a run. Returns false if this is not possible.
+/// A return requires distributed vectors, a method of fixed step, a step that the program has chosen, and a sample
+/// after the first. A return is not possible if the model itself ended the run. In a violent motion of finite elements,
+/// a longer step inverts an element sooner, with every method.
 bool ModelRunBase::step_back(const mechanics::RunResult& failure) {
   constexpr int most = 3;
   const bool may = traits_.is_distributed && verdict_ && adapts() && good_.position.cursor.sample > 0;
@@ -61,7 +63,7 @@ bool ModelRunBase::step_back(const mechanics::RunResult& failure) {
   return true;
 }
 
-/// Continues with the new method and step from a sample. Discards the history of a multistep method.
+/// Continues from a sample with the new method and step. Discards the memory of the old method.
 void ModelRunBase::step_anew() {
   std::swap(position_.method, next_stepping_->method);
   std::swap(position_.step, next_stepping_->step);
@@ -88,8 +90,8 @@ mechanics::Status ModelRunBase::begin() {
     const Status status = choose_stepping();
     sink_->create(columns);
     if (has_shapes_) sink_->create_shapes(any_model_.shape_file(), any_model_.shape_columns());
-    // The checkpoint at the start serves a run that is interrupted before its first step. It is also written if no step
-    // was found: the user can then set a step and resume.
+    // The checkpoint at the start serves a run that is interrupted before its first step. The checkpoint is also
+    // written if no step was found: the user can then set a step and resume.
     save();
     if (!status) return status;
   }
@@ -110,24 +112,25 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   counters_ = good_.counters;
   position_ = good_.position;
   if (const std::size_t n = any_model_.remarks().size(); n > 0) any_model_.take_remarks(file.get_doubles("remarks", n));
-  // If the end of the run has changed, the times of the same samples may differ in the last digit.
+  // If the end of the run has changed, the time of the same sample may differ in the last digit.
   if (const double at = times_[position_.cursor.sample]; std::abs(time() - at) < 1e-12 * times_.end) set_time(at);
   const bool complete = position_.cursor.sample == times_.n_samples;
   const bool has_step = position_.step > 0;  // false if the run ended at the start because no step was found
   if (!has_step && time() == 0) return choose_stepping();
   if (time() == 0) estimate_quadrature();  // does nothing if the error is known
   if (complete || (has_step && file.get_string("stepping") == identity_.stepping)) return {};
-  // If the scene now gives a shorter step for the same method, no search is needed.
+  // If the scene now gives a shorter step for the same method, the run uses this step without a search.
   const bool keeps_method = has_step && shortens() && file.get_string("choice") == identity_.choice;
-  // New steps begin at a sample. A failed run has stopped at a sample. A run that has stopped within an interval first
-  // finishes the interval with the old steps.
+  // New steps begin at a sample. A run that has stopped within an interval first finishes the interval with the old
+  // steps.
   const RunPosition old = position_;
   if (keeps_method)
     shorten();
   else if (Status status = choose(); !status)
     return status;
   if (old.steps_in_interval == 0 && time() == times_[old.cursor.sample]) {
-    // If the method is the same, the past multipliers are kept, because a violent motion cannot start without them.
+    // If the method is the same, its memory is kept. The memory can contain past multipliers, and a violent motion
+    // cannot start without them.
     if (position_.method != old.method) good_.memory.clear();
     return {};
   }

@@ -1,6 +1,6 @@
 #pragma once
-/// The run of one model: choice of method and step, time loop, and output of rows, pictures, checkpoints and progress
-/// to a sink. ModelRunBase does not depend on the system.
+/// The run of one model. The run chooses the method and the step, integrates the motion, and passes rows, pictures,
+/// checkpoints and progress to a sink. The class ModelRunBase does not depend on the type of the system.
 
 #include <algorithm>
 #include <chrono>
@@ -35,17 +35,17 @@ class ModelRunBase : protected ModelStepping {
   ModelRunBase(RunnableModel& model, const RunContext& context, const SystemTraits& traits,
                const std::optional<Stepping>& stepping);
 
-  /// Continues until a sample with the method and step of `position_`.
+  /// Integrates until a sample with the method and step of `position_`.
   virtual mechanics::RunResult run_until(long sample) = 0;
-  // `keep_state` copies the present state to the kept state, which belongs to `good_`; the other function does the
-  // reverse.
+  // `keep_state` copies the present state to the kept state, which belongs to `good_`. `return_to_kept_state` copies
+  // the kept state to the present state.
   virtual void keep_state() = 0;
   virtual void return_to_kept_state() = 0;
   virtual SavedVectors kept_vectors() = 0;
   /// Sets the present state, the kept state and `good_` from a checkpoint.
   virtual void restore_state(const io::Checkpoint& file) = 0;
   virtual void set_time(double t) = 0;
-  virtual std::string place_of_least_jacobian() const = 0;  ///< in the kept state
+  virtual std::string place_of_least_jacobian() const = 0;  ///< place in the kept state
   virtual void choose_quadrature() = 0;
   virtual void estimate_quadrature() = 0;
 
@@ -77,14 +77,14 @@ class ModelRunBase : protected ModelStepping {
   const std::unique_ptr<ModelSink> sink_;
   const bool has_shapes_;
   mechanics::Counters counters_;
-  Status verdict_;  ///< failure that the model found in the state and that ends the run
-  Snapshot good_;   ///< state from which a run resumes: at the last sample, or step if adaptive
+  Status verdict_;  ///< failure that the model found after a step; it ends the run
+  Snapshot good_;   ///< data of the kept state: the last sample, or the last step of an adaptive method
   std::vector<double> row_;
   int steps_since_look_ = 0;
 
  private:
   RunIdentity identity_;
-  std::optional<NextStepping> next_stepping_;  ///< method and step from the next sample on, if they change
+  std::optional<NextStepping> next_stepping_;  ///< method and step after the next sample, if they change there
   int n_steps_back_ = 0;
   Clock::time_point last_save_{};
 };
@@ -95,7 +95,7 @@ class ModelRun final : public ModelRunBase {
   using State = mechanics::State<System>;
 
  public:
-  /// `stepping`: method and step that another run of the scene found; they replace the search.
+  /// `stepping` is a method and step that another run of the scene found; the program then does not search.
   ModelRun(Model& model, const RunContext& context, const std::optional<Stepping>& stepping = {})
       : ModelRunBase(model, context, traits, stepping),
         model_(model),
@@ -139,7 +139,7 @@ class ModelRun final : public ModelRunBase {
       verdict_ = std::move(status);
       return false;
     }
-    // Steps of an adaptive method do not end at samples, so the state is kept after every step.
+    // Steps of an adaptive method do not end at samples. The state is therefore kept after every step.
     if (is_adaptive()) keep(state, workspace);
     if (++steps_since_look_ < model_.steps_between_looks) return true;
     steps_since_look_ = 0;
@@ -163,8 +163,8 @@ class ModelRun final : public ModelRunBase {
                                        mechanics::method_fits<mechanics::DormandPrince8, System>()};
 
   static constexpr int n_lanczos = 24;
-  /// Relative accuracy of ω². If a force is expensive, a step that is shorter by a hundredth costs less than a better
-  /// estimate.
+  /// Relative accuracy of ω² at which Lanczos' iteration ends. If it is 0, the iteration makes all n_lanczos steps. If
+  /// a force is costly, a better estimate costs more than a step of the run that is shorter by a hundredth.
   static constexpr double accuracy = traits.has_costly_force ? 0.02 : 0;
 
   double time() const override { return state_.t; }
@@ -200,8 +200,8 @@ class ModelRun final : public ModelRunBase {
   Status rattle_limit([[maybe_unused]] double safety, [[maybe_unused]] double& limit) const override {
     if constexpr (mechanics::ConstrainedSystem<System>) {
       auto workspace = model_.system().make_workspace();
-      // If the workspace has `held_at`, the force acts as if all of the surface were in contact. The step is then
-      // stable also in a later contact.
+      // A workspace with `held_at` replaces contact by springs at all points of the surface. The limit therefore also
+      // holds in a later contact.
       if constexpr (requires { workspace.held_at; }) workspace.held_at = &state_.q;
       const auto frequency = mechanics::largest_frequency(model_.system(), state_, workspace, n_lanczos, accuracy);
       if constexpr (requires { workspace.held_at; }) workspace.held_at = nullptr;
@@ -217,8 +217,8 @@ class ModelRun final : public ModelRunBase {
     return {};
   }
 
-  /// Sets request.stiff. For each step h of RATTLE an explicit method needs about γh steps, with the largest damping
-  /// rate γ.
+  /// Sets request.stiff if the damping is linear in the velocity. For each step h of RATTLE an explicit method needs
+  /// about γh steps, with the largest damping rate γ.
   Status judge_stiffness([[maybe_unused]] mechanics::StepRequest& request) const override {
     if constexpr (mechanics::LinearlyDamped<System>) {
       if (!mechanics::dissipative(model_.system())) return {};
@@ -314,7 +314,7 @@ class ModelRun final : public ModelRunBase {
 
   Model& model_;
   State state_, good_state_;
-  std::optional<typename System::Workspace> system_workspace_;  ///< used for rows if the method's workspace has none
+  std::optional<typename System::Workspace> system_workspace_;  ///< for rows, if the method's workspace has none
   CheckpointVectors<Model> vectors_;
 };
 

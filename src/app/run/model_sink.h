@@ -1,7 +1,7 @@
 #pragma once
-/// Receiver of the results of one model's run. The base class discards them: some runs need the history of Q only
-/// (search/continuum_run.h). `RowsInMemory` keeps the rows, for sweeps. `ModelFiles` writes the files of a run's
-/// directory.
+/// Receiver of the results of one model's run. The base class discards all results. It serves runs that only give their
+/// history of Q (search/continuum_run.h). `RowsInMemory` keeps the rows, for sweeps. `ModelFiles` writes the files into
+/// the directory of the run.
 ///
 /// All ranks call the same functions in the same order.
 
@@ -21,7 +21,7 @@ namespace pseudorigid::app {
 class ModelSink {
  public:
   using Rows = std::vector<std::vector<double>>;
-  /// Writes a picture into the file of this path. Collective.
+  /// A function that writes a picture into the file of the given path. Collective.
   using Draw = std::function<mechanics::Status(const std::filesystem::path&)>;
 
   virtual ~ModelSink() = default;
@@ -29,20 +29,22 @@ class ModelSink {
   virtual void create(const std::vector<std::string>& /*columns*/) {}
   virtual void append(const std::vector<double>& /*row*/) {}
 
-  /// True if the sink keeps checkpoints, from which a stopped run can continue.
+  /// True if the sink writes checkpoints, from which a stopped run can continue.
   virtual bool keeps_states() const { return false; }
-  /// Only sinks that write the checkpoint call `checkpoint()`.
+  /// Writes the checkpoint that the function `checkpoint` returns. A sink that does not write checkpoints does not call
+  /// this function.
   virtual void save(const std::function<io::Checkpoint()>& /*checkpoint*/) {}
-  /// The checkpoint from which this run continues, if there is one.
+  /// The checkpoint from which this run continues; empty if the run begins at the start.
   virtual std::optional<io::Checkpoint> state_to_resume() { return std::nullopt; }
-  /// Continues the table of rows after n_samples_taken samples.
+  /// Continues the table of rows after its first n_samples_taken rows.
   virtual void resume(const std::vector<std::string>& /*columns*/, long /*n_samples_taken*/) {}
   virtual io::Table rows_so_far() { return {}; }
 
   virtual bool wants_frame(long /*sample*/) const { return false; }
   virtual void draw_frame(long /*sample*/, const Draw&) {}
 
-  /// The table <name>.csv of the shapes in a report. It has a block of rows for each of a few samples.
+  /// True if the sink writes the table <name>.csv of the shapes for a report. The table has a block of rows for each of
+  /// a few samples.
   virtual bool has_shapes() const { return false; }
   virtual bool wants_shape(long /*sample*/) const { return false; }
   virtual void create_shapes(const std::string& /*name*/, const std::vector<std::string>& /*columns*/) {}
@@ -50,7 +52,7 @@ class ModelSink {
                              long /*n_samples_taken*/) {}
   virtual void append_shape(const Rows&) {}
 
-  /// Shows the fraction of the run that is done, from 0 to 1.
+  /// Shows the completed fraction of the run, from 0 to 1.
   virtual void progress(double /*part*/) {}
   virtual void progress_ends() {}
 };

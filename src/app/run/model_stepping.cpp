@@ -11,14 +11,14 @@ namespace {
 /// After ten seconds, a hundred seconds and so on, a message states that the search continues.
 class SearchNotice {
  public:
-  /// `what`: predicate that the message has after the name of the model.
+  /// `what` is the predicate of the first message, whose subject is the name of the model.
   SearchNotice(const RunContext& context, std::string model, std::string what, int steps_between_looks)
       : context_(context),
         model_(std::move(model)),
         what_(std::move(what)),
         steps_between_looks_(steps_between_looks) {}
 
-  /// Called after every step of a pilot run.
+  /// Checks the time that has passed. Called after every step of a pilot run.
   void step() {
     if (++n_steps_ < steps_between_looks_) return;
     n_steps_ = 0;
@@ -43,10 +43,10 @@ class SearchNotice {
   double next_ = first_;
 };
 
-/// Largest ratio of a chosen step to the stability limit, in the state for which the step is chosen.
+/// Largest ratio of a step to the stability limit when the step is chosen.
 constexpr double reserve = 0.8;
 
-/// Stability limit of a method, given the limit of RATTLE; infinite for adaptive methods.
+/// Stability limit of a method, computed from the limit of RATTLE; infinite for adaptive methods.
 double limit_of(mechanics::MethodId id, double rattle_limit) {
   return mechanics::with_method(id, [&]<class Method>(Method) {
     if constexpr (Method::adaptive)
@@ -56,7 +56,7 @@ double limit_of(mechanics::MethodId id, double rattle_limit) {
   });
 }
 
-/// Suffix in the log that names a property that the method does not have.
+/// Text that follows the name of a method in the log; empty for symplectic methods.
 std::string_view promise(mechanics::MethodId id) {
   return mechanics::with_method(id, []<class Method>(Method) {
     return Method::symplectic ? std::string_view() : std::string_view(" (symmetric, not symplectic)");
@@ -94,10 +94,11 @@ void ModelStepping::reconsider() {
   if (!traits_.constrained_form) return;
   position_.looks.next = position_.cursor.sample + samples_between_looks();
   double limit = 0;
-  // A ratio between `reserve`, for which steps are chosen, and 1, above which they are unstable. A step is then not
-  // halved if the frequency oscillates by a few per cent, and it is halved before it reaches the limit.
+  // Steps are chosen for the ratio `reserve` to the stability limit, and are unstable above the ratio 1. A limit
+  // between both has two advantages. A step is not halved if the frequency oscillates by a few per cent, and is halved
+  // before it becomes unstable.
   constexpr double less_reserve = 0.9;
-  if (!rattle_limit(less_reserve, limit)) return;  // the next step fails for the same reason and reports it
+  if (!rattle_limit(less_reserve, limit)) return;  // the next step fails for the same reason and reports the reason
   const double before = position_.step;
   while (position_.step > limit_of(position_.method, limit)) position_.step /= 2;
   plan_look(limit / less_reserve);
@@ -121,7 +122,7 @@ mechanics::Status ModelStepping::search(const std::optional<double>& error_so_fa
     request.rattle_limit = std::min(limit, request.end);
     if (Status status = judge_stiffness(request); !status) return status;
   } else {
-    request.rattle_limit = HUGE_VAL;  // accuracy and the iteration for the stages bound the step
+    request.rattle_limit = HUGE_VAL;  // bounds of the step are the accuracy and the iteration for the stages
   }
   SearchNotice notice(context_, any_model_.name, about_search(request), any_model_.steps_between_looks);
   request.give_up = [&] {
@@ -150,9 +151,9 @@ std::string ModelStepping::about_search(const mechanics::StepRequest& request) c
 }
 
 /// Chooses the sample of the next check of the largest frequency, which changes with the deformation. The frequency is
-/// assumed to grow at most twice as fast as between the checks so far. The next check is made before it can then exceed
-/// the limit of the step. The first check is made after a sixteenth of the run, or later if the step is far below the
-/// limit.
+/// assumed to grow at most twice as fast as between the checks so far. The next check is planned for the time at which
+/// the stability limit could then fall to the step. It is never earlier than a sixteenth of the run after the present
+/// sample. The first check is made after a sixteenth of the run, or later if the step is far below the limit.
 void ModelStepping::plan_look(double stable_rattle_step) {
   if (!traits_.constrained_form) return;
   LooksAtFrequency& looks = position_.looks;
@@ -167,8 +168,8 @@ void ModelStepping::plan_look(double stable_rattle_step) {
   looks = {now + std::max(between, n_samples), now, stable_rattle_step, looks.fastest_change};
 }
 
-/// Takes the method and step that another run found. The step is reduced to the stability limit of this run if
-/// necessary.
+/// Sets the method and step that another run found. For systems in constrained form, the step is at most 0.8 of the
+/// stability limit of this run.
 mechanics::Status ModelStepping::take_over(const Stepping& known) {
   position_.method = known.method;
   position_.step = known.step;
@@ -181,8 +182,8 @@ mechanics::Status ModelStepping::take_over(const Stepping& known) {
   return {};
 }
 
-/// Chooses method and step if the search failed. The motion itself may end within the duration of the pilot run; the
-/// run then continues as long as possible and reports the time.
+/// Chooses method and step if the search failed. A possible cause is that the motion itself ends within a pilot run.
+/// The run then continues as long as possible and reports the time at which it stopped.
 void ModelStepping::fall_back(const mechanics::StepChoice& choice, const mechanics::StepRequest& request) {
   using Explicit = mechanics::DormandPrince8;
   position_.method = request.method.value_or(traits_.takes_explicit ? mechanics::id_of<Explicit>

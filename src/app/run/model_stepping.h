@@ -1,6 +1,6 @@
 #pragma once
-/// Choice of the method and the step of one model's run. The scene gives them, or the program finds them for the
-/// tolerance of the scene.
+/// Choice of the method and the step of one model's run. The scene gives the method and the step, or the program finds
+/// them for the tolerance of the scene.
 
 #include <algorithm>
 #include <cmath>
@@ -16,15 +16,15 @@
 
 namespace pseudorigid::app {
 
-/// Warns if the tolerance is below the accuracy of the arithmetic, or if round-off grows beyond it in an unstable
-/// motion.
+/// Warns if the tolerance is below the accuracy of the arithmetic, or if the motion is unstable and round-off grows
+/// beyond the tolerance.
 void warn_of_round_off(const mechanics::StepChoice& choice, std::string_view model, const RunContext& context);
 
-/// Properties of the type of a system on which the choice and the run depend.
+/// Properties of the type of a system that affect the choice of the step and the run.
 struct SystemTraits {
   bool constrained_form;  ///< true for a ConstrainedSystem, with constraints or without
   bool has_constraints, has_costly_force, is_distributed;
-  bool takes_explicit;  ///< true if the method explicit-8 fits
+  bool takes_explicit;  ///< true if the method explicit-8 fits the system
 };
 
 /// The part of a run that chooses its method and step.
@@ -35,7 +35,7 @@ class ModelStepping {
  protected:
   using Status = mechanics::Status;
 
-  /// `known`: method and step that another run of the scene found; they replace the search.
+  /// `known` is a method and step that another run of the scene found; the program then does not search.
   ModelStepping(RunnableModel& model, const RunContext& context, const SystemTraits& traits,
                 const std::optional<Stepping>& known)
       : any_model_(model),
@@ -48,28 +48,30 @@ class ModelStepping {
   virtual double time() const = 0;
   /// Sets `limit` to the largest stable step of RATTLE times `safety`. Called only for systems in constrained form.
   virtual Status rattle_limit(double safety, double& limit) const = 0;
-  /// Sets request.stiff to true if the damping would force an explicit method to take too many steps.
+  /// Sets request.stiff to true if the damping would force an explicit method to take too many steps. Called only for
+  /// systems in constrained form.
   virtual Status judge_stiffness(mechanics::StepRequest& request) const = 0;
   virtual mechanics::StepChoice choose_step(const mechanics::StepRequest& request) const = 0;
 
-  /// Sets method, step and local tolerance for the rest of the run. A search writes its result to the log and the
-  /// statistics.
+  /// Sets the method, the step and the local tolerance for the rest of the run. If the program searches for them, the
+  /// result of the search is written to the log and the statistics.
   Status choose();
 
-  /// True if the scene gives a step that is at most the present step.
+  /// True if the scene gives a step that does not exceed the present step.
   bool shortens() const { return std::isfinite(step_bound()) && step_bound() <= position_.step * (1 + 1e-12); }
   void shorten() { position_.step = std::min(position_.step, step_bound()); }
 
-  /// Halves the step, once or more, if the largest frequency has grown so that the step exceeds the stability limit.
+  /// Checks the largest frequency, and halves the step until the step is at most 0.9 of the stability limit.
   void reconsider();
 
   bool is_adaptive() const { return is_adaptive(position_.method); }
-  /// True if the step can change during the run: the scene does not give it, and the method is not adaptive.
+  /// True if the step can change during the run: the scene does not give the step, and the method is not adaptive.
   bool adapts() const { return !context_.scene.time.step && !is_adaptive(); }
 
-  /// Tolerance of the scaled constraint, for systems that solve their Gram systems by iteration. If the program chooses
-  /// the step, it is 1e-4 times the tolerance of the motion. A tolerance of 1e-13 would change errors and steps by less
-  /// than a thousandth.
+  /// Tolerance of the scaled constraint, for systems that solve their Gram systems by iteration. If the scene has an
+  /// entry for this tolerance, the entry is the tolerance. Otherwise the tolerance is 1e-4 times the tolerance of the
+  /// motion, or 0 if the scene gives the step. If the tolerance is 0, the method uses its own tolerance. With 1e-13 in
+  /// place of 1e-4, errors and steps would change by less than a thousandth.
   double constraint_tolerance() const {
     const auto& time = context_.scene.time;
     constexpr double part = 1e-4;

@@ -1,8 +1,8 @@
 #pragma once
 /// Monitors the non-affine displacement of a fluid. Under its own gravity and quadratic potentials the exact motion is
-/// affine, x = QX (Dirichlet). A non-affine part of a computed motion is therefore an error, and it grows, because no
-/// force restores the affine form. The program reports the first sample at which this error exceeds 1 % of the size of
-/// the body, and its largest value at the end.
+/// affine, x = QX (Dirichlet). A non-affine part of a computed motion is therefore an error. This error grows, because
+/// no force restores the affine form. The program warns at the first sample at which the error exceeds 1 % of the size
+/// of the body. At the end of the run, the program reports the largest error.
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ class NonaffineWatch {
 
   bool watches() const { return watches_; }
 
-  /// Checks a sample. `displacement` is |x − QX| / |x|.
+  /// Checks a sample. `displacement` is |x − QX| / |x|, the error relative to the size of the body.
   void look(double time, double displacement) {
     if (!watches_) return;
     largest_ = std::max(largest_, displacement);
@@ -34,7 +34,8 @@ class NonaffineWatch {
         model_, time, 100 * displacement);
   }
 
-  /// The largest displacement, the time of the first report, and 1 if there was a report; for checkpoints.
+  /// The largest displacement, the time of the warning (0 without a warning), and 1 if there was a warning; for
+  /// checkpoints.
   std::array<double, 3> remarks() const { return {largest_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
   void take_remarks(std::span<const double, 3> remarks) {
     largest_ = remarks[0];
@@ -52,7 +53,8 @@ class NonaffineWatch {
  private:
   static constexpr double acceptable = 0.01;
 
-  /// False if the surface has a load other than a uniform pressure: a traction, viscous stress, or contact with planes.
+  /// False if the surface has a load other than a uniform pressure. Such loads are a traction, viscous stress, and
+  /// contact with planes.
   static bool stays_affine(const scene::Scene& scene) {
     const loads::Forcing forcing = loads::constant_forcing(scene.loads);
     return forcing.nominal_traction.isZero(0) && forcing.viscosity == 0 && forcing.planes.empty();

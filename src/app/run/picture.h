@@ -1,5 +1,5 @@
 #pragma once
-/// Output of a picture of a body, common to all models.
+/// Output of a picture of a body, for all models.
 
 #include <filesystem>
 
@@ -8,8 +8,9 @@
 
 namespace pseudorigid::app {
 
-/// Writes the fields at this physical time as a picture. If Output/Cells = lagrange, the points of a block are
-/// equidistant. A run on several ranks writes a piece for each rank, and a file that lists the pieces. Collective.
+/// Writes a picture of the fields at the given physical time. If Output/Cells = lagrange, the points of each block must
+/// be equidistant. If there are several ranks, each rank writes a piece, and the first rank writes a file that lists
+/// the pieces. Collective.
 void write_picture(const RunContext& context, const std::filesystem::path& path, double time,
                    const mechanics::PointBlocks& blocks, const mechanics::BodyFields& fields);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Check that the method of a scene can integrate a system.
+/// Check whether the method of a scene can integrate a system.
 
 #include <fmt/format.h>
 
@@ -15,14 +15,15 @@
 
 namespace pseudorigid::app {
 
-/// Refusal of the entry Time/Method, with every method as a remedy.
+/// A refusal of the entry Time/Method, which proposes every method as a remedy.
 inline scene::Refusal refusal_of_method(std::string sentence) {
   scene::Refusal refusal{"Time/Method", std::move(sentence)};
   mechanics::for_each_method([&]<class Method>(Method) { refusal.remedies.push_back({{refusal.path, Method::name}}); });
   return refusal;
 }
 
-/// True if the method can be compiled for systems of this type. "auto" can.
+/// True if the method of this name can integrate systems of this type. Also true for a name without a method, such as
+/// "auto".
 template <class System>
 bool method_can_run(std::string_view name) {
   const auto id = mechanics::find_method(name);
@@ -30,7 +31,7 @@ bool method_can_run(std::string_view name) {
          mechanics::with_method(*id, []<class Method>(Method) { return mechanics::method_fits<Method, System>(); });
 }
 
-/// The refusal if the scene's method cannot integrate this system, otherwise nothing.
+/// The refusal if the scene's method cannot integrate this system, otherwise empty.
 template <class System>
 std::optional<scene::Refusal> refuses_method(const scene::Scene& scene, const System& system) {
   const auto id = mechanics::find_method(scene.time.method);
@@ -39,8 +40,8 @@ std::optional<scene::Refusal> refuses_method(const scene::Scene& scene, const Sy
     if (mechanics::fits<Method>(system)) {
       if constexpr (mechanics::method_fits<Method, System>())
         if (mechanics::Status status = Method::accepts(mechanics::form_for<Method>(system)); !status) {
-          // The rest of the reason recommends methods. It is omitted, because some models of the scene may not have
-          // them.
+          // The rest of the reason recommends methods. The text omits this part, because some models of the scene may
+          // not have these methods.
           const std::string& reason = status.reason();
           return refusal_of_method(reason.substr(0, reason.find("; use ")));
         }

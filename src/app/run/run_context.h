@@ -25,7 +25,7 @@ namespace pseudorigid::app {
 
 struct RunContext;
 
-/// Makes the sink for the results of a model, given the name of the model.
+/// A function that makes the sink for the results of the model with this name.
 using SinkOfModel = std::function<std::unique_ptr<ModelSink>(const RunContext& context, const char* model)>;
 
 struct RunContext {
@@ -40,16 +40,16 @@ struct RunContext {
 
   /// Converts a time of the scene to internal units.
   double internal_time(double physical) const { return physical / units.time; }
-  /// Factors that convert the columns of tables from internal to the user's units.
+  /// Factors that convert the columns of tables from internal units to the user's units.
   systems::Scales scales() const { return {units.length, units.mass, units.time}; }
   double time_of_sample(long k) const {
     return scene.time.end * (static_cast<double>(k) / static_cast<double>(scene.output.samples));
   }
-  /// True if Ctrl-C has reached any rank. Collective.
+  /// True if an interrupt (Ctrl-C) has reached any rank. Collective.
   bool interrupted() const { return ranks->any(io::interrupt_requested()); }
 };
 
-/// The context with another scene and other needs, for a run that differs in these only.
+/// A copy of the context with another scene and other needs.
 inline RunContext derived(const RunContext& context, const scene::Scene& scene, const scene::Needs& needs) {
   const auto& [its_scene, its_needs, directory, units, log, sink_of, resumes, ranks] = context;
   return {.scene = scene,
@@ -65,7 +65,7 @@ inline RunContext derived(const RunContext& context, const scene::Scene& scene, 
 /// Method and step of a run.
 struct Stepping {
   mechanics::MethodId method;
-  double step;  ///< upper bound, internal time
+  double step;  ///< upper bound of the step, in internal time
 };
 
 /// Result of a model's run.
@@ -80,7 +80,7 @@ struct ModelOutcome {
   std::string results{};  ///< text for standard output
 };
 
-/// Adds a line to the results, which standard output shows at the end of the run, and to log.txt.
+/// Adds a line to the results and to log.txt. Standard output shows the results at the end of the run.
 inline void add_result(ModelOutcome& outcome, const RunContext& context, const std::string& line) {
   context.log->debug("{}", line);
   outcome.results += line + "\n";

@@ -9,10 +9,10 @@ ModelOutcome run_reduced(const RunContext& context);
 
 ModelOutcome run_polynomial(const RunContext& context);
 
-/// Runs the scene's system, which is one of the table (systems/table.h).
+/// Runs the system that the scene names, a row of the table in systems/table.h.
 ModelOutcome run_system(const RunContext& context);
 
-/// Defined only in libpseudorigid-continuum, which links deal.II (continuum_module.h).
+/// This function is defined only in libpseudorigid-continuum, which links deal.II (continuum_module.h).
 ModelOutcome run_continuum(const RunContext& context);
 
 }  // namespace pseudorigid::app

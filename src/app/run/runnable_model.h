@@ -1,6 +1,6 @@
 #pragma once
-/// Interface through which ModelRun integrates a model: the initial state, scales for the choice of the step, and
-/// output. Functions with a default are optional. All ranks call the functions together; one rank writes the files.
+/// Interface through which ModelRun integrates a model: the initial state, scales for the choice of the step, and the
+/// output. Functions with a default definition are optional. All ranks call the functions together.
 
 #include <Eigen/Core>
 #include <filesystem>
@@ -21,20 +21,20 @@ class RunnableModel {
   virtual ~RunnableModel() = default;
   RunnableModel(const RunnableModel&) = delete;
 
-  const std::string name;         ///< name of its files
-  const int steps_between_looks;  ///< steps between checks of the clock and the interrupt flag
+  const std::string name;         ///< name of the files of the model
+  const int steps_between_looks;  ///< number of steps between checks of the clock and the interrupt flag
   const double pilot_reserve;     ///< factor of the tolerance in pilot runs
 
   virtual double pilot_window(double end) const = 0;  ///< duration of pilot runs for a motion until `end`
   virtual std::vector<std::string> columns() const = 0;
 
-  /// Restores data on earlier samples from the rows of an interrupted run.
+  /// Restores the data about earlier samples from the rows of an interrupted run.
   virtual void take_up(const io::Table& /*rows*/) {}
-  /// State of the warnings given so far, for checkpoints. The number of values is fixed.
+  /// Data about the warnings given so far, for checkpoints. The number of elements does not change during a run.
   virtual std::vector<double> remarks() const { return {}; }
   virtual void take_remarks(std::span<const double>) {}
 
-  /// Name of the table of shapes for the report, empty if there are no shapes. The columns of this table follow.
+  /// Name of the table of shapes for the report; empty if the model does not have shapes.
   virtual std::string shape_file() const { return {}; }
   virtual std::vector<std::string> shape_columns() const { return {}; }
 
@@ -43,8 +43,8 @@ class RunnableModel {
       : name(std::move(name_of_files)), steps_between_looks(between_looks), pilot_reserve(reserve) {}
 };
 
-/// Interface for a type of system. Models with distributed vectors also have rank_order() and MemoryLayout
-/// (checkpoint_vectors.h).
+/// Interface for one type of system. Models with distributed vectors also have the function rank_order() and the type
+/// MemoryLayout (checkpoint_vectors.h).
 template <class S>
 class RunnableModelOf : public RunnableModel {
  public:
@@ -54,18 +54,22 @@ class RunnableModelOf : public RunnableModel {
 
   virtual const S& system() const = 0;
   virtual State initial_state() const = 0;
-  /// The numbers whose error Time/Tolerance bounds.
+  /// The configuration, whose time error Time/Tolerance bounds.
   virtual Eigen::MatrixXd configuration(const State&) const = 0;
-  virtual double rate(const State&) const = 0;  ///< rate of change of the motion itself, which is added to ω
+  /// Rate of the motion about which small vibrations are considered. The limit of the step is computed for ω + rate,
+  /// with the largest frequency ω of these vibrations.
+  virtual double rate(const State&) const = 0;
   virtual double constraint_scale() const { return 1; }
-  /// Kinetic and potential energy, for methods that do not conserve their sum. Used for systems with a costly force.
+  /// Kinetic and potential energy. Methods that are not symplectic can change the sum of both energies. For systems
+  /// with a costly force, the choice of the step bounds this change.
   virtual Eigen::Vector2d energies(const State&) const { return Eigen::Vector2d::Zero(); }
   /// Checks the state after every step. A failure ends the run.
   virtual mechanics::Status judge(const State&) { return {}; }
-  /// Initial state of the pilot runs for a run that begins with `state`.
+  /// The state at the begin of the pilot runs, for a run that begins with `state`.
   virtual State start_of_pilot(const State& state) const { return state; }
-  /// Chooses the quadrature rule before the search for the step, and estimates the error of the rule after the search.
-  /// `stable_step` is the stable step of RATTLE, 0 if it is not known.
+  /// `choose_quadrature` chooses the quadrature rule before the search for the step. `estimate_quadrature` estimates
+  /// the error of the rule after the search. `stable_step` is the stable step of RATTLE, or 0 if this step is not
+  /// known.
   virtual void choose_quadrature(const State&) {}
   virtual void estimate_quadrature(const State&, double /*stable_step*/) {}
   virtual std::string place_of_least_jacobian(const State&) const { return {}; }  ///< for messages of failure
@@ -75,7 +79,8 @@ class RunnableModelOf : public RunnableModel {
     return {};
   }
   virtual std::vector<std::vector<double>> shape(double /*time*/, const State&) const { return {}; }
-  /// `workspace`: the part of the method's workspace that belongs to the system; null if there is none.
+  /// Adds the counters of the model to the statistics. `workspace` is the part of the method's workspace that belongs
+  /// to the system; null if there is none.
   virtual void report(const mechanics::Counters&, const Workspace* /*workspace*/, io::Manifest::Model&) const {}
 
  protected:

@@ -1,6 +1,6 @@
 #pragma once
-/// Conversion of the scene's values from the user's units to internal units: length r, mass ρr³, and the time of
-/// scene/scales.h.
+/// Conversion of the quantities of a scene from the user's units to internal units. These are the length r, the mass
+/// ρr³, and the unit of time of scene/scales.h.
 
 #include <Eigen/Core>
 #include <optional>
@@ -23,7 +23,7 @@ inline io::Units units_of(const scene::Scene& scene) {
   return io::ball_units(scene.body.radius, scene.body.density, scene::time_scale(scene));
 }
 
-/// Q₀, and below Q̇₀ per unit of internal time.
+/// The initial deformation Q₀ and, in the next function, Q̇₀ per unit of internal time.
 inline Eigen::Matrix3d initial_deformation(const scene::Scene& scene) {
   return to_eigen(scene.initial_state.deformation);
 }
@@ -31,7 +31,7 @@ inline Eigen::Matrix3d initial_velocity(const scene::Scene& scene, const io::Uni
   return to_eigen(scene.initial_state.velocity) * units.time;
 }
 
-/// Initial position and velocity of the centre of mass.
+/// The initial position of the centre of mass and, in the next function, the initial velocity of the centre of mass.
 inline Eigen::Vector3d initial_center(const scene::Scene& scene, const io::Units& units) {
   return to_eigen(scene.initial_state.center) / units.length;
 }
@@ -59,7 +59,7 @@ inline loads::Loads internal_loads(const scene::Scene& scene) {
   return loads;
 }
 
-/// The law in internal units. For a solid without self-gravity the unit of time is r/c, so that μ = 1.
+/// The material law in internal units. For a solid without self-gravity the unit of time is r/c, and μ is exactly 1.
 inline materials::AnyLaw internal_law(const scene::Scene& scene) {
   const scene::Scene::Material& material = scene.material;
   const double stress = units_of(scene).stress();

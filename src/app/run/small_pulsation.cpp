@@ -18,7 +18,7 @@ bool is_sphere(const scene::Scene& scene) {
   return !scene.body.inertia && std::ranges::all_of(scene.body.semi_axes, is_one) && !scene::has_mesh_file(scene);
 }
 
-/// True if F = Id is an equilibrium. It is not one if a compressible body has a law with stress at F = Id.
+/// True if F = Id is an equilibrium. This is false only for a compressible body whose law has a pressure at F = Id.
 bool rests(const materials::AnyLaw& law, bool incompressible) {
   return incompressible || materials::pressure_at_rest(law) == 0;
 }

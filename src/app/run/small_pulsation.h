@@ -1,6 +1,6 @@
 #pragma once
-/// The frequency of the slowest small pulsation of a homogeneous elastic ball about rest, the spheroidal mode of degree
-/// 2, in units of c/r:
+/// The frequency x of the slowest small pulsation of a homogeneous elastic ball about rest, in units of c/r. The
+/// pulsation is the spheroidal mode of degree 2:
 ///
 ///   exact                           x of analysis/sphere_frequencies.h
 ///   pseudo-rigid   x² = 10 + 4γ/5,  γ = ρgr/μ, g = (4/3)πGρr
@@ -16,8 +16,9 @@ struct SmallPulsation {
   double ratio() const { return pseudo_rigid / exact; }
 };
 
-/// The frequencies for an elastic sphere without loads or under its own gravity only. Empty for other bodies, and for γ
-/// > 18: there two frequencies share the pulsation of degree 2 (docs/adequacy.md).
+/// The frequencies for an elastic sphere without loads, or under its own gravity only. Empty for other bodies, and for
+/// a law with a pressure at F = Id. Also empty for γ > 18: two frequencies then share the pulsation of degree 2
+/// (docs/adequacy.md).
 std::optional<SmallPulsation> small_pulsation(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

@@ -1,8 +1,9 @@
 #pragma once
-/// Reports the first time at which a fluid (W = 0) is under tension. An affine motion has the multiplier λ = 2p_c/(ρr²)
-/// with the pressure p_c at the centre. For the finite-element model, λ is 5/(ρr²) times the mean pressure; on affine
-/// motions the two agree. If λ < 0, the problem of the continuum is ill-posed (docs/oliva.md, item 13). λ is checked at
-/// samples, and the time is interpolated between two samples.
+/// Monitors the tension in an incompressible fluid (W = 0), and reports the first time at which λ < 0. An affine motion
+/// has the multiplier λ = 2p_c/(ρr²) with the pressure p_c at the centre. For the finite-element model, λ is 5/(ρr²)
+/// times the mean pressure. On affine motions both definitions give the same λ. If λ < 0, the problem of the continuum
+/// is ill-posed (docs/oliva.md, item 13). The program checks λ at samples and interpolates the time between two
+/// samples.
 
 #include <optional>
 #include <string_view>
@@ -22,14 +23,14 @@ class TensionWatch {
 
   bool watches() const { return is_fluid_; }
 
-  /// Restores the state from the rows of an interrupted run without repeating the warning.
+  /// Records the samples in the rows of an interrupted run, without warnings.
   void take_up(const io::Table& rows) {
     if (!is_fluid_ || !rows.has_column("multiplier")) return;
     const std::vector<double> times = rows.column("time"), lambdas = rows.column("multiplier");
     for (std::size_t k = 0; k < times.size(); ++k) note(times[k], lambdas[k]);
   }
 
-  /// Checks a sample. Both arguments are in the user's units.
+  /// Checks a sample, and warns if it is the first one under tension. Both arguments are in the user's units.
   void look(double time, double lambda) {
     if (note(time, lambda))
       context_.log->warn(
@@ -43,7 +44,7 @@ class TensionWatch {
   }
 
  private:
-  /// Records a sample; true if it is the first sample under tension.
+  /// Records a sample. Returns true if it is the first sample under tension.
   bool note(double time, double lambda) {
     if (!is_fluid_ || first_) return false;
     if (lambda < 0)

@@ -1,6 +1,6 @@
 #pragma once
-/// Description of one run of the finite-element model. A scene may need several runs: one writes the results, and the
-/// others only give their history of Q, without observables, files or messages.
+/// Description of one run of the finite-element model. A scene may need several runs. One run writes the results. The
+/// other runs only give their history of Q, without observables, files or messages.
 
 #include <functional>
 #include <optional>
@@ -15,14 +15,14 @@ namespace pseudorigid::app {
 
 struct ContinuumTask {
   scene::Discretization discretization;
-  std::optional<Stepping> stepping{};  ///< from another run, in place of a search
-  DeformationTrace* trace = nullptr;   ///< receives the history of Q; null if not requested
+  std::optional<Stepping> stepping{};  ///< method and step of another run; empty: a search
+  DeformationTrace* trace = nullptr;   ///< receives the history of Q; null if the history is not requested
 };
 
 using ContinuumRun = std::function<ModelOutcome(const RunContext& context, const ContinuumTask& task)>;
 
-/// Warns if the history of Q has gaps. A resumed run reads the earlier Q from continuum.csv, if the columns of Q are
-/// there.
+/// Warns if the history of Q does not have all samples. A resumed run reads the earlier Q from continuum.csv. The
+/// earlier Q are missing if the file does not have the columns of Q.
 inline void warn_of_gaps(const RunContext& context, std::string_view model, const DeformationTrace& trace) {
   if (trace.size() <= static_cast<std::size_t>(context.scene.output.samples))
     context.log->warn(

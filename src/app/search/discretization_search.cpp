@@ -24,8 +24,8 @@ constexpr double time_part = 0.05;
 /// are usually too large.
 constexpr double benefit_of_doubt = 2;
 
-/// The ladder without the discretisations that exceed the memory of this machine. The first one is known to fit.
-/// Collective.
+/// The discretisations of the search that fit in the memory of this machine, from the coarsest to the last that fits.
+/// The coarsest one has been checked before. Collective.
 std::vector<scene::Discretization> affordable(const RunContext& context) {
   std::vector<scene::Discretization> ladder = scene::ladder(context.scene);
   const std::size_t n_coarse_cells =
@@ -99,7 +99,7 @@ std::optional<Stepping> DiscretizationSearch::silent_stepping() const {
   return stepping;
 }
 
-/// Adds a run to the series of errors.
+/// Adds the present run to the series of errors, or counts it as a failure.
 void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace trace) {
   if (outcome.end == mechanics::Outcome::failed) {
     ++n_failures_;
@@ -129,7 +129,7 @@ bool DiscretizationSearch::settles() const {
          (n_failures_ == 0 && errors_.error() <= context_.scene.continuum.tolerance);
 }
 
-/// Removes the checkpoint of a run that is not the final one, and saves the search.
+/// Removes the checkpoint of a run that is not the final one, and saves the state of the search.
 void DiscretizationSearch::start_afresh() const {
   on_all_ranks(*context_.ranks, [this] {
     if (keeps_states()) std::filesystem::remove(context_.directory.checkpoint("continuum"));
@@ -166,12 +166,13 @@ void DiscretizationSearch::load() {
   const auto path = context_.directory.checkpoint(checkpoint_name);
   bool exists = false;
   on_all_ranks(*context_.ranks, [&] { exists = io::is_there(path); });
-  // The first rank decides: the other ranks may read the disk later or have another disk.
+  // The first rank decides for all ranks, because the others may read the disk later or have another disk.
   if (context_.ranks->of_first(exists)) on_all_ranks(*context_.ranks, [&] { take(io::Checkpoint::load(path)); });
 }
 
 void DiscretizationSearch::take(const io::Checkpoint& c) {
-  // The memory at the start of the search has limited the ladder. A resumed search keeps this ladder.
+  // The memory that was available at the start of the search has limited the ladder. A resumed search keeps the length
+  // of this ladder.
   ladder_.resize(std::clamp<std::size_t>(static_cast<std::size_t>(c.get_integer("rungs")), 1, ladder_.size()));
   position_ = std::min(static_cast<std::size_t>(c.get_integer("position")), ladder_.size() - 1);
   settled_ = c.get_integer("settled") != 0;

@@ -1,20 +1,22 @@
 #pragma once
 /// Search for the cheapest discretisation whose estimated error in space is within Continuum/Tolerance.
 ///
-/// The program runs the scene on the ladder of discretisations (scene/discretization.h), the coarsest first. The
-/// differences of Q between successive runs give the error of the last run and predict the error of the next
-/// (analysis/space_error.h). A run that is predicted to meet the tolerance writes its results. The other runs only give
-/// their history of Q. If the estimate after the run does not confirm the prediction, the search continues, and the
-/// next run that writes replaces the files.
+/// The program runs the scene on discretisations of increasing resolution, which are called the ladder
+/// (scene/discretization.h). The differences of Q between successive runs give the error of the last run and predict
+/// the error of the next run (analysis/space_error.h). A run that is predicted to meet the tolerance writes its
+/// results. The other runs only give their history of Q. If the estimate after the run does not confirm the prediction,
+/// the search continues. The next run that writes its results then replaces the files.
 ///
-/// Time errors must be much smaller than errors in space. A run that writes finds its own method and step. Its
-/// tolerance is the smaller of Time/Tolerance and a twentieth of Continuum/Tolerance. The first of the other runs finds
-/// its method and step for this twentieth. The later ones take the same method, with a step inversely proportional to
-/// the resolution N. The highest frequencies of a shear front in Q are proportional to N, so hω remains constant. If
-/// the scene gives the step, all runs use it, and its error is common to them.
+/// Time errors must be much smaller than errors in space. A run that writes its results finds its own method and step.
+/// The tolerance of this run is the smaller of Time/Tolerance and a twentieth of Continuum/Tolerance. The first run
+/// that does not write finds its method and step for a twentieth of Continuum/Tolerance. Later runs that do not write
+/// use the same method, with a step inversely proportional to the resolution N. The highest frequencies ω of a shear
+/// front in Q are proportional to N, so hω remains constant. If the scene gives the step h, all runs use this step and
+/// have the same time error.
 ///
-/// No decision depends on the clock, so all ranks of a parallel run decide alike. A checkpoint keeps the results of the
-/// runs. A resumed search therefore does not repeat them, and a resumed final run does not repeat the search.
+/// No decision depends on the clock, so all ranks of a parallel run decide alike. A checkpoint contains the errors and
+/// the last two histories of Q. A resumed search therefore does not repeat the runs, and a resumed final run does not
+/// repeat the search.
 ///
 /// The run that wrote the results has the counters degree, refinements, estimated_space_error, relative_space_error and
 /// work. The counters search_runs and search_work refer to all other runs.
@@ -41,14 +43,15 @@ class DiscretizationSearch {
   void note(const ModelOutcome& outcome, DeformationTrace trace);
   bool settles() const;
   void report(ModelOutcome& outcome) const;
-  // Collective.
+  // These functions are collective.
   void start_afresh() const;
   void load();
   void save() const;
-  // Without communication between the ranks.
+  // These functions do not communicate between the ranks.
   void take(const io::Checkpoint& c);
   void write_checkpoint() const;
-  /// True on the first rank, except in sweeps, which do not write checkpoints.
+  /// True on the rank that writes the checkpoint, the first one. False in sweeps, which do not write checkpoints of
+  /// their runs.
   bool keeps_states() const { return context_.ranks->is_first() && context_.scene.sweep.empty(); }
 
   const RunContext& context_;
@@ -56,14 +59,14 @@ class DiscretizationSearch {
   scene::Scene written_scene_, silent_scene_;  ///< the scene with the time tolerance of each kind of run
   std::vector<scene::Discretization> ladder_;
 
-  // Contents of the checkpoint.
+  // These members are the contents of the checkpoint.
   std::size_t position_ = 0;  ///< index of the present run in the ladder
   bool settled_ = false;      ///< true if the present run is the final one and writes the results
-  int n_failures_ = 0;        ///< number of successive runs before the present one that ended early
+  int n_failures_ = 0;        ///< number of successive runs, up to the last one, that ended early
   analysis::SpaceErrorLadder errors_;
-  double relative_to_largest_ = 0;  ///< ratio of |Q − Q'|/|Q| to the largest entry of Q − Q'
+  double relative_to_largest_ = 0;  ///< ratio of the largest |Q − Q'|/|Q| to the largest entry of Q − Q'
   DeformationTrace trace_;          ///< history of Q in the last run that reached its end
-  DeformationTrace trace_before_;   ///< history of Q in the last such run but one
+  DeformationTrace trace_before_;   ///< history of Q in the run before, among those that reached their end
   std::optional<Stepping> first_stepping_;
   double first_resolution_ = 0, search_work_ = 0;
 };

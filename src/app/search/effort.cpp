@@ -19,15 +19,16 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Numbers of vertices, edges, faces and cells of a part of the builtin mesh. An edge has n − 1 nodes between its ends.
+/// Numbers of vertices, edges, faces and cells of a part of the builtin mesh. `n` is the number of intervals between
+/// the nodes of an edge.
 struct Part {
   double n_vertices, n_edges, n_faces, n_cells;
   double n_nodes(double n) const { return n_vertices + (n - 1) * (n_edges + (n - 1) * (n_faces + (n - 1) * n_cells)); }
 };
 constexpr Part octant{15, 28, 18, 4}, quarter_disc{7, 9, 3, 0}, half_axis{3, 2, 0, 0};
 
-/// Number of nodes of several octants. Neighbouring octants share quarter discs, and quarter discs share half axes and
-/// the centre.
+/// Number of nodes of 1, 2, 4 or 8 octants. Neighbouring octants share quarter discs, and quarter discs share half axes
+/// and the centre.
 double n_nodes_of_images(int n_octants, double n) {
   const double O = octant.n_nodes(n), D = quarter_disc.n_nodes(n), A = half_axis.n_nodes(n);
   if (n_octants == 8) return 8 * O - 12 * D + 6 * A - 1;
@@ -35,11 +36,11 @@ double n_nodes_of_images(int n_octants, double n) {
   return n_octants == 2 ? 2 * O - D : O;
 }
 
-/// Bytes per unknown, and per pair of multipliers in a cell. They are measured for k = 2 … 8 and r = 0 … 3: resident
-/// memory minus the memory of a process that has only loaded its libraries.
+/// Bytes per unknown, and bytes per pair of multipliers in a cell. These sizes are fitted to measurements for k = 2 … 8
+/// and r = 0 … 3. The memory of a process that has only loaded the libraries is subtracted from the resident memory.
 constexpr double bytes_of_unknown = 600, bytes_of_pair_of_multipliers = 60;
-/// Numbers in a checkpoint per unknown and per multiplier: positions, velocities, and the memory of symmetric-4. Among
-/// the methods for the ball, symmetric-4 has the longest memory of past steps.
+/// Number of doubles in a checkpoint per unknown and per multiplier: positions, velocities, and the memory of
+/// symmetric-4. Among the methods for the ball, symmetric-4 remembers the largest number of past steps.
 constexpr double remembered_of_unknown = 11, remembered_of_multiplier = 5;
 constexpr double most_unknowns = std::numeric_limits<int>::max();  // largest index in PETSc and deal.II
 
@@ -50,29 +51,29 @@ std::string in_words(const Effort& e) {
   return fmt::format("{} unknowns{}, about {}", count(e.n_unknowns), multipliers, in_bytes(std::max(1e6, e.bytes)));
 }
 
-/// Stable step of RATTLE for λ = 0 and μ = 1.
+/// Stable step of RATTLE on the builtin mesh for λ = 0 and μ = 1.
 double step_of_mesh(const scene::Discretization& d) {
   return 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
 }
 
-/// Time of a step of the finite-element model per unknown, within a factor of 3. It was measured on cores at 2 to 4 GHz
-/// for k = 3 … 6, r = 0 … 1.
+/// Time of a step of the finite-element model per unknown, correct within a factor of 3. The time was measured on cores
+/// of 2 to 4 GHz for k = 3 … 6 and r = 0 … 1.
 constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
-/// Typical ratio of a step to the stability limit at rest, if the program has found the step for a tolerance.
+/// Typical ratio of the step to the stability limit at rest, if the program chooses the step for a tolerance.
 constexpr double usual_part_of_limit = 0.6;
-/// Cost of the pilot runs and of the companion run relative to the cost of the run.
+/// Costs of the pilot runs and of the companion run, relative to the cost of the run.
 constexpr double pilots = 0.5, companion = 0.35;
 
-/// Viscosity η in internal units.
+/// The viscosity η in internal units.
 double viscosity(const scene::Scene& scene) { return loads::constant_forcing(internal_loads(scene)).viscosity; }
 
-/// γh on the builtin mesh with the largest damping rate γ at rest.
+/// The product γh on the builtin mesh, with the largest damping rate γ at rest and the step h.
 double damping_of_step(const scene::Scene& scene, const scene::Discretization& d, double step) {
   return 4 * viscosity(scene) / std::pow(step_of_mesh(d), 2) * step / units_of(scene).time;
 }
 
-/// Number of force evaluations and of products with the viscosity matrix in a step of RATTLE. `gamma_h` is γh
-/// (mechanics/core/linear_damping.h).
+/// Cost of a step of RATTLE in force evaluations; 1 without viscosity. Products with the viscosity matrix count as
+/// force evaluations. `gamma_h` is γh (mechanics/core/linear_damping.h).
 double work_of_viscous_step(double gamma_h) { return gamma_h > 0 ? 3 + 5 * std::pow(1 + gamma_h / 2, 0.4) : 1; }
 
 double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs, double n_steps, double step) {
@@ -82,8 +83,9 @@ double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs
   return n_steps * a_step * (1 + (scene.time.step ? 0 : pilots) + (needs.companion ? companion : 0));
 }
 
-/// Adds the number of force evaluations of the pseudo-rigid body. A method of order 8 with tolerance 1e-6 needs 73 per
-/// unit of time (measured). A given step replaces this number if it needs more.
+/// Adds a line with the number of force evaluations of the pseudo-rigid body. A method of order 8 with tolerance 1e-6
+/// needs 73 evaluations per unit of time (measured). If the scene gives the step, the number is at least the number of
+/// these steps.
 void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
   const auto model = std::ranges::find_if(needs.models, [](const auto* m) { return !m->has_nonaffine; });
   if (model == needs.models.end() || scene.analysis != scene::Analysis::motion) return;
@@ -115,7 +117,7 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
   const int n_octants = 8 / scene::sector(scene).n_images();
   const bool builtin = n_coarse_cells == 0;
   const double n_coarse = builtin ? octant.n_cells * n_octants : static_cast<double>(n_coarse_cells);
-  // For a mesh file, the nodes are counted as in a cube with the same number of cells.
+  // For a mesh file, the estimate is the number of nodes of a cube with the same number of cells.
   const double n_nodes = builtin ? n_nodes_of_images(n_octants, n) : std::pow(std::cbrt(n_coarse) * n + 1, 3);
   const double n_cells = n_coarse * std::ldexp(1, 3 * d.refinements);
   const double n_pressure = scene.body.incompressible ? k * (k + 1) * (k + 2) / 6 : 0;
@@ -183,7 +185,7 @@ std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene
   if (needed.n_unknowns > most_unknowns || needed.n_multipliers > most_unknowns)
     return fmt::format("{}, and no more than {:.3g} have numbers", takes, most_unknowns);
   const double available = io::available_memory();
-  // The checkpoint is collected on the first rank, which may be on this machine.
+  // The checkpoint is collected on the first rank, which may be a rank on this machine.
   const double here = share * needed.bytes + (1 - share) * needed.checkpoint_bytes;
   if (here <= available) return std::nullopt;
   return fmt::format("{}{}, and {} are available here", takes,
@@ -196,7 +198,7 @@ void require_memory(const scene::Scene& scene, const scene::Origins& origins, st
   if (!scene::is_discretized(scene) || scene.analysis == scene::Analysis::equilibrium) return;
   constexpr const char* entry = "Continuum/Refinements";
   const auto fixed = scene::fixed_discretization(scene);
-  const double own_share = scene::is_linear(scene.analysis) ? 1 : share;  // a single process finds them
+  const double own_share = scene::is_linear(scene.analysis) ? 1 : share;  // linear analyses run in one process
   if (const auto problem =
           exceeds_memory(scene, fixed ? *fixed : scene::ladder(scene).front(), n_coarse_cells, own_share))
     throw UserError(fmt::format("{}: {}: {}", origins.of(entry), entry, *problem));

@@ -1,16 +1,19 @@
 #pragma once
-/// Estimate of the effort of a finite-element run before anything is built: unknowns, memory, and the largest stable
-/// step. It is shown to the user, and runs that exceed the memory are refused. The stable step of RATTLE for small
-/// motions about rest is
+/// Estimate of the unknowns, the memory and the largest stable step of a finite-element run. The estimate is made
+/// before the mesh is built. The program shows it to the user, and refuses a run that needs more memory than the
+/// machine has. For small motions about rest, the stable step of RATTLE is
 ///
 ///   h = 0.38/(k (k + 0.4)) · 0.493^r / √(μ + 0.296 λ)      (μ, λ Lamé's moduli at rest, ρ = 1, radius 1)
 ///
-/// for degree k and r refinements of the builtin mesh. λ includes the volumetric stiffness. For an incompressible body,
-/// the law contributes to λ without its function of J; this part is 0 for neo-Hookean balls. The formula is fitted to
-/// the largest frequencies that Lanczos' method finds: within 2 % for k = 2 … 8, r = 0 … 2, and within 3 % for λ/μ =
-/// 0.1 … 100. A viscosity η makes steps more expensive, depending on the largest damping rate
+/// for degree k and r refinements of the builtin mesh. λ is the sum of the law's λ and the volumetric stiffness. For an
+/// incompressible body, the laws neo-hookean, mooney-rivlin and gent have no bulk term; neo-hookean then has λ = 0. The
+/// formula is fitted to the largest frequencies from Lanczos' method. Its error is below 2 % for k = 2 … 8 and r = 0 …
+/// 2, and below 3 % for λ/μ = 0.1 … 100. At rest, the viscous force is proportional to the stiffness. The largest
+/// damping rate for a viscosity η is
 ///
-///   γ = 4 η (0.38/(k (k + 0.4)) · 0.493^r)⁻²      (at rest, viscous force and stiffness are proportional).
+///   γ = 4 η (0.38/(k (k + 0.4)) · 0.493^r)⁻².
+///
+/// A larger γh makes a step more expensive.
 
 #include <cstddef>
 #include <optional>
@@ -22,34 +25,36 @@
 
 namespace pseudorigid::app {
 
-/// Estimated size of a run. The bytes are within a third of the measured memory.
+/// Estimated size of a run. The estimate of the memory differs from the measured memory by less than a third.
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
-  double checkpoint_bytes;     ///< with the memory of the method, on the first rank
-  double n_points_of_picture;  ///< points of the whole ball; each element has its own points
+  double checkpoint_bytes;     ///< bytes of a checkpoint on the first rank, with the memory of the method
+  double n_points_of_picture;  ///< points in a picture of the whole ball; each element has its own points
 };
 
-/// `n_coarse_cells`: number of cells in the mesh file, 0 for the builtin mesh.
+/// The estimated size of a run. `n_coarse_cells` is the number of cells in the mesh file, or 0 for the builtin mesh.
 Effort effort_of(const scene::Scene& scene, const scene::Discretization& discretization, std::size_t n_coarse_cells);
 
-/// A size as text, for example "12 kB", "9000 MB", "12 GB".
+/// A size in bytes as text, for example "12 kB", "9000 MB", "12 GB".
 std::string in_bytes(double bytes);
 
-/// The largest stable step of the scene's method on the builtin mesh, in the user's unit of time. If the program
-/// chooses the method, it is the step of RATTLE.
+/// The largest stable step of the scene's method on the builtin mesh, in the user's unit of time. The step is infinite
+/// for an adaptive method. If the program chooses the method, the function returns the step of RATTLE.
 double stable_step(const scene::Scene& scene, const scene::Discretization& discretization);
 
-/// The result of scene::needs with lines about the effort of the finite-element run, and with a warning if the step is
-/// not stable.
+/// The result of scene::needs with lines about the effort of the run, and with a warning if the scene's step is not
+/// stable. There is no line for finite elements on a mesh file or without a fixed discretisation.
 scene::Needs needs_with_effort(const scene::Scene& scene);
 
-/// The reason why a discretisation cannot be built here; empty if it can. Either it needs more memory than this machine
-/// has, or there are more unknowns than a 32-bit index can number. `n_coarse_cells` is the number of cells in the mesh
-/// file, 0 for the builtin mesh. `share` is the part of the run's memory that the ranks on this machine need.
+/// The reason why this machine cannot compute with a discretisation; empty if it can. One reason is lack of memory. The
+/// other reason is that a 32-bit index cannot number the unknowns or the multipliers. `n_coarse_cells` is the number of
+/// cells in the mesh file, or 0 for the builtin mesh. `share` is the part of the run's memory that the ranks on this
+/// machine need.
 std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene::Discretization& discretization,
                                           std::size_t n_coarse_cells, double share);
 
-/// Throws UserError if the scene's discretisation, or the coarsest of a search, cannot be built.
+/// Throws UserError if this machine cannot compute with the scene's discretisation, or with the coarsest one of a
+/// search.
 void require_memory(const scene::Scene& scene, const scene::Origins& origins, std::size_t n_coarse_cells, double share);
 
 }  // namespace pseudorigid::app

@@ -1,7 +1,7 @@
 #pragma once
 /// Estimate of the discretisation error of a run by a companion run on another discretisation (scene/discretization.h).
 /// Both runs have the same method and step, so that their time errors cancel (analysis/space_error.h). The comparison
-/// of the models uses the motion of the companion to estimate the errors of other numbers.
+/// of the models uses the motion of the companion to estimate the errors of other quantities.
 ///
 /// The counters are estimated_space_error (largest entry of Q), relative_space_error (|Q − Q'|/|Q|), companion_degree,
 /// companion_work, and for finite elements companion_refinements.
@@ -14,28 +14,31 @@
 
 namespace pseudorigid::app {
 
-/// Data of a discretisation and its companion.
+/// A discretisation and its companion.
 struct CompanionPair {
   std::string_view model;
   double resolution, resolution_of_companion;
-  std::string companion;  ///< the companion in words
-  double rate;            ///< assumed rate p for the error of Q; `least_rate` is assumed for other numbers
+  std::string companion;  ///< description of the companion for messages
+  double rate;            ///< rate p for the error of Q; `least_rate` is the rate for other quantities
   double least_rate;
 };
 
-/// Runs the scene on the discretisation or on its companion. `stepping` is empty for the former. The companion gets the
-/// method and step of the former.
+/// Runs the scene on the discretisation, or on the companion if `is_companion` is true. For the discretisation,
+/// `stepping` is empty. For the companion, `stepping` is the method and step of the run on the discretisation. `trace`
+/// receives the history of Q.
 using RunOfPair = std::function<ModelOutcome(const RunContext& context, bool is_companion,
                                              const std::optional<Stepping>& stepping, DeformationTrace* trace)>;
 
-/// Runs the scene on the discretisation and then on its companion. The companion does not write files or messages.
+/// Runs the scene on the discretisation, and then on its companion if the first run has finished. The companion does
+/// not write files or messages. Returns the outcome of the first run with the estimate of its error. If the companion
+/// fails, a warning replaces the estimate.
 ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& pair, const RunOfPair& run);
 
-/// Runs the scene's fixed discretisation, and its companion if the scene needs it.
+/// Runs the scene on its fixed discretisation, and also on the companion if the scene requests error estimates.
 ModelOutcome run_with_estimate(const RunContext& context, const ContinuumRun& run);
 
-/// `trace` as a table, with the factor that converts its difference from the run to an error of the run. The comparison
-/// of the models uses both.
+/// Returns the history `trace` as a table, with a factor. The factor converts the difference between the run and
+/// `trace` to an error of the run. The comparison of the models uses the table and the factor.
 analysis::OtherResolution other_resolution(const DeformationTrace& trace, double resolution, double resolution_of_trace,
                                            double least_rate, const RunContext& context);
 

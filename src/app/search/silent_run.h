@@ -1,5 +1,5 @@
 #pragma once
-/// Runs of a model that only give their history of Q, without observables, files and messages.
+/// Runs of a model that only give their history of Q, without observables, files or messages.
 
 #include <memory>
 
@@ -9,7 +9,7 @@
 
 namespace pseudorigid::app {
 
-/// `scene` may differ from the scene of the context in its section Time.
+/// Runs the model with `scene`, whose section Time may differ from the scene of the context.
 template <class Run, class Task>
 ModelOutcome run_silently(const Run& run, const RunContext& context, const scene::Scene& scene, const Task& task) {
   scene::Needs needs = context.needs;
@@ -22,8 +22,8 @@ ModelOutcome run_silently(const Run& run, const RunContext& context, const scene
   return run(silent, task);
 }
 
-/// Cost of a run, independent of the machine: the number of unknowns times the number of force evaluations. The force
-/// evaluations of pilot runs are included.
+/// Cost of a run, independent of the machine: the number of unknowns times the number of force evaluations. The
+/// evaluations in pilot runs are included.
 inline double work(const ModelOutcome& outcome) {
   const auto& c = outcome.statistics.counters;
   const auto count = [&c](const char* name) { return c.contains(name) ? c.at(name) : 0.0; };

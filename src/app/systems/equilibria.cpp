@@ -30,9 +30,9 @@ std::vector<scene::Column> equilibria_columns(const std::vector<scene::Column>& 
 ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissipative,
                             const std::vector<scene::Column>& coordinates, const systems::Scales& scales,
                             const RunContext& context, mechanics::CriticalPoints* points) {
-  // Coordinates that are not periodic are lengths in the system's own unit (systems/*_scene.h). The search starts in a
-  // box of twice this unit. Other points, or points on a much smaller scale, are found only if Newton's iteration leads
-  // there. The log therefore calls the result a search.
+  // Coordinates that are not periodic are lengths in the system's own unit (systems/*_scene.h). The search starts at
+  // points whose coordinates are at most twice this unit. Critical points outside, or on a much smaller scale, are
+  // found only if Newton's iteration leads there. The text in the log therefore calls the result a search.
   constexpr double radius = 2;
   mechanics::CriticalPoints found;
   ModelOutcome outcome;

@@ -1,10 +1,10 @@
 #pragma once
-/// Runs `Analysis = equilibrium` for a system: finds the critical points of its potential
+/// Runs `Analysis = equilibrium` for a system. The run finds the critical points of the potential of the system
 /// (mechanics/equilibria/critical_points.h) and writes them into equilibria.csv.
 ///
-/// The file has a row for each point, by rising potential, with the rates of small motions of the system itself. For
-/// the counts n_unstable and n_stable, a system without dissipation gets the force −M v / (unit of time). The result of
-/// Oliva, Geometric Mechanics, 5.8.3 then applies.
+/// The file has a row for each point, by rising potential, with the rates of small motions of the system. The counts
+/// n_unstable and n_stable require dissipation. For these counts only, a system without dissipation has the additional
+/// force −M v / (unit of time). The result of Oliva, Geometric Mechanics, 5.8.3 then applies.
 
 #include <vector>
 
@@ -15,11 +15,11 @@
 
 namespace pseudorigid::app {
 
-/// The columns for a system with these coordinates and n_modes degrees of freedom.
+/// The columns of equilibria.csv for a system with the given columns of coordinates and n_modes degrees of freedom.
 std::vector<scene::Column> equilibria_columns(const std::vector<scene::Column>& coordinates, int n_modes);
 
-/// Finds and writes the critical points. `coordinates` are the columns of the coordinates, and `scales` are the units
-/// of the landscape. If `points` is given, it receives the points with the rates of the system itself.
+/// Finds the critical points and writes the file. `coordinates` are the columns of the coordinates, and `scales` are
+/// the units of the landscape. If `points` is not null, it receives the critical points.
 ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissipative,
                             const std::vector<scene::Column>& coordinates, const systems::Scales& scales,
                             const RunContext& context, mechanics::CriticalPoints* points = nullptr);

@@ -21,9 +21,10 @@ using mechanics::CriticalPoint;
 using mechanics::PhaseVector;
 using mechanics::Status;
 
-/// Distances from a critical point. A motion starts at `start_along` on a single direction, or around the point at
-/// `start_around` in the slowest direction. It has arrived at a point within `arrival_distance`, and it has left its
-/// own point beyond `departure_distance`.
+/// Distances from a critical point. A motion along a direction of a manifold starts at `start_along`. Motions in all
+/// directions of an unstable manifold start at `start_around`, measured in the slowest direction. A motion has arrived
+/// at a point if its distance is below `arrival_distance`. It has left its own point if the distance was above
+/// `departure_distance`.
 constexpr double start_along = 1e-5, start_around = 1e-3, arrival_distance = 1e-6, departure_distance = 1e-2;
 constexpr double local_tolerance = 1e-13;
 
@@ -34,13 +35,13 @@ struct Curve {
 
 /// The end of a motion.
 struct End {
-  int to = 0;  ///< number of the critical point, 0 for none
+  int to = 0;  ///< number of the critical point at the end, or 0
   double distance = HUGE_VAL, time = 0;
   Status step{};  ///< status of the last step; a failure ends the motion
 };
 
-/// Columns of manifolds.csv: the number of the motion, its critical point, its manifold, the time, and the columns of
-/// the system.
+/// Columns of manifolds.csv: numbers of the motion and of its critical point, 1 for a stable manifold, the time, and
+/// the columns of the system.
 std::vector<scene::Column> curve_columns(const std::vector<scene::Column>& of_system) {
   std::vector<scene::Column> columns{{"curve", "", ""}, {"point", "", ""}, {"stable", "", ""}, {"time", "time", ""}};
   columns.insert(columns.end(), of_system.begin(), of_system.end());
@@ -119,8 +120,9 @@ class ManifoldRun {
     return {};
   }
 
-  /// Integrates a motion from its start, backwards in time on a stable manifold. It stops at a critical point or after
-  /// the time of the scene. On a stable manifold it also stops if its energy is far above all critical points.
+  /// Integrates a motion from its start, backwards in time on a stable manifold. The motion ends at a critical point,
+  /// after the time of the scene, or when a step fails. On a stable manifold, the motion also ends if its energy is far
+  /// above all critical points, and a failed step is not an error.
   template <class Form>
   Status follow(const Form& form, systems::AnyModel& at_rest, const Curve& curve, const PhaseVector& start, End& end) {
     using Method = mechanics::DormandPrince8;
@@ -156,7 +158,8 @@ class ManifoldRun {
     return {};
   }
 
-  /// True if the state is at a critical point. The start point counts only after the motion has left it.
+  /// Returns true if the state is at a critical point. Sets `end` to the nearest critical point and the distance from
+  /// it. The own point of the motion counts only after the motion has left it.
   template <class State>
   bool arrives(const Curve& curve, const State& state, bool& has_left, End& end) {
     end = {};
@@ -200,7 +203,7 @@ class ManifoldRun {
   double length_, highest_energy_ = HUGE_VAL;
   std::vector<double> row_;
   io::ColumnTable rows_, ends_;
-  ModelOutcome& outcome_;  ///< receives the results
+  ModelOutcome& outcome_;  ///< receives the text of the results
   int n_curves_ = 0;
   Status stopped_;  ///< failure of the first motion that cannot be continued
 };

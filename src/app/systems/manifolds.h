@@ -1,7 +1,7 @@
 #pragma once
-/// Runs `Analysis = manifolds` for a system: computes motions on the unstable and the stable manifolds of its critical
-/// points (Oliva, Geometric Mechanics, 5.8). The motions show which points are connected. In addition to equilibria.csv
-/// the run writes
+/// Runs `Analysis = manifolds` for a system. The run computes motions on the unstable and the stable manifolds of the
+/// critical points of the system (Oliva, Geometric Mechanics, 5.8). The motions show which critical points are
+/// connected. In addition to equilibria.csv the run writes
 ///
 ///   manifolds.csv     the motions: curve, point, stable, time, and the columns of the system;
 ///   connections.csv   a row for the end of each motion.

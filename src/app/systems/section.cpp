@@ -26,7 +26,8 @@ using mechanics::Status;
 using Method = mechanics::DormandPrince8;
 
 constexpr int looks_per_step = 8, steps_between_interrupts = 256;
-/// Local tolerance of the motion on which a crossing is located; it is close to the least that the method accepts.
+/// Local tolerance of the integration that locates a crossing. This tolerance is close to the least one that the method
+/// accepts.
 constexpr double tolerance_of_location = 1e-15;
 
 template <class Form>
@@ -70,7 +71,7 @@ class SectionRun {
   }
 
  private:
-  /// The local tolerance that Time/Tolerance requires.
+  /// Returns the local tolerance that Time/Tolerance requires. Adds the counters of the search.
   double choose_tolerance(std::map<std::string, double>& counters) {
     const double tolerance = context_.scene.time.tolerance;
     const mechanics::StepRequest request{.end = end_,
@@ -113,7 +114,7 @@ class SectionRun {
         double after = 0;
         if (Status status = level(between, after); !status) return status;
         if (Status status = take(start, early, late, before, after); !status) return status;
-        // A motion that starts on the surface does not cross it at its start.
+        // A motion that starts on the surface does not cross the surface at its start.
         before = after;
         early = late;
       }
@@ -126,7 +127,8 @@ class SectionRun {
     return {};
   }
 
-  /// Sets `distance` to the signed distance of the column from the nearest value of the section.
+  /// Sets `distance` to the column minus the value of the section. If the section has a period, multiples of the period
+  /// are subtracted such that |distance| is least. Leaves the columns of the state in `row_`.
   Status level(const State& state, double& distance) {
     if (Status status = motion_.row(state.t * context_.units.time, state, workspace_, row_); !status) return status;
     if (!std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); }))
@@ -143,7 +145,8 @@ class SectionRun {
     return (rises && wanted != scene::Crossings::down) || (falls && wanted != scene::Crossings::up);
   }
 
-  /// Locates the crossing between two times within the step from `start`, if there is one, and writes it.
+  /// Locates the crossing between the times `early` and `late` within the step from `start`, and writes a row for it.
+  /// `before` and `after` are the distances at these times. Does nothing if there is no crossing.
   Status take(const State& start, double early, double late, double before, double after) {
     if (!counts(before, after)) return {};
     Status status;
@@ -158,7 +161,7 @@ class SectionRun {
     };
     const auto crossing = mechanics::bracketed_root(level_after, early - start.t, late - start.t);
     if (!status) return status;
-    if (!crossing) return {};  // only the dense output crosses the surface, by round-off
+    if (!crossing) return {};  // only the dense output crosses the surface, because of round-off
     const double distance = std::abs(level_after(*crossing));
     if (!status) return status;
     const bool jumps = distance > 1e-3 * (std::abs(before) + std::abs(after)) && distance > 1e-9;

@@ -1,11 +1,11 @@
 #pragma once
-/// Runs `Analysis = section` for a system: computes the points at which its motion crosses a surface of section
-/// (Poincaré). The surface is given by a value of one column of the system's file. The points are the rows of
+/// Runs `Analysis = section` for a system. The run computes the points at which a motion crosses a surface of section
+/// (Poincaré). On this surface, one column of the system's file has a given value. The points are the rows of
 /// section.csv, with the columns of the motion.
 ///
-/// Within each step the dense output is evaluated at eight times. If the column crosses the value between two of them,
-/// the crossing is located to round-off. For this purpose the motion is integrated again from the start of the step. A
-/// jump of a column is not a crossing, for example the jump of an angle after a full rotation.
+/// Within each step the dense output is evaluated at eight times. If the column crosses the value between two of these
+/// times, the crossing is located to round-off. For this purpose the motion is integrated again from the start of the
+/// step. A jump of a column is not a crossing, for example the jump of an angle after a full rotation.
 
 #include "app/run/run_context.h"
 #include "systems/any_system_scene.h"

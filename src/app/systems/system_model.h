@@ -1,5 +1,6 @@
 #pragma once
-/// Adapter of a system of the table, in one of its forms (systems/any_model.h), to the RunnableModel interface.
+/// A system of the table (systems/table.h), in one of its forms (systems/any_model.h), as a model that ModelRun can
+/// integrate.
 
 #include <algorithm>
 #include <string>
@@ -13,11 +14,11 @@
 
 namespace pseudorigid::app {
 
-/// Keeps a reference to the model, which must outlive this object.
+/// The object refers to `form` and `model`. Both must exist as long as the object.
 template <class Form>
 class SystemModel final : public RunnableModelOf<Form> {
   using Base = RunnableModelOf<Form>;
-  /// Steps take less than 1 µs, so the clock and the interrupt flag are polled only once in this many steps.
+  /// A step takes less than 1 µs. The clock and the interrupt flag are therefore checked only once in this many steps.
   static constexpr int between_looks = 256;
 
  public:
@@ -34,8 +35,8 @@ class SystemModel final : public RunnableModelOf<Form> {
   State initial_state() const override { return model_.start(); }
   Eigen::MatrixXd configuration(const State& state) const override { return state.q; }
   double rate(const State& state) const override { return model_.rate(state); }
-  /// For most runs the pilot run has the duration of the whole run, which takes a fraction of a second. A shorter pilot
-  /// run would not contain the later motion.
+  /// The duration of a pilot run, at most 1000 in internal time. Most runs are shorter, and the pilot run then covers
+  /// the whole run in a fraction of a second. A shorter pilot run would not contain the later motion.
   double pilot_window(double end) const override { return std::min(end, 1000.0); }
 
   std::vector<std::string> columns() const override { return columns_.names; }
@@ -49,7 +50,8 @@ class SystemModel final : public RunnableModelOf<Form> {
   }
 
  private:
-  /// The columns with the time in front. The time of a row is in the user's units already, so its unit is empty.
+  /// The columns, with the time as the first. The time of a row is in the user's units already, so the column of the
+  /// time has no unit to convert.
   static std::vector<scene::Column> time_and(std::vector<scene::Column> columns) {
     columns.insert(columns.begin(), {"time", "", ""});
     return columns;
