@@ -1,5 +1,6 @@
 """Every scene of params/ runs, and its pictures are read by meshio and VTK; what the comparison says; scaling."""
 import json
+import math
 import re
 import subprocess
 import sys
