@@ -44,8 +44,9 @@ struct PairSums {
   std::array<std::vector<double>, 3> g, h;
 };
 PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources);
-/// The sums if the sources are the targets and their images under the reflections x_c ↦ −x_c for which mirrors[c] is
-/// true. Each pair is computed once, which takes at most half of the time of `sum_pairs`.
+/// Returns the sums for sources that are the targets and their mirror images. The reflections are x_c ↦ −x_c for each c
+/// with mirrors[c] = true. Except within a block of SIMD lanes, the distance of a pair is computed once for both
+/// points. The function therefore computes about half as many distances as `sum_pairs`.
 PairSums sum_own_pairs(const SurfacePoints& points, const std::array<bool, 3>& mirrors);
 /// Returns the total of the sums over two sets of sources, for the same targets.
 PairSums add(const PairSums& more, PairSums sums);

@@ -251,7 +251,7 @@ class GmshReader {
     while (line_ != end);
   }
 
-  /// Removes nodes that only elements on the boundary use, such as the centre of an arc.
+  /// Removes nodes that belong to point, line or quadrangle elements but not to a cell, such as the centre of an arc.
   void drop_construction_nodes() {
     std::vector<bool> used(mesh_.vertices.size(), false);
     for (const auto& cell : mesh_.cells)

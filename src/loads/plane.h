@@ -41,18 +41,22 @@ struct Planes : std::vector<Plane> {
       if (plane.damping != 0) return true;
     return false;
   }
-  /// Returns a bound of the stiffness along any direction if every point of the surface touched all planes. Among
-  /// parallel planes only the stiffest counts. The bound is the smaller of the Frobenius norm and the largest row sum
-  /// of Σ k n nᵀ.
+  /// Returns a bound of the stiffness along any direction of a point of the surface that touches all planes at once. A
+  /// point can touch several planes with the same normal, but not two that face each other, so the larger sum counts
+  /// for each normal. The bound is the smaller of the Frobenius norm and the largest row sum of Σ k n nᵀ.
   double stiffness_of_all() const {
+    constexpr double parallel = 1 - 1e-12;
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < size(); ++i) {
-      double k = (*this)[i].stiffness;
-      for (std::size_t j = 0; j < i; ++j) {
-        const bool parallel = std::abs((*this)[i].normal.dot((*this)[j].normal)) > 1 - 1e-12;
-        if (parallel) k = std::max(0.0, k - (*this)[j].stiffness);
+      double same = 0, facing = 0;
+      bool is_first = true;
+      for (std::size_t j = 0; j < size(); ++j) {
+        const double cosine = (*this)[i].normal.dot((*this)[j].normal);
+        if (std::abs(cosine) <= parallel) continue;
+        (cosine > 0 ? same : facing) += (*this)[j].stiffness;
+        is_first = is_first && j >= i;
       }
-      sum += k * (*this)[i].normal * (*this)[i].normal.transpose();
+      if (is_first) sum += std::max(same, facing) * (*this)[i].normal * (*this)[i].normal.transpose();
     }
     return std::min(sum.norm(), sum.cwiseAbs().rowwise().sum().maxCoeff());
   }

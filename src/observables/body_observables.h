@@ -171,8 +171,8 @@ struct ReducedObservables : BodyObservables {
   Eigen::Matrix3d T = Eigen::Matrix3d::Constant(not_observed), S = T;
   Eigen::Vector3d Omega_star = Eigen::Vector3d::Constant(not_observed);   ///< entries 12, 13, 23 of Ω* = ṪTᵀ
   Eigen::Vector3d Lambda_star = Eigen::Vector3d::Constant(not_observed);  ///< entries 12, 13, 23 of Λ* = ṠSᵀ
-  double bipolar_residual = not_observed;  ///< largest entry of the residual of Oliva (5.121) per m̄
-                                           ///< (reduced/bipolar.h)
+  double bipolar_residual = not_observed;  ///< largest absolute entry of the residual of equation (5.121) of Oliva,
+                                           ///< divided by m̄ = tr E₀/3 (reduced/bipolar.h)
 };
 
 inline constexpr BodyColumn<ReducedObservables> reduced_columns[] = {

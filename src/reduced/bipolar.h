@@ -90,8 +90,9 @@ inline Bipolar decompose(const Eigen::Matrix3d& Q) {
   return b;
 }
 
-/// The decomposition nearest to `before`, the decomposition of a state shortly before. The candidates are all orders
-/// and signs of the axes with det T = det S = 1 and, if axes coincide, all frames in their plane. Requires det Q > 0.
+/// Returns the decomposition of Q that is nearest to `before`, the decomposition at a slightly earlier time. The
+/// candidates have det T = det S = 1 and differ in the order and the signs of the axes. If semi-axes are equal to
+/// round-off, their frames are then rotated to the frames nearest to `before`. Requires det Q > 0.
 inline Bipolar decompose(const Eigen::Matrix3d& Q, const Bipolar& before) {
   constexpr std::array<std::array<int, 3>, 6> orders{
       {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};

@@ -1,15 +1,17 @@
 #pragma once
-/// The potential energy of the pseudo-rigid body, a sum with the terms that the scene has (Oliva 5.7.8–5.7.9):
+/// The potential energy of the pseudo-rigid body (Oliva 5.7.8–5.7.9). It is a sum with the terms that the scene has:
 ///
 ///   V(Q) = Vol·W(Q) − k R_F(a₁², a₂², a₃²) + V_e(Q)
 ///          stored      self-gravity          of the loads, external_potential.h
 ///
-/// with the stored energy W per reference volume Vol, Carlson's integral R_F and k = (3/5) G M². The a_i are the
-/// semi-axes of the ellipsoid Q B (reference_body.h), which are the singular values of Q S. A term that the scene does
-/// not have costs only a branch. The functions of a body use V per reference volume, like a material law. With the
-/// stress P = ∂W/∂Q of the law and the self-gravity V_g(F), F = QS, the derivative is
+/// with the stored energy W per reference volume Vol, Carlson's integral R_F and k = (3/5) G M². The reference body is
+/// the image of the unit ball under the linear map S (reference_body.h). The deformed body is then an ellipsoid, and
+/// its semi-axes a_i are the singular values of F = QS. A term that the scene does not have costs only a branch.
 ///
-///   (1/Vol) ∂V/∂Q = P(Q) + (1/Vol) [∂V_g/∂F (QS) Sᵀ + ∂V_e/∂Q]
+/// The functions `energy` and `stress` of a Tensor give V and ∂V/∂Q per reference volume, like a material law. With the
+/// stress P = ∂W/∂Q of the law, and with the self-gravity V_g as a function of F, the derivative is
+///
+///   (1/Vol) ∂V/∂Q = P(Q) + (1/Vol) [(∂V_g/∂F) Sᵀ + ∂V_e/∂Q],   ∂V_g/∂F at F = QS
 
 #include <Eigen/Dense>
 #include <optional>

@@ -59,12 +59,14 @@ class StaticLandscape {
   bool incompressible_;
 };
 
-/// True if Morse's count (mechanics/equilibria/morse_count.h) shows that some equilibria are not among these points.
-/// Let S be the singular values of Q. The parts |ln S| ≤ s of SL(3) and GL⁺(3) have SO(3) as a deformation retract,
-/// with the Betti numbers 1, 1, 1, 1 over Z/2. Let V increase outwards at such a boundary around all points. Then there
-/// is at least one point of each index 0 to 3, and the numbers of points of even and odd index are equal. These facts
-/// hold for every law and load. The result is false if a point is degenerate, as for rotations that do not change V, or
-/// if V decreases outwards.
+/// Returns true if the list `points` certainly lacks equilibria, by Morse's count (mechanics/equilibria/morse_count.h).
+/// The count needs a bounded part of SL(3) or GL⁺(3) that contains all points, and at whose boundary V increases
+/// outwards. The part is |ln S| ≤ s, with the singular values S of Q; `rises_at` tests two values of s. Such a part
+/// contracts to SO(3), whose Betti numbers over Z/2 are 1, 1, 1, 1. It therefore contains at least one equilibrium of
+/// each Morse index 0 to 3, and as many of even index as of odd index. This condition does not depend on law or loads.
+///
+/// Returns false if the points satisfy the condition, if a point is degenerate, or if V decreases outwards somewhere at
+/// both boundaries. For example, points are degenerate if rotations do not change V.
 bool misses_equilibria(const StaticLandscape& landscape, const std::vector<mechanics::CriticalPoint>& points);
 
 /// A search with n_starts random starts Q = R₁ diag(exp s) R₂, with rotations R₁, R₂ and |s_i| < 1.5. On SL(3) the mean

@@ -7,10 +7,11 @@
 /// The text `first .. last in n` means n equally spaced values from `first` to `last`. With `logarithmic`, the
 /// logarithms of the values are equally spaced. In successive runs, the last parameter varies fastest.
 ///
-/// With `latin S`, the n values belong to n runs of a Latin hypercube, and all parameters with `latin` vary together.
-/// The range of each parameter is divided into n equal parts. Each part contains the value of one run. The seed S
-/// determines the run of each part, and the position of the value in the part. These n runs are repeated for each
-/// combination of the other parameters, and vary faster than the other parameters.
+/// The text `first .. last in n latin S` makes n values for the n runs of a Latin hypercube. All parameters with
+/// `latin` have the same n, and change together from run to run. The range of each parameter is divided into n parts of
+/// equal length, or of equal ratio for `logarithmic latin`. Each part contains one value. The seed S determines the
+/// position of the value in its part, and the run that uses the value. These n runs are repeated for each combination
+/// of the other parameters. In successive runs, the parameters with `latin` change before all other parameters.
 
 #include <cstdint>
 #include <map>

@@ -68,7 +68,7 @@ class LoveNumbers(ProgramTest):
                     self.assertAlmostEqual(a, b, delta=1e-13 + 1e-9 * abs(b), msg=column)
 
     def test_a_law_printed_with_a_stress_at_rest(self):
-        """Its modulus at rest counts, in every model."""
+        """The shear modulus at rest determines the numbers in every model."""
         self.scene({**LOVE, "Material/Law": "saint-venant-kirchhoff (as printed)"})
         self.run_done("run", "scene.prm")
         h, h_exact = (self.table("output/scene/love-continuum.csv").column(name)[0] for name in ("h", "h_exact"))

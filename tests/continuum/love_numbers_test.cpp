@@ -43,6 +43,14 @@ TEST(BallLoveNumbers, DegreeTwoIsExactToAMillionth) {
   }
 }
 
+/// The penalty of the constraint follows gravity. With a penalty in proportion to μ the error was 1e-6 here.
+TEST(BallLoveNumbers, StrongGravityDoesNotBreakTheConstraint) {
+  constexpr double gamma = 1e4;
+  const Errors errors = errors_of(numbers_of(7, 0, {2}, gamma).front(), gamma);
+  EXPECT_LT(errors.h, 3e-7);
+  EXPECT_LT(errors.l, 3e-7);
+}
+
 TEST(BallLoveNumbers, HigherDegreesAreExactToTheMesh) {
   for (const double gamma : {0.1, 100.0})
     for (const BallLoveNumbers& found : numbers_of(8, 0, {3, 4, 5, 6, 7, 8}, gamma)) {

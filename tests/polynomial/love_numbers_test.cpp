@@ -1,4 +1,5 @@
-/// Love numbers of polynomial balls: exact from the degree n + 1 on, those of the pseudo-rigid ball at degree 1.
+/// Love numbers of polynomial balls. Degree N has the exact numbers of all tides of a degree below N, and degree 1 has
+/// the numbers of the pseudo-rigid ball.
 
 #include "polynomial/love_numbers.h"
 

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "mechanics/steps/largest_frequency.h"
 #include "reduced/body_on_planes.h"
@@ -193,6 +195,21 @@ TEST(BouncingBody, NoContactIsStifferThanABodyThatIsHeld) {
 
 /// The force of the closed form has a continuous derivative, and the second one jumps at the first and at the last
 /// contact: the step with the jump has the error h³ of its velocity, so that order 2 stays and order 4 becomes 3.
+/// A point touches planes with the same normal together, and planes that face each other one at a time.
+TEST(Planes, StiffnessOfAllBoundsWhatAPointCanTouch) {
+  const Vector3d z = Vector3d::UnitZ(), x = Vector3d::UnitX();
+  const auto stiffness = [](std::initializer_list<std::pair<Vector3d, double>> all) {
+    loads::Planes planes;
+    for (const auto& [normal, k] : all) planes.push_back({.normal = normal, .position = -1, .stiffness = k});
+    return planes.stiffness_of_all();
+  };
+  EXPECT_DOUBLE_EQ(stiffness({{z, 1}, {-z, 2}}), 2);
+  EXPECT_DOUBLE_EQ(stiffness({{z, 1}, {z, 2}}), 3);
+  EXPECT_DOUBLE_EQ(stiffness({{z, 1}, {z, 2}, {-z, 2.5}}), 3);
+  EXPECT_DOUBLE_EQ(stiffness({{-z, 2.5}, {z, 1}, {z, 1}}), 2.5);
+  EXPECT_DOUBLE_EQ(stiffness({{x, 1}, {z, 2}}), 2);
+}
+
 TEST(BouncingBody, StepsAcrossContactsHaveOrderTwoOrThree) {
   const Body body = ball_on(loads::Loads(floor_at(-1, 200)));
   constexpr double end = 4;

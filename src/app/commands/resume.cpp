@@ -26,8 +26,9 @@ namespace {
 
 constexpr const char* end_of_time = "Time/End";
 constexpr const char* number_of_samples = "Output/Samples";
-/// Entries outside the section Time that may change, and the two that `keep_sampling` has checked. Pictures follow the
-/// present scene.
+/// Entries that may change when a run is resumed. `keep_sampling` has already checked Time/End and set Output/Samples.
+/// The other entries concern pictures, and new pictures follow the resumed scene. The list does not need other entries
+/// of the section Time, because the compared texts do not contain their values (`run_identity`).
 constexpr std::array<std::string_view, 6> may_change{end_of_time,     number_of_samples, "Output/Frames",
                                                      "Output/Fields", "Output/Cells",    "Output/Graphics"};
 

@@ -12,6 +12,7 @@
 #include "app/ranks/failure.h"
 #include "app/ranks/on_all_ranks.h"
 #include "app/run/love_table.h"
+#include "app/run/mode_table.h"
 #include "app/run/model_files.h"
 #include "app/run/run_models.h"
 #include "app/run/scene_to_model.h"
@@ -149,6 +150,9 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
   else if (scene.analysis == scene::Analysis::equilibrium)
     for (const scene::ModelDescription* model : needs.models)
       content.columns[std::string(model->equilibria.file) + ".csv"] = model->equilibria.columns;
+  else if (scene.analysis == scene::Analysis::modes)
+    for (const scene::ModelDescription* model : needs.models)
+      content.columns[mode_file(needs, model->name) + ".csv"] = mode_columns();
   else if (scene.analysis == scene::Analysis::love_numbers)
     for (const scene::ModelDescription* model : needs.models)
       for (const scene::ModelRun& run : scene::runs_of(*model, scene))

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/continuum/rest_problem.h"
-#include "app/run/love_table.h"
 #include "app/run/mode_table.h"
+#include "app/run/scene_to_model.h"
 #include "continuum/modes/modes.h"
 #include "continuum/output/nodal_fields.h"
 #include "io/block_cells.h"
@@ -85,7 +85,7 @@ ModelOutcome run_modes(const RunContext& context) {
     return outcome;
   }
   write_mode_table(rows, {problem.elasticity.moduli, problem.incompressible, gravity_to_elasticity(scene)}, context,
-                   "modes", outcome);
+                   mode_file(context.needs, "continuum"), outcome);
   if (const std::string copies = differing_copies(rows); !copies.empty())
     context.log->warn("{}, which is an error of the mesh; {}", copies, remedy);
   if (context.needs.graphics) write_shapes(frequencies, space, context);

@@ -125,9 +125,9 @@ class DegreeSearch {
   DeformationTrace before_;  ///< history of Q in the run whose degree is less by two
 };
 
-/// Runs the only degree N of the scene, or the last of several. If the scene does not have finite elements, other
-/// models are compared with this body. If the scene then requests error estimates, a companion run estimates the error
-/// of this body.
+/// Runs the polynomial body of degree N, which is the only or the last degree of the scene. If the scene does not have
+/// finite elements, this body is the reference of comparisons. If the scene then compares several runs
+/// (`needs.companion`), a companion run of another degree estimates the discretisation error of this body.
 ModelOutcome run_richest_degree(const RunContext& context, const PolynomialRun& run, int N) {
   const scene::Needs& needs = context.needs;
   if (!needs.companion || needs.models.back()->discretized) return run(context, {.degree = N});

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/polynomial/body_setup.h"
-#include "app/run/love_table.h"
 #include "app/run/mode_table.h"
+#include "app/run/scene_to_model.h"
 #include "materials/rest_moduli.h"
 #include "polynomial/rest_modes.h"
 
@@ -36,8 +36,7 @@ ModelOutcome run_polynomial_modes(const RunContext& context) {
   }
   const materials::RestModuli moduli = materials::moduli_at_rest(setup.law, scene.body.incompressible);
   const double gamma = gravity_to_elasticity(scene);
-  const bool is_alone = context.needs.models.size() == 1;
-  write_mode_table(rows, {moduli, scene.body.incompressible, gamma}, context, is_alone ? "modes" : "modes-polynomial",
+  write_mode_table(rows, {moduli, scene.body.incompressible, gamma}, context, mode_file(context.needs, "polynomial"),
                    outcome);
   context.log->info("polynomial: degree {}, {} frequencies, {:.3g} s", setup.degree, found.size(), timers["run"]);
   return outcome;

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "app/run/scene_to_model.h"
 #include "io/column_table.h"
-#include "materials/rest_moduli.h"
 #include "scene/models.h"
 
 namespace pseudorigid::app {
@@ -22,11 +20,6 @@ std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& number
   for (std::size_t i = 0; i < numbers.size(); ++i)
     rows.push_back({numbers[i], bound(numbers[i].h, other[i].h), bound(numbers[i].l, other[i].l)});
   return rows;
-}
-
-double gravity_to_elasticity(const scene::Scene& scene) {
-  const double G = loads::constant_forcing(internal_loads(scene)).gravity_constant;
-  return 4 * std::numbers::pi / 3 * G / materials::moduli_at_rest(internal_law(scene), scene.body.incompressible).shear;
 }
 
 std::vector<scene::Column> love_columns() {

@@ -21,9 +21,6 @@ struct LoveRow {
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other, double round_off);
 
-/// The ratio γ = ρgr/μ of the ball at rest, with g = (4/3)πGρr.
-double gravity_to_elasticity(const scene::Scene& scene);
-
 std::vector<scene::Column> love_columns();
 
 /// Writes love-<run>.csv and adds the table for the terminal to the results of `outcome`. The title of the table

@@ -12,7 +12,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// The frequency of the corresponding mode of the exact sphere, in internal units.
+/// The exact angular frequency of the same mode of the elastic sphere (analysis/sphere_frequencies.h), in internal
+/// units.
 double exact_frequency(const ModeFrequency& f, const BallAtRest& ball) {
   const auto [mu, lambda] = ball.moduli;
   return std::sqrt(mu) * (ball.incompressible
@@ -55,13 +56,26 @@ std::string instability(const std::vector<ModeFrequency>& frequencies, const io:
                      -fastest->least / units.time);
 }
 
+std::string mode_file(const scene::Needs& needs, std::string_view model) {
+  return needs.models.back()->name == model ? "modes" : fmt::format("modes-{}", model);
+}
+
+std::vector<scene::Column> mode_columns() {
+  return {{"index", "", "number of the row, by rising frequency"},
+          {"omega", "1/time", "frequency, the mean of the copies"},
+          {"kind", "", "1 spheroidal, 2 toroidal"},
+          {"degree", "", "degree n"},
+          {"overtone", "", "0 for the lowest frequency of its kind and degree"},
+          {"multiplicity", "", "number of copies, 2n + 1"},
+          {"spread", "", "difference of the largest and the smallest copy, over omega"},
+          {"exact", "1/time", "frequency of the exact sphere"},
+          {"reduced", "1/time", "frequency of the pseudo-rigid ball, 0 if it has no such mode"}};
+}
+
 void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallAtRest& ball, const RunContext& context,
                       std::string_view file, ModelOutcome& outcome) {
   constexpr double spheroidal = 1, toroidal = 2;  // values of the column kind
-  const std::vector<scene::Column> columns{{"index", "", ""},  {"omega", "1/time", ""}, {"kind", "", ""},
-                                           {"degree", "", ""}, {"overtone", "", ""},    {"multiplicity", "", ""},
-                                           {"spread", "", ""}, {"exact", "1/time", ""}, {"reduced", "1/time", ""}};
-  io::ColumnTable table(context.directory.csv(file), columns, context.scales());
+  io::ColumnTable table(context.directory.csv(file), mode_columns(), context.scales());
   add_result(outcome, context,
              fmt::format("{:>3}  {:<14} {:>16} {:>6} {:>9} {:>16} {:>10} {:>16}", "", "mode", "omega", "copies",
                          "spread", "exact sphere", "difference", "pseudo-rigid"));

@@ -39,6 +39,12 @@ std::string differing_copies(const std::vector<ModeFrequency>& frequencies, doub
 /// kind T1 grows at the rate 0.3".
 std::string instability(const std::vector<ModeFrequency>& frequencies, const io::Units& units);
 
+/// The name of the CSV file of a model: "modes" for the last and most accurate model of the scene, and "modes-<model>"
+/// for the others.
+std::string mode_file(const scene::Needs& needs, std::string_view model);
+
+std::vector<scene::Column> mode_columns();
+
 /// Writes the CSV file `file`, and adds the table for the terminal to the results of `outcome`.
 void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallAtRest& ball, const RunContext& context,
                       std::string_view file, ModelOutcome& outcome);

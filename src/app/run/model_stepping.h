@@ -35,7 +35,8 @@ class ModelStepping {
  protected:
   using Status = mechanics::Status;
 
-  /// `known` is a method and step that another run of the scene found; the program then does not search.
+  /// `known` is the method and step that another run of the scene found, or empty. If it is not empty, the program does
+  /// not search, and the step is reduced only if it is too large for the stability of this run.
   ModelStepping(RunnableModel& model, const RunContext& context, const SystemTraits& traits,
                 const std::optional<Stepping>& known)
       : any_model_(model),

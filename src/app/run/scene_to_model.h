@@ -3,12 +3,14 @@
 /// ρr³, and the unit of time of scene/scales.h.
 
 #include <Eigen/Core>
+#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "entries/units.h"
 #include "loads/list.h"
 #include "materials/law_table.h"
+#include "materials/rest_moduli.h"
 #include "scene/entries.h"
 #include "scene/scales.h"
 #include "scene/scene.h"
@@ -69,6 +71,13 @@ inline materials::AnyLaw internal_law(const scene::Scene& scene) {
   for (const materials::LawEntry& entry : materials::law_entries)
     if (entry.is_modulus) internal.*entry.member = mu * (material.*entry.member / material.shear_modulus);
   return materials::make_law(material.law, internal, scene.body.incompressible);
+}
+
+/// γ = ρgr/μ with g = (4/3)πGρr and the shear modulus μ at rest.
+inline double gravity_to_elasticity(const scene::Scene& scene) {
+  const double weight_of_density =
+      4 * std::numbers::pi / 3 * loads::constant_forcing(internal_loads(scene)).gravity_constant;
+  return weight_of_density / materials::moduli_at_rest(internal_law(scene), scene.body.incompressible).shear;
 }
 
 }  // namespace pseudorigid::app

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "analysis/sphere_frequencies.h"
 #include "app/run/scene_to_model.h"
@@ -33,8 +32,7 @@ std::optional<SmallPulsation> small_pulsation(const scene::Scene& scene) {
   const materials::AnyLaw law = internal_law(scene);
   if (!rests(law, incompressible)) return {};
   const materials::RestModuli moduli = materials::moduli_at_rest(law, incompressible);
-  const double gamma =
-      4 * std::numbers::pi / 3 * loads::constant_forcing(internal_loads(scene)).gravity_constant / moduli.shear;
+  const double gamma = gravity_to_elasticity(scene);
   constexpr double largest_gamma = 18;
   if (gamma > largest_gamma) return {};
   const double exact = incompressible ? analysis::sphere_frequency(true, 2, 0, gamma)

@@ -41,8 +41,9 @@ class BallBody {
   /// refined uniformly n_refinements times. The ranks of the communicator share the cells.
   BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
            const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
-  /// The body of a mesh. If `n_gravity_points` or `n_contact_points` is empty, the function of this name in
-  /// surface_gravity_forces.h or contact_forces.h gives the number.
+  /// The body of a mesh. `n_gravity_points` and `n_contact_points` are the numbers of quadrature points in each
+  /// direction of a face, for self-gravity and for contact. If a number is not given, the function with its name in
+  /// surface_gravity_forces.h or contact_forces.h chooses the number.
   BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads = {},
            std::optional<int> n_gravity_points = std::nullopt, std::optional<int> n_contact_points = std::nullopt);
   BallBody(const BallBody&) = delete;  // because its members have pointers to one another

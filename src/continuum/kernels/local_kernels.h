@@ -58,7 +58,8 @@ class ConstraintTangent {
 class LocalKernels {
  public:
   virtual ~LocalKernels() = default;
-  /// Adds the force to f. Returns the least of J and of the law's reserve.
+  /// Adds the elastic force −∂/∂x ∫(W + U) dX to f. Returns the least value, over all quadrature points, of J and of
+  /// `reserve(F)` of the law. The reserve is positive if the law admits F (materials/law_limits.h).
   virtual double add_force(const double* x, double* f) const = 0;
   /// f ← f + force + G(x)ᵀλ in one pass. Returns the same value as `add_force`. If `at_x` is not null, it must have
   /// double precision and is set to the tangent at x.

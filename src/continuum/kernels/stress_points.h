@@ -1,11 +1,13 @@
 #pragma once
-/// Geometry of a quadrature point for the stress, one cell in each lane, and the stress as a function of H = ∂x/∂ξ:
+/// The stress at a quadrature point as a function of H = ∂x/∂ξ, and the geometry of the point that this function needs.
+/// A SIMD lane corresponds to a cell. The integrand of the elastic force at the point is
 ///
-///   T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ,   F = H (∂X/∂ξ)⁻¹,   w = ŵ det ∂X/∂ξ
+///   T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ,   F = H (∂X/∂ξ)⁻¹,   J = det F,   w = ŵ det ∂X/∂ξ
 ///
-/// with the weight ŵ on the reference cell and U = (κ/4)(J² − 1 − 2 ln J). A general law needs ten numbers, (∂X/∂ξ)⁻¹
-/// and w. If ∂W/∂F = a F + c cof F, with functions a and c of J (materials/stress_coefficients.h), seven numbers are
-/// sufficient. Because cof F (∂X/∂ξ)⁻ᵀ = cof H / det ∂X/∂ξ, the stress is then
+/// with the stored energy W, the weight ŵ on the reference cell and the stabilising energy
+/// U = (κ/4)(J² − 1 − 2 ln J). For a general law a point stores ten numbers, (∂X/∂ξ)⁻¹ and w. If
+/// ∂W/∂F = a F + c cof F, with functions a and c of J (materials/stress_coefficients.h), seven numbers are sufficient.
+/// Because cof F (∂X/∂ξ)⁻ᵀ = cof H / det ∂X/∂ξ, the stress is then
 ///
 ///   T = −a H G − ŵ (c + (κ/2)(J − 1/J)) cof H,   J = D det H,
 ///   G = w (∂X/∂ξ)⁻¹ (∂X/∂ξ)⁻ᵀ,   D = 1 / det ∂X/∂ξ

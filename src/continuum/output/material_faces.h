@@ -25,7 +25,8 @@ class MaterialFaces {
   static constexpr std::size_t first_length = mechanics::first_length_of_shapes;
 
   std::size_t n_points() const { return n_faces_ * (m_ + 1) * (m_ + 1); }  ///< number on all ranks
-  /// The rows of all points on rank 0, in an order that does not depend on the ranks; empty on other ranks. Collective.
+  /// Returns a row for each lattice point of the faces of all ranks. The order of the rows does not depend on the
+  /// number of ranks. The result is complete on rank 0 and empty on other ranks. Collective.
   std::vector<std::vector<double>> rows(const Vector& position) const;
 
  private:

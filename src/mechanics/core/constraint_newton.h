@@ -1,6 +1,7 @@
 #pragma once
-/// Newton's iteration that satisfies a constraint by reactions. With the residual r = g(q) or r = G(q) v, and x = q or
-/// x = v, the iteration repeats
+/// Newton's iteration that changes q or v by constraint reactions until a constraint holds. The reactions act at the
+/// fixed configuration q₀. For positions, the unknown is x = q, the residual is r = g(q), and q₁ is the present q. For
+/// velocities, the unknown is x = v, the residual is r = G(q) v, and q₁ = q₀ = q. The iteration repeats
 ///
 ///   G(q₁) M⁻¹ G(q₀)ᵀ δ = −r,   x ← x + M⁻¹G(q₀)ᵀ δ,
 ///

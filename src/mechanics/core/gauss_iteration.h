@@ -248,8 +248,9 @@ template <class Vector = StageLanes>
 /// Groups of lanes with the sums that are not those of rounding errors.
 inline constexpr int n_groups_without_low = (velocity_low + native_lanes - 1) / native_lanes;
 
-/// The increments of the step, and the size of the highest Legendre coefficients of the stages' polynomial. The maxima
-/// may pass over numbers that are not finite; then the step has not converged.
+/// Computes s.sums, which contain the increments of q and v in the step. Sets s.tail to the largest Legendre
+/// coefficient of order 6 or 7, divided by the larger of s.scale and `noise`. Sets s.converged to false if an increment
+/// is not finite. The maximum in s.tail cannot show this, because std::max may ignore a NaN.
 template <class Vector = StageLanes>
 [[gnu::noinline]] void finish_stages(GaussStages& s, double noise) {
   const int n = s.n;

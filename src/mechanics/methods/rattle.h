@@ -386,8 +386,9 @@ struct Rattle {
       return w.constraint_tolerance;
   }
 
-  /// Records λ(t_n) = Λ / weight. If consecutive substeps have opposite signs, the weight may be nearly zero. The
-  /// function then does not record a value.
+  /// Divides w.impulse = Λ by `weight` and records the quotient as λ(t). `weight` is the sum of the half steps before
+  /// and after the time t. It may be nearly zero if consecutive substeps have opposite signs. The function then does
+  /// nothing.
   template <ConstrainedSystem S>
   static void record_multiplier(double t, double weight, double h, RattleWorkspace<S>& w) {
     if (std::abs(weight) < 0.1 * std::abs(h)) return;

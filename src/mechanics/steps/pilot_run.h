@@ -24,10 +24,11 @@ struct StepRequest {
   double window = 0;        ///< length w of the pilot runs
   double tolerance = 0;     ///< permitted error of the configuration over [0, T]
   double rattle_limit = 0;  ///< largest stable step of RATTLE (rattle_step_limit); other limits are proportional to it
-  double step_bound = HUGE_VAL;  ///< largest step that the user allows, with all its substeps
-  double interval = HUGE_VAL;    ///< time between samples, a bound for methods with fixed steps
-  bool stiff = false;            ///< the damping would limit the step of all methods except RATTLE
-  bool spare_pilots = false;     ///< forces are costly: the search makes short estimates and does not seek small gains
+  double step_bound = HUGE_VAL;        ///< largest step that the user allows, with all its substeps
+  double interval = HUGE_VAL;          ///< time between samples, a bound for methods with fixed steps
+  bool stiff = false;                  ///< the damping would limit the step of all methods except RATTLE
+  bool spare_pilots = false;           ///< true if forces are costly: the search first tries shorter pilot runs, and
+                                       ///< omits methods that save less than 20 % of the forces of the best one so far
   std::optional<MethodId> method{};    ///< the requested method; empty: the cheapest method
   std::function<bool()> give_up = {};  ///< called after every pilot step; true ends the search
 };
