@@ -104,7 +104,8 @@ TEST(EnergyMomentum, ReturnsWhereItCameFromWhenTimeIsReversed) {
   EXPECT_LT(distance(back, start), 5e-13);
 }
 
-/// Largest hω for which steps of the harmonic oscillator converge; two points on a spring, 2k/m = 1.
+/// A step of the harmonic oscillator converges at the largest hω that a search tries, and does not at 2.1. The system
+/// is two points on a spring with 2k/m = 1.
 TEST(EnergyMomentum, IterationConvergesUpToTheDeclaredLimit) {
   systems::MassPoints::Parameters p;
   p.masses = Eigen::Vector2d(2, 2);

@@ -1,6 +1,6 @@
 #pragma once
 /// The stress at a quadrature point as a function of H = ∂x/∂ξ, and the geometry of the point that this function needs.
-/// A SIMD lane corresponds to a cell. The integrand of the elastic force at the point is
+/// Each SIMD lane has one cell. The integrand of the elastic force at the point is
 ///
 ///   T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ,   F = H (∂X/∂ξ)⁻¹,   J = det F,   w = ŵ det ∂X/∂ξ
 ///

@@ -18,9 +18,12 @@
 ///
 /// - ∇̄F·ΔX = ΔF and 𝒥 is antisymmetric, so ΔF = 0. If g = γ = 0 at both ends, ΔH = 0. K is quadratic, so D does not
 /// contain K.
+///
 /// - A momentum J is bilinear in (q, p), so ΔJ = ∇J(X_m)·ΔX = −h ∇̄F·(𝒥∇J)(X_m). The vector 𝒥∇J(X_m) is tangent to the
 /// orbit. The invariants H, g, γ are constant on the orbit and C is orthogonal to the orbit, so ΔJ = 0.
+///
 /// - The step is symmetric and of order 2: C = O(h²), μ = O(h²).
+///
 /// - D is needed near relative equilibria, which are motions along the orbit with P = 0. X_m lies inside the arc of the
 /// motion, so ∇F(X_m) differs from ∇F on the arc by O(h²). Without D, θP would have to correct this difference, but θP
 /// has no limit as P → 0. The two points of D lie P/2 from the ends. If one group of rotations or translations acts, or
