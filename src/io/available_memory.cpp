@@ -1,6 +1,7 @@
 #include "io/available_memory.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <fstream>
@@ -78,6 +79,13 @@ double available_memory(const fs::path& root) {
       available = std::min(available, left_in_groups(mounts / "memory", path, version_1));
   }
   return available;
+}
+
+double available_addresses() {
+  constexpr double kilobyte = 1024;
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return infinite;
+  return std::max(0., static_cast<double>(limit.rlim_cur) - kilobyte * number_named("/proc/self/status", "VmSize:", 0));
 }
 
 }  // namespace pseudorigid::io

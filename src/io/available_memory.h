@@ -1,5 +1,5 @@
 #pragma once
-/// The memory that this process can still allocate.
+/// The memory and the addresses that this process can still allocate.
 
 #include <filesystem>
 
@@ -10,5 +10,9 @@ namespace pseudorigid::io {
 /// above it, in version 1 or 2 of control groups. Files that the kernel keeps in memory and can drop do not count as
 /// used. The result is infinite if the system does not report these numbers. The folder `root` contains proc and sys.
 double available_memory(const std::filesystem::path& root = "/");
+
+/// The bytes of address space that this process can still map: its limit (ulimit -v) less the addresses in use. The
+/// result is infinite without a limit.
+double available_addresses();
 
 }  // namespace pseudorigid::io

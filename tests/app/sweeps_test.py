@@ -44,7 +44,7 @@ class Sweeps(ReducedTest):
     def test_a_sweep_goes_on_with_the_threads_that_there_are(self):
         self.skip_if_sanitized()
         self.scene({**BALL, "Sweep/Parameters": "mu: 0.5 .. 2 in 1000", "Material/Shear modulus": "$(mu)", "Sweep/Threads": 600})
-        addresses = 1500 * 2**20  # room for some 20 threads
+        addresses = 1500 * 2**20  # room for some ten threads
         limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (addresses, addresses))
         result = self.run_done("run", "scene.prm", "--output", "some", preexec_fn=limit)
         self.assertRegex(result.stderr, r"warning: .*thread")

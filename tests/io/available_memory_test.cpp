@@ -1,6 +1,9 @@
 #include "io/available_memory.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <cmath>
 
 #include "scratch.h"
 
@@ -65,6 +68,25 @@ TEST(AvailableMemory, IsNeverNegative) {
   system.write("sys/fs/cgroup/memory.max", "1000\n");
   system.write("sys/fs/cgroup/memory.current", "5000\n");
   EXPECT_EQ(system.available(), 0);
+}
+
+TEST(AvailableAddresses, AreTheLimitLessTheUsed) {
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_AS, &before), 0);
+  if (before.rlim_cur != RLIM_INFINITY) GTEST_SKIP() << "this shell has a limit already";
+  EXPECT_TRUE(std::isinf(available_addresses()));
+  const auto left_below = [&](rlim_t bytes) {
+    const rlimit limit{bytes, before.rlim_max};
+    EXPECT_EQ(::setrlimit(RLIMIT_AS, &limit), 0);
+    const double left = available_addresses();
+    EXPECT_EQ(::setrlimit(RLIMIT_AS, &before), 0);
+    return left;
+  };
+  constexpr rlim_t limit = rlim_t{1} << 46;  // above the addresses that a sanitizer reserves
+  const double left = left_below(limit);
+  EXPECT_GT(left, 0);
+  EXPECT_LT(left, double(limit));
+  EXPECT_NEAR(left_below(2 * limit) - left, double(limit), 1e7);
 }
 
 }  // namespace

@@ -198,6 +198,14 @@ int n_threads_of(const scene::Scene& scene, int n_runs) {
   return std::clamp(scene.sweep_threads.value_or(n_cores), 1, std::max(1, n_runs));
 }
 
+/// The number of threads for which the addresses suffice: at most n_threads, and at least 1. Memory must not run out,
+/// because Eigen does not survive that: a failed resize leaves a pointer that is freed twice.
+int n_threads_with_addresses(int n_threads) {
+  // A thread maps a stack (8 MiB) and a heap of its own. glibc maps twice the heap's 64 MiB to align it.
+  constexpr double needed = (8 + 2 * 64) * 0x1p20;
+  return static_cast<int>(std::clamp(io::available_addresses() / needed, 1., double(n_threads)));
+}
+
 /// The number of processes for which the memory suffices, if every run has the discretisation of the first run. If this
 /// discretisation has a mesh file or is not known, the number is n_threads.
 int n_processes_of(const scene::Scene& scene, int n_threads) {
@@ -240,6 +248,9 @@ ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, c
   if (context.needs.discretized) {
     n_threads = n_processes_of(context.scene, n_threads);
     in_processes = std::make_unique<TaskInProcesses>(*task, n_threads);
+  } else if (const int n_wanted = std::exchange(n_threads, n_threads_with_addresses(n_threads)); n_threads < n_wanted) {
+    context.log->warn("sweep: {} thread{} in place of {}, because the address space is limited (ulimit -v)", n_threads,
+                      n_threads == 1 ? "" : "s", n_wanted);
   }
   SweepRows rows(context, task->columns(), first, n, shows_progress);
   Workers workers(in_processes ? *in_processes : *task, raw.scene.sweep, end, context, rows);
