@@ -42,7 +42,8 @@ class Watch {
   template <class W>
   Status sample(long k, const State<ElasticBall>& state, const W&) {
     mechanics::ContinuumObservables o;
-    if (Status status = continuum::observe(ball_, state, workspace_, {.multiplier = false}, o); !status) return status;
+    if (Status status = continuum::observe(ball_, state, workspace_, {{.multiplier = false}}, o); !status)
+      return status;
     if (k == 0) first_ = o;
     const auto raise = [](double& largest, double value) { largest = std::max(largest, std::abs(value)); };
     raise(errors.energy, o.energy() / first_.energy() - 1);
