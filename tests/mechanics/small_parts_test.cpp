@@ -6,6 +6,7 @@
 
 #include "mechanics/conservative_systems.h"
 #include "mechanics/core/central_difference.h"
+#include "mechanics/core/small_cholesky.h"
 #include "mechanics/steps/step_size.h"
 #include "support/runs.h"
 
@@ -34,6 +35,41 @@ TEST(CentralDifference, ReportsAFailureOnEitherSide) {
     EXPECT_FALSE(mechanics::central_difference(F, 0.1, derivative));
     EXPECT_TRUE(mechanics::central_difference(F, 0.05, derivative));
   }
+}
+
+template <int n>
+void expect_factor_of_size() {
+  std::srand(n);
+  const Eigen::Matrix<double, n, n> B = Eigen::Matrix<double, n, n>::Random();
+  Eigen::Matrix<double, n, n> g = B * B.transpose();
+  g.diagonal().array() += 0.1;
+  const Eigen::Matrix<double, n, 1> x = Eigen::Matrix<double, n, 1>::Random();
+  const mechanics::SmallCholesky<n> factor(g);
+  ASSERT_TRUE(factor.regular());
+  EXPECT_LT((factor.solve(g * x) - x).norm(), 1e-13) << n;
+  g.col(n - 1).head(n - 1).setConstant(std::nan(""));  // the upper half is not read
+  EXPECT_EQ(mechanics::SmallCholesky<n>(g).solve(x), factor.solve(x));
+}
+
+TEST(SmallCholesky, SolvesWithPositiveMatrices) {
+  expect_factor_of_size<1>();
+  expect_factor_of_size<2>();
+  expect_factor_of_size<4>();
+}
+
+TEST(SmallCholesky, KnowsMatricesThatAreNotPositiveToRoundOff) {
+  const auto regular = [](double a, double b, double c) {
+    return mechanics::SmallCholesky<2>(Eigen::Matrix2d{{a, b}, {b, c}}).regular();
+  };
+  EXPECT_TRUE(regular(2, 1, 1));
+  EXPECT_TRUE(regular(1e-300, 0, 1e-300));
+  EXPECT_TRUE(regular(1, 0, 1e-15));
+  EXPECT_FALSE(regular(1, 0, 1e-16));
+  EXPECT_FALSE(regular(1, 1, 1));
+  EXPECT_FALSE(regular(1, 2, 1));
+  EXPECT_FALSE(regular(-1, 0, 1));
+  EXPECT_FALSE(regular(1, std::nan(""), 1));
+  EXPECT_FALSE(regular(HUGE_VAL, 0, 1));
 }
 
 TEST(MultiplierHistory, GuessesALineFromTheLastTwo) {

@@ -11,11 +11,12 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <cmath>
 #include <concepts>
-#include <limits>
 #include <type_traits>
 
 #include "mechanics/core/automatic_differentiation.h"
+#include "mechanics/core/small_cholesky.h"
 #include "mechanics/core/status.h"
 
 namespace pseudorigid::mechanics {
@@ -122,15 +123,15 @@ ChartVector<C> apply_mass(const C& chart, const ChartVector<C>& q, const ChartVe
 
 /// Sets v = μ⁻¹(p). Fails if p is not finite, or if the metric is singular or not positive to round-off, for example at
 /// a pole of the chart.
-template <class Matrix, class Vector>
-Status apply_inverse_mass(const Matrix& g, const Vector& p, Vector& v) {
-  const Eigen::LLT<Matrix> factor(g);
-  const auto pivots = factor.matrixLLT().diagonal().array().square().eval();
-  const bool regular =
-      factor.info() == Eigen::Success && pivots.minCoeff() > std::numeric_limits<double>::epsilon() * pivots.maxCoeff();
-  if (!regular || !p.allFinite())
-    return Status::failure(regular ? "the force on the chart is not finite"
-                                   : "the metric of the chart is singular or not positive");
+template <int n>
+Status apply_inverse_mass(const Eigen::Matrix<double, n, n>& g, const Eigen::Matrix<double, n, 1>& p,
+                          Eigen::Matrix<double, n, 1>& v) {
+  const SmallCholesky<n> factor(g);
+  bool finite = true;
+  for (int i = 0; i < n; ++i) finite = finite && std::isfinite(p[i]);
+  if (!factor.regular() || !finite)
+    return Status::failure(factor.regular() ? "the force on the chart is not finite"
+                                            : "the metric of the chart is singular or not positive");
   v = factor.solve(p);
   return {};
 }

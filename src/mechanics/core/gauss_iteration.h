@@ -5,8 +5,12 @@
 ///   v_i = v + h Σ_j a_ij a_j,   q_i = q + h c_i v + h² Σ_j (A²)_ij a_j,   a_i ← a(t + c_i h, q_i, v_i).
 ///
 /// For a field of q alone an iteration contracts by O(h²). Each increment δ_k is θ times the one before, and the error
-/// left after it is about θ δ_k. The iteration ends when this error is below the given tolerance or below round-off of
-/// the accelerations. It also ends when increments at the level of round-off no longer fall.
+/// left after it is about θ δ_k. The iteration ends when this error is below the given tolerance or below an eighth of
+/// the round-off of the accelerations. It also ends when increments at the level of round-off no longer fall.
+///
+/// This error is a smooth function of the state, so it adds up over the steps, unlike rounding errors. If no tolerance
+/// is given, the iteration therefore ends only when the error is below round-off / 4096. Over 10⁷ steps that is as much
+/// as random rounding errors.
 ///
 /// A field in lanes is a struct
 ///
@@ -115,7 +119,7 @@ class GaussMonitor {
  public:
   enum Verdict { go_on, done, stuck };
 
-  GaussMonitor(const GaussStages& s, double scale) : tolerance_(s.tolerance) {
+  GaussMonitor(const GaussStages& s, double scale) : tolerance_(s.tolerance), to_round_off_(s.tolerance == 0) {
     double q = 0, v = 0;
     for (int k = 0; k < s.n; ++k) {
       q = std::max(q, std::abs(s.q[k]));
@@ -138,8 +142,8 @@ class GaussMonitor {
     if (first) before_ = twice_before_ = increment;
     // θδ ≤ x as δ² ≤ x δ_before: the verdict would have to wait for a quotient. Near round-off the last factor is that
     // of noise, and the one before it is nearer to the truth.
-    const double unseen = 0.125 * epsilon * scale_;
-    if (increment <= 0.5 * epsilon * scale_ ||
+    const double unseen = (to_round_off_ ? 0x1p-12 : 0.125) * epsilon * scale_;
+    if (increment <= (to_round_off_ ? 0x1p-12 : 0.5) * epsilon * scale_ ||
         increment * std::min(increment, before_) <= std::max(unseen, tolerance_) * before_ ||
         increment * std::min(before_, twice_before_) <= unseen * twice_before_)
       return done;
@@ -154,7 +158,9 @@ class GaussMonitor {
   }
 
  private:
-  double tolerance_, unseen_ = 0, noise_ = 0, scale_ = 0, before_ = 0, twice_before_ = 0;
+  double tolerance_;
+  bool to_round_off_;
+  double unseen_ = 0, noise_ = 0, scale_ = 0, before_ = 0, twice_before_ = 0;
   int n_iterations_ = 0, n_grown_ = 0;
 };
 

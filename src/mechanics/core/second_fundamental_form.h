@@ -8,8 +8,9 @@
 /// with the mass operator μ. The component w^⊥ = w − Dφ (DφᵀM Dφ)⁻¹ DφᵀM w is orthogonal to TN. R equals the reaction
 /// Gᵀλ that the multiplier gives for the same motion.
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
+
+#include "mechanics/core/small_cholesky.h"
 
 namespace pseudorigid::mechanics {
 
@@ -20,7 +21,7 @@ Eigen::Matrix<double, n, 1> reaction_by_second_fundamental_form(const Eigen::Mat
                                                                 const Eigen::Matrix<double, n, 1>& mass,
                                                                 const Eigen::Matrix<double, n, 1>& force) {
   const Eigen::Matrix<double, n, d> covectors = mass.asDiagonal() * tangents;
-  const Eigen::LLT<Eigen::Matrix<double, d, d>> metric(covectors.transpose() * tangents);
+  const SmallCholesky<d> metric(covectors.transpose() * tangents);
   const Eigen::Matrix<double, n, 1> w = second - force.cwiseQuotient(mass);
   return mass.cwiseProduct(w - tangents * metric.solve(covectors.transpose() * w));
 }

@@ -1,0 +1,56 @@
+#pragma once
+/// The factorisation g = LLᵀ of a symmetric, positive matrix of a few rows, and x = g⁻¹b by Ly = b, Lᵀx = y:
+///
+///   d_j = g_jj − Σ_{k<j} L_jk²,   L_jj = √d_j,   L_ij = (g_ij − Σ_{k<j} L_ik L_jk) / L_jj   for i > j
+///
+/// The code consists of plain loops, because Eigen::LLT takes two seconds to compile for each size of a matrix.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pseudorigid::mechanics {
+
+template <int n>
+class SmallCholesky {
+ public:
+  /// Reads the lower half of `g`. If g is not positive, `regular` returns false, and `solve` must not be called.
+  explicit SmallCholesky(const Eigen::Matrix<double, n, n>& g) : L_(g) {
+    double least = HUGE_VAL, greatest = 0;
+    for (int j = 0; j < n; ++j) {
+      double d = L_(j, j);
+      for (int k = 0; k < j; ++k) d -= L_(j, k) * L_(j, k);
+      if (!(d > 0)) return;
+      least = std::min(least, d);
+      greatest = std::max(greatest, d);
+      L_(j, j) = std::sqrt(d);
+      for (int i = j + 1; i < n; ++i) {
+        for (int k = 0; k < j; ++k) L_(i, j) -= L_(i, k) * L_(j, k);
+        L_(i, j) /= L_(j, j);
+      }
+    }
+    regular_ = least > std::numeric_limits<double>::epsilon() * greatest;
+  }
+
+  /// True if all d_j are positive and the least is above round-off of the greatest.
+  bool regular() const { return regular_; }
+
+  Eigen::Matrix<double, n, 1> solve(Eigen::Matrix<double, n, 1> x) const {
+    for (int j = 0; j < n; ++j) {
+      for (int k = 0; k < j; ++k) x[j] -= L_(j, k) * x[k];
+      x[j] /= L_(j, j);
+    }
+    for (int j = n - 1; j >= 0; --j) {
+      for (int i = j + 1; i < n; ++i) x[j] -= L_(i, j) * x[i];
+      x[j] /= L_(j, j);
+    }
+    return x;
+  }
+
+ private:
+  Eigen::Matrix<double, n, n> L_;  // its upper half is that of g
+  bool regular_ = false;
+};
+
+}  // namespace pseudorigid::mechanics
