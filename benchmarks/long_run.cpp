@@ -197,7 +197,7 @@ void run_rigid_body(double end, std::ostream& file) {
   const auto form = rigid_body_form();
   const auto of_euler = euler_form();
   const Problem problem{"rigid_body", momenta_of_rigid_body, reference(of_euler, end, 2)};
-  run<mechanics::Gauss16>(problem, of_euler, end, 4);
+  for (const long steps : {4, 8}) run<mechanics::Gauss16>(problem, of_euler, end, steps);
   run<mechanics::Gauss16>(problem, of_euler, end, 1, &file);
   run<mechanics::Symmetric8>(problem, form, end, 64, &file);
   run<mechanics::Rattle8>(problem, form, end, 12, &file);
