@@ -1,6 +1,7 @@
 #include "app/commands/sweep.h"
 
 #include <fmt/format.h>
+#include <pthread.h>
 
 #include <algorithm>
 #include <atomic>
@@ -201,9 +202,14 @@ int n_threads_of(const scene::Scene& scene, int n_runs) {
 /// The number of threads for which the addresses suffice: at most n_threads, and at least 1. Memory must not run out,
 /// because Eigen does not survive that: a failed resize leaves a pointer that is freed twice.
 int n_threads_with_addresses(int n_threads) {
-  // A thread maps a stack (8 MiB) and a heap of its own. glibc maps twice the heap's 64 MiB to align it.
-  constexpr double needed = (8 + 2 * 64) * 0x1p20;
-  return static_cast<int>(std::clamp(io::available_addresses() / needed, 1., double(n_threads)));
+  std::size_t stack = 0;
+  pthread_attr_t attributes;
+  if (::pthread_attr_init(&attributes) == 0) {  // those of every new thread; the stack follows ulimit -s
+    ::pthread_attr_getstacksize(&attributes, &stack);
+    ::pthread_attr_destroy(&attributes);
+  }
+  constexpr double heap = 2 * 64 * 0x1p20;  // glibc maps twice the 64 MiB of a thread's heap to align it
+  return static_cast<int>(std::clamp(io::available_addresses() / (double(stack) + heap), 1., double(n_threads)));
 }
 
 /// The number of processes for which the memory suffices, if every run has the discretisation of the first run. If this

@@ -45,7 +45,7 @@ struct GaussStages {
   const double* v = nullptr;
   const GaussTables* tables = nullptr;
   const OfStages* last = nullptr;  ///< stages of the last step, which give the guess. If null, `a` is the guess.
-  /// The stages are iterated until the error of the accelerations is below it; if 0, until they no longer change.
+  /// The stages are iterated until the error of the accelerations is below it; if 0, below round-off / 4096.
   double tolerance = 0;
   double outer_h = 0;  ///< length of the step that contains this part
 

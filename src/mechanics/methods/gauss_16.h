@@ -62,7 +62,7 @@ struct Gauss16Workspace {
   double tolerance = coarsest_tolerance;
   static constexpr double coarsest_tolerance = 1e-2;
   int most_halvings = 40;  ///< largest number of halvings of a step. If 0, a step that does not converge fails.
-  /// The stages are iterated until the error of the accelerations is below it; if 0, until they no longer change.
+  /// The stages are iterated until the error of the accelerations is below it; if 0, below round-off / 4096.
   double iteration_tolerance = 0;
   Vector q_rounding, v_rounding;  // rounding errors of q and v
   Vector change;
