@@ -154,7 +154,8 @@ class ProgramTest(unittest.TestCase):
             time.sleep(0.002)
 
     def skip_if_sanitized(self):
-        if b"__asan_init" in self.program.read_bytes():
+        program = self.program.read_bytes()
+        if b"__asan_init" in program or b"__tsan_init" in program:
             self.skipTest("sanitizers need memory and addresses of their own")
 
     # Looking at results.
