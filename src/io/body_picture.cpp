@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -57,10 +58,49 @@ double von_mises(const Matrix3d& stress) {
   return std::sqrt(1.5) * (stress - stress.trace() / 3 * Matrix3d::Identity()).norm();
 }
 
+/// Calls visit(point) for the points of the block faces that have all four corners on the ellipsoid of the reference
+/// surface. Other points of such a face need not be on the ellipsoid, because the face can be a polynomial.
+template <class Visit>
+void for_points_on_surface(const mechanics::PointBlocks& blocks, const std::vector<double>& X,
+                           const Vector3d& semi_axes, Visit&& visit) {
+  constexpr double nearly_one = 1 - 1e-9;
+  const int m = blocks.degree, n = m + 1;
+  for (std::size_t block = 0; block < blocks.n_blocks(); ++block)
+    for (int d = 0; d < 3; ++d)
+      for (const int end : {0, m}) {
+        const auto point = [&](int a, int b) {
+          const std::array<int, 3> at = d == 0   ? std::array{end, a, b}
+                                        : d == 1 ? std::array{b, end, a}
+                                                 : std::array{a, b, end};
+          return blocks.points[block * blocks.points_per_block() + (at[2] * n + at[1]) * n + at[0]];
+        };
+        bool on_surface = true;
+        for (const int a : {0, m})
+          for (const int b : {0, m})
+            on_surface = on_surface && Vector3d::Map(&X[3 * point(a, b)]).cwiseQuotient(semi_axes).norm() > nearly_one;
+        if (!on_surface) continue;
+        for (int a = 0; a < n; ++a)
+          for (int b = 0; b < n; ++b) visit(static_cast<std::size_t>(point(a, b)));
+      }
+}
+
+/// The pressure of the planes at all points.
+std::vector<double> contact_pressure(const mechanics::PointBlocks& blocks, const mechanics::BodyFields& body,
+                                     const PicturedContact& contact) {
+  std::vector<double> pressure(body.n_points(), 0.0);
+  for_points_on_surface(blocks, body.X, contact.semi_axes, [&](std::size_t i) {
+    pressure[i] = 0;
+    for (const loads::Plane& plane : contact.planes)
+      pressure[i] += plane.pressure(Vector3d::Map(&body.x[3 * i]), Vector3d::Map(&body.v[3 * i]));
+  });
+  return pressure;
+}
+
 }  // namespace
 
 UnstructuredGrid body_picture(const mechanics::PointBlocks& blocks, const mechanics::BodyFields& body, double time,
-                              const Units& units, const scene::Fields& wanted, scene::Cells cells) {
+                              const Units& units, const scene::Fields& wanted, scene::Cells cells,
+                              const PicturedContact& contact) {
   const Matrix3d R = rotation_of(body.moment);
   const auto X = [&](std::size_t i) { return Vector3d::Map(&body.X[3 * i]); };
   const auto x = [&](std::size_t i) { return Vector3d::Map(&body.x[3 * i]); };
@@ -88,6 +128,8 @@ UnstructuredGrid body_picture(const mechanics::PointBlocks& blocks, const mechan
     fields.add("cauchy_stress", 9, scaled(body.stress, units.stress()));
     fields.add_scalar("pressure", [&](std::size_t i) { return -units.stress() * stress(i).trace() / 3; });
     fields.add_scalar("von_mises", [&](std::size_t i) { return units.stress() * von_mises(stress(i)); });
+    if (!contact.planes.empty())
+      fields.add("contact_pressure", 1, scaled(contact_pressure(blocks, body, contact), units.stress()));
   }
   if (wanted.deformation) {
     fields.add("deformation_gradient", 9, body.F);

@@ -11,17 +11,29 @@
 ///   cauchy_stress                 σ, nine entries row by row;  pressure −tr σ/3;  von_mises √(3/2) |dev σ|
 ///   deformation_gradient          F, nine entries row by row;  jacobian det F;  principal_stretches σ₁ ≥ σ₂ ≥ σ₃ of F
 ///   energy_density                W per reference volume;  gravity_potential φ per mass, if it is known
+///   contact_pressure              Σ k d (1 + β ḋ) over the rigid planes with d > 0 (loads/plane.h), at points of the
+///                                 surface; 0 inside; only if there are planes
 ///
 /// The picture has three constants of the whole body: TimeValue, center_of_mass x_c and rotation R.
 
+#include <Eigen/Core>
+
 #include "entries/units.h"
 #include "io/vtu.h"
+#include "loads/plane.h"
 #include "mechanics/core/body_fields.h"
 #include "scene/scene.h"
 
 namespace pseudorigid::io {
 
+/// The rigid planes that an ellipsoid can touch, in internal units.
+struct PicturedContact {
+  loads::Planes planes{};
+  Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();  ///< of the reference surface
+};
+
 UnstructuredGrid body_picture(const mechanics::PointBlocks& blocks, const mechanics::BodyFields& body, double time,
-                              const Units& units, const scene::Fields& wanted, scene::Cells cells);
+                              const Units& units, const scene::Fields& wanted, scene::Cells cells,
+                              const PicturedContact& contact = {});
 
 }  // namespace pseudorigid::io

@@ -22,6 +22,11 @@ struct Plane {
   double damping = 0;                                 ///< damping coefficient β
 
   double height(const Eigen::Vector3d& x) const { return normal.dot(x) - position; }
+  /// The pressure p at a point of the surface with the position x and the velocity v.
+  double pressure(const Eigen::Vector3d& x, const Eigen::Vector3d& v) const {
+    const double d = std::max(0.0, -height(x));
+    return stiffness * d * (1 - damping * normal.dot(v));
+  }
   bool operator==(const Plane& other) const {
     return normal == other.normal && position == other.position && stiffness == other.stiffness &&
            damping == other.damping;

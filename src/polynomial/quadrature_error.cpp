@@ -15,8 +15,8 @@ namespace {
 
 using mechanics::detail::PilotRun;
 
-/// Parameters of the window in units r/c. The lowest mode of the ball has the period 2.36.
-constexpr double half_a_pulsation = 1.25, part_of_run = 1.0 / 16;
+/// Least window in units r/c, and as a part of the run. The lowest mode of the ball has the period 2.36.
+constexpr double least_window = 3, part_of_run = 1.0 / 16;
 constexpr double caution = 6;
 constexpr double caution_of_volume = 60;  // if points are added
 constexpr int most_points_more = 8;
@@ -43,8 +43,7 @@ class QuadratureSearch {
 
  private:
   static double window(const QuadratureRequest& request) {
-    return request.adds_points ? request.end
-                               : std::min(request.end, std::max(half_a_pulsation, part_of_run * request.end));
+    return request.adds_points ? request.end : std::min(request.end, std::max(least_window, part_of_run * request.end));
   }
 
   double of_volume(const Body& body) {

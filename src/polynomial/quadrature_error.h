@@ -6,12 +6,13 @@
 ///
 ///   e = 6 max_k |Q(t_k) − Q'(t_k)| (T/w)^(3/2).
 ///
-/// Every rule is exact for affine states, and the body is affine at first. Therefore the window is at least about half
-/// a period of the lowest mode, and at least a sixteenth of the run. After the window, the errors of the phases grow as
-/// t, but inside the window this growth has hardly begun. This explains the power 3/2, as in the pilot runs for a step
-/// (mechanics/steps/step_search.h). If points are added, w = T and the factor for the volume is 60 instead of 6,
-/// because the long steps hide more of the difference. The error was at most 0.75 e in the motions from which the
-/// factors were chosen. docs/theory.md has the motions that test the factors.
+/// Every rule is exact for affine states, and the body is affine at first. Therefore the window is at least 3 r/c,
+/// which is more than a period of the lowest mode, and at least a sixteenth of the run. Shorter runs are covered
+/// completely. After the window, the errors of the phases grow as t, but inside the window this growth has hardly
+/// begun. This explains the power 3/2, as in the pilot runs for a step (mechanics/steps/step_search.h). If points are
+/// added, w = T and the factor for the volume is 60 instead of 6, because the long steps hide more of the difference.
+/// The error was at most 0.75 e in the motions from which the factors were chosen. docs/theory.md has the motions that
+/// test the factors.
 ///
 /// For the volume, the rule of Q' has one point more in each direction of an octant. For self-gravity, the rule of Q'
 /// has two points less on the surface, so that its sums take about a quarter of the time. If the rule of Q has fewer

@@ -263,6 +263,36 @@ TEST(BodyPicture, ShowsWhatTheFieldsOfAnAffineMotionAre) {
   for (int j = 0; j < 9; ++j) EXPECT_NEAR(values(grid.constants, "rotation")[j], R(j / 3, j % 3), 1e-14);
 }
 
+/// Of an ellipsoid whose block faces are slightly off the surface between their corners, as of curved elements.
+TEST(BodyPicture, HasThePressureOfPlanesOnTheSurfaceOnly) {
+  const BallBlocks ball = ball_blocks(2, 1);
+  const Eigen::Vector3d axes(1, 0.9, 1.2);
+  const Eigen::Matrix3d Id = Eigen::Matrix3d::Identity(), H = Eigen::Vector3d(0, 0, 0.5).asDiagonal();
+  mechanics::BodyFields fields = affine_fields(ball, axes.asDiagonal(), H, Id, Eigen::Vector3d::Zero());
+  for (std::size_t i = 0; i < ball.points.size(); ++i) {
+    const bool is_corner = (ball.points[i].cwiseAbs().array() > 1e-12).all();
+    Eigen::Vector3d::Map(&fields.X[3 * i]) = (is_corner ? 1 : 1 - 1e-4) * axes.cwiseProduct(ball.points[i]);
+  }
+  const loads::Plane floor{.position = -0.8, .stiffness = 50, .damping = 2};
+  const loads::Plane roof{.normal = -Eigen::Vector3d::UnitZ(), .position = -1.1, .stiffness = 30};
+  const Units units{.length = 2, .mass = 3, .time = 5};
+  const UnstructuredGrid grid = body_picture(ball.blocks, fields, 0, units, {}, scene::Cells::linear,
+                                             {.planes = {floor, roof}, .semi_axes = axes});
+  const auto field = std::ranges::find(grid.fields, "contact_pressure", &UnstructuredGrid::Field::name);
+  ASSERT_NE(field, grid.fields.end());
+  int n_pressed = 0;
+  for (std::size_t i = 0; i < ball.points.size(); ++i) {
+    const bool is_outside = ball.points[i].norm() > 1 - 1e-12;
+    const double z = 1.2 * ball.points[i][2], rate = -0.5 * ball.points[i][2];  // of the penetration
+    const double expected = z < -0.8 ? 50 * (-0.8 - z) * (1 + 2 * rate) : z > 1.1 ? 30 * (z - 1.1) : 0;
+    EXPECT_NEAR(field->values[i], is_outside ? units.stress() * expected : 0, 1e-12) << i;
+    n_pressed += is_outside && expected > 0;
+  }
+  EXPECT_GT(n_pressed, 2);
+  const UnstructuredGrid free = body_picture(ball.blocks, fields, 0, units, {}, scene::Cells::linear);
+  EXPECT_EQ(std::ranges::find(free.fields, "contact_pressure", &UnstructuredGrid::Field::name), free.fields.end());
+}
+
 TEST(BodyPicture, HoldsTheGroupsOfFieldsThatAreAskedFor) {
   const BallBlocks ball = ball_blocks(1, 1);
   const Eigen::Matrix3d Id = Eigen::Matrix3d::Identity();

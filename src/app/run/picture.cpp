@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/ranks/on_all_ranks.h"
+#include "app/run/scene_to_model.h"
 #include "io/body_picture.h"
 
 namespace pseudorigid::app {
@@ -24,8 +25,11 @@ void write_pieces(const RunContext& context, std::filesystem::path path, const i
 
 void write_picture(const RunContext& context, const std::filesystem::path& path, double time,
                    const mechanics::PointBlocks& blocks, const mechanics::BodyFields& fields) {
-  const auto& output = context.scene.output;
-  const io::UnstructuredGrid grid = io::body_picture(blocks, fields, time, context.units, output.fields, output.cells);
+  const scene::Scene& scene = context.scene;
+  const io::PicturedContact contact{loads::constant_forcing(internal_loads(scene)).planes,
+                                    to_eigen(scene.body.semi_axes)};
+  const io::UnstructuredGrid grid =
+      io::body_picture(blocks, fields, time, context.units, scene.output.fields, scene.output.cells, contact);
   on_all_ranks(*context.ranks, [&] { write_pieces(context, path, grid); });
 }
 
