@@ -1,5 +1,5 @@
 #pragma once
-/// Summary of the run of one model: its frequency, its deformation and the drifts of its conserved quantities.
+/// Summary of the run of one model: the frequency, the deformation and the drifts of the conserved quantities.
 
 #include <Eigen/Core>
 #include <initializer_list>
@@ -30,9 +30,9 @@ struct ModelSummary {
   ErrorBar frequency_error;      ///< error of the dominant line (frequency_error.h)
   std::optional<double> load{};  ///< angular frequency of the load that causes the dominant line; empty if no load does
   double departure = 0;          ///< max_t |Q − Q(0)|
-  double strain_amplitude = 0;   ///< √2 rms_t |C − C̄|, C̄ the mean over time
-  bool turns = false;            ///< whether Q changes
-  bool deforms = false;          ///< whether C changes
+  double strain_amplitude = 0;   ///< √2 rms_t |C − C̄|, with the mean C̄ over time
+  bool turns = false;            ///< true if Q changes
+  bool deforms = false;          ///< true if C changes
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
   double energy_bound = 0;  ///< largest change of the energy without a warning, relative to the reference value
   std::optional<double> energy_beyond_since{};  ///< first time at which the energy has changed by more than this bound
@@ -43,7 +43,7 @@ struct Deformation {
   std::vector<Eigen::Matrix3d> Q, C;
   Eigen::Matrix3d C_mean = Eigen::Matrix3d::Zero();
 
-  /// Reads Q from the table, which must have its columns. Sets the departure, the strain amplitude, `turns` and
+  /// Reads Q from the table, which must have the columns of Q. Sets the departure, the strain amplitude, `turns` and
   /// `deforms` of the summary. Relative variations of Q or C below `resolution` do not count as a motion.
   Deformation(const io::Table& table, double resolution, ModelSummary& summary);
 
@@ -58,8 +58,8 @@ FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<
 
 /// Reference value for the energies of one or more models. It is the larger of max_t (kinetic + elastic) and the
 /// largest dissipated energy, unless this value is round-off. The value is round-off if it is less than 1e-12 of the
-/// gravitational and external energies, or less than 1e-24 of the unit of energy `unit`. In this case, the reference is
-/// the largest of the gravitational and external energies, or `unit` if these are zero.
+/// gravitational and external energies. It is also round-off if it is less than 1e-24 of the unit of energy `unit`. In
+/// these cases, the reference is the largest of the gravitational and external energies, or `unit` if these are zero.
 double energy_reference(std::initializer_list<const io::Table*> models, double unit);
 
 /// Sets the drift of the energy relative to the reference value, its bound, and the first time beyond the bound. Let
@@ -77,9 +77,10 @@ inline constexpr double round_off_drift = 1e-13;
 /// The text of a drift, for example "3.2e-07", or "round-off".
 std::string drift_in_words(double drift);
 
-/// Reference value for angular momenta or circulations: their largest norm. If this norm is round-off, the reference is
-/// m̄|Q||Q̇| at the sample with the largest |Q̇|, with m̄ from K = ½m̄|Q̇|². This product bounds both norms at that
-/// sample up to a factor √2. If the table lacks the columns of Q, Q̇ or K, the reference is the largest norm.
+/// Reference value for angular momenta or circulations: the largest norm of `momenta`. If this norm is round-off, the
+/// reference is the product m̄|Q||Q̇| at the sample with the largest |Q̇|. Here m̄ follows from the kinetic energy
+/// K = ½m̄|Q̇|². The product bounds both norms at that sample up to a factor √2. If the table lacks the columns of Q,
+/// Q̇ or K, the reference is the largest norm.
 double momentum_reference(const io::Table& table, const std::vector<Eigen::Vector3d>& momenta);
 
 /// The body spins if |J|/m̄ or |Z|/m̄ exceeds this fraction of |Q||Q̇|. Here J is the angular momentum, Z the
@@ -106,9 +107,11 @@ struct MotionSummary {
 
 /// Data from the scene that the summary of a run needs.
 struct SceneFacts {
-  double resolution = 1e-10;               ///< relative accuracy of Q and C; smaller variations are not a motion
-  double energy_unit = 0;                  ///< unit of energy of the scene
-  std::optional<double> tolerance{};       ///< relative error of Q if the step follows from it
+  double resolution = 1e-10;  ///< relative accuracy of Q and C; smaller variations are not a motion
+  double energy_unit = 0;     ///< unit of energy of the scene
+  /// Tolerance of the relative error of Q from which the program chose the step. It is empty if the scene gives the
+  /// step.
+  std::optional<double> tolerance{};
   std::vector<double> load_frequencies{};  ///< angular frequencies of loads that depend on time
 };
 

@@ -17,8 +17,8 @@ inline const Columns Q_columns{"Q11", "Q12", "Q13", "Q21", "Q22", "Q23", "Q31", 
 inline const Columns Qdot_columns{"Qdot11", "Qdot12", "Qdot13", "Qdot21", "Qdot22",
                                   "Qdot23", "Qdot31", "Qdot32", "Qdot33"};
 
-/// Reads columns of a table, which must have samples. Returns an Eigen object for each sample. Its entries are the
-/// values of the columns, row by row.
+/// Reads columns of a table, which must have samples. Returns an Eigen object for each sample. The entries of the
+/// object are the values of the columns, row by row.
 template <class Value>
 std::vector<Value> read(const io::Table& table, const Columns& names) {
   std::vector<Value> samples(table.n_rows());
@@ -31,7 +31,7 @@ std::vector<Value> read(const io::Table& table, const Columns& names) {
   return samples;
 }
 
-/// Returns the values of f at the samples of one or more lists of the same length.
+/// Returns f(a[n], b[n], …) for each index n of one or more lists a, b, … of the same length.
 template <class F, class First, class... Rest>
 std::vector<double> each(F f, const std::vector<First>& first, const std::vector<Rest>&... rest) {
   std::vector<double> values(first.size());
@@ -64,7 +64,7 @@ inline double weighted_mean(const std::vector<double>& values, const std::vector
   return ratio_or_zero(sum, total);
 }
 
-/// The largest difference from the first value, divided by the reference. It is 0 if all values are equal.
+/// The largest difference of a value from the first value, divided by the reference. It is 0 if all values are equal.
 inline double drift(const std::vector<double>& values, double reference) {
   return ratio_or_zero(largest(each([&](double v) { return v - values[0]; }, values)), reference);
 }

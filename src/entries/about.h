@@ -7,7 +7,7 @@
 
 namespace pseudorigid::scene {
 
-/// Path ("Section/Entry"), unit, and documentation in full sentences, of one entry.
+/// The path ("Section/Entry"), the unit and the documentation of an entry.
 struct About {
   std::string_view path;
   Unit unit;

@@ -1,15 +1,17 @@
 #pragma once
 /// Contact of a polynomial body with rigid planes (loads/plane.h), by quadrature on the unit sphere of ξ. An octant of
-/// the sphere has n_points points in each direction, and the weights w are areas of the sphere. With the stiffness k of
-/// a plane n·x = z₀, and the positions x with the coefficients q_a,
+/// the sphere has n_points points in each direction, and the weights w are areas of the sphere. A plane n·x = z₀ has
+/// the stiffness k, and the position x has the coefficients q_a. With sums over the points with d > 0,
 ///
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ q_a φ_a,   −∂V/∂q_a = Σ w k d n φ_a.
 ///
 /// A body of degree 1 has the closed form of the pseudo-rigid body (loads/ellipsoid_contact.h). For higher degrees, the
 /// sum converges to this form on affine motions as n_points increases. The force is not computed if a lower bound of
-/// n·x shows that the body does not reach any plane. With the affine part c + A X of x (X = S ξ), the bound is
+/// n·x shows that the body does not reach any plane. With X = S ξ and the affine part c + A X of x, the bound is
 ///
-///   n·x ≥ n·c − |SAᵀn| − Σ_a |n·q_a| max|φ_a|,   a over the functions of degree 2 and higher.
+///   n·x ≥ n·c − |SAᵀn| − Σ_ia |n_i q_ia| max|φ_a|,   a over the functions of degree 2 and higher,
+///
+/// with the components n_i of n and q_ia of q_a. The maximum is over the quadrature points.
 
 #include <Eigen/Core>
 #include <memory>
@@ -35,8 +37,8 @@ class BodyContact {
   void add_force_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
   /// f ← f + damping force; returns the power that this force dissipates.
   double add_damping(const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& f) const;
-  /// f ← f − ∂/∂u of ½k∮|u|² for a displacement u. This is the force of springs with the stiffness k of all planes
-  /// together, which hold every point of the surface.
+  /// f ← f − ∂/∂u of ½k∮|u|² for a displacement u, with k = Planes::stiffness_of_all(). This is the force of springs
+  /// that hold every point of the surface.
   void add_holding_force(const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
 
  private:
@@ -49,7 +51,7 @@ class BodyContact {
   Field positions(const Eigen::VectorXd& q) const;
   Eigen::Vector3d at(const Field& field, std::size_t place) const;
   void add_at(Field& field, std::size_t place, const Eigen::Vector3d& value) const;
-  /// The contacts of the computed sector, one for each plane.
+  /// The contacts of the computed sector at the positions x of its points, one contact for each plane.
   std::vector<loads::PlaneContact> of_points(const Field& x) const;
   loads::EllipsoidContact affine_contact(const loads::Plane& plane, const Eigen::VectorXd& q) const;
   void spread(Field& by_point, Eigen::VectorXd& f) const;

@@ -7,8 +7,8 @@
 ///
 ///   Ê(q) = Ê_h(x) + E_A(A) − Ê_h(A X),   E_A(A) = V_g(A S) (det A)^{1/3},
 ///
-/// with the affine part A of x (polynomial_space.h). Like Ê, E_A does not change under dilations. For degree 1, only
-/// E_A remains, and no sums are computed. The force is the exact derivative of Ê(q).
+/// with the affine part A of x and X = S ξ (polynomial_space.h). Like Ê, E_A does not change under dilations. For
+/// degree 1, only E_A remains, and no sums are computed. The force is the exact derivative of Ê(q).
 
 #include <Eigen/Core>
 #include <array>

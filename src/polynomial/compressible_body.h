@@ -1,5 +1,5 @@
 #pragma once
-/// The compressible polynomial body, q̈ = f without constraint. For degree 1 it is the pseudo-rigid body on GL⁺(3).
+/// The compressible polynomial body, q̈ = f without a constraint. For degree 1 it is the pseudo-rigid body on GL⁺(3).
 
 #include "mechanics/core/unconstrained.h"
 #include "polynomial/polynomial_body.h"

@@ -1,11 +1,11 @@
 #pragma once
-/// The constraint of incompressible polynomial bodies and its derivatives. With the basis ψ_b of the pressures, the
-/// basis φ_a of the positions, the deformation gradient F and J = det F, they are
+/// The constraint of incompressible polynomial bodies and its derivatives. The pressures have the basis ψ_b, and the
+/// positions have the basis φ_a. With the unit vectors e_i, the deformation gradient F and J = det F, the formulas are
 ///
 ///   g_b(q) = ∫ψ_b ln J dX,   (G v)_b = ∫ψ_b F⁻ᵀ:∇v dX,   D²g_b(v, v) = −∫ψ_b tr((F⁻¹∇v)²) dX,
 ///   (Gᵀλ)_ia = ∫λ F⁻ᵀ:∇(φ_a e_i) dX,   rate of Gᵀλ along v: −∫λ F⁻ᵀ∇vᵀF⁻ᵀ:∇(φ_a e_i) dX.
 ///
-/// Vectors may have further entries after the unknowns of the space. The functions do not change the further entries.
+/// Vectors may have further entries after the unknowns of the space. The functions do not change these entries.
 
 #include <Eigen/Core>
 
@@ -14,7 +14,7 @@
 
 namespace pseudorigid::polynomial {
 
-/// Computes g and returns the least det F at the quadrature points. If this value is not positive, g is not valid.
+/// Computes g and returns the least det F at the quadrature points. If the least det F is not positive, g is not valid.
 double constraint(const PolynomialSpace& space, const Eigen::VectorXd& q, Eigen::VectorXd& g);
 void constraint_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                      Eigen::VectorXd& r);

@@ -40,7 +40,7 @@ static_assert(point_block % n_lanes == 0);
   return {{{A(0, 0), A(1, 0), A(2, 0)}, {A(0, 1), A(1, 1), A(2, 1)}, {A(0, 2), A(1, 2), A(2, 2)}}};
 }
 
-/// Computes n_vectors SIMD vectors of y = Σ_a c_a T_a, from the entry `first` on.
+/// Computes n_vectors SIMD vectors of y = Σ_a c_a T_a, from the entry `first` on. T_a is row a of the table.
 template <int n_vectors>
 [[gnu::always_inline]] inline void combine_block(const double* table, int n, int length, const double* c, double* y,
                                                  int first) {
@@ -108,8 +108,8 @@ void multiply_rows(const Product& of, int row) {
   for (; column < of.width; column += n_lanes) multiply_block<n_rows, 1>(of, row, column);
 }
 
-/// Number of rows that are computed at a time. Each row has sums in two vectors, which must fit into the registers: 32
-/// with AVX-512, otherwise 16.
+/// Number of rows that are computed at a time. Each row has sums in two vectors. These sums must fit into the
+/// registers, which are 32 with AVX-512 and otherwise 16.
 constexpr int max_rows = n_lanes == 8 ? 8 : 4;
 
 template <int n_rows = max_rows>
@@ -239,7 +239,8 @@ void terms_of_fields(const double* D, int n_radii, int n_directions, int width, 
   });
 }
 
-/// C ← A R in groups of rows of nearly the same size.
+/// Computes C ← A R, or C ← C + A R if `add` is true. The rows are divided into groups of at most `max_rows` rows. The
+/// sizes of the groups differ by at most one.
 void multiply(const double* A, int stride, int m, const double* R, int n_points, int width, double* C, bool add) {
   const Product of{A, stride, R, n_points, width, C, add};
   for (int n_parts = (m + max_rows - 1) / max_rows, row = 0; n_parts > 0; --n_parts) {

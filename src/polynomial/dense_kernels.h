@@ -17,22 +17,23 @@ struct EnergySums {
 };
 
 struct DenseKernels {
-  /// A table has n rows of `length` numbers, one row for each function. `length` is a multiple of `point_block`.
+  /// A table T has n rows of `length` numbers, one row T_a for each function a. `length` is a multiple of
+  /// `point_block`.
 
   /// y_e = Σ_a c_a T_ae
   void (*combine)(const double* table, int n, int length, const double* c, double* y);
   /// c_a ← c_a + Σ_e T_ae y_e
   void (*contract)(const double* table, int n, int length, const double* y, double* c);
 
-  /// Sums over radial functions (point_tables.h) with level k and radius j, for n groups g at once. n is a multiple of
-  /// `point_block`.
+  /// Sums over radial functions A_kjg (point_tables.h) with level k and radius j, for n groups g at once. n is a
+  /// multiple of `point_block`.
 
   /// u_jg = Σ_k A_kjg c_kg
   void (*combine_radially)(const double* A, int n_levels, int n_radii, int n, const double* c, double* u);
   /// c_kg ← c_kg + Σ_j A_kjg u_jg
   void (*contract_radially)(const double* A, int n_levels, int n_radii, int n, const double* u, double* c);
 
-  /// Fields y_f at the points (radius j, direction s) from the terms z_t of point_tables.h:
+  /// Fields y_f at the points (radius j, direction s) from the terms z_t, the derivatives along e_r, e_θ and e_φ:
   ///   y_f[j n_directions + s] = Σ_t D_ft(s) z_t[j width + s].
   /// Each direction s has a 3 × 3 matrix, whose entries D_ft(s) are stored at (3f + t) width + s.
   void (*fields_of_terms)(const double* D, int n_radii, int n_directions, int width, const double* z, double* const* y);
@@ -42,15 +43,15 @@ struct DenseKernels {
   /// C ← A R, or C ← C + A R if `add` is true. The matrices are row-major: A (m × n_points, with rows of `stride`
   /// numbers), R (n_points × width) and C (m × width). `width` is a multiple of `point_block`.
   void (*multiply)(const double* A, int stride, int m, const double* R, int n_points, int width, double* C, bool add);
-  /// R_pa = Σ_k A_kp T_kpa. T (3 × n_points × width) is row-major, so that the functions of a point are contiguous.
+  /// R_pa = Σ_k A_kp T_kpa. T (3 × n_points × width) is row-major, so that the functions a of a point p are contiguous.
   /// Each A_k has n_points numbers.
   void (*combine_at_points)(const double* A0, const double* A1, const double* A2, const double* T, int n_points,
                             int width, double* R);
 
   /// In the following functions, the entry (i, j) of a 3×3 tensor at point p of n points is stored at (3i + j) n + p.
 
-  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/4)(J² − 1 − ln J²). Returns the least
-  /// value of det F and of the law's reserve (materials/law_limits.h) at the points.
+  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/4)(J² − 1 − ln J²). Returns the smallest
+  /// value of det F and of the reserve of the law (materials/law_limits.h) at the points.
   double (*stress)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, double* T);
   /// T ← w DP(F)[H] + w D²U(F)[H]
   void (*stress_rate)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F,
@@ -58,7 +59,7 @@ struct DenseKernels {
   /// Returns Σ w W(F) and Σ w U(J), with the stored energy W of the law.
   EnergySums (*energy)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F);
 
-  /// y ← w ln det F; returns the least det F. If this value is not positive, y is not valid.
+  /// y ← w ln det F; returns the least det F. If the least det F is not positive, y is not valid.
   double (*log_jacobian)(int n, const double* w, const double* F, double* y);
   /// J ← det F; returns the least det F.
   double (*jacobian)(int n, const double* F, double* J);
@@ -76,14 +77,14 @@ struct DenseKernels {
   double (*add_viscous_stress)(int n, const double* w, double eta, const double* F, const double* A, const double* B,
                                double* T);
 
-  /// A Walsh–Hadamard transform over the mirror images of points. `slots` has one slot of `length` numbers for each
-  /// subset of the reflections. Each slot y_m is replaced by a sum with signs, y_m = Σ_c (−1)^{|m & c|} x_c, with the
-  /// bit sets m and c of subsets and the old slots x_c.
+  /// A Walsh–Hadamard transform over the mirror images of points. `slots` has one slot of `length` numbers for each set
+  /// of reflections. The bits of the index of a slot are the reflections of the set. The slot y_m becomes the sum Σ_c
+  /// (−1)^{|m & c|} x_c of the old slots x_c, with the number |m & c| of common bits.
   void (*transform_images)(double* slots, int n_images, int length);
 };
 
-/// One table of functions for each instruction set, the fastest first. A source file that CMake generates defines this
-/// function.
+/// One table of functions for each instruction set, the fastest first. A source file that CMake generates defines
+/// `builds_of_dense_kernels`.
 std::span<const mechanics::KernelBuild<DenseKernels>> builds_of_dense_kernels();
 /// The kernels that this process uses. Throws mechanics::NoKernels if none can run.
 const DenseKernels& dense();

@@ -5,9 +5,10 @@
 ///
 /// P is the stress of the law without volumetric stabilisation and viscosity, and λ is the multiplier of the motion (0
 /// without constraint). With self-gravity, φ is the potential, and the constant φ̄ follows from ρφ̄V = (5/3)Ê with the
-/// volume V. The term with φ removes the gauge of Ê from the pressure (gravity/surface_gravity.h), and is 0 without
-/// self-gravity. Polynomials do not depend on the computed sector, so the points may be anywhere in the body. All
-/// quantities are in internal units.
+/// volume V. The force of Ê acts on the surface, and gravity acts in the interior (gravity/surface_gravity.h).
+/// Therefore λ contains ρ(φ − φ̄) in addition to the Kirchhoff pressure. Without self-gravity, this term is 0. The
+/// points may be anywhere in the body, because polynomials do not depend on the computed sector. All quantities are in
+/// internal units.
 
 #include <Eigen/Core>
 #include <vector>
@@ -22,7 +23,8 @@ class FieldsAtPoints {
   /// `points` are points ξ of the unit ball, X = S ξ.
   FieldsAtPoints(const PolynomialSpace& space, const std::vector<Eigen::Vector3d>& points);
 
-  /// Sets `fields`. `lambda` is empty for a body without constraint. Fails if det F ≤ 0 at a point.
+  /// Sets `fields` to the fields at the points. `lambda` is empty for a body without constraint. Fails if det F ≤ 0 at
+  /// a point.
   mechanics::Status fields(const PolynomialBody& body, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                            const Eigen::VectorXd& lambda, mechanics::BodyFields& fields) const;
 

@@ -3,12 +3,13 @@
 ///
 ///   S(q₁, q₀) λ = r,   S = G(q₁) G(q₀)ᵀ,   G_b,ia(q) = ∫ψ_b F⁻ᵀ:∇(φ_a e_i) dX     (the mass is the identity)
 ///
-/// S is small and dense. The Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an earlier position q_f is the preconditioner of
-/// conjugate residuals (mechanics/core/conjugate_residuals.h) for S. Products with S are computed without a matrix.
+/// S is small and dense. The systems are solved by conjugate residuals (mechanics/core/conjugate_residuals.h). The
+/// preconditioner is the Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an earlier position q_f. Products with S are
+/// computed without a matrix.
 ///
 /// S_f is computed at the present position and factored again in two cases. In the first case, an iteration does not
-/// converge. In the second case, the iterations that a new factor could have saved have cost as much as a
-/// factorisation. Therefore the cost is at most twice the optimum.
+/// converge. In the second case, the iterations that a new factor could have saved have cost more than a factorisation.
+/// Therefore the cost is at most about twice the optimum.
 
 #include <Eigen/Cholesky>
 #include <array>
@@ -28,7 +29,7 @@ class GramMatrix {
 
   /// G(q), with a row for each pressure function and a column for each entry of q.
   Eigen::MatrixXd constraint_matrix(const Eigen::VectorXd& q) const;
-  /// Sets the lower triangle of S to the triangle of S(q, q). The other entries are 0.
+  /// Sets the lower triangle of S to the lower triangle of S(q, q), and the other entries to 0.
   void at(const Eigen::VectorXd& q, Eigen::MatrixXd& S) const;
 
  private:
@@ -45,7 +46,7 @@ class GramSolver {
   explicit GramSolver(const PolynomialSpace& space);
 
   /// Computes λ with |r − Sλ| ≤ max(10⁻⁴ |r|, `enough`) in the Euclidean norm. Fails if the iteration does not converge
-  /// with a factor at q₀, because S is then almost singular.
+  /// with a factor at q₀. S is then almost singular.
   mechanics::SolveReport solve(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0, const Eigen::VectorXd& r,
                                double enough, Eigen::VectorXd& lambda);
 
@@ -70,7 +71,7 @@ class GramSolver {
 
   const PolynomialSpace* space_;
   GramMatrix matrix_;
-  Eigen::VectorXd position_;     ///< position at which S_f is (or will be) factored
+  Eigen::VectorXd position_;     ///< position at which S_f is, or will be, factored
   bool is_known_ = false;        ///< true if position_ is set
   double spent_ = 0;             ///< cost of iterations since the factorisation
   Eigen::VectorXd factored_at_;  ///< position at which factor_ was computed; empty if there is no factor
@@ -81,7 +82,7 @@ class GramSolver {
   long n_factorizations_ = 0;
 };
 
-/// G(q), with a row for each pressure function and a column for each unknown.
+/// G(q), with a row for each pressure function and a column for each entry of q.
 Eigen::MatrixXd constraint_matrix(const PolynomialSpace& space, const Eigen::VectorXd& q);
 
 }  // namespace pseudorigid::polynomial

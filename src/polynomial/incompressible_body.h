@@ -3,9 +3,9 @@
 ///
 ///   q̈ = f + Gᵀλ,   g_b(q) = ∫ψ_b ln J dX = 0,   ψ_b ∈ P_{N−1}               (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// The constraint balances a pressure on the surface, so such a pressure is not a force of this system. The multiplier
-/// λ = Σλ_bψ_b is the Kirchhoff pressure Jp, with the pressure p. The divergence maps (P_N)³ onto P_{N−1}. Therefore
-/// small motions have zero divergence at every point.
+/// with the basis ψ_b of the multipliers, J = det F and G = Dg. The multiplier λ = Σλ_bψ_b is the Kirchhoff pressure
+/// Jp, with the pressure p of the body. The constraint balances a pressure on the surface, so this load is not a force
+/// of the system. The divergence maps (P_N)³ onto P_{N−1}. Therefore small motions have zero divergence at every point.
 
 #include <cmath>
 
@@ -21,8 +21,8 @@ class IncompressibleBody : public PolynomialBody {
   using Multiplier = Eigen::VectorXd;
   struct Workspace {
     GramSolver gram;
-    /// Residual that is sufficient for the caller of solve_gram. The caller bounds the maximum norm, and the solver
-    /// compares the larger Euclidean norm. If 0, the solver uses its default.
+    /// Euclidean norm of the residual that is sufficient for the caller of solve_gram. The caller bounds the maximum
+    /// norm, which is at most the Euclidean norm. If 0, the solver uses its default.
     double residual_sought = 0;
     const Vector* held_at = nullptr;  ///< see PolynomialBody::applied_force
 
@@ -58,7 +58,7 @@ class IncompressibleBody : public PolynomialBody {
                                     Multiplier& lambda) const {
     return workspace.gram.solve(q1, q0, r, workspace.residual_sought, lambda);
   }
-  /// |g|_∞ and |Gv|_∞ count as zero up to this value, a few units of round-off of the sums over the points.
+  /// |g|_∞ and |Gv|_∞ count as zero up to this value. It is a few units of round-off of the sums over the points.
   double constraint_tolerance() const { return 1e-15 * multiplier_scale(); }
   /// |g|_∞ / multiplier_scale() is a bound for the absolute value of the mean of ln J.
   double multiplier_scale() const { return std::sqrt(space().volume()); }
@@ -66,8 +66,9 @@ class IncompressibleBody : public PolynomialBody {
   Multiplier make_multiplier() const { return Multiplier::Zero(space().n_pressures()); }
   Workspace make_workspace() const { return {GramSolver(space()), 0}; }
 
-  /// (1/m̄) ∫p dV of the pressure p, with m̄ = tr E₀/3. With self-gravity, the contribution of the gauge of Ê is
-  /// subtracted from ∫λ dV, as in the finite-element model (gravity/surface_gravity.h).
+  /// (1/m̄) ∫p dV of the pressure p, with m̄ = tr E₀/3. With self-gravity, λ contains ρ(φ − φ̄) in addition to the
+  /// Kirchhoff pressure (fields.h). The integral Ê/3 of this term is subtracted from ∫λ dX, as in the finite-element
+  /// model.
   double mean_multiplier(const Vector& q, const Multiplier& lambda) const {
     const double of_gravity = gravity() ? gravity()->energy(q) / 3 : 0;
     const int constant = space().pressure_place(0);

@@ -1,6 +1,7 @@
 #pragma once
-/// Love numbers (gravity/love_numbers.h) of a polynomial ball. The tide V = Y_nm does the work f·w = ρ∮V (w·n) dS on a
-/// displacement w. The static response u solves K u = f on ker G (rest_problem.h), and
+/// Love numbers (gravity/love_numbers.h) of a polynomial ball with the density ρ and the gravity g at its surface. The
+/// tide V = Y_nm does the work f·w = ρ∮V (w·n) dS on a displacement w, with the outward normal n. The static response u
+/// solves K u = f on ker G (rest_problem.h), and
 ///
 ///   h_n = g ∮(u·n) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS.
 ///

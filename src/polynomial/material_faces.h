@@ -5,8 +5,8 @@
 ///   surface, three patches per octant: ξ = p/|p|,  p = (1, tan πs/4, tan πt/4) and its cyclic permutations
 ///   plane, an inner and an outer patch per quarter: ξ = r (cos πs/2, sin πs/2),  r = t/2 and (1 + t)/2
 ///
-/// with s, t = 0, 1/m, …, 1. There is one row for each point of the computed sector. The rest of the body follows by
-/// reflection. All positions are in internal units.
+/// with s, t = 0, 1/m, …, 1 and the matrix S of the semi-axes. Each point of the computed sector has one row. The rest
+/// of the body follows by reflection. All positions are in internal units.
 
 #include <Eigen/Core>
 #include <array>
@@ -33,7 +33,7 @@ class MaterialFaces {
     std::vector<Jet> functions;
   };
   void add_octant(const Eigen::Vector3d& signs);
-  /// `at` is a function of s and t that returns ξ in the octant of positive coordinates.
+  /// `at` is a function of s and t that returns the point ξ in the octant of positive coordinates.
   template <class Place>
   void add_patch(int plane, const Eigen::Vector3d& signs, const Place& at);
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The parity of a motion of the whole ball. Bit i is set if the motion is odd under the reflection of axis i. The
-/// component u_j then has the parity of the motion with bit j changed, and the constraints have the parity of the
-/// motion. At a state with the symmetry of an octant, the stiffness maps motions of each of the eight parities to
+/// component u_j of a motion then has the parity of the motion with bit j changed. The constraints have the parity of
+/// the motion. At a state with the symmetry of an octant, the stiffness maps motions of each of the eight parities to
 /// motions of the same parity.
 
 #include <Eigen/Core>
@@ -31,7 +31,7 @@ inline std::array<std::vector<int>, n_parities> pressures_by_parity(const Polyno
 }
 
 /// The matrix K with K u = −`force_rate(u)`, symmetrised. Each call of force_rate is for a sum of motions, one of each
-/// parity. Because the image of a motion has the same parity, the images of these motions can be separated.
+/// parity. The image of each motion has the parity of the motion. Therefore the images can be separated.
 template <class ForceRate>
 Eigen::MatrixXd stiffness_by_parity(const PolynomialSpace& space, const ForceRate& force_rate) {
   const auto places = unknowns_by_parity(space);

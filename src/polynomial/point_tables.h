@@ -1,15 +1,17 @@
 #pragma once
 /// Evaluation of sums of ball polynomials at the points of a sector, and the transposed map.
 ///
-/// The sector is the part of the ball between the symmetry planes of the motion, which are coordinate planes. Its
-/// points are the points of one octant and their images R_m ξ under reflections at the other coordinate planes, the
-/// free planes. At an image, a function of parity c has (−1)^{c·m} times its value at the point, with c·m the number of
-/// common bits. Therefore the functions of each parity are summed at the points of the octant. A transform of these
-/// sums over the parities gives all images (transform_images of dense_kernels.h). Without symmetry planes, this method
-/// needs an eighth of the work and memory of direct sums.
+/// The sector is the part of the ball between the symmetry planes of the motion, which are coordinate planes. The other
+/// coordinate planes are the free planes. The points of the sector are the points of one octant and their images R_m ξ.
+/// R_m contains the reflections at the free planes whose bits are set in m. At the image, a function of parity c has
+/// (−1)^{c·m} times its value at the point, with c·m the number of common bits. Therefore the functions of each parity
+/// are summed at the points of the octant. A transform of these sums over the parities gives all images
+/// (transform_images of dense_kernels.h). Without symmetry planes, this method needs an eighth of the work and memory
+/// of direct sums.
 ///
 /// The points of the octant are r_j ω_s, and φ_nlm = R_nl(r) Y_lm(ω). Therefore the sums over n are computed first, at
-/// the radii, and then the sums over l and m, in the directions (sum factorisation; Orszag 1980). With e_r = ω,
+/// the radii, and then the sums over l and m, in the directions (sum factorisation; Orszag 1980). With the coefficients
+/// c_nlm, the semi-axes s_k and e_r = ω,
 ///
 ///   u_lm(r) = Σ_n c_nlm R_nl(r),   x = Σ_lm u_lm Y_lm,
 ///   ∇_ξ x = Σ_lm u′_lm Y_lm e_r + (u_lm/r)(∂_θY_lm e_θ + ∂_φY_lm e_φ/sin θ),   ∂x/∂X_k = ∂x/∂ξ_k / s_k.
@@ -17,11 +19,12 @@
 /// For few functions at few points, direct sums with tables of the functions at the points are cheaper.
 ///
 /// The sums for gradients omit the linear functions, because their gradients are constant. The affine part is the
-/// largest part of F, so F then has fewer rounding errors. For a body of degree 1, F has no rounding errors.
+/// largest part of F, so F then has fewer rounding errors. For a body of degree 1, each entry of F has only the
+/// rounding error of one product.
 ///
 /// A field is a function, or its derivative along a direction that is reflected with the point (e_r, e_θ, e_φ). The
-/// derivative ∂/∂ξ_k has an additional change of sign at an image under a reflection of ξ_k. The signs of this
-/// derivative at the images are therefore the signs of another parity, which differs in the bits of `shift`.
+/// derivative ∂/∂ξ_k has an additional change of sign at an image under a reflection of ξ_k. The signs of ∂/∂ξ_k at the
+/// images are therefore the signs of another parity, which differs in the bits of `shift`.
 
 #include <Eigen/Core>
 #include <array>
@@ -45,11 +48,11 @@ struct Block {
   int n() const { return static_cast<int>(functions.size()); }
 };
 
-/// The fields that a table has for each function. `value` is the function, and `gradient` has its derivatives ∂/∂X_k.
-/// `surface` has the function and its derivatives along e_θ and e_φ of the surface.
+/// The fields that a table has for each function. `value` is the function itself. `gradient` has the derivatives
+/// ∂/∂X_k. `surface` has the function and its derivatives along e_θ and e_φ on the surface.
 enum class Fields { value, gradient, surface };
 
-/// The points r_j ω_s of the octant, at j n_directions + s. Copies of the last point fill the last block of points.
+/// The points r_j ω_s of the octant, with the index j n_directions + s. Copies of the last point fill the last block.
 struct PointGrid {
   std::vector<double> radii;
   std::vector<SurfacePoint> directions;
@@ -76,9 +79,10 @@ class PointTables {
   /// Number of multiplications for one evaluation of a block.
   double n_multiplications(const Block& block) const;
 
-  /// Computes y from the coefficients c of the blocks. Field f of component i is stored at (i n_fields + f) n_points.
+  /// Computes y from the coefficients c of the blocks. Field f of component i is stored from (i n_fields + f) n_points
+  /// on.
   void evaluate(const std::vector<Block>& blocks, int n_components, const double* c, double* y) const;
-  /// c ← c + the transposed map applied to y. Overwrites y.
+  /// c ← c + the result of the transposed map for y. Overwrites y.
   void add_transposed(const std::vector<Block>& blocks, int n_components, double* y, double* c) const;
   /// Field number `field` of one function of a block at the points of the octant. The result has stride() entries.
   std::vector<double> row(const Block& block, int function, int field) const;
@@ -92,8 +96,7 @@ class PointTables {
     std::array<std::vector<double>, 3> from_directions;  ///< [direction][group]
     int n_groups = 0, n_filled = 0, n_levels = 0;
     std::array<std::vector<double>, 3> rows;  ///< [field]: [function][point]; empty if direct sums are not cheaper
-    int linear = -1,
-        linear_field = 0;  ///< indices of the linear function and of its gradient component that is not zero
+    int linear = -1, linear_field = 0;  ///< indices of the linear function and of the nonzero component of its gradient
     double linear_gradient = 0;
 
     std::size_t size() const { return static_cast<std::size_t>(n_levels) * n_filled; }
@@ -106,7 +109,8 @@ class PointTables {
                   Factors& factors) const;
   void set_angular(const Groups& groups, const PointGrid& grid, Factors& factors) const;
   void set_frames(const Eigen::Vector3d& semi_axes, const PointGrid& grid);
-  /// Index in Factors::radial for a term: 1 for R/r, which the gradient needs along e_θ and e_φ, otherwise 0.
+  /// Index in Factors::radial for a term. It is 1 for the terms with R/r, which the gradient has along e_θ and e_φ,
+  /// otherwise 0.
   int radial_of(int term) const { return fields_ == Fields::gradient && term > 0 ? 1 : 0; }
   bool is_constant() const { return fields_ == Fields::gradient && degree_ == 1; }
   void evaluate_octant(const Factors& factors, const double* c, double* const* y) const;

@@ -4,19 +4,20 @@
 ///   x = Σ q_ia φ_a(X) e_i,   q̈ = −∂V/∂q + loads   [+ Gᵀλ,   g_b = ∫ψ_b ln J dX = 0,   incompressible_body.h]
 ///   V(q) = ∫W(F) + U(J) dX + Ê + V_e,   F = ∂x/∂X
 ///
-/// This is the generalized Newton law (Oliva 5.3–5.4) for the coefficients of an orthonormal basis, so that the mass is
-/// the identity (polynomial_space.h). The body of degree N = 1 is the pseudo-rigid body, and the limit N → ∞ is the
-/// continuum. W is the stored energy and Ê the energy of self-gravity (body_gravity.h). U is the volumetric
-/// stabilisation (κ/4)(J² − 1 − ln J²), by default 0. The loads of loads/forcing.h have the energies V_e or forces
+/// This is the generalized Newton law (Oliva 5.3–5.4) for the coefficients q_ia of an orthonormal basis φ_a, with the
+/// unit vectors e_i. The mass is therefore the identity (polynomial_space.h). The body of degree N = 1 is the
+/// pseudo-rigid body, and the limit N → ∞ is the continuum. W is the stored energy, J = det F, and Ê is the energy of
+/// self-gravity (body_gravity.h). U is the volumetric stabilisation (κ/4)(J² − 1 − ln J²), by default 0. The loads have
+/// the following energies V_e or forces, in the notation of loads/forcing.h:
 ///
 ///   quadratic potential      V = ½ T:∫ρ x xᵀ            uniform acceleration     V = −b·∫ρ x
 ///   nominal traction         V = −P̄:∫F                  pressure                 V = p ∫J
 ///   viscosity                −∫2ηJ d F⁻ᵀ:∇φ             drag                     −c q̇
 ///   rigid planes             body_contact.h
 ///
-/// With dissipation or loads that depend on time, the body has two further coordinates s and s'. Here s̈ is the
-/// dissipated power, and s̈' is the power that loads give by their change in time. Therefore the velocities ṡ and ṡ'
-/// are the dissipated and the given energy.
+/// With dissipation or loads that depend on time, the body has two further coordinates s and s'. Their accelerations s̈
+/// and s̈' are the dissipated power and the power that loads give by their change in time. Therefore the velocities ṡ
+/// and ṡ' are the dissipated and the given energy.
 ///
 /// All integrals are over the whole body, in internal units.
 
@@ -72,22 +73,22 @@ class PolynomialBody {
   /// The total potential energy at t = 0. It is infinite if q is not an admissible deformation.
   double potential_energy(const Vector& q) const;
   PotentialEnergies potential_energies(double t, const Vector& q) const;
-  /// Number of axes whose rotations do not change the symmetry planes. It is 0 if a load depends on direction or on
-  /// time.
+  /// Number of axes whose rotations do not change the symmetry planes. It is 0 if a load depends on direction or time.
   int n_symmetries() const { return static_cast<int>(turns_.size()); }
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
 
-  /// f ← f + viscous force, damping force of contacts and drag, which are linear in v
+  /// f ← f + viscous force, damping force of contacts and drag. These forces are linear in v
   /// (mechanics/core/linear_damping.h).
   void add_damping(const Vector& q, const Vector& v, Vector& f) const;
-  /// f ← f + rate of the conservative forces along u. The result does not include loads that depend on time.
+  /// f ← f + rate of the conservative forces along u. The result does not include the forces of loads that depend on
+  /// time.
   void add_force_rate(const Vector& q, const Vector& u, Vector& f) const;
 
   const PolynomialSpace& space() const { return *space_; }
   const materials::AnyLaw& law() const { return law_; }
   /// The self-gravity, or null if there is none.
   const BodyGravity* gravity() const { return gravity_.get(); }
-  /// Contact with rigid planes at q, empty if there are none.
+  /// The contact with rigid planes at q. It is empty if there are no planes.
   loads::Contact contact(const Vector& q) const { return contact_ ? contact_->contact(q) : loads::Contact{}; }
   double volumetric_stiffness() const { return volumetric_stiffness_; }
   const loads::Forcing& constant_forcing() const { return constant_; }
@@ -98,11 +99,12 @@ class PolynomialBody {
   double dissipated(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns()] : 0; }
   double given(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns() + 1] : 0; }
 
-  /// Returns a failure with reason and place if q is not an admissible deformation of this body.
+  /// Returns a failure with its reason if q is not an admissible deformation of this body. If det F ≤ 0, the reason
+  /// contains the place.
   mechanics::Status admissible(const Vector& q) const;
   /// The least det F over the quadrature points as text, such as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
   std::string least_jacobian_in_words(const Vector& q) const;
-  /// The least value of a function of F over the quadrature points.
+  /// The least value of a function of F over the quadrature points, or NaN if the function is NaN at a point.
   double least(const Vector& q, const std::function<double(const Eigen::Matrix3d& F)>& value) const;
 
  protected:

@@ -1,16 +1,16 @@
 #pragma once
-/// The spaces of a polynomial body of degree N on a reference ball or ellipsoid X = S ξ, with S = diag(s) and ξ in the
-/// unit ball:
+/// The spaces of a polynomial body of degree N. The reference body is a ball or an ellipsoid X = S ξ, with S = diag(s)
+/// and ξ in the unit ball:
 ///
 ///   x_i(X) = Σ_a q_ia φ_a(X) ∈ P_N,    ∫ρ φ_a φ_b dX = δ_ab     (the mass is the identity)
 ///   λ(X) = Σ_b λ_b ψ_b(X) ∈ P_{N−1},   ∫ψ_a ψ_b dX = δ_ab
 ///
 /// φ_a and ψ_b are the functions of ball_polynomials.h, divided by √det S. If the coordinate plane ξ_i = 0 is a
-/// symmetry plane of the motion, x_i is odd in ξ_i, and the other components and λ are even in ξ_i. The spaces then
+/// symmetry plane of the motion, x_i is odd in ξ_i. The other components and λ are then even in ξ_i, and the spaces
 /// omit all other functions. All integrals are over the whole body.
 ///
 /// The coefficients of a position are ordered by component and then by parity. All quantities are in internal units,
-/// ρ = 1.
+/// with ρ = 1.
 
 #include <Eigen/Core>
 #include <array>
@@ -27,7 +27,7 @@ using PointValues = Eigen::MatrixX3d;
 class PolynomialSpace {
  public:
   /// `degree` is 1 … 13. `reflect` contains the symmetry planes ξ_i = 0 of the motion. `n_points` is the number q of
-  /// quadrature points in each direction of an octant, by default least_points(degree).
+  /// quadrature points in each direction of an octant. If `n_points` is empty, q is least_points(degree).
   PolynomialSpace(int degree, const std::array<bool, 3>& reflect,
                   const Eigen::Vector3d& semi_axes = Eigen::Vector3d::Ones(), std::optional<int> n_points = {});
   /// ⌈(N + 3)/2⌉ points per direction. Integrals of polynomials of degree 2N + 3 are then exact (octant_quadrature.h).
@@ -40,7 +40,7 @@ class PolynomialSpace {
   const Eigen::Vector3d& semi_axes() const { return semi_axes_; }
   /// Number of mirror images of the computed sector in the body: 1 for the whole body, 8 for an octant.
   int n_mirrors() const { return 8 / n_images_; }
-  /// Number of images of the octant in the computed sector.
+  /// Number of images of the octant in the computed sector, including the octant itself.
   int n_images() const { return n_images_; }
 
   int n_functions() const { return static_cast<int>(functions_.size()); }
@@ -67,17 +67,19 @@ class PolynomialSpace {
 
   /// Sets the coefficients of x = c + A X. Entries of A and c that do not have the symmetry of the sector are omitted.
   void set_affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c, Eigen::Ref<Eigen::VectorXd> x) const;
-  /// The affine motion nearest to x in the mean square: A = (∫ρ x Xᵀ) E₀⁻¹ and c = (∫ρx)/M, with the mass M.
+  /// The affine motion c + A X that is nearest to x in the mean square. With the mass M, A = (∫ρ x Xᵀ) E₀⁻¹ and c =
+  /// (∫ρx)/M.
   Eigen::Matrix3d affine_part(const Eigen::Ref<const Eigen::VectorXd>& x) const;
   Eigen::Vector3d mean(const Eigen::Ref<const Eigen::VectorXd>& x) const;
-  /// ∫ρ a bᵀ for two fields.
+  /// ∫ρ a bᵀ for two fields a and b.
   Eigen::Matrix3d moment(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& b) const;
   /// f ← f + the force ∫P∇φ dX of the uniform stress P: f_ia = Σ_k P_ik ∫∂φ_a/∂X_k dX.
   void add_uniform_stress(const Eigen::Matrix3d& P, Eigen::Ref<Eigen::VectorXd> f) const;
 
-  /// Index of the coefficient of a function of ball_polynomials(degree) in a component; −1 if there is none.
+  /// Index of the coefficient of a function of ball_polynomials(degree) in a component; −1 if the space omits the
+  /// function.
   int place(int component, int function) const { return places_[component][function]; }
-  /// Index of the coefficient of a pressure function; −1 if there is none.
+  /// Index of the coefficient of a pressure function; −1 if the space omits the function.
   int pressure_place(int function) const { return pressure_places_.front()[function]; }
   /// Values and gradients with respect to X of all φ_a at X = S ξ.
   std::vector<Jet> functions_at(const std::array<double, 3>& xi) const;
@@ -86,8 +88,8 @@ class PolynomialSpace {
   Eigen::Matrix3d gradient(const std::vector<Jet>& functions, const Eigen::Ref<const Eigen::VectorXd>& x) const;
   /// The field x at the quadrature points.
   PointValues values_at_points(const Eigen::Ref<const Eigen::VectorXd>& x) const;
-  /// Tables of the position and of its derivatives along e_θ and e_φ (with respect to ξ) at the surface points of the
-  /// octant, with q points in each direction.
+  /// Tables of the position and of its derivatives along e_θ and e_φ, with respect to ξ. The points are the surface
+  /// points of the octant, q in each direction.
   PointTables surface_tables(int q) const;
   /// Tables of the position alone at the surface points of the octant.
   PointTables surface_values(int q) const;

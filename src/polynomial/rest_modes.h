@@ -3,13 +3,14 @@
 ///
 ///   K u = ω² u on ker G     (rest_problem.h).
 ///
-/// This is a problem for each of the eight parities, on an orthonormal basis of ker G without the six rigid motions.
-/// All other frequencies of the body are found, also the frequencies of unstable motions.
+/// Each of the eight parities has such a problem. It is solved on an orthonormal basis of the motions in ker G that are
+/// orthogonal to the six rigid motions. The result has all other frequencies of the body, also those of unstable
+/// motions.
 ///
-/// The kind and the degree n of a mode are computed from its shape. P_N is invariant under rotations. The operator −Σ_e
-/// J_e² of the joint rotations J_e (turns.h) has the eigenvalues n(n + 1), and divides the motions of a parity by
-/// degree. The degree of a mode is the degree with the largest share. A mode is spheroidal if u(−X) = (−1)^(n+1) u(X),
-/// and otherwise toroidal.
+/// The kind and the degree n of a mode are computed from its shape. P_N is invariant under rotations. With the joint
+/// rotations J_e (turns.h), the operator −Σ_e J_e² has the eigenvalues n(n + 1). Its eigenvectors divide the motions of
+/// a parity by degree. The degree of a mode is the degree with the largest share in the mode. A mode is spheroidal if
+/// u(−X) = (−1)^(n+1) u(X), and otherwise toroidal.
 
 #include <vector>
 
@@ -25,7 +26,7 @@ struct RestFrequency {
   bool spheroidal;
   int degree;
   int overtone;           ///< 0 for the lowest frequency of this kind and degree
-  double share;           ///< share of the degree in a mode, least over the modes
+  double share;           ///< share of the degree in a mode, the least over the modes
   Eigen::VectorXd shape;  ///< coefficients of one of the modes on the whole body, of norm 1
 };
 

@@ -1,14 +1,16 @@
 #pragma once
-/// The linear problem of small displacements u of a polynomial ball about rest,
+/// The linear problem of small displacements u of a polynomial ball about rest. It has dense matrices of the whole
+/// ball, separated by parity (parity_parts.h). The displacements are in ker G, and the stiffness is
 ///
-///   K u,   K = D²V − Σ_b λ_b D²g_b   at x = X with the multiplier λ at rest,   on ker G,
+///   K = D²V − Σ_b λ_b D²g_b   at x = X, with the multiplier λ at rest.
 ///
-/// as dense matrices of the whole ball, separated by parity (parity_parts.h).
+/// The self-gravity of this problem is exact. Its second variation at rest is
 ///
-/// The self-gravity of this problem is exact. Its second variation at rest is ρg Σ (1 − 3/(2n + 1)) |∮(u·n) Y_nm dS|²,
-/// g = (4/3)πGρr (continuum/modes/parity_sector.h). This problem does not use the quadrature of gravity during a motion
-/// (body_gravity.h). If γ = ρgr/μ is large, the error of that quadrature in the highest harmonics exceeds the elastic
-/// stiffness. This error mixed kinds of modes from γ = 400 on for N = 3, and from 4000 on for N = 8.
+///   ρg Σ_nm (1 − 3/(2n + 1)) (∮(u·n) Y_nm dS)²,   n ≥ 1,   g = (4/3)πGρr     (continuum/modes/parity_sector.h).
+///
+/// This problem does not use the quadrature of gravity during a motion (body_gravity.h). If γ = ρgr/μ is large, the
+/// error of that quadrature in the highest harmonics exceeds the elastic stiffness. This error mixed kinds of modes
+/// from γ = 400 on for N = 3, and from 4000 on for N = 8.
 
 #include <Eigen/Core>
 #include <array>
@@ -23,7 +25,7 @@ namespace pseudorigid::polynomial {
 
 struct RestProblem {
   Eigen::MatrixXd stiffness;  ///< K with self-gravity
-  Eigen::MatrixXd excluded;   ///< rows that are 0 on the motions of the problem: G and the rigid motions
+  Eigen::MatrixXd excluded;   ///< rows whose products with the motions of the problem are 0: G and the rigid motions
   /// Indices of the unknowns, and of the rows of `excluded`, for each parity.
   std::array<std::vector<int>, n_parities> unknowns, rows;
 
@@ -41,8 +43,8 @@ struct SurfaceRows {
 /// The rows for n ≤ max_degree.
 SurfaceRows surface_rows(const PolynomialSpace& space, int max_degree);
 
-/// Sets `problem`. `body` is a ball without symmetry planes and without self-gravity. The argument `gravity_constant`
-/// adds the self-gravity. Fails if the body is not in equilibrium at rest.
+/// Sets `problem`. `body` is a ball without symmetry planes and without self-gravity. `gravity_constant` is Newton's
+/// constant of the self-gravity that the function adds. Fails if the body is not in equilibrium at rest.
 mechanics::Status make_rest_problem(const IncompressibleBody& body, const Turns& turns, double gravity_constant,
                                     RestProblem& problem);
 mechanics::Status make_rest_problem(const CompressibleBody& body, const Turns& turns, double gravity_constant,

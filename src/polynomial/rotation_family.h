@@ -1,9 +1,9 @@
 #pragma once
-/// A family of steady rotations (steady_rotation.h) over a range of its parameter, with the stability of its members
-/// (rotation_spectrum.h) and its special points (mechanics/equilibria/special_points.h). At a fold, the spin has an
-/// extremum. At an index point, the energy at fixed momenta gains or loses a negative direction in a class of motions.
-/// A branch may start there, and dissipation may destabilise. At an instability, a growth rate begins or ends in a
-/// class of motions.
+/// A family of steady rotations (steady_rotation.h) over a range of its parameter. The family includes the stability of
+/// its members (rotation_spectrum.h) and the special points (mechanics/equilibria/special_points.h). At a fold, the
+/// spin has an extremum. At an index point, the energy at fixed momenta gains or loses a negative direction in a class
+/// of motions. A branch may start at an index point, and dissipation may make the figure unstable. At an instability, a
+/// growth rate in a class of motions appears or disappears.
 ///
 /// Each member is found by continuation from the nearest known member. The first spheroid is found from the ball at
 /// rest, and the first ellipsoid from a figure that the caller provides.
@@ -37,7 +37,7 @@ struct NoRotation {
 
 struct RotationFamily {
   std::vector<RotationMember> members;
-  std::vector<SpecialRotation> special;  ///< by ascending parameter between any two members
+  std::vector<SpecialRotation> special;  ///< between two members in ascending order of the parameter
   std::vector<NoRotation> missing;
 };
 
@@ -50,7 +50,7 @@ struct NearbyFigure {
 struct FamilyOfRotations {
   Figure figure;
   std::function<FigureCondition(double parameter)> condition;
-  /// Sets a figure near the figure with this parameter. The function is required for families of ellipsoids.
+  /// Sets `nearby` to a figure near the figure with this parameter. Families of ellipsoids require the function.
   std::function<mechanics::Status(double parameter, NearbyFigure& nearby)> nearby{};
 };
 
@@ -58,9 +58,10 @@ class RotationFinder {
  public:
   RotationFinder(const BodySetup& setup, bool incompressible, FamilyOfRotations family);
 
-  /// The family with these parameters. `give_up` is called before each figure; true ends the family.
+  /// Finds the members with these parameters. `give_up` is called before each figure. If it returns true, the family
+  /// ends.
   RotationFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {});
-  /// Finds the member with one parameter. Fails if there is none.
+  /// Finds the member with this parameter. Fails if there is none.
   mechanics::Status member(double parameter, RotationMember& member);
 
   const RotationSpectrum& spectrum() const { return spectrum_; }

@@ -2,18 +2,21 @@
 /// Small motions about a figure that rotates steadily about axis 3 (steady_rotation.h), in the frame that rotates with
 /// the figure:
 ///
-///   ü + 2Ω ê₃×u̇ + Ku = 0 on ker G,   K = D²V − Ω²P − Σ_b λ_b D²g_b      (mechanics/equilibria/linear_stability.h)
+///   ü + 2Ω ê₃×u̇ + Ku = 0 on ker G,   K = D²V − Ω²P − Σ_b λ_b D²g_b
 ///
-/// with the projection P of steady_rotation.h. The motions are those of the whole body, without symmetry. They belong
-/// to classes that are not coupled. A class is even or odd under the reflection of axis 3, and even or odd under the
-/// half turn about axis 3. On a spheroid, the classes also have an azimuthal number m, with cylindrical components
-/// u ~ e^{imφ}. Each class is a dense eigenvalue problem. Together the classes give all rates of the body.
+/// with the potential V, the constraints g_b, their multipliers λ_b, G = Dg, and the projection P of steady_rotation.h.
+/// The rates are computed by mechanics/equilibria/linear_stability.h. The motions are those of the whole body, without
+/// symmetry. They belong to classes that are not coupled. A class is even or odd under the reflection of axis 3, and
+/// even or odd under the half turn about axis 3. On a spheroid, the classes also have an azimuthal number m, with
+/// cylindrical components u ~ e^{imφ}. Each class is a dense eigenvalue problem. Together the classes give the rates of
+/// all motions except the following.
 ///
 /// Some motions are removed together with their momenta, because they give no information on the figure. These are
-/// uniform motions, the rotations of space (J), and the rotations of the reference ball (Z). Rotations of the ball do
-/// not change exact integrals, but change quadrature sums by the error of the quadrature. For a fluid, all motions A
-/// w(X) that only exchange matter within the figure are also removed: div w = 0 in the ball and w·X = 0 on its surface.
-/// The momenta of these motions are the circulations (Kelvin), so the remaining motions have fixed circulations.
+/// uniform motions, the rotations of space, and the rotations of the reference ball. The momenta of the rotations are J
+/// and Z. Rotations of the ball do not change exact integrals, but change quadrature sums by the error of the
+/// quadrature. For a fluid, all motions A w(X) that only exchange matter within the figure are also removed. Here A is
+/// the affine part of the figure, div w = 0 in the ball, and w·X = 0 on its surface. The momenta of these motions are
+/// the circulations (Kelvin), so the remaining motions have fixed circulations.
 ///
 /// K maps motions of each of the eight parities to the same parity. Therefore one call of the force rate gives a column
 /// for each parity.
@@ -43,7 +46,7 @@ class RotationSpectrum {
   RotationSpectrum(const BodySetup& setup, bool incompressible, Figure figure);
 
   const PolynomialSpace& space() const { return body_->space(); }
-  /// Coefficients for the whole body. x contains the coefficients for the octant.
+  /// Coefficients of x for the whole body. The argument x contains the coefficients for the octant.
   Eigen::VectorXd whole(const Eigen::VectorXd& x) const;
 
   /// Computes the stability of all classes. The order of the classes is the same for every figure.

@@ -1,6 +1,6 @@
 #pragma once
-/// Arrays for the duration of a function. Later calls use the memory of the arrays again, so that a step of a small
-/// body does not allocate memory.
+/// Arrays for the duration of a function. Later calls use the memory of the arrays again. A step of a small body
+/// therefore does not allocate memory.
 
 #include <cstddef>
 #include <new>
@@ -9,7 +9,8 @@
 
 namespace pseudorigid::polynomial {
 
-/// An array of n numbers with undefined values. Arrays must be destroyed in the reverse order of their construction.
+/// An array of n numbers with undefined values. If arrays are destroyed in the reverse order of their construction, the
+/// same function finds arrays of the right size at the next call.
 class ScratchArray {
  public:
   explicit ScratchArray(std::size_t n) {

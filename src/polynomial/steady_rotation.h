@@ -3,24 +3,25 @@
 ///
 ///   r = f(x) + Ω²Px + Gᵀλ = 0,   g(x) = 0,      P the projection onto the plane normal to axis 3
 ///
-/// without λ and g for a compressible body. f contains all forces without the reactions. The equations are solved in
-/// the octant, whose symmetry planes exclude rotations of space and of the ball. A spheroid is sought among motions
-/// with rotational symmetry about axis 3,
+/// without λ and g for a compressible body. f contains all forces without the reactions, and G = Dg. The equations are
+/// solved in the octant, whose symmetry planes exclude rotations of space and of the ball. A spheroid is sought among
+/// motions with rotational symmetry about axis 3,
 ///
 ///   x = Σ u_nl (φ_nl1 e₁ + φ_nl,−1 e₂) + Σ w_nl φ_nl0 e₃.
 ///
 /// Within these motions the equations are not singular at a bifurcation to other figures. Quadrature by midpoints in
 /// the longitude keeps the symmetry, so a solution satisfies all equations. A figure of the family is determined by its
-/// spin Ω, or by the ratio of two axes of its mass moment with unknown Ω². The equations are solved by Newton's
-/// iteration with dense matrices and exact derivatives.
+/// spin Ω, or by the ratio of two axes of its mass moment. In the second case Ω² is an unknown. The equations are
+/// solved by Newton's iteration with dense matrices and exact derivatives.
 ///
 /// The equations of a fluid do not determine x, because a fluid does not resist motions that only exchange matter
-/// within its surface. However, a fluid ellipsoid is an exact figure for every degree (Dirichlet, Riemann). Therefore x
-/// is sought among affine motions, with the pressure p_c(1 − |X|²). The remaining r is due to the quadrature of
-/// gravity. For N − 1 < 2, r is also due to λ, which cannot represent this pressure.
+/// within its surface. However, a fluid ellipsoid is an exact figure for every degree N (Dirichlet, Riemann). Therefore
+/// x is sought among affine motions. The pressure is then p_c(1 − |X|²), with the pressure p_c at the centre. The
+/// remaining r is due to the quadrature of gravity. For N − 1 < 2, r is also due to λ, which cannot represent this
+/// pressure.
 ///
 /// The equations include the volumetric stabilisation, like the equations of motion. The stabilisation has no effect on
-/// an affine figure, or on small motions about such a figure, because div u = 0 at every point. Therefore the
+/// an affine figure, or on small motions u about such a figure, because div u = 0 at every point. Therefore the
 /// stabilisation has no effect on a fluid. A soft elastic body under its own gravity needs the stabilisation. If its
 /// figure is not affine, the second variation of the pressure term can be positive or negative.
 
@@ -57,9 +58,9 @@ class SteadyRotations {
   /// Moves `rotation` to the figure near it that satisfies the condition. Fails if Newton's iteration does not
   /// converge.
   mechanics::Status solve(const FigureCondition& condition, SteadyRotation& rotation) const;
-  /// Moves `rotation`, a known figure with the parameter `from`, along the family to the figure with `condition`.  The
-  /// steps are as long as possible such that Newton's iteration stays close to its prediction. Fails if the family ends
-  /// or turns back before `condition`.
+  /// Moves `rotation`, a known figure with the parameter `from`, along the family to the figure with `condition`. A
+  /// step is halved if Newton's iteration fails or does not stay close to the prediction. After a step that succeeds,
+  /// the next step is doubled up to a bound. Fails if the family ends or turns back before `condition`.
   mechanics::Status follow(double from, const FigureCondition& condition, SteadyRotation& rotation) const;
   /// Derivative of Ω² with respect to the parameter along the family.
   double slope(const FigureCondition& condition, const SteadyRotation& rotation) const;
@@ -76,8 +77,8 @@ class SteadyRotations {
                               Equations& result) const;
   Eigen::MatrixXd tangent_matrix(const SteadyRotation& rotation) const;
   void add_condition(const FigureCondition& condition, const SteadyRotation& rotation, Equations& result) const;
-  /// Derivatives of (y, μ, Ω²) with respect to the parameter, with x = U y and λ = V μ. They are NaN if the force
-  /// fails.
+  /// Derivatives of (y, μ, Ω²) with respect to the parameter, with x = U y and λ = V μ. The derivatives are NaN if the
+  /// force fails.
   Eigen::VectorXd tangent(const FigureCondition& condition, const SteadyRotation& rotation) const;
   void add(double factor, const Eigen::VectorXd& step, SteadyRotation& rotation) const;
   mechanics::Status newton(const FigureCondition& condition, SteadyRotation& rotation) const;
@@ -91,7 +92,7 @@ class SteadyRotations {
 /// `setup` with only the loads that a steady rotation can have: gravity, and the pressure on a compressible body.
 BodySetup conservative_setup(BodySetup setup, bool incompressible);
 
-/// The coefficients of Px for any sector: the third component is set to 0.
+/// The coefficients of Px for any sector. The third component of Px is 0.
 Eigen::VectorXd across_axis_3(const PolynomialSpace& space, Eigen::VectorXd x);
 
 }  // namespace pseudorigid::polynomial

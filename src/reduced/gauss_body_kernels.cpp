@@ -15,7 +15,7 @@ using mechanics::detail::in_all_lanes;
 using mechanics::detail::load_lanes;
 using mechanics::detail::root_of_lanes;
 
-/// The nine entries from p on.
+/// The matrix of the nine entries from p on, which are ordered by columns.
 [[gnu::always_inline]] inline Tensor matrix(const StageLanes* p) {
   return {{{p[0], p[3], p[6]}, {p[1], p[4], p[7]}, {p[2], p[5], p[8]}}};
 }
@@ -51,7 +51,7 @@ template <class Function>
   return entry_by_entry([&](StageLanes a, StageLanes b) { return a + s * b; }, A, B);
 }
 
-/// A function that is positive if the law and J admit Q.
+/// Returns numbers that are positive in the lanes in which the law and J admit Q.
 template <class Law>
 [[gnu::always_inline]] inline StageLanes reserve_of(const Law& law, const Tensor& Q, StageLanes J) {
   if constexpr (materials::is_limited<Law>)
@@ -60,8 +60,8 @@ template <class Law>
     return J;
 }
 
-/// Nothing but the stored energy of a law, and E₀ = m̄ Id: Q̈ = −(Vol/m̄) P + Λ Q⁻ᵀ/m̄. Of a stress P = αQ + β cof Q on
-/// SL(3) the second part falls out, and with C = cof Q
+/// The field Q̈ = −(Vol/m̄) P + Λ Q⁻ᵀ/m̄ of a body with the stress P, without loads and with E₀ = m̄ Id. Some laws
+/// have a stress of the form αQ + β cof Q. Then β has no effect on SL(3), and with C = cof Q
 ///
 ///   Q̈ = sC − (Vol/m̄) αQ,   s = [tr((CᵀQ̇)²) + 3 (Vol/m̄) α J²] / (J C:C).
 template <class Law, bool incompressible>
@@ -93,7 +93,7 @@ struct ElasticField {
   }
 };
 
-/// The law of a body as a function of its own, so that each law is compiled once and not once for each field.
+/// A separate function for the stress of a law. Each law is then compiled once, and not once for each field.
 using Stress = StageLanes (*)(const materials::AnyLaw& law, const Tensor& Q, StageLanes J, Tensor& P);
 template <class Law>
 StageLanes stress_of(const materials::AnyLaw& any, const Tensor& Q, StageLanes J, Tensor& P) {
@@ -102,7 +102,8 @@ StageLanes stress_of(const materials::AnyLaw& any, const Tensor& Q, StageLanes J
   return reserve_of(law, Q, J);
 }
 
-/// −∂V/∂Q of quadratic potential, traction and pressure, added to f.
+/// Adds −∂V/∂Q to f, with the energy V of the quadratic potential, the traction and the pressure (external_energy). C
+/// is cof Q.
 [[gnu::always_inline]] inline void add_external(const Tensor& Q, const Tensor& C, const Tensor& E0, double volume,
                                                 const Tensor& quadratic, const Tensor& traction, StageLanes pressure,
                                                 Tensor& f) {
@@ -110,7 +111,7 @@ StageLanes stress_of(const materials::AnyLaw& any, const Tensor& Q, StageLanes J
   f = plus(f, in_all_lanes(volume), traction);
   f = plus(f, -(volume * pressure), C);
 }
-/// V of the same.
+/// The energy V of the quadratic potential, the traction and the pressure.
 [[gnu::always_inline]] inline StageLanes external_energy(const Tensor& Q, StageLanes J, const Tensor& E0, double volume,
                                                          const Tensor& quadratic, const Tensor& traction,
                                                          StageLanes pressure) {
@@ -118,7 +119,8 @@ StageLanes stress_of(const materials::AnyLaw& any, const Tensor& Q, StageLanes J
          volume * (pressure * J - materials::dot(traction, Q));
 }
 
-/// Gravity of F = QS, apart: its registers are not those of the rest.
+/// Derivative of the energy of gravity with respect to Q, with F = QS. The function is not inlined, so that it does not
+/// take registers from the remaining code.
 [[gnu::noinline]] Tensor gravity_of(const BodyOfStages& body, const Tensor& Q) {
   const Tensor S = matrix(body.shape);
   const Tensor S_transposed{{{S(0, 0), S(1, 0), S(2, 0)}, {S(0, 1), S(1, 1), S(2, 1)}, {S(0, 2), S(1, 2), S(2, 2)}}};
@@ -128,7 +130,7 @@ StageLanes stress_of(const materials::AnyLaw& any, const Tensor& Q, StageLanes J
   return materials::product(force, S_transposed);
 }
 
-/// Everything that a body can have.
+/// The field of a body with any inertia and any loads, and with dissipation if `entries` is with_accounts.
 template <BodyEntries entries, bool incompressible>
 struct GeneralField {
   static constexpr int n = entries == BodyEntries::diagonal ? 3 : entries == BodyEntries::matrix ? 9 : 12;
@@ -179,12 +181,13 @@ struct GeneralField {
       store(A, p);
   }
 
-  /// Dissipation and loads that depend on time (dissipative_body.h): their forces, powers and energies.
+  /// Adds the forces of dissipation and of loads that depend on time to f. Sets the accelerations of the accounts to
+  /// the powers (dissipative_body.h).
   template <class T>
   [[gnu::always_inline]] void add_accounts(int first_lane, const Tensor& Q, const Tensor& V, const Tensor& C, T J,
                                            const Tensor& E0, Tensor& f, T* a) const {
     T power = in_all_lanes(0), given = in_all_lanes(0);
-    if (accounts->viscosity != 0) {  // L = V Cᵀ/J, −∂R/∂V = −2η Vol d C
+    if (accounts->viscosity != 0) {  // −∂R/∂V = −2η Vol d C, with L = V Cᵀ/J and d = sym L
       const auto product_with_transposed = [&](int i, int j) {
         return V(i, 0) * C(j, 0) + V(i, 1) * C(j, 1) + V(i, 2) * C(j, 2);
       };

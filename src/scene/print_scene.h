@@ -1,5 +1,6 @@
 #pragma once
-/// Functions that print a scene as used.prm, and the list of all entries in three formats.
+/// Functions that return a scene as the text of a parameter file, and the list of all entries in three formats. The
+/// directory of a run contains the parameter file as used.prm.
 
 #include <string>
 #include <vector>
@@ -10,10 +11,10 @@
 namespace pseudorigid::scene {
 
 /// A parameter file with all entries that have an effect on the scene. The program reads this file as exactly the same
-/// scene. A comment marks the entries that the command line sets.
+/// scene. Comments mark the entries that the command line sets.
 std::string to_prm(const Scene& scene, const Origins& origins = {});
 
-/// An entry and its value in a run, in the canonical form of the kind.
+/// The path of an entry and its value in a run. The value has the canonical form of the kind of the entry.
 struct UsedValue {
   std::string path, value;
 };

@@ -17,7 +17,8 @@
 namespace pseudorigid::scene {
 
 enum class Analysis { motion, modes, love_numbers, equilibrium, manifolds, section };
-/// The direction of the crossings that a section records: the column increases, decreases, or both.
+/// The crossings that Analysis = section records. The column Section/Column increases at a crossing `up` and decreases
+/// at a crossing `down`. With `both`, the section has all crossings.
 enum class Crossings { up, down, both };
 /// Families of relative equilibria (reduced/equilibrium_families.h). The value `at_rest` selects the equilibria at
 /// rest, which do not form a family.
@@ -37,7 +38,7 @@ enum class Family {
 enum class Graphics { none, vtu };
 /// The cells of a picture (io/block_cells.h).
 enum class Cells { linear, lagrange };
-/// The way in which the discretisation error of the finite-element model is estimated. With `none`, it is not
+/// The way in which the discretisation error of the finite-element model is estimated. With `none`, the error is not
 /// estimated.
 enum class ErrorEstimate { none, automatic };
 
@@ -110,7 +111,7 @@ struct Scene {
     Crossings crossings = Crossings::up;
   } section;
   struct Time {
-    double end = 10;                ///< < 0: backwards in time
+    double end = 10;                ///< negative: backwards in time
     std::optional<double> step;     ///< empty: auto
     std::string method{automatic};  ///< "auto" or the name of a method of the catalogue
     double tolerance = 1e-6;
@@ -147,15 +148,15 @@ struct Scene {
   Sweep sweep;                       ///< empty: one run
   SweepPart sweep_part;              ///< the part of the runs to make
   std::optional<int> sweep_threads;  ///< empty: number of cores
-  bool sweep_lanes = true;           ///< whether similar runs are integrated together in SIMD lanes
-  bool sweep_trajectories = false;   ///< whether the samples of all runs are kept (app/commands/kept_trajectories.h)
-  /// Values that contain expressions, path → text. The members of these entries contain the values of the first run.
+  bool sweep_lanes = true;           ///< true if similar runs are integrated together in SIMD lanes
+  bool sweep_trajectories = false;   ///< true if the samples of all runs are kept (app/commands/kept_trajectories.h)
+  /// Values that contain expressions, path → text. The members of these entries have the values of the first run.
   std::map<std::string, std::string, std::less<>> expressions;
   /// Values of the entries of systems, path → canonical text. An entry without a value here has its default.
   std::map<std::string, std::string, std::less<>> system_values;
 };
 
-/// Whether the scene computes the equilibria at rest instead of a family of relative equilibria.
+/// True if the scene computes the equilibria at rest instead of a family of relative equilibria.
 inline bool finds_static_equilibria(const Scene& scene) {
   return scene.analysis == Analysis::equilibrium && scene.equilibria.family == Family::at_rest;
 }
@@ -163,7 +164,7 @@ inline bool finds_static_equilibria(const Scene& scene) {
 /// Largest degree of Love numbers.
 inline constexpr int largest_love_degree = 24;
 
-/// Whether the analysis computes small displacements about rest.
+/// True if the analysis computes small displacements about rest.
 inline bool is_linear(Analysis analysis) { return analysis == Analysis::modes || analysis == Analysis::love_numbers; }
 
 inline bool has_mesh_file(const Scene& scene) { return scene.continuum.mesh != builtin_mesh; }

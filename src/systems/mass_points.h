@@ -63,7 +63,7 @@ class MassPoints : public mechanics::Unconstrained {
                                        [&](Eigen::Index i, const Eigen::Vector3d& f_i) { f.col(i) += f_i; }));
   }
   /// Computes the forces for any scalar type T. The functions place(i) and velocity(i) return position and velocity of
-  /// point i, and add(i, f) adds the force f on it. Returns 1 if all forces are finite, otherwise NaN.
+  /// point i, and add(i, f) adds the force f on point i. Returns 1 if all central forces are finite, otherwise NaN.
   template <class T, class Place, class Velocity, class Add>
   T act(const Place& place, const Velocity& velocity, const Add& add) const {
     using Space = Eigen::Matrix<T, 3, 1>;
@@ -95,7 +95,7 @@ class MassPoints : public mechanics::Unconstrained {
     }
     return reserve;
   }
-  /// Members for the stages of a Gauss step in SIMD lanes, which mechanics/core/stage_by_stage.h calls.
+  /// mechanics/core/stage_by_stage.h calls these members for the stages of a Gauss step in SIMD lanes.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const { return solve_stages_in_lanes_of(*this, stages); }
   double cost_of_iteration() const { return cost_of_iteration_in_lanes<MassPoints>; }
   void apply_inverse_mass(In f, Out a) const { a = f * p_.masses.cwiseInverse().asDiagonal(); }
@@ -140,7 +140,7 @@ class MassPoints : public mechanics::Unconstrained {
 
   /// The number of symmetries of the conservative forces. The first symmetries are translations, and the others are
   /// rotations about axes through c. Internal forces have all these symmetries, and external forces can exclude some.
-  /// Drag does not count, because it has no potential; it does not conserve momentum.
+  /// Drag has no potential and does not count, although it does not conserve momentum.
   int n_symmetries() const { return static_cast<int>(translations_.size() + axes_.size()); }
   void symmetry(int i, In q, In v, Out dq, Out dv) const {
     const auto k = static_cast<std::size_t>(i);

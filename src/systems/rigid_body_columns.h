@@ -1,6 +1,6 @@
 #pragma once
-/// The columns of a rigid body with the rotation R, the angular velocity Ω in the body, the inertia operator A, the
-/// mass m and the centre of mass x:
+/// The columns of a rigid body. R is the rotation, Ω the angular velocity in the body, and A the inertia operator. The
+/// mass is m, and the centre of mass is at x:
 ///
 ///   ω = RΩ,   J = RAΩ (+ m x × ẋ of a free body),   K = ½Ω·AΩ (+ ½m|ẋ|²),   V the potential of weight and springs.
 
@@ -24,7 +24,8 @@ struct BodyMotion {
 
 class BodyObserver {
  public:
-  /// If the body has a fixed point, A is the inertia operator about this point, and ½Ω·AΩ is the whole kinetic energy.
+  /// A is the inertia operator about the fixed point. If the body does not have a fixed point, A is the operator about
+  /// the centre of mass. With a fixed point, ½Ω·AΩ is the whole kinetic energy. Otherwise ½m|ẋ|² is added.
   BodyObserver(const Eigen::Matrix3d& A, const BodyLoads& loads, bool fixed_point)
       : A_(A), loads_(loads), fixed_point_(fixed_point) {}
 

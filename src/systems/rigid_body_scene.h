@@ -2,11 +2,11 @@
 /// The rigid body in parameter files. Three forms give the same motion: matrices of GL⁺(3) with six constraints
 /// (rigid_body.h), Euler's equation on quaternions (euler_top.h), and Lagrange's equations in Euler angles
 /// (lagrange_top.h). A fixed point is the origin of the body and of space. Without a fixed point, the origin of the
-/// body is the centre of mass. In the forms of Euler and Lagrange, the centre of mass then has the exact motion x = x₀
-/// + v₀t + ½gt².
+/// body is the centre of mass. In the forms of Euler and Lagrange, the motion of the centre of mass is then exact. It
+/// is x = x₀ + v₀t + ½gt² with the acceleration g of gravity.
 ///
-/// The scales are the mass m, the length L = √(tr E₀/m) and the time 1/ω. With the stiffness k of the springs and the
-/// centre of mass G,
+/// The scales are the mass m, the length L = √(tr E₀/m) and the time 1/ω, with the second moment E₀. With the angular
+/// velocity Ω, the stiffness k of the springs, the centre of mass G and its velocity v,
 ///
 ///   ω² = the largest of |Ω|², |g||G|/L², k/m.  If all are zero, it is the largest of |g|/L and |v|²/L², or 1.
 ///
@@ -30,8 +30,8 @@
 namespace pseudorigid::systems {
 
 /// The potential landscape of a body on SO(3). The mass matrix of a flat body is singular in the space of the matrices
-/// q. The term GᵀG, with the derivative G of the constraints, makes the mass matrix regular. This term does not change
-/// the kinetic energy of motions on SO(3), because these motions satisfy G q̇ = 0.
+/// q. The additional term GᵀG, with the derivative G of the constraints, makes the mass matrix regular. This term does
+/// not change the kinetic energy of motions on SO(3), because these motions satisfy G q̇ = 0.
 struct RotationLandscape : mechanics::ConstrainedLandscape<FixedPointBody> {
   using mechanics::ConstrainedLandscape<FixedPointBody>::ConstrainedLandscape;
   void mass(const Eigen::VectorXd& q, Eigen::MatrixXd& M) const {
@@ -171,8 +171,8 @@ struct RigidBodyScene {
     System system;
     mechanics::State<System> initial;
     BodyObserver observer;
-    FixedPointBody
-        body;  ///< the form with constraints, for the loads and the landscape of rotations about the origin of the body
+    /// The form with constraints, for the loads and the landscape of rotations about the origin of the body.
+    FixedPointBody body;
     bool fixed_point;
     Eigen::Vector3d x, velocity;  ///< initial position and velocity of the centre of mass of a free body
 
@@ -284,7 +284,8 @@ struct RigidBodyScene {
     return {};
   }
 
-  /// Refuses an inertia that no body has, or for which the form of the equations is singular.
+  /// Refuses an inertia that no body with this mass and centre of mass has. Also refuses the inertia of a linear body,
+  /// and in the constrained form that of a flat body, because the equations are then singular.
   std::optional<Refusal> refuses_inertia() const {
     constexpr double round_off = 1e-12;
     const char* const inertia_path = points.empty() ? "Rigid body/Inertia" : "Rigid body/Points";

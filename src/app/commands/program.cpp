@@ -40,7 +40,7 @@ namespace pseudorigid::app {
 namespace {
 
 /// The scene before validation (`raw`) and the validated scene (`read`). For a sweep, `read` is the scene of the first
-/// run. The runs at the ends of the ranges of the parameters have then been checked.
+/// run. The runs at the ends of the ranges of the parameters have also been validated.
 struct Input {
   scene::ReadScene raw, read;
 };
@@ -70,8 +70,9 @@ Input read_and_validate(const Options& options, const scene::Catalogue& catalogu
   return input;
 }
 
-/// Throws UserError if the rank or the number of ranks differs between MPI and the launcher. Processes can compute
-/// together only if MPI connects all processes that the launcher started.
+/// Throws UserError if the rank or the number of ranks differs between MPI and the launcher. A number that the launcher
+/// does not give is not compared. Processes can compute together only if MPI connects all processes that the launcher
+/// started.
 void require_mpi_of(const Launch& launch, const Ranks& ranks) {
   if (ranks.rank() == launch.rank && (ranks.size() == launch.n_ranks || launch.n_ranks == Launch::unknown)) return;
   throw UserError(
@@ -85,10 +86,11 @@ struct Process {
   Executable executable;
   Launch launch{};
   bool has_continuum = false;
-  std::unique_ptr<Ranks> several{};  ///< the ranks of MPI, after MPI has started
+  std::unique_ptr<Ranks> several{};  ///< the ranks of MPI; null if MPI has not been started
 
-  /// Opens the library of the finite elements, unless it is open. Also starts MPI, which takes 0.3 s, if the process
-  /// may be one of several. Throws NoContinuum.
+  /// Opens the library of the finite elements, unless it is open. If the process may be one of several, also starts
+  /// MPI, which takes 0.3 s. Throws NoContinuum if the library is missing, and UserError if MPI does not fit the
+  /// launcher.
   void open_continuum(int argc, char** argv) {
     if (has_continuum) return;
     const ContinuumModule& module = *executable.open_continuum();
@@ -116,13 +118,13 @@ std::vector<std::string> identity_of(const Options& options, const scene::ReadSc
                                  fmt::format("the instructions '{}'", mechanics::wanted_instructions()),
                                  fmt::format("the mesh {}", mesh_identity(read.scene))};
   for (const scene::UsedValue& used : scene::used_values(read.scene))
-    if (used.path != "Continuum/Mesh")  // its path may differ between machines
+    if (used.path != "Continuum/Mesh")  // the path of the mesh may differ between machines
       lines.push_back(fmt::format("{} = {}", used.path, used.value));
   return lines;
 }
 
 /// Opens the library of the finite elements for a valid scene. If the library is missing, throws a UserError that lists
-/// the models that do not need it.
+/// the models that do not need the library.
 void open_continuum_for(const scene::ReadScene& read, int argc, char** argv, Process& process) try {
   process.open_continuum(argc, argv);
 } catch (const NoContinuum& error) {

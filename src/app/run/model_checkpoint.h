@@ -32,7 +32,7 @@ struct RunPosition {
   LooksAtFrequency looks{};
   double max_constraint = 0, max_constraint_rate = 0;  ///< largest scaled |g| and |Gv| at the samples so far
   /// Estimated time error of the configuration, added over all parts of the run. Each part has its own step. Empty if
-  /// the step of a part was not found by a search with an error estimate.
+  /// the step of one of the parts was not found by a search with an error estimate.
   std::optional<double> time_error = 0;
 };
 
@@ -64,13 +64,14 @@ struct Snapshot {
   }
 };
 
-/// The vectors of a snapshot. They are complete also if the model distributes its vectors over ranks.
+/// The vectors of a snapshot. They have all entries also if the model distributes its vectors over ranks.
 struct SavedVectors {
   std::vector<double> q, v, memory;
 };
 
 io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot& snapshot, SavedVectors vectors);
-/// Sets all members of the snapshot except `memory`. Throws UserError if the checkpoint does not fit.
+/// Sets all members of the snapshot except `memory`. Throws UserError if the program lacks the method of the
+/// checkpoint, or if an entry is missing or has the wrong type or size.
 void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot);
 
 /// Number of samples in the table when the run is resumed. The number is 0 for a checkpoint at the start: the resumed

@@ -8,7 +8,7 @@ namespace pseudorigid::app {
 namespace {
 
 /// Messages about a search for method and step that takes longer than a second. The first message states the task.
-/// After ten seconds, a hundred seconds and so on, a message states that the search continues.
+/// Later messages, after ten seconds, a hundred seconds and so on, state that the search continues.
 class SearchNotice {
  public:
   /// `what` is the predicate of the first message, whose subject is the name of the model.
@@ -18,7 +18,7 @@ class SearchNotice {
         what_(std::move(what)),
         steps_between_looks_(steps_between_looks) {}
 
-  /// Checks the time that has passed. Called after every step of a pilot run.
+  /// Writes a message if one is due. Called after every step of a pilot run.
   void step() {
     if (++n_steps_ < steps_between_looks_) return;
     n_steps_ = 0;
@@ -94,9 +94,9 @@ void ModelStepping::reconsider() {
   if (!traits_.constrained_form) return;
   position_.looks.next = position_.cursor.sample + samples_between_looks();
   double limit = 0;
-  // Steps are chosen for the ratio `reserve` to the stability limit, and are unstable above the ratio 1. A limit
-  // between both has two advantages. A step is not halved if the frequency oscillates by a few per cent, and is halved
-  // before it becomes unstable.
+  // When a step is chosen, its ratio to the stability limit is at most `reserve`. Above the ratio 1 a step is unstable.
+  // A limit between these ratios has two advantages. A step is not halved if the frequency oscillates by a few per
+  // cent, and is halved before it becomes unstable.
   constexpr double less_reserve = 0.9;
   if (!rattle_limit(less_reserve, limit)) return;  // the next step fails for the same reason and reports the reason
   const double before = position_.step;
@@ -122,7 +122,7 @@ mechanics::Status ModelStepping::search(const std::optional<double>& error_so_fa
     request.rattle_limit = std::min(limit, request.end);
     if (Status status = judge_stiffness(request); !status) return status;
   } else {
-    request.rattle_limit = HUGE_VAL;  // bounds of the step are the accuracy and the iteration for the stages
+    request.rattle_limit = HUGE_VAL;  // only the accuracy and the iteration for the stages bound the step
   }
   SearchNotice notice(context_, any_model_.name, about_search(request), any_model_.steps_between_looks);
   request.give_up = [&] {
@@ -150,10 +150,11 @@ std::string ModelStepping::about_search(const mechanics::StepRequest& request) c
   return text;
 }
 
-/// Chooses the sample of the next check of the largest frequency, which changes with the deformation. The frequency is
-/// assumed to grow at most twice as fast as between the checks so far. The next check is planned for the time at which
-/// the stability limit could then fall to the step. It is never earlier than a sixteenth of the run after the present
-/// sample. The first check is made after a sixteenth of the run, or later if the step is far below the limit.
+/// Chooses the sample of the next check of the largest frequency, which changes with the deformation. The stability
+/// limit falls if the frequency grows. The check is planned for the time at which the limit would fall to the step. The
+/// assumed rate of ln(limit) is twice the fastest change between two checks so far, but at least a third of a usual
+/// rate. At the usual rate, the limit falls to 0.8 of its value in a sixteenth of the run. The first plan uses the
+/// usual rate. The next check is at least a sixteenth of the run after the present sample.
 void ModelStepping::plan_look(double stable_rattle_step) {
   if (!traits_.constrained_form) return;
   LooksAtFrequency& looks = position_.looks;

@@ -36,7 +36,7 @@ class ModelStepping {
   using Status = mechanics::Status;
 
   /// `known` is the method and step that another run of the scene found, or empty. If it is not empty, the program does
-  /// not search, and the step is reduced only if it is too large for the stability of this run.
+  /// not search. The step is then reduced only if it is too large for the stability of this run.
   ModelStepping(RunnableModel& model, const RunContext& context, const SystemTraits& traits,
                 const std::optional<Stepping>& known)
       : any_model_(model),
@@ -69,10 +69,10 @@ class ModelStepping {
   /// True if the step can change during the run: the scene does not give the step, and the method is not adaptive.
   bool adapts() const { return !context_.scene.time.step && !is_adaptive(); }
 
-  /// Tolerance of the scaled constraint, for systems that solve their Gram systems by iteration. If the scene has an
-  /// entry for this tolerance, the entry is the tolerance. Otherwise the tolerance is 1e-4 times the tolerance of the
-  /// motion, or 0 if the scene gives the step. If the tolerance is 0, the method uses its own tolerance. With 1e-13 in
-  /// place of 1e-4, errors and steps would change by less than a thousandth.
+  /// Tolerance of the scaled constraint, for systems with a costly force. It is the value of Time/Constraint tolerance
+  /// if the scene gives one. Otherwise it is 1e-4 of Time/Tolerance, or 0 if the scene gives the step. The method uses
+  /// the larger of this tolerance and the tolerance of the system. With 1e-13 in place of 1e-4, errors and steps would
+  /// change by less than a thousandth.
   double constraint_tolerance() const {
     const auto& time = context_.scene.time;
     constexpr double part = 1e-4;

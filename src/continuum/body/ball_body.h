@@ -4,14 +4,15 @@
 ///
 ///   M ẍ = −∫P:∇φ + loads   [+ Gᵀλ,   elastic_ball.h]                       (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// The displacements are in (Q_k)³, and the mass is lumped. With dissipation or loads that depend on time, the ball has
-/// one more node (BallSpace::account). The coordinates s and s' of this node obey
+/// with the first Piola–Kirchhoff stress P, and with the basis functions φ of the displacements in (Q_k)³. The mass M
+/// is lumped. With dissipation or loads that depend on time, the ball has one more node (BallSpace::account). Two
+/// coordinates s and s' of this node obey
 ///
 ///   s̈ = dissipated power,   s̈' = power that loads give by their change in time.
 ///
 /// Therefore ṡ and ṡ' are the dissipated and the given energy, and every method integrates these energies with its own
-/// order. All quantities are in internal units. The system is the computed sector, and observables are for the whole
-/// ball.
+/// order. All quantities are in internal units. The system is the computed sector, and the observables are for the
+/// whole ball.
 
 #include <Eigen/Core>
 #include <functional>
@@ -30,15 +31,16 @@
 
 namespace pseudorigid::continuum {
 
-/// Text for messages, such as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
+/// The least det F with its place as a text for messages, such as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
 std::string in_words(const LeastPlace& jacobian);
 
 class BallBody {
  public:
   using Vector = continuum::Vector;
 
-  /// The sector of the unit ball. The degree k is 1 … 8, with the constraint 2 … 8. The 4 cells of an octant are
-  /// refined uniformly n_refinements times. The ranks of the communicator share the cells.
+  /// The body of a sector of the unit ball. `degree` is the degree k, from 1 to 8, or from 2 to 8 with the constraint.
+  /// An octant has 4 cells, which are refined uniformly n_refinements times. The ranks of the communicator share the
+  /// cells.
   BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
            const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
   /// The body of a mesh. `n_gravity_points` and `n_contact_points` are the numbers of quadrature points in each
@@ -46,12 +48,12 @@ class BallBody {
   /// surface_gravity_forces.h or contact_forces.h chooses the number.
   BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads = {},
            std::optional<int> n_gravity_points = std::nullopt, std::optional<int> n_contact_points = std::nullopt);
-  BallBody(const BallBody&) = delete;  // because its members have pointers to one another
+  BallBody(const BallBody&) = delete;  // because some members refer to other members
   BallBody& operator=(const BallBody&) = delete;
 
   void apply_inverse_mass(const Vector& f, Vector& a) const;
   void apply_mass(const Vector& v, Vector& f) const;
-  /// f ← f + viscous force, damping force of contacts and drag, which are linear in v
+  /// f ← f + viscous force, damping force of contacts and drag. These forces are linear in v
   /// (mechanics/core/linear_damping.h).
   void add_damping(const Vector& x, const Vector& v, Vector& f) const {
     loads_.add_dissipation(x, v, f);
@@ -63,23 +65,26 @@ class BallBody {
 
   Vector make_vector() const { return space_.make_vector(); }
 
-  /// A X + c at every node: positions for A = Q₀, velocities for A = Q̇₀.
+  /// The nodal field A X + c. It is a position for A = Q₀, and a velocity for A = Q̇₀ and the velocity c.
   Vector affine_field(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
-  /// Q_M = (∫ρ x Xᵀ dV) E₀⁻¹ of a nodal field x. If x is a velocity, the result is the time derivative of Q_M.
+  /// The mass moment Q_M = (∫ρ x Xᵀ dV) E₀⁻¹ of a nodal field x. If x is a velocity, the result is the time derivative
+  /// of Q_M.
   Eigen::Matrix3d mass_moment(const Vector& x) const;
   /// Mass-weighted mean of a field over the whole ball. Components normal to a symmetry plane are 0. Collective.
   Eigen::Vector3d mean(const Vector& x) const;
-  /// Adds an energy dissipated in the sector, multiplied by the number of its images, to the dissipated energy in v.
+  /// Multiplies an energy that the sector has dissipated by the number of images of the sector. Adds the product to the
+  /// dissipated energy in v. If v is a force, the arguments are powers.
   void add_taken(double energy, Vector& v) const;
   /// The dissipated energy and the energy given by loads that depend on time, for the whole ball. Both are entries of
   /// v. Collective.
   double dissipated(const Vector& v) const;
   double given(const Vector& v) const;
 
-  /// Contact with rigid planes at x, empty if there are none. Collective.
+  /// The contact with rigid planes at the position x. It is empty if there are no planes. Collective.
   loads::Contact contact(const Vector& x) const { return contact_ ? contact_->contact(x) : loads::Contact{}; }
 
-  /// Inertia, volume and mass of the mesh for the whole ball: E₀,h = Σ m_n X_n X_nᵀ.
+  /// Inertia E₀ = Σ m_n X_n X_nᵀ, volume and mass of the mesh for the whole ball. Node n has the mass m_n and the
+  /// reference position X_n.
   const Eigen::Matrix3d& E0() const { return E0_; }
   double volume() const { return volume_; }
   double mass() const;
@@ -100,12 +105,12 @@ class BallBody {
   LeastPlace least_reserve(const Vector& x) const;
   /// Integrals over the sector, summed over all ranks.
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
-  /// Fails if `least` is not positive on one of the ranks. `least` is the least of J and of the law's reserve over the
-  /// points of this rank. Collective.
+  /// Fails if the smallest `least` of all ranks is not a positive finite number. `least` is the smallest value of det F
+  /// and of the reserve of the law at the points of this rank. Collective.
   mechanics::Status judge(double least, const Vector& x) const;
   /// Fills x with fixed irregular numbers in (−1, 1), which do not depend on the number of ranks.
   void fill_irregular(Vector& x) const;
-  /// Σ_n m_n a_n b_nᵀ over the whole ball.
+  /// Σ_n m_n a_n b_nᵀ over the nodes n of the whole ball, with the nodal masses m_n. Collective.
   Eigen::Matrix3d nodal_moment(const Vector& a, const Vector& b) const;
 
  protected:
@@ -113,8 +118,8 @@ class BallBody {
   /// contact. The springs hold every point of the surface at this position with the stiffness of the planes. The
   /// resulting stiffness is a bound for the stiffness with contact.
   mechanics::Status applied_force(double t, const Vector& x, const Vector& v, const Vector* held_at, Vector& f) const;
-  /// Adds loads, gravity and contact to f, which contains the force of the stress. Fails if `least` is not positive;
-  /// the kernel of this force has returned `least`.
+  /// Adds loads, gravity and contact to f, which contains the force of the stress. `least` is the value that the kernel
+  /// of this force has returned. Fails if `judge` fails for this value.
   mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, const Vector* held_at,
                                    Vector& f) const;
 

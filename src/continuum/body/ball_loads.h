@@ -10,9 +10,10 @@
 ///   objective viscosity σ = 2ηd             f_n = −∫2ηJ d F⁻ᵀ∇φ_n dX,   d = sym(∇ẋ F⁻¹)
 ///   drag, force density −cρẋ                f_n = −c m_n ẋ_n
 ///
-/// Viscosity and drag dissipate the power ∫2ηJ d:d dX + c Σ m_n |ẋ_n|². A load that depends on time gives the power
-/// ∂V/∂t. Both powers are forces on the node BallSpace::account. The velocity (D, W, 0) of this node therefore contains
-/// the dissipated energy D and the given energy W. All quantities are in internal units.
+/// Node n has the mass m_n, the position x_n and the basis function φ_n. The other symbols are those of
+/// loads/forcing.h. Viscosity and drag dissipate the power ∫2ηJ d:d dX + c Σ m_n |ẋ_n|². A load that depends on time
+/// gives the power ∂V/∂t. Both powers are forces on the node BallSpace::account. The velocity (D, W, 0) of this node
+/// therefore contains the dissipated energy D and the given energy W. All quantities are in internal units.
 
 #include <Eigen/Core>
 #include <optional>
@@ -30,16 +31,18 @@ class LoadForces {
   bool dissipative() const { return constant_.dissipative(); }
   bool time_dependent() const { return driven_; }
 
-  /// f ← f + loads, with the powers of the whole ball at the node BallSpace::account.
+  /// f ← f + the forces of the loads. Sets the force on the node BallSpace::account to the powers of the whole ball.
   void add(double t, const Vector& x, const Vector& v, Vector& f) const;
-  /// f ← f + viscous force and drag. Returns the power dissipated by both in the cells and nodes of this rank.
+  /// f ← f + viscous force and drag. Returns the power that these forces dissipate in the cells and at the nodes of
+  /// this rank.
   double add_dissipation(const Vector& x, const Vector& v, Vector& f) const;
-  /// V of the whole ball at the time t, from Σ m xxᵀ, Σ m x, ∫F dX and the volume of the whole ball.
+  /// The potential V of the whole ball at the time t. The arguments are Σ m xxᵀ and Σ m x over the nodes, ∫F dX, and
+  /// the volume of the whole ball.
   double potential(double t, const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const;
 
-  /// `add_driving` computes f ← f − ∂V/∂x for the loads that depend on time. `driving_power` returns ∂V/∂t over the
-  /// nodes of this rank, from the time derivatives of these loads.
+  /// `add_driving` computes f ← f − ∂V/∂x for the potential V of `forcing`. `driving_power` returns ∂V/∂t over the
+  /// nodes of this rank, from the time derivatives of the loads.
   void add_driving(const loads::Forcing& forcing, const Vector& x, Vector& f) const;
   double driving_power(const loads::Forcing& rate, const Vector& x) const;
 

@@ -3,7 +3,8 @@
 ///
 ///   M ẍ = −∫P:∇φ + loads,
 ///
-/// The restriction to motions x = QX is the pseudo-rigid body on GL⁺(3). This ball has no pressure and no Gram solver.
+/// with the symbols of ball_body.h. The restriction to motions x = QX is the pseudo-rigid body on GL⁺(3). This ball has
+/// neither a multiplier nor a Gram solver.
 
 #include "continuum/body/ball_body.h"
 #include "mechanics/core/unconstrained.h"

@@ -4,9 +4,10 @@
 ///
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ φ_m x_m,   f_m = −∂V/∂x_m = Σ w k d n φ_m,
 ///
-/// with the stiffness k of a plane n·x = z₀ and the reference area w of a point. The sums are factorised on each face.
-/// A face is skipped if no polynomial through its nodes can reach the plane. With the Lebesgue constant Λ of the nodes
-/// at the points, and the maximum and minimum of n·x at the nodes of the face,
+/// with the stiffness k and the unit normal n of a plane n·x = z₀. Only points with d > 0 count, and w is the reference
+/// area of a point. Node m has the basis function φ_m and the position x_m. The sums are factorised on each face. A
+/// face is skipped if its points cannot reach the plane. This follows from a bound with the Lebesgue constant Λ of the
+/// nodes at the points. With the maximum and minimum of n·x at the nodes of the face, the bound is
 ///
 ///   n·x ≥ (max + min)/2 − Λ² (max − min)/2.
 ///
@@ -21,8 +22,8 @@
 
 namespace pseudorigid::continuum {
 
-/// Number of points in each direction of a face: 2(k + 1). This number exceeds the number of nodes, because the
-/// pressure is not smooth at the edge of the contact area, which lies inside faces.
+/// Number of points in each direction of a face: 2(k + 1), with the degree k. This number exceeds the number k + 1 of
+/// nodes, because the pressure is not smooth at the edge of the contact area. This edge lies inside faces.
 int n_contact_points(const BallSpace& space);
 
 class ContactForces {
@@ -33,31 +34,31 @@ class ContactForces {
   void add(const Vector& x, Vector& f) const;
   /// f ← f + damping force. Returns the power that this force dissipates in the computed sector. Collective.
   double add_damping(const Vector& x, const Vector& v, Vector& f) const;
-  /// f ← f − ∂/∂x of ½k∮|x − x₀|². This is the force of springs with the stiffness k of all planes together, which hold
-  /// every point of the surface at x₀. Collective.
+  /// f ← f − ∂/∂x of ½k∮|x − x₀|², with k = Planes::stiffness_of_all(). This is the force of springs that hold every
+  /// point of the surface at x₀. Collective.
   void add_holding(const Vector& x, const Vector& x0, Vector& f) const;
   /// Contact of the whole ball. Collective.
   loads::Contact contact(const Vector& x) const;
 
  private:
   struct Face {
-    std::vector<unsigned int> nodes;  ///< [j·n + i], with i along direction p
+    std::vector<unsigned int> nodes;  ///< [j·n + i] for n nodes in each direction, with i along direction p
     Eigen::MatrixXd weights;          ///< reference areas of the points: [p][q]
   };
 
-  /// n·u − offset at the nodes of a face.
+  /// n·u − offset at the nodes of a face, with the normal n of the plane.
   Eigen::MatrixXd along(const loads::Plane& plane, double offset, const Face& face, const Vector& u) const;
   Eigen::MatrixXd at_points(const Eigen::MatrixXd& nodal) const {
     const Eigen::MatrixXd half = values_.lazyProduct(nodal);
     return half.lazyProduct(values_.transpose());
   }
   bool may_touch(const Eigen::MatrixXd& heights) const;
-  /// f_m ← f_m + Σ_points w p φ_m n, with w p in `pressures`.
+  /// f_m ← f_m + Σ_points w p φ_m n with the pressure p. `pressures` contains the products w p.
   void spread(const Eigen::MatrixXd& pressures, const Eigen::Vector3d& normal, const Face& face, Vector& f) const;
 
   loads::Planes planes_;
   const BallSpace& space_;
-  Eigen::MatrixXd values_;  ///< ℓ_i at the points: [point][i]
+  Eigen::MatrixXd values_;  ///< Lagrange's polynomials ℓ_i at the points: [point][i]
   double lebesgue_;         ///< Λ
   std::vector<Face> faces_;
 };

@@ -3,10 +3,12 @@
 ///
 ///   M ẍ = −∫P:∇φ + loads + Gᵀλ,   g_j = ∫ψ_j ln J dX = 0                   (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// The constraint balances a pressure on the surface, so such a pressure is not a force of this system. The multiplier
-/// λ_h is the Kirchhoff pressure Jp, with the pressure p. λ_h is discontinuous and belongs to P_{k−1} on each cell. The
-/// constraint uses ln J instead of J − 1. Therefore its second variation has no (div u)² term, and the discrete motion
-/// does not change if a multiple of ln J is added to W.
+/// with the first Piola–Kirchhoff stress P, the basis functions φ of the displacements in (Q_k)³, J = det F and G = Dg.
+/// The functions ψ_j are the basis of the multipliers λ_h = Σ λ_j ψ_j, which are discontinuous and belong to P_{k−1} on
+/// each cell. The field λ_h is the Kirchhoff pressure Jp, with the pressure p of the body. The constraint balances a
+/// pressure on the surface, so this load is not a force of the system. The constraint uses ln J instead of J − 1.
+/// Therefore the second variation of the constraint along a displacement u does not contain the square of div u. The
+/// discrete motion also does not change if a multiple of ln J is added to the stored energy W.
 
 #include <cmath>
 #include <optional>
@@ -23,7 +25,7 @@ class ElasticBall : public BallBody {
   using Multiplier = continuum::Vector;
   struct Workspace {
     GramSolver gram;
-    double residual_sought = 0;       ///< sufficient Euclidean norm of the residual of solve_gram; 0: automatic
+    double residual_sought = 0;       ///< sufficient Euclidean norm of the residual of solve_gram; 0: default of `gram`
     const Vector* held_at = nullptr;  ///< see BallBody::applied_force
 
     template <class Visit>
@@ -33,7 +35,8 @@ class ElasticBall : public BallBody {
   };
   static constexpr int n_constraints = mechanics::dynamic_constraints;
 
-  /// The constructors of BallBody, with a choice of the solver of the Gram systems.
+  /// The constructors of BallBody, with a choice of the solver of the Gram systems. If `gram_method` is empty,
+  /// fitting_gram_method chooses the solver.
   ElasticBall(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
               const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF,
               std::optional<GramMethod> gram_method = std::nullopt)
@@ -68,8 +71,8 @@ class ElasticBall : public BallBody {
                                     Multiplier& lambda) const {
     return workspace.gram.solve(x1, x0, r, workspace.residual_sought, lambda);
   }
-  /// |g|_∞ and |Gv|_∞ count as zero up to this value, which corresponds to 1e-13 of ln J (the ψ are L²-orthonormal in
-  /// each cell).
+  /// |g|_∞ and |Gv|_∞ count as zero up to this value. It corresponds to 1e-13 of ln J, because the ψ_j are orthonormal
+  /// in L² on each cell.
   double constraint_tolerance() const { return 1e-13 * multiplier_scale(); }
   /// |g|_∞ / multiplier_scale() is a bound for the absolute value of the mean of ln J over a cell.
   double multiplier_scale() const { return multiplier_scale_; }

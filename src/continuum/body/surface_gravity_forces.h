@@ -5,10 +5,11 @@
 ///   x = Σ φ_n x_n,   N = ±w ∂x/∂ξ_p × ∂x/∂ξ_q,
 ///   f_n = −∂Ê/∂x_n = −Σ_points [φ_n ∂Ê/∂x ± w (∂φ_n/∂ξ_p x_q × ∂Ê/∂N + ∂φ_n/∂ξ_q ∂Ê/∂N × x_p)],
 ///
-/// with x_p = ∂x/∂ξ_p, the quadrature weights w, and the sign for which N points outwards. The force is the exact
-/// derivative of the discrete Ê, so the total force and the total torque are zero. The sources are the points of all
-/// ranks and, if only a sector is computed, their mirror images. A pair of points of this rank is computed once for
-/// both points. The density must be uniform, so the ball must be incompressible.
+/// with x_p = ∂x/∂ξ_p, x_q = ∂x/∂ξ_q, and the quadrature weights w. Node n has the position x_n and the basis function
+/// φ_n. The sign is chosen such that N points outwards. The force is the exact derivative of the discrete Ê, so the
+/// total force and the total torque are zero. The sources are the points of all ranks. If only a sector is computed,
+/// the mirror images of these points are also sources. A pair of points of this rank is computed once for both points.
+/// The density must be uniform, so the ball must be incompressible.
 
 #include <array>
 #include <vector>
@@ -18,10 +19,10 @@
 
 namespace pseudorigid::continuum {
 
-/// Number of points in each direction of a face, such that the error of gravity is below the discretisation error. The
-/// number is k + 2, or k + 1 if the faces of an elastic body are refined. A fluid needs k + 2, because only gravity
-/// makes the shortest waves on its surface stable. With k + 1 points these waves grow by a factor of 2.3 in the time
-/// 1/√(Gρ). With k + 2 points the quadrature resolves the gravity of these waves.
+/// Number of points in each direction of a face, such that the error of gravity is below the discretisation error. With
+/// the degree k the number is k + 2, or k + 1 if the faces of an elastic body are refined. A fluid needs k + 2, because
+/// only gravity makes the shortest waves on its surface stable. With k + 1 points these waves grow by a factor of 2.3
+/// in the time 1/√(Gρ). With k + 2 points the quadrature resolves the gravity of these waves.
 int n_gravity_points(const BallSpace& space, bool is_fluid);
 
 class SurfaceGravityForces {
@@ -35,8 +36,8 @@ class SurfaceGravityForces {
 
   /// f ← f − ∂Ê/∂x. Collective.
   void add(const Vector& x, Vector& f) const;
-  /// f ← f − D²Ê(x)[u]. x has the symmetry of the sector, and u(R_c X) = s_c R_c u(X) under its reflections R_c. If all
-  /// s_c are 1, this is the rate of the force; otherwise u is odd under some reflections. Collective.
+  /// f ← f − D²Ê(x)[u]. x has the symmetry of the sector, and u(R_c X) = s_c R_c u(X) under each reflection R_c of the
+  /// sector. The displacement u is even under R_c if s_c = 1, and odd if s_c = −1. Collective.
   void add_rate(const Vector& x, const Vector& u, const std::array<int, 3>& s, Vector& f) const;
   /// Ê of the computed sector. Collective.
   double energy(const Vector& x) const;
@@ -45,7 +46,7 @@ class SurfaceGravityForces {
 
  private:
   using Jets = SurfaceInterpolation::Jets;
-  using Signs = std::array<int, 3>;  ///< signs s_c under the reflections of the sector: all 1, except for rates
+  using Signs = std::array<int, 3>;  ///< signs s_c under the reflections of the sector; all 1 for positions
 
   Jets jets_at(const Vector& x) const;
   /// `own_points` computes the points of the faces of this rank from the jets of x. `own_rates` computes the rates of
@@ -59,7 +60,8 @@ class SurfaceGravityForces {
   /// The sums over all sources, for the points of this rank.
   gravity::PairSums sums_at(const gravity::SurfacePoints& own) const;
   gravity::SurfaceTotals over_ranks(const gravity::SurfaceTotals& own) const;
-  /// f ← f − ∂E/∂x_n, for a function E with this derivative with respect to points and area vectors. x are the jets.
+  /// f_n ← f_n − ∂E/∂x_n for every node n. `derivative` is the derivative of the function E with respect to points and
+  /// area vectors. x contains the jets of the position.
   void spread(const Jets& x, const gravity::SurfaceDerivative& derivative, Vector& f) const;
 
   double constant_;

@@ -41,8 +41,8 @@ SurfaceInterpolation::SurfaceInterpolation(const BallSpace& space, int n_points)
   }
 }
 
-// Eigen's algorithm for large products needs more time for its preparation than these small products. `lazyProduct`
-// avoids this preparation.
+// `lazyProduct` avoids Eigen's algorithm for large products. The preparation of this algorithm takes longer than one of
+// these small products.
 SurfaceInterpolation::Jets SurfaceInterpolation::jets(const Vector& u) const {
   const Eigen::Index n = values_.cols(), m = values_.rows();
   Jets jets{field_of(n_points()), field_of(n_points()), field_of(n_points())};

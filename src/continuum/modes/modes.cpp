@@ -22,7 +22,7 @@ struct SectorClass {
 };
 
 /// True if X → (X_y, X_z, X_x) maps nodes to nodes. Sectors whose signs are permuted in the same way then have the same
-/// modes.
+/// frequencies.
 bool has_threefold_axis(const BallSpace& space) {
   using Place = std::array<long, 3>;
   const auto place = [&](unsigned int node, unsigned int turn) {
@@ -58,7 +58,7 @@ struct SectorMode {
   Vector u;
 };
 
-/// Finds the modes of one sector, the lowest first. The modes below `complete_below()` are complete.
+/// Finds the modes of one sector, the lowest first. All modes with frequencies below complete_below() have been found.
 class SectorSpectrum {
  public:
   SectorSpectrum(const RestProblem& problem, const SectorClass& sector_class, int max_degree)
@@ -99,10 +99,11 @@ class SectorSpectrum {
   bool asked() const { return !pairs_.empty(); }
 
  private:
-  /// True if u is a rigid motion. With one negative sign, a sector has the translation along the axis of this sign.
-  /// With two negative signs, it has the rotation about the axis of the positive sign. Other sectors have no rigid
-  /// motion. The modes are orthogonal to this rigid motion. The share of the rigid motion in u is therefore nearly 1 or
-  /// nearly 0 for every ω².
+  /// True if u is the rigid motion of the sector. If the parity has one negative sign, this motion is the translation
+  /// along the axis of this sign. If the parity has two negative signs, it is the rotation about the axis of the
+  /// positive sign. Other sectors do not have a rigid motion. The other modes of the sector are orthogonal to the rigid
+  /// motion, in the inner product of the mass. The share of the rigid motion in u is therefore nearly 1 or nearly 0,
+  /// and the test does not need ω².
   bool is_rigid(const Vector& u) const {
     const auto& sign = sector_.parity().sign;
     const auto n_negative = std::ranges::count(sign, -1);
@@ -172,8 +173,8 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
                              ModesReport& report, const std::function<bool()>& give_up) {
   const auto interrupted = [&] { return give_up && give_up(); };
   const auto stopped = [] { return mechanics::Status::failure("interrupted while looking for the modes"); };
-  // The fundamental frequencies rise by about 1 per degree. Among the lowest n frequencies, no degree is therefore
-  // above n + 2.
+  // The fundamental frequencies rise by about 1 per degree, in internal units. Among the lowest n frequencies, no
+  // degree is therefore above n + 2.
   const int max_degree = std::min(n_frequencies + 2, 30);
   std::vector<SectorSpectrum> sectors;
   for (const SectorClass& sector_class : sector_classes(problem.space)) {

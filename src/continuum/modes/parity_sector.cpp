@@ -19,10 +19,11 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Numbers of corrections of G u: in the operator of the iteration for eigenvectors, and for the computation of a mode.
+/// Numbers of corrections of G u: in the operator of the iteration for eigenvectors, and for a mode or a static
+/// response.
 constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
-/// Tolerances of conjugate gradients with self-gravity in the energy norm: of the iteration for eigenvectors, and of a
-/// static response.
+/// Tolerances of conjugate gradients with self-gravity in the energy norm: for eigenvectors and modes, and for a static
+/// response.
 constexpr double tolerance_of_operator = 1e-9, tolerance_of_response = 1e-13;
 constexpr int n_iterations_with_gravity = 100;
 /// Largest number of unknowns between cells for which their matrix is factorised as a dense matrix.
@@ -143,9 +144,9 @@ void ParitySector::number_unknowns() {
   root_mass_ = mass_.cwiseSqrt();
 }
 
-/// Computes the Cholesky factor L of B_own, the part of B for the cell's own entries, and
-/// cell.coupling = L⁻¹B_own,shared. The lower triangle of `schur` is set to that of B_shared − couplingᵀ coupling,
-/// where B_shared does not contain the shift.
+/// Computes the Cholesky factor L of B_own, the part of B for the cell's own entries. Sets cell.coupling to
+/// L⁻¹B_own,shared, and the lower triangle of `schur` to that of B_shared − couplingᵀ coupling. B_shared does not
+/// contain the shift.
 void ParitySector::condense(Cell& cell, unsigned int number, Eigen::MatrixXd& schur) const {
   const Eigen::MatrixXd& B = problem_.stiffness[number];
   const auto n_own = static_cast<Eigen::Index>(cell.own.size());
@@ -265,7 +266,8 @@ mechanics::Status ParitySector::solve(const Eigen::VectorXd& f, int n_correction
   }
   u = Eigen::VectorXd::Zero(f.size());
   Eigen::VectorXd r = f, z = solve_elastic(r, n_corrections), p = z;
-  Eigen::VectorXd B_p = r;  // B p except for reactions, which do no work on p and z
+  // B p without a term Gᵀμ; the products of this term with p and z are 0, because G p = G z = 0
+  Eigen::VectorXd B_p = r;
   double rz = r.dot(z);
   const double enough = tolerance * tolerance * rz;
   for (int iteration = 0; !(rz <= enough); ++iteration) {

@@ -1,22 +1,27 @@
 #pragma once
-/// Small motions u of the ball about rest, computed in one octant. Under the reflection R_j of x_j a mode is even or
+/// Small motions u of the ball about rest, computed in one octant. Under the reflection R_j of x_j, a mode is even or
 /// odd,
 ///
 ///   u(R_j X) = s_j R_j u(X),   s_j = ±1.
 ///
-/// On the plane x_j = 0, u_j = 0 if s_j = +1 (the symmetry of the motion), and the other two components are 0 if
-/// s_j = −1. The eight choices of signs are eight problems on the same octant, the sectors. Together the sectors have
-/// all modes of the ball.
+/// On the plane x_j = 0, u_j = 0 if s_j = +1, and the other two components are 0 if s_j = −1. The motion has the plane
+/// as a plane of symmetry if s_j = +1. The eight choices of signs are eight problems on the same octant, the sectors.
+/// Together the sectors have all modes of the ball.
 ///
-/// In each sector, the problem −ω² M u = −K u + Gᵀλ, G u = 0 is inverted about a shift −s below all ω²: u = T f solves
+/// In each sector, the modes satisfy
+///
+///   −ω² M u = −K u + Gᵀλ,   G u = 0
+///
+/// with the mass M, the stiffness K, and the constraint with its multiplier λ. This problem is inverted about a shift
+/// −s below all ω²: u = T f solves
 ///
 ///   (K + s M) u − Gᵀλ = f,   G u = 0.
 ///
 /// T acts on u alone and therefore does not have the infinite eigenvalues of the multiplier. The equations are solved
-/// by the augmented Lagrangian method. B = K + s M + γ GᵀG is positive definite. B couples the same unknowns as K,
-/// because each ψ is a function of one cell. A correction u ← u − B⁻¹γGᵀG u reduces G u by a factor of the order of
-/// 1/γ. B is factorised after condensation: first the unknowns of a single cell (dense, cell by cell), then the
-/// unknowns between cells.
+/// by the augmented Lagrangian method with a penalty γ. B = K + s M + γ GᵀG is positive definite. B couples the same
+/// unknowns as K, because each entry of λ belongs to one cell. A correction u ← u − B⁻¹γGᵀG u reduces G u by a factor
+/// of the order of 1/γ. B is factorised after condensation: first the unknowns of a single cell (dense, cell by cell),
+/// then the unknowns between cells.
 ///
 /// Self-gravity adds its second variation, which couples all nodes of the surface. On the sphere, the second variation
 /// is
@@ -24,10 +29,10 @@
 ///   uᵀK_g u = ρg [∮(u·n)² dS − Σ_nm c_n (∮(u·n) Y_nm dS)²],   g = (4/3)πGρr,   c_0 = 1, c_n = 3/(2n + 1) for n > 0.
 ///
 /// The first term is a spring at each point, and K in B contains these springs. The second term is an attraction of the
-/// harmonics that the mesh resolves. Higher harmonics would soften the springs of the surface by a fraction of at most
-/// 3/(2n + 1). The equation (K + K_g + s M) u − Gᵀλ = f is solved by conjugate gradients with T of this B as the
-/// preconditioner. About ten iterations are sufficient for every mesh and strength of gravity. The surface integrals of
-/// a motion (gravity/surface_gravity.h) have larger errors: 1e-6 to 1e-5 in the Love number l of a tide.
+/// harmonics that the mesh resolves. Harmonics of higher degree n would soften the springs of the surface by a fraction
+/// of at most 3/(2n + 1). The equation (K + K_g + s M) u − Gᵀλ = f is solved by conjugate gradients with T of this B as
+/// the preconditioner. About ten iterations are sufficient for every mesh and strength of gravity. The surface
+/// integrals of a motion (gravity/surface_gravity.h) have larger errors: 1e-6 to 1e-5 in the Love number l of a tide.
 
 #include <Eigen/Core>
 #include <memory>
@@ -45,14 +50,15 @@ namespace pseudorigid::continuum {
 /// Data that all sectors share: the space, and the stiffness and the constraint of every cell. The space must be the
 /// space of an octant.
 struct RestProblem {
-  /// Self-gravity is the gravity of an incompressible body. `gravity_constant` is G in internal units, ρ = r = 1.
+  /// The self-gravity K_g (top of this file) is that of an incompressible body. `gravity_constant` is Newton's constant
+  /// in internal units, in which ρ = r = 1.
   RestProblem(const BallSpace& space, const CellKernels& kernels, const StoredEnergy& stored, bool incompressible,
               double gravity_constant = 0);
 
   const BallSpace& space;
   RestElasticity elasticity;
   bool incompressible;
-  double shift;                             ///< s; 0 is for sectors without rigid motions, of a stable ball
+  double shift;                             ///< s; may be set to 0 for sectors of a stable ball without rigid motions
   double weight_of_density;                 ///< ρg
   double penalty;                           ///< γ
   std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell, with the springs of self-gravity
@@ -73,14 +79,14 @@ class ParitySector {
   std::size_t n_unknowns() const { return n_unknowns_; }
   const Parity& parity() const { return parity_; }
 
-  /// z = M^½ T M^½ y, symmetric, with the eigenvalues 1/(ω² + s). Fails if T cannot be applied.
+  /// z = M^½ T M^½ y. This operator is symmetric and has the eigenvalues 1/(ω² + s). Fails if T cannot be applied.
   mechanics::Status apply(std::span<const double> y, std::span<double> z) const;
 
   /// Sets u = T f for a force f on the octant.
   mechanics::Status respond(const Vector& f, Vector& u) const;
 
-  /// A mode with its ω². `mode_of` makes a step of inverse iteration from an approximate eigenvector y, and computes
-  /// ω² = uᵀKu / uᵀMu.
+  /// A mode with its ω². `mode_of` makes a step of inverse iteration from an approximate eigenvector y of `apply`, and
+  /// computes ω² = uᵀKu / uᵀMu with K including self-gravity.
   struct Mode {
     double omega_squared;
     Vector u;

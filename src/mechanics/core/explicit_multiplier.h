@@ -10,7 +10,7 @@
 ///
 /// If a system has a faster acceleration or projection, it has members `acceleration(t, q, v, w, a)` or `project(q, v,
 /// w)`. If the number of constraints is known at compile time, Gram solves are direct. Other Gram solves may be
-/// inexact; they are refined until the accelerations satisfy the constraint.
+/// inexact. They are refined until the accelerations satisfy the constraint.
 
 #include <cmath>
 
@@ -23,13 +23,13 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// Adds M⁻¹Gᵀλ to a, with λ such that G a = −D²g(v, v) for the new a. Fails if a Gram solve fails.
+/// Adds M⁻¹Gᵀλ to a, with λ such that the new a satisfies G a = −D²g(v, v). Fails if a Gram solve fails.
 template <ConstrainedSystem S>
 Status add_reaction_of_motion(const S& system, const typename S::Vector& q, const typename S::Vector& v,
                               typename S::Workspace& system_workspace, ConstraintTemporaries<S>& constraint,
                               typename S::Multiplier& curvature, typename S::Vector& a) {
   constexpr int max_refinements = S::n_constraints == dynamic_constraints ? 30 : 1;
-  constexpr double needed_fall = 0.5;  // a residual that did not halve is round-off
+  constexpr double needed_fall = 0.5;  // a residual that does not halve is round-off
   system.constraint_curvature(q, v, curvature);
   constraint.direction_known = false;
   double before = HUGE_VAL;
@@ -59,7 +59,8 @@ class ExplicitMultiplier {
     detail::ConstraintTemporaries<S> constraint;
     Multiplier curvature;
 
-    /// Passes the memory of the system's solver of Gram equations, if there is one, to `visit`.
+    /// Passes the memory of the system's workspace (memory.h) to `visit`. Only workspaces with an iterative solver of
+    /// Gram systems have a memory.
     template <class Visit>
     void visit_memory(Visit&& visit) {
       if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
@@ -90,8 +91,8 @@ class ExplicitMultiplier {
     }
   }
 
-  /// Members for stages in lanes (stage_by_stage.h). They exist if the system has members of these names, and call
-  /// them.
+  /// Members for the stages of a Gauss step (stage_by_stage.h). They exist if the system has members of these names,
+  /// and call the members of the system.
   bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const S& s) {
     s.solve_stages_in_lanes(stages);
   }
@@ -113,7 +114,7 @@ class ExplicitMultiplier {
       return {};
     } else {
       auto& c = w.constraint;
-      c.direction_known = false;  // valid for the velocity too: the position correction changes it by round-off
+      c.direction_known = false;  // the velocity uses the same direction, which the correction of q hardly changes
       const double tolerance = system_.constraint_tolerance();
       if (Status status = detail::meet_position_constraint(system_, tolerance, q, q, w.system, c,
                                                            [&] { axpy(1.0, c.reaction, q); });

@@ -1,6 +1,6 @@
 #pragma once
-/// A SIMD vector of doubles. Each lane contains the value for one cell, one quadrature point or one body. The type uses
-/// the vector extension of the compiler, because the packaged deal.II does not have wide vectors.
+/// A SIMD vector of doubles. Each lane contains the value for one cell, one quadrature point, one body or one stage.
+/// The type uses the vector extension of the compiler, because the packaged deal.II does not have wide vectors.
 ///
 /// The definitions depend on the instruction set for which a file is compiled. Each instruction set therefore has its
 /// own inline namespace. Files compiled for different sets have different vectors, functions and numbers of lanes, and
@@ -36,7 +36,7 @@ inline double lesser(double a, double b) { return a < b || a != a ? a : b; }
 
 namespace lanes_detail {
 template <int n_lanes>
-struct VectorTypes;  // specialised below, since the compiler ignores a vector size that depends on a template parameter
+struct VectorTypes;  // specialised below; the compiler ignores a vector size that depends on a template parameter
 template <>
 struct VectorTypes<2> {
   typedef double Real __attribute__((vector_size(16)));
@@ -121,7 +121,7 @@ struct Lanes {
     NativeBits bits;
     std::memcpy(&bits, &x.v, sizeof bits);
     constexpr unsigned long long sqrt_half_bits = 0x3fe6a09e667f3bcdULL, mantissa_mask = 0x000fffffffffffffULL;
-    const NativeBits difference = bits - sqrt_half_bits;  // unsigned, since it may overflow if x is not positive
+    const NativeBits difference = bits - sqrt_half_bits;  // unsigned, because it may overflow if x is not positive
     const NativeInt exponent = reinterpret_cast<NativeInt>(difference) >> 52;
     const NativeBits mantissa_bits = (difference & mantissa_mask) + sqrt_half_bits;
     Native m;
@@ -141,7 +141,7 @@ struct Lanes {
 
   /// 1/√x with an error of about one unit in the last place, for positive x in the range of single precision. The
   /// computation starts from a guess y with 11 or more correct bits. With e = 1 − xy² the result is y (1 + e/2 + 3e²/8
-  /// + 5e³/16 + 35e⁴/128). The square root and the quotient of the processor take several times as long.
+  /// + 5e³/16 + 35e⁴/128). The instructions for square root and division take several times as long.
   friend Lanes inverse_sqrt(Lanes x) {
     const Native y = inverse_sqrt_guess(x.v), e = 1.0 - x.v * y * y;
     return y + y * e * (0.5 + e * (0.375 + e * (0.3125 + e * 0.2734375)));

@@ -10,9 +10,9 @@
 ///
 ///   q = |det B|/(2p³),   λ = ±2p cos(⅓ arccos q),
 ///
-/// λ is the eigenvalue of B farthest from the other two. Its eigenvector is a column of adj(B − λ Id). A plane rotation
-/// diagonalizes B on the orthogonal complement of this vector. Second, one Cayley rotation removes all remaining small
-/// angles
+/// λ has the sign of det B and is the eigenvalue of B farthest from the other two. Its eigenvector is a column of the
+/// matrix adj(B − λ Id). A plane rotation diagonalizes B on the orthogonal complement of this vector. Second, one
+/// Cayley rotation removes all remaining small angles
 ///
 ///   θ_ij = A_i·A_j/(|A_j|² − |A_i|²),
 ///
@@ -65,8 +65,8 @@ inline Symmetric gram(const Eigen::Matrix3d& W) {
   return {{dot(0, 0), dot(1, 1), dot(2, 2)}, {dot(1, 2), dot(2, 0), dot(0, 1)}};
 }
 
-/// True if all cosines of the angles between the columns are at most `bound`, or NaN; G is the Gram matrix of the
-/// columns.
+/// True if the cosines of the angles between the columns are at most `bound` in absolute value, or NaN. G is the Gram
+/// matrix of the columns.
 inline bool orthogonal(const Symmetric& G, double bound) {
   const Eigen::Vector3d &square = G.diagonal, &product = G.opposite;
   const auto below = [&](int i, int j, int k) {
@@ -175,7 +175,7 @@ inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
       G = detail::axes::gram(W);
       if (detail::axes::orthogonal(G, round_off)) break;
       const Eigen::Vector3d &square = G.diagonal, &product = G.opposite;
-      const auto angle = [&](int i, int j, int k) {  // 0 if the product is 0, also for equal axes
+      const auto angle = [&](int i, int j, int k) {  // the angle is 0 if the product is 0; this avoids 0/0
         return product[k] == 0 ? 0 : product[k] / (square[j] - square[i]);
       };
       const Eigen::Vector3d theta(angle(1, 2, 0), angle(2, 0, 1), angle(0, 1, 2));

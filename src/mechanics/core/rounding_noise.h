@@ -24,8 +24,9 @@ void perturb(double unit, Vector size, int pattern, Vector& x) {
     entries[i] += units[i] * (static_cast<double>(random()) / range - 0.5);
 }
 
-/// Returns the largest |r(pattern) − r(0)| over eight patterns. `evaluate(pattern, r)` sets r and returns false if it
-/// fails; pattern 0 means unchanged arguments. Failed patterns are omitted. Returns 0 if pattern 0 fails.
+/// Returns the largest |r(pattern) − r(0)|_∞ over eight patterns. `evaluate(pattern, r)` sets r and returns false if it
+/// fails; pattern 0 means unchanged arguments. Patterns that fail or give a result that is not finite are omitted.
+/// Returns 0 if pattern 0 fails.
 template <ConstrainedSystem S, class Evaluate>
 double largest_change(const S& system, Evaluate&& evaluate) {
   constexpr int n_patterns = 8;

@@ -52,9 +52,10 @@ class CriticalPointFinder {
   }
 
   static constexpr int max_iterations = 200, max_halvings = 20;
-  static constexpr double converged = 1e-12;  // |r|, relative to the gradient and the Hessian at the start
-  static constexpr double same_place = 1e-6;  // relative distance of equal points; most solutions agree more closely
-  static constexpr double singular = 1e-10;   // bound of zero pivots in Newton's matrix, relative to the largest
+  static constexpr double converged = 1e-12;  // bound of |r|, relative to the gradient and the Hessian at the start
+  /// Two solutions count as one point up to this relative difference. Most solutions of one point differ less.
+  static constexpr double same_place = 1e-6;
+  static constexpr double singular = 1e-10;  // bound of zero pivots in Newton's matrix, relative to the largest pivot
 
   /// Moves q to a critical point and sets λ to its multiplier. Returns false if the iteration does not converge from q.
   bool newton(Vector& q, Vector& lambda) const {
@@ -106,8 +107,8 @@ class CriticalPointFinder {
     return r.allFinite();
   }
 
-  /// Sets λ such that |∇V − Gᵀλ| is smallest, and sets `scale` to the size of the terms of r. Returns false if a
-  /// derivative fails.
+  /// Sets λ such that |∇V − Gᵀλ| is smallest, and sets `scale` to the size of the gradient or the Hessian, whichever is
+  /// larger. Returns false if a derivative fails.
   bool initial_multiplier(const Vector& q, Vector& lambda, double& scale) const {
     Vector dV;
     Matrix G;
@@ -161,7 +162,7 @@ class CriticalPointFinder {
   std::mt19937_64 generator_;
 };
 
-/// The matrix M of the damping force −M v, which exists for every system.
+/// The mass matrix M, for a damping force −M v. Every system has a mass matrix.
 Eigen::MatrixXd unit_damping(const AnyLandscape& landscape, const Eigen::VectorXd& q) {
   Eigen::MatrixXd M;
   landscape.mass(q, M);

@@ -1,12 +1,12 @@
 #pragma once
-/// Symmetric composition of a symmetric method Φ of order 2 (Hairer, Lubich, Wanner, Geometric Numerical Integration,
-/// V.3.2):
+/// Symmetric composition of a symmetric method Φ of order 2, with s substeps (Hairer, Lubich, Wanner, Geometric
+/// Numerical Integration, V.3.2):
 ///
 ///   Ψ_h = Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h},   γ_i = γ_{s+1−i},   Σγ_i = 1.
 ///
 /// The composed method is symmetric. If Φ is symplectic, the composed method is symplectic too. The coefficients
-/// declare the order of the composed method. Each composed method declares chosen_by_auto itself, which permits Method
-/// = auto to choose it.
+/// declare the order of the composed method. Each composed method has its own member chosen_by_auto. It is true if
+/// Method = auto may choose the method.
 
 #include <array>
 #include <cstddef>

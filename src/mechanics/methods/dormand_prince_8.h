@@ -1,7 +1,7 @@
 #pragma once
-/// The explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince for q̈ = a(t, q, q̇), with error estimates
+/// The explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince for q̈ = a(t, q, q̇). It has error estimates
 /// of orders 5 and 3 and dense output of order 7. It is described in Hairer, Nørsett, Wanner, Solving Ordinary
-/// Differential Equations I, II.5, II.6 and II.10. Since q̇ = v, the stages store only accelerations A_j. The
+/// Differential Equations I, II.5, II.6 and II.10. The stages store only accelerations A_j, because q̇ = v. The
 /// coefficients are in dormand_prince_8_tableau.h:
 ///
 ///   A_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j
@@ -14,7 +14,8 @@
 ///
 /// Thus `tolerance` bounds the local error of one step, relative to 1 + |q| and 1 + |v|. The global error is
 /// proportional to the tolerance, with a factor that depends on the motion. The size of the next step is h · min(6,
-/// max(1/3, 0.9 (tolerance/error)^{1/8})). After a rejected trial the size does not grow.
+/// max(1/3, 0.9 (tolerance/error)^{1/8})). A trial with error > tolerance is rejected. The next trial has 0.2 to 0.9 of
+/// its size, and the size does not grow after this trial.
 ///
 /// If the force fails or is not finite in a trial, the next trial has a quarter of the size. If the size falls below
 /// round-off, the motion ends with a failure. The increments of q and v are summed with compensation (vector_space.h).

@@ -1,9 +1,9 @@
 #pragma once
 /// The method energy-momentum: a step of any size conserves energy, momenta and constraints up to round-off. It uses
-/// the discrete gradients of O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with constraints as in Physica D 132 (1999)
-/// 165, in phase space and with the constraint of the velocity. With X = (q, p) and p = M v, Hamilton's function is H =
-/// K(p) + V(q). The constraints are g(q) = 0 and, for their rates, γ(X) = G(q) M⁻¹p = 0 with G = Dg. A step of size h
-/// is
+/// the discrete gradients of O. Gonzalez (J. Nonlinear Sci. 6 (1996) 449), with constraints as in Physica D 132 (1999)
+/// 165. The step is in phase space and also satisfies the constraint of the velocity. With X = (q, p) and p = M v,
+/// Hamilton's function is H = K(p) + V(q). The constraints are g(q) = 0 and, for their rates, γ(X) = G(q) M⁻¹p = 0 with
+/// G = Dg. A step of size h is
 ///
 ///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,   X_m = (X₀ + X₁)/2,
 ///   ∇̄F = ∇F(X_m) + C,   C = ΠD + θP,   θ = [ΔF − (∇F(X_m) + ΠD)·ΔX]/|P|²,   P = Π ΔX,
@@ -27,16 +27,16 @@
 /// - D is needed near relative equilibria, which are motions along the orbit with P = 0. X_m lies inside the arc of the
 /// motion, so ∇F(X_m) differs from ∇F on the arc by O(h²). Without D, θP would have to correct this difference, but θP
 /// has no limit as P → 0. The two points of D lie P/2 from the ends. If one group of rotations or translations acts, or
-/// if both rotations of a body have the same axis, a Cayley transform maps one point to the other. In this case θP is
-/// O(h|P|). Near a steady motion with two different axes θP is O(h²), and the iteration may need smaller steps.
+/// both rotations of a body have one axis, a Cayley transform maps one point to the other. Then θP is O(h|P|). Near a
+/// steady motion with two different axes θP is O(h²), and the iteration may need smaller steps.
 ///
 /// Round-off. Let ν be the round-off of V. Then θP has the error ν/|P|. A step corrects only the part of the energy
 /// error that exceeds ν. Later steps include the remainder, so the total error stays about ν. The round-off of V is
-/// measured at every step, since terms of V cancel differently after a rotation of the body. A correction of pure
-/// round-off is harmless if it changes P by less than the fraction 10⁻⁴ in a step. If the largest ν so far is harmless
-/// in this sense, the step uses the ν measured at the first state, otherwise the largest ν so far. On relative
-/// equilibria H is critical among the states with the same momenta. Therefore the energy is right to round-off without
-/// θ if |P| ≤ 10⁻⁷|ΔX|, and the step sets θ = 0. The round-off of the momenta is corrected as well (momentum_keeper.h).
+/// measured at every step, because terms of V cancel differently after a rotation of the body. A correction of pure
+/// round-off is harmless if it changes P by less than the fraction 10⁻⁴ in a step. If the largest ν so far is harmless,
+/// the step uses the first ν, otherwise the largest ν so far. On relative equilibria H is critical among the states
+/// with the same momenta. Therefore the energy is right to round-off without θ if |P| ≤ 10⁻⁷|ΔX|, and the step sets θ =
+/// 0. The round-off of the momenta is corrected as well (momentum_keeper.h).
 ///
 /// A Gauss–Seidel iteration on (Δv, Δq) solves the step. Each iteration makes the corrections
 ///
@@ -99,11 +99,11 @@ struct EnergyMomentumWorkspace {
 
   typename S::Workspace system;
   Vector dq, dv, dq_before, dv_before;                      // Δq and Δv, and their values in the previous iteration
-  Vector q_middle, v_middle, q_end, v_end, q_side, v_side;  // X_m, X₁, X₀ + P/2 or X₁ − P/2
+  Vector q_middle, v_middle, q_end, v_end, q_side, v_side;  // q and v of X_m, of X₁, and of X₀ + P/2 or X₁ − P/2
   Vector force, A, B, C_q, C_v, P_q, P_v;                   // see the formulas at the top of this file
   Vector acceleration;                                      // Δv/h of the last step
   Vector q_rounding, v_rounding;                            // remainders of the compensated sums of q and v
-  Multiplier lambda, mu, residual, delta;                   // λ, μ; g or γ; δ
+  Multiplier lambda, mu, residual, delta;                   // λ, μ, the residual g or γ, and δ of `react`
   MultiplierHistory<S> history;                             // multipliers λ at the middle of the steps
   OrbitComplement<S> orbit;
   MomentumKeeper<S> momenta;
@@ -338,9 +338,9 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Sets θ from the part of the energy error that exceeds ν. The energy error is ΔF − (∇F(X_m) + ΠD)·ΔX plus the
-  /// remainder of earlier steps. The covectors ∇F(X_m) and ΠD vanish along the orbit, so their products with ΔX and
-  /// with P are equal.
+  /// Sets θ from the part of the energy error that exceeds ν. The energy error is ΔF − (∇F(X_m) + ΠD)·ΔX plus a bounded
+  /// part of the error of earlier steps. The covectors ∇F(X_m) and ΠD vanish along the orbit, so their products with ΔX
+  /// and with P are equal.
   template <ConservativeSystem S>
   static Status set_theta(const S& system, double h, double P, EnergyMomentumWorkspace<S>& w) {
     w.theta = 0;

@@ -15,8 +15,8 @@ struct FixedPointMonitor {
   double previous = HUGE_VAL, least = HUGE_VAL;
   int iteration = 0, n_since_least = 0;
 
-  /// Records the increment. Returns true if none of the last three increments was a new least one, and the current
-  /// increment is at most `limit`.
+  /// Records the increment. Returns true if none of the last three increments was smaller than all earlier ones, and
+  /// the current increment is at most `limit`.
   bool stalled(double increment, double limit) {
     n_since_least = increment < least ? 0 : n_since_least + 1;
     least = std::min(least, increment);
@@ -30,7 +30,7 @@ struct FixedPointMonitor {
   ConvergenceMonitor::Verdict judge(double increment, double round_off) {
     using Verdict = ConvergenceMonitor::Verdict;
     if (increment <= round_off || (increment >= previous && increment <= 30 * round_off)) return Verdict::done;
-    // Comparisons with NaN are false, so a NaN counts as stuck. Increments below 1e-3 may grow.
+    // Comparisons with NaN are false, so a NaN counts as stuck. Increments below 1e-3 may grow by any factor.
     if (!(increment < 10 * previous || increment < 1e-3) || ++iteration > max_iterations) return Verdict::stuck;
     previous = increment;
     return Verdict::go_on;

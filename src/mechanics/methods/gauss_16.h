@@ -1,31 +1,34 @@
 #pragma once
-/// Gauss collocation with 8 stages, of order 16 (Hairer, Lubich, Wanner, Geometric Numerical Integration, II.1, IV.2;
-/// stages in the lanes of vectors: Antoñana, Alberdi, Makazaga, Murua), for q̈ = a(t, q, q̇):
+/// Gauss collocation with 8 stages, of order 16, for q̈ = a(t, q, q̇). It is described in Hairer, Lubich, Wanner,
+/// Geometric Numerical Integration, II.1 and IV.2. Stages in the lanes of vectors are an idea of Antoñana, Alberdi,
+/// Makazaga and Murua.
 ///
 ///   a_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij a_j,   q_i = q + h c_i v + h² Σ_j (A²)_ij a_j
 ///   v_{n+1} = v + h Σ_j b_j a_j,    q_{n+1} = q + h v + h² Σ_j b_j (1 − c_j) a_j
 ///
 /// The method is symmetric. It is symplectic if the mass is constant and there is no constraint. Momenta that are
-/// bilinear in q and v, as J and Z of a body, are kept to round-off if the stages are iterated to it. Forces may depend
-/// on velocity and time and may dissipate. A system with constraints is integrated with its explicit multiplier
-/// (explicit_multiplier.h), which keeps g = 0 to the error of the step. Every few steps, and before a state is
-/// observed, the state is projected,
+/// bilinear in q and v are conserved up to round-off if the stages are iterated to round-off. Examples are the momenta
+/// J and Z of a body. Forces may depend on velocity and time and may dissipate. A system with constraints is integrated
+/// with its explicit multiplier (explicit_multiplier.h). The multiplier keeps g = 0 to the error of the step. Every 32
+/// steps, and before a state is observed, the state is projected,
 ///
-///   q ← q + M⁻¹Gᵀδ,   v ← v − M⁻¹D²(δ·g)(v),   then  v ← v + M⁻¹Gᵀμ,
+///   q ← q + M⁻¹Gᵀδ,   v ← v − M⁻¹D²(δ·g)(v),   then  v ← v + M⁻¹Gᵀμ.
 ///
-/// the lift of the projection of q to the momenta, which leaves J as it is up to terms of second order in δ.
+/// The first change of v is the lift of the projection of q to the momenta. Therefore J does not change in first order
+/// of δ.
 ///
-/// The stages are found by iteration (gauss_iteration.h), which the polynomial through the last step's stages starts.
-/// A step whose iteration does not converge is never accepted: it is made in two halves, these in halves, and so on.
-/// A step is also halved if the Legendre coefficients of the highest orders of its stages exceed the `tolerance`: then
-/// the polynomial does not resolve the motion. These coefficients do not depend on the direction of time, so the halved
-/// steps do not either.
+/// The stages are found by iteration (gauss_iteration.h). The initial guess is the polynomial through the stages of the
+/// last step. If the iteration does not converge, the step is made in two halves. The halves can be halved again, and
+/// so on. A step is also halved if its estimated error exceeds `tolerance`, because the polynomial through its stages
+/// then does not resolve the motion. The estimate uses the Legendre coefficients of the highest orders of the stages.
+/// The coefficients and therefore the halved steps do not depend on the direction of time.
 ///
-/// Coefficients and sums of q and v have more than double precision. If the stages are iterated to round-off and the
-/// step resolves the motion, the errors of a step are random and below the round-off of the state. Then momenta and
-/// energy do not drift. If the step does not resolve the motion, the energy has the error of the step. If the stages
-/// are iterated to a tolerance, momenta have its error, and the energy has this error and that of the step. The
-/// tolerance of the iteration alone does not bound it.
+/// Coefficients and sums of q and v have more than double precision. Let the stages be iterated to round-off, and let
+/// the step resolve the motion. Then the errors of a step are random and below the round-off of the state. Momenta and
+/// energy then do not drift. If the step does not resolve the motion, the energy has the error of the step. If the
+/// stages are iterated to a tolerance, the momenta have the error of the iteration. The energy then has the error of
+/// the iteration and the error of the step. The tolerance of the iteration alone does not bound the error of the
+/// energy.
 
 #include <algorithm>
 #include <cmath>
@@ -57,22 +60,22 @@ struct Gauss16Workspace {
         scratch(GaussStages::n_scratch * n_entries) {}
 
   typename Field::Workspace system;
-  /// Bound of the estimated error of a step; a step with a larger error is halved. The default asks only that the
+  /// Bound of the estimated error of a step; a step with a larger error is halved. The default only requires that the
   /// polynomial resolves the motion.
   double tolerance = coarsest_tolerance;
   static constexpr double coarsest_tolerance = 1e-2;
   int most_halvings = 40;  ///< largest number of halvings of a step. If 0, a step that does not converge fails.
-  /// The stages are iterated until the error of the accelerations is below it; if 0, below round-off / 4096.
+  /// Bound of the error of the accelerations at which the iteration on the stages ends. If 0, it is round-off / 4096.
   double iteration_tolerance = 0;
   Vector q_rounding, v_rounding;  // rounding errors of q and v
   Vector change;
   std::size_t n_entries;
-  std::vector<OfStages> last, stages, sums, scratch;  // last: of the last step
+  std::vector<OfStages> last, stages, sums, scratch;  // `last` has the stages of the last step
   GaussTables tables;
   double h_last = 0;      // length of the last step; 0: there was none
-  double scale = 0;       // largest acceleration in it
-  int n_halvings = 0;     // of the last outer step
-  int n_unprojected = 0;  // steps since the last projection
+  double scale = 0;       // largest acceleration in the first iteration of the last step
+  int n_halvings = 0;     // largest number of halvings in the last call of `advance`
+  int n_unprojected = 0;  // calls of `advance` since the last projection
   Counters counters;
 
   /// Visits all numbers that a checkpoint must contain.
@@ -98,29 +101,29 @@ struct Gauss16 {
       "systems. Momenta are kept to round-off if Step is given, else to a part of Tolerance";
   static constexpr int order = 16;
   static constexpr int n_stages = gauss::n_stages;
-  /// Number of forces that a step counts for in the search for the step.
+  /// Cost of a step, as a number of forces, in the search for the step.
   template <class S>
   static double forces_of_step(const S& system) {
-    constexpr double n_iterations = 7;  // 4 to 9, by tolerance and system
+    constexpr double n_iterations = 7;  // the number is 4 to 9, and depends on the tolerance and the system
     return n_iterations * cost_of_iteration(field_of(system));
   }
 
-  /// Admissible error e of the accelerations, for a tolerance of the configuration and a run of length T. On SL(3), a
-  /// rigid body and the double pendulum, over T = 100 and 3000, energy was lost at a rate of 1e-3 to 5e-2 times e and
-  /// the velocity. The error of the configuration was at most 0.03 e T², with this e less than a sixth of the
-  /// tolerance.
+  /// Permitted error e of the accelerations, for a tolerance of the configuration and a run of length T. Runs of SL(3),
+  /// a rigid body and the double pendulum were measured, with T = 100 and 3000. The energy fell at a rate of 1e-3 to
+  /// 5e-2 times e|v|, with the velocity v. The error of the configuration was at most 0.03 e T². For this e, it is less
+  /// than a sixth of the tolerance.
   static double iteration_tolerance(double tolerance, double end) { return 5 * tolerance / (end * end); }
 
-  /// Method = auto takes it for systems whose stages are evaluated in lanes.
+  /// Method = auto considers the method for systems that evaluate their stages in lanes.
   static constexpr bool for_stages_in_lanes = true;
   static constexpr bool symplectic = false, symmetric = true;
   static constexpr bool adaptive = false, chosen_by_auto = true;
-  /// hω beyond which the iteration takes more than a dozen rounds; it contracts up to about 11.
+  /// Largest hω for which the iteration needs at most a dozen rounds. The iteration converges up to about hω = 11.
   static constexpr double stability_limit = 4;
 
   template <class S>
   using Workspace = Gauss16Workspace<S>;
-  /// Large systems do not benefit from a method that stores eight accelerations and needs sixty for a step.
+  /// Large systems do not benefit from a method that stores eight accelerations and needs sixty forces for a step.
   template <class S>
   static constexpr bool fits = [] {
     if constexpr (!ConstrainedSystem<S> && !SecondOrderField<S>)
@@ -134,11 +137,12 @@ struct Gauss16 {
     return {};
   }
 
-  /// One step. The state is projected every few steps, and by `project_velocity`.
+  /// Makes one step. Projects the state after every 32 steps.
   template <class S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
-    // The last step's halvings are tried again, less one: a violent phase does not begin anew at every step.
-    constexpr int most_expected = 2;  // all parts of the next step are so short
+    // The next step starts with one halving less than the last step. Each step of a violent phase then does not
+    // begin with its whole length.
+    constexpr int most_expected = 2;  // small, because all parts of the next step have this depth
     const int n_expected = std::clamp(w.n_halvings - 1, 0, most_expected);
     w.n_halvings = 0;
     if (Status status = advance_in_parts(system, {h, h, 0}, n_expected, state, w); !status) return status;
@@ -147,7 +151,7 @@ struct Gauss16 {
     return project_velocity(system, state, w);
   }
 
-  /// Position and velocity.
+  /// Projects position and velocity.
   template <class S>
   static Status project_velocity(const S& system, State<S>& state, Workspace<S>& w) {
     w.n_unprojected = 0;
@@ -163,7 +167,7 @@ struct Gauss16 {
   }
 
  private:
-  /// A step, or a part of one that has been halved `depth` times.
+  /// A step, or a part of a step that has been halved `depth` times. `outer_h` is the length of the whole step.
   struct Part {
     double outer_h, h;
     int depth;
@@ -187,7 +191,7 @@ struct Gauss16 {
     return {};
   }
 
-  /// Steps that differ by the round-off of the sample times are the same.
+  /// True if the step sizes differ only by the round-off of the sample times.
   static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
 
   template <class S>
@@ -206,7 +210,7 @@ struct Gauss16 {
             .scale = w.scale};
   }
 
-  /// Makes the step if its stages are found; returns a failure of the force.
+  /// Makes the step if its stages are found, and sets `found`. Returns a failure of the force.
   template <class S>
   static Status step(const S& system, double outer_h, double h, State<S>& state, Workspace<S>& w, bool& found) {
     ++w.counters.n_substeps;
@@ -229,8 +233,9 @@ struct Gauss16 {
     return {};
   }
 
-  /// Guesses the stages by the polynomial of the last step. At the first step, and after a step that is much shorter
-  /// than this one, the guess is the acceleration at the state.
+  /// Sets the guess of the stages to the polynomial of the last step. At the first step, the guess is the acceleration
+  /// at the state. This is also the guess if the step is 1.5 times as long as the last step or more, or has the
+  /// opposite sign.
   template <class F>
   static Status begin(const F& field, const State<F>& state, auto& w, GaussStages& s) {
     constexpr double longest_look = 1.5;
@@ -246,18 +251,20 @@ struct Gauss16 {
     return {};
   }
 
-  /// Removes the last digits of the sample times from the ratio of two steps: 1 or a power of 2, if it is that near.
+  /// Returns 1 or a power of 2 if `ratio` differs from this number only by the round-off of the sample times, else
+  /// `ratio`.
   static double rounded_ratio(double ratio) {
     if (same_step(ratio, 1)) return 1;
     const double power = std::exp2(std::round(std::log2(ratio)));
     return same_step(ratio, power) ? power : ratio;
   }
 
-  /// Estimated error of a step. If the Legendre coefficients fall like ρᵏ, the tail is about ρ^6.5 and the error ρ^16.
-  /// The factor 1e3 was fitted on SL(3).
+  /// Estimated error of a step. If the Legendre coefficients fall like ρᵏ with the order k, the tail is about ρ^6.5 and
+  /// the error ρ^16. The factor 1e3 was fitted on SL(3).
   static double error_of(const GaussStages& s) { return 1e3 * s.tail * s.tail * std::sqrt(s.tail); }
 
-  /// A failure of the force at a stage or at the state, or that the iteration has not converged.
+  /// Returns the failure of the force at a stage or at the state. If the force does not fail, returns that the stages
+  /// cannot be found.
   template <class S>
   [[gnu::cold, gnu::noinline]] static Status why_not_found(const S& system, Status of_stages, const Part& part,
                                                            const State<S>& state, Workspace<S>& w) {
@@ -265,15 +272,15 @@ struct Gauss16 {
     const auto& field = field_of(system);
     if (Status status = field.acceleration(state.t, state.q, state.v, w.system, w.change); !status) return status;
     if (!std::isfinite(w.change.squaredNorm())) return Status::failure("the force is not finite");
-    // Lanes do not say why they fail. One after the other, the stages do.
+    // The evaluation in lanes does not return a reason. The evaluation of the stages one by one does.
     for (std::size_t k = 0; k < w.n_entries; ++k) w.stages[k].fill(w.change.data()[k]);
     GaussStages again = stages_of(part.outer_h, state, w);
     if (Status status = solve_one_by_one(field, again, w.system); !status) return status;
     return Status::failure("the stages of a step cannot be found by iteration; use a smaller step");
   }
 
-  /// Sums in extended precision and keeps the rounding errors for the next step. In double precision the round-off of
-  /// hv and of the sums makes energy and momenta drift by 10⁻¹⁸ a step.
+  /// Adds the sums in extended precision, and keeps the rounding errors for the next step. In double precision, the
+  /// round-off of h v and of the sums would make energy and momenta drift by 10⁻¹⁸ per step.
   template <class S>
   static void add_sums(const GaussStages& s, State<S>& state, Workspace<S>& w) {
     using Real = gauss::Real;
@@ -298,7 +305,7 @@ struct Gauss16 {
     auto& of_system = w.system.system;
     c.direction_known = false;
     const double tolerance = system.constraint_tolerance();
-    // The iteration squares the residual. The residual is evaluated again if its square may exceed round-off.
+    // An iteration squares the residual. A new residual is evaluated only if this square may exceed round-off.
     const double foregone = S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * tolerance);
     const auto move_position = [&] {
       if constexpr (requires { system.add_reaction_rate(state.q, state.v, c.delta, w.change); }) {

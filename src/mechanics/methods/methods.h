@@ -5,23 +5,24 @@
 /// A method is an empty struct with these members:
 ///
 ///     name, documentation                  as shown in parameter files
-///     order, n_stages, symplectic, symmetric, adaptive, stability_limit
-///     resonance_limit                      optional, a smaller bound on hω for the steps that a search tries
+///     order, n_stages, symplectic, symmetric, adaptive
 ///     chosen_by_auto                       true if Method = auto may choose the method
 ///     Workspace<S>                         with `system`, `counters` and visit_memory (memory.h)
 ///     fits<S>                              true if the method compiles for a system of type S
-///     takes_any_vector                     true if the method needs only the operations of VectorSpace
+///     takes_any_vector                     optional, true if the method needs only the operations of VectorSpace
 ///     accepts(system) → Status             fails with the reason if the method must not integrate this system
 ///
 /// A method with steps of fixed size (adaptive = false) also has
 ///
+///     stability_limit                      largest hω of a step h, with the largest frequency ω of small motions
+///     resonance_limit                      optional, a smaller bound on hω for the steps that a search tries
 ///     advance(system, h, state, workspace) → Status            makes one step; the velocity may lack its projection
 ///     project_velocity(system, state, workspace) → Status      makes the velocity valid, needed at samples
 ///
 /// A method that chooses the sizes of its steps (adaptive = true) has instead
 ///
 ///     step(field, t_limit, state, workspace) → Status          makes one step that ends at t_limit at the latest
-///     interpolate(field, t, state, workspace) → Status         sets the state to that at a time t in the last step
+///     interpolate(field, t, state, workspace) → Status         sets `state` to the state at a time t in the last step
 
 #include <algorithm>
 #include <array>
@@ -68,8 +69,8 @@ static_assert([]<class... Methods>(std::tuple<Methods...>*) { return (DeclaresTr
                   static_cast<MethodTable*>(nullptr)),
               "a method of the table leaves out a trait");
 
-/// Largest hω of the steps that a search tries, without safety factor; ω is the largest frequency of small motions. The
-/// value is the stability limit, or the first resonance if it is smaller (multistep_coefficients.h).
+/// Largest hω of the steps that a search tries, without a safety factor. The value is the stability limit, or the first
+/// resonance if this is smaller (multistep_coefficients.h).
 template <class Method>
 inline constexpr double step_limit = [] {
   if constexpr (requires { Method::resonance_limit; })

@@ -43,7 +43,7 @@ struct MultiplierHistory {
 
   /// Sets lambda ← Σ ℓ_i(t) λ(t_i) with as many of the latest times as possible such that Σ|ℓ_i| is small. The substeps
   /// of a composition have unequal lengths, and an extrapolation far beyond close times amplifies round-off. If no
-  /// multiplier is known, lambda is the start value of the history, normally zero.
+  /// multiplier is known, lambda is the latest entry of the history. This entry is zero at the start of a run.
   void guess(double t, typename S::Multiplier& lambda) const {
     std::array<double, n_values> weights{};
     for (int n = n_known; n > 0; --n)
@@ -59,9 +59,9 @@ struct MultiplierHistory {
   /// Sets `weights` to ℓ_i(t) for the latest n times. Returns false if Σ|ℓ_i| exceeds 16, or if two times are equal.
   ///
   /// For equidistant times Σ|ℓ_i| = 2ⁿ − 1 is at most 15 and permitted. Only the unequal substeps of compositions reach
-  /// the limit. The limit was measured for linear extrapolation on SL(3) with h = 0.2, 0.05, 0.01. With limits of 7 to
-  /// 40 the numbers of iterations agree within 0.5 %. A limit of 3 takes up to 2.5 % more iterations. A limit of 1 (no
-  /// extrapolation) takes up to 5 % more in compositions and 16 % more in RATTLE.
+  /// the limit. The limit was measured for linear extrapolation on SL(3) with the steps h = 0.2, 0.05, 0.01. With
+  /// limits of 7 to 40 the numbers of iterations agree within 0.5 %. A limit of 3 needs up to 2.5 % more iterations. A
+  /// limit of 1 (no extrapolation) needs up to 5 % more in compositions and 16 % more in RATTLE.
   bool lagrange(double t, int n, std::array<double, n_values>& weights) const {
     constexpr double most = 16;
     double sum = 0;

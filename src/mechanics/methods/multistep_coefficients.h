@@ -5,16 +5,17 @@
 ///
 ///   Σ_j α_j q_{n+j} = h² Σ_j β_j a_{n+j},   ρ(ζ) = (ζ − 1)² ∏_i (ζ² − 2 a_i ζ + 1),   α_j = α_{k−j}, β_j = β_{k−j}.
 ///
-/// All roots of ρ lie on the unit circle. They are simple except for the double root 1. The order conditions give β.
-/// With indices counted from the middle, i = j − k/2, only the conditions for even s remain:
+/// The coefficients of ρ(ζ) = Σα_j ζ^j are α_j, and the k/2 − 1 numbers a_i are parameters. All roots of ρ lie on the
+/// unit circle. They are simple except for the double root 1. The order conditions give β_j. With indices counted from
+/// the middle, i = j − k/2, only the conditions for even s remain:
 ///
 ///   Σ_i α_i i^s = s(s − 1) Σ_i β_i i^{s−2},   s = 2, 4, …, k   (order k).
 ///
 /// For constraints the roots of σ(ζ) = Σβ_j ζ^j other than 0 must also be simple and on the unit circle. The reason is
 /// that the multipliers obey a recursion with σ (Console, Hairer, Lubich, Numer. Math. 124 (2013) 517). The a_i of
-/// orders 8 and 12 result from a search among numbers with two decimals. They satisfy three conditions: the roots of ρ
-/// and the roots of σ are well separated, the step is stable for hω ≤ stability_limit, and the error constant is small.
-/// Order 4 has a = 0. The roots ±i of ρ are then midway between 1 and −1, at which the two roots would coincide.
+/// orders 8 and 12 result from a search among numbers with two decimals. The roots of ρ and the roots of σ are well
+/// separated. The step is stable for hω ≤ stability_limit, and the error constant is small. Order 4 has a = 0. The
+/// roots ±i of ρ are then midway between 1 and −1, at which the two roots would coincide.
 ///
 /// Parasitic roots are the roots of ρ other than 1. A motion of frequency ω couples two parasitic roots e^{iθ}, e^{iθ'}
 /// if hω is the difference of θ and θ' (G. D. Quinlan, arXiv:astro-ph/9901136, 1999). At such a step the error is
@@ -90,8 +91,8 @@ constexpr std::array<long double, k / 2> second_polynomial(const std::array<long
   return solve<m>(A, b);
 }
 
-/// Weights c_i of the accelerations a_{n−i} in the formula for the velocity. v_n − d_n/h is an integral of the
-/// polynomial through the a_{n−i}. The formula is exact for a = (t − t_n)^s with h = 1:
+/// Weights c_i of the accelerations a_{n−i} in the formula for the velocity. The difference v_n − d_n/h is an integral
+/// of the polynomial through the a_{n−i}. The formula is exact for a = (t − t_n)^s with h = 1:
 ///   Σ_i c_i (−i)^s = v_n − (q_n − q_{n−1}) = (−1)^s / ((s + 1)(s + 2)),   s = 0 … k − 1.
 template <int k>
 constexpr std::array<long double, k> velocity_weights() {

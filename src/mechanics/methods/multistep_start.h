@@ -59,7 +59,7 @@ struct ExplicitStart {
   DormandPrince8Workspace<ExplicitMultiplier<S>> workspace;
 };
 
-/// The first steps by a composition of RATTLE, which is stable up to larger steps than the multistep method.
+/// The first steps by a composition of RATTLE. The composition is stable up to larger steps than the multistep method.
 template <class Composed>
 struct CompositionStart {
   template <ConstrainedSystem S>

@@ -7,13 +7,13 @@
 ///   v_{n+1}   = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}) + G(q_{n+1})ᵀ μ_n],   G(q_{n+1}) v_{n+1} = 0
 ///
 /// The velocity projection with the multiplier μ_n changes v_{n+1} along M⁻¹G(q_{n+1})ᵀ. The next λ_{n+1} acts along
-/// the same directions. If a step omits the projection, λ_{n+1} therefore takes over the missing change, and all
-/// positions remain the same (SHAKE and RATTLE have equal positions). `advance` omits the projection, and
-/// `project_velocity` makes the projection at samples.
+/// the same directions. If a step omits the projection, λ_{n+1} therefore takes over the missing change. All positions
+/// remain the same, so SHAKE and RATTLE have equal positions. `advance` omits the projection, and `project_velocity`
+/// makes the projection at samples.
 ///
 /// λ_n is multiplied by the sum of the half steps before and after q_n. With Λ for this product, Newton's iteration is
 ///
-///   G(q) M⁻¹ G(q_n)ᵀ δ = −g(q),   v ← v + M⁻¹G(q_n)ᵀδ/h,   q ← q + M⁻¹G(q_n)ᵀδ,
+///   G(q) M⁻¹ G(q_n)ᵀ δ = −g(q),   v ← v + M⁻¹G(q_n)ᵀδ/h,   q ← q + M⁻¹G(q_n)ᵀδ,   Λ ← Λ + δ/h.
 ///
 /// The iteration starts from an extrapolated multiplier and ends when |g| ≤ tolerance or when g consists of round-off.
 ///
@@ -21,11 +21,11 @@
 /// the force at v_{n+1} and is implicit:
 ///   v_{n+1} = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}, v_{n+1}) + Gᵀμ_n].
 /// A fixed-point iteration on the force solves this equation together with the projection. The step remains symmetric
-/// and of order 2; a linear drag −cv gives Cayley's factor (1 − hc/2)/(1 + hc/2). If the iteration is slow and the
-/// force depends on v by a term −C(q)v with a symmetric C, a linear system is solved instead (linear_damping.h). Then
-/// damping does not limit the step: an oscillator ẍ = −ω²x − cẋ is stable up to hω = 2 for every c. If the iteration is
-/// already slow in the first step, the first half step is implicit as well. Otherwise an overdamped body would start
-/// with a fast transient.
+/// and of order 2; a linear drag −cv gives Cayley's factor (1 − hc/2)/(1 + hc/2). If this iteration is slow, a linear
+/// system is solved instead (linear_damping.h). This is possible if the force depends on v by a term −C(q)v with a
+/// symmetric C. Then damping does not limit the step: an oscillator ẍ = −ω²x − cẋ is stable up to hω = 2 for every c.
+/// If the iteration is already slow in the first step, the first half step is implicit as well. Otherwise an overdamped
+/// body would start with a fast transient.
 ///
 /// The increments of q and v are small compared with q and v, and are summed with compensation (vector_space.h). If the
 /// system supports it (`resolves_rounding`), the constraint is solved for the sum q + q_rounding.
@@ -143,7 +143,7 @@ struct Rattle {
   template <class S>
   static constexpr bool fits = ConstrainedSystem<S>;
 
-  /// Never fails: RATTLE permits every constrained system.
+  /// Never fails: RATTLE accepts every constrained system.
   template <ConstrainedSystem S>
   static Status accepts(const S&) {
     return {};
@@ -282,13 +282,12 @@ struct Rattle {
       status = project_velocity(system, state, w);
       if (!status) return status;
     }
-    w.acceleration_known = false;  // it belongs to the velocity before the last correction
+    w.acceleration_known = false;  // the known acceleration is at the velocity before the last correction
     return {};
   }
 
   /// Solves the equation of `settle_velocity` by alternate evaluations of the force and projections, until v no longer
-  /// changes. If the force depends linearly on v and the iteration is slow, sets w.stiff and returns without a
-  /// solution.
+  /// changes. If the force is linear in v and the iteration is slow, sets w.stiff and returns without a solution.
   template <ConstrainedSystem S>
   static Status iterate_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     auto& [half, before, free, reaction] = w.settling;
@@ -321,7 +320,7 @@ struct Rattle {
       // If each change is c times the previous one, the sum of all further changes is size · c/(1 − c).
       const double c = size / size_before;
       if (size <= round_off || (i > 0 && c < 0.5 && size * c / (1 - c) <= enough) || (c >= 0.5 && size <= jitter)) {
-        w.acceleration_known = false;  // it belongs to the velocity before the last iteration
+        w.acceleration_known = false;  // the known acceleration is at the velocity before the last iteration
         return {};
       }
       constexpr double slow = 0.3;
@@ -372,10 +371,10 @@ struct Rattle {
     }
   }
 
-  /// Largest |g| that a step may leave. If sums are compensated, |g| is the largest error of a step, and it
-  /// accumulates. The energy drift on SL(3) in 10⁶ periods was measured for three tolerances. It is 7e-12 with the
-  /// tolerance of the system, and 1e-12 if g(q) is iterated to its round-off. There is no drift if |g(q + q_rounding)|
-  /// is less than this round-off.
+  /// Largest |g| that a step may leave. If sums are compensated, |g| is the largest error of a step and accumulates.
+  /// The energy drift on SL(3) in 10⁶ periods was measured for three tolerances. It is 7e-12 with the tolerance of the
+  /// system, and 1e-12 if g(q) is iterated to its round-off. There is no drift if |g(q + q_rounding)| is less than this
+  /// round-off.
   template <ConstrainedSystem S>
   static double position_tolerance(const RattleWorkspace<S>& w) {
     if constexpr (resolves_rounding<S>)
@@ -386,9 +385,8 @@ struct Rattle {
       return w.constraint_tolerance;
   }
 
-  /// Divides w.impulse = Λ by `weight` and records the quotient as λ(t). `weight` is the sum of the half steps before
-  /// and after the time t. It may be nearly zero if consecutive substeps have opposite signs. The function then does
-  /// nothing.
+  /// Divides w.impulse = Λ by `weight`, the sum of the half steps before and after the time t. Records the quotient as
+  /// λ(t). If consecutive substeps have opposite signs, `weight` may be nearly 0. The function then does nothing.
   template <ConstrainedSystem S>
   static void record_multiplier(double t, double weight, double h, RattleWorkspace<S>& w) {
     if (std::abs(weight) < 0.1 * std::abs(h)) return;

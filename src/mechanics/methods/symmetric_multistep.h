@@ -4,13 +4,15 @@
 ///
 ///   Σ_j α_j q_{n+j} = h² Σ_j β_j M⁻¹[f(q_{n+j}) + G(q_{n+j})ᵀ λ_{n+j}],   g(q_{n+k}) = 0,   β_0 = β_k = 0.
 ///
-/// A step needs one force and one constraint solve for the newest multiplier λ_{n+k−1}. With the differences d_n = q_n
-/// − q_{n−1} and the accelerations a_n = M⁻¹[f + Gᵀλ]_n, the step is (multistep_coefficients.h has α̂ and β̂)
+/// A step needs one force and one constraint solve for the newest multiplier λ_{n+k−1}. Let d_n = q_n − q_{n−1} be the
+/// differences and a_n = M⁻¹[f + Gᵀλ]_n the accelerations. With α̂ and β̂ for `difference` and `acceleration` of
+/// multistep_coefficients.h, the step is
 ///
 ///   d_{n+1} = Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i},   q_{n+1} = q_n + d_{n+1}.
 ///
 /// The sum for q is compensated. The steps do not use the velocity. The first k − 1 steps, also after a change of h,
-/// are made by another method (multistep_start.h). If the velocity is requested, it is
+/// are made by another method (multistep_start.h). With c_i for `velocity` of multistep_coefficients.h, the velocity at
+/// a sample is
 ///
 ///   v_n = d_n/h + h Σ_i c_i a_{n−i}   (order k + 1),   then projected onto G v = 0.
 ///
@@ -43,8 +45,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Workspace of a symmetric multistep method. Slot i mod (k − 1) of the history contains d_i and a_i for the last k − 1
-/// values of i. The base class has the members that RATTLE uses as well.
+/// Workspace of a symmetric multistep method. The history is a ring of k − 1 slots. It contains d_i and a_i for the
+/// last k − 1 steps, but a_n only after its computation. The base class has the members that RATTLE uses as well.
 template <ConstrainedSystem S, int k, template <class> class Start>
 struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_slots = k - 1;
@@ -61,9 +63,9 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   Start<S> start;
   typename S::Multiplier multiplier;
   std::array<typename S::Vector, n_slots> d, a;
-  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // of the last steps, as a ring
+  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // of the last steps, stored as a ring
   double h = 0;
-  int newest = 0;             // slot of the state's d
+  int newest = 0;             // slot of d_n, with the index n of the state
   int n_known = 0;            // number of differences d in the history
   int newest_multiplier = 0;  // slot of λ_{n−1}
   int n_multipliers = 0;
@@ -131,7 +133,7 @@ struct SymmetricMultistep {
     state.v = w.d[w.newest];
     scale(1 / w.h, state.v);
     axpy(w.h * formula.velocity[0], w.acceleration, state.v);
-    for (int i = 1; i <= w.n_slots; ++i)  // in its own slot the state has a_{n−(k−1)}, not a_n
+    for (int i = 1; i <= w.n_slots; ++i)  // the slot of the state still has a_{n−(k−1)} instead of a_n
       axpy(w.h * formula.velocity[i], w.a[(w.newest + w.n_slots - i) % w.n_slots], state.v);
     return Rattle::project_velocity(system, state, w);
   }
@@ -152,7 +154,8 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Makes a step by the starting method. Stores the acceleration at its start and the difference d.
+  /// Makes a step by the starting method. Stores the difference d of the step and the acceleration at the start of the
+  /// step.
   template <class S>
   static Status start_up(const S& system, State<S>& state, Workspace<S>& w) {
     if (Status status = w.start.acceleration(system, state, w, w.a[w.newest]); !status) return status;
@@ -246,7 +249,7 @@ struct SymmetricMultistep {
   template <class S>
   static void sum_history(Workspace<S>& w, typename S::Vector& sum) {
     const auto slot = [&](int i) { return w.newest >= i ? w.newest - i : w.newest - i + w.n_slots; };
-    if constexpr (VectorSpace<typename S::Vector>::dense) {  // newest terms last, they may not be ready yet
+    if constexpr (VectorSpace<typename S::Vector>::dense) {  // newest terms last, because they may not be ready
       sum = w.d[slot(w.n_slots - 1)];
       scale(formula.difference[w.n_slots - 1], sum);
       axpy(w.h * w.h * formula.acceleration[w.n_slots - 1], w.a[slot(w.n_slots - 1)], sum);

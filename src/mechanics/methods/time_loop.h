@@ -39,7 +39,7 @@ struct RunResult {
   double t = 0;        ///< time reached
 };
 
-/// Functions of the caller during the loop. The first one also runs at k = 0, with the initial velocity:
+/// Functions of the caller during the loop. `sample` also runs at k = 0, with the initial velocity:
 ///   sample(k, state, workspace) → Status: called at sample k, with the projected velocity;
 ///   steps_per_interval(k, state, workspace) → long: steps from sample k to k+1, not called for adaptive methods;
 ///   step_done(cursor, state, workspace) → bool: after each step and the samples up to its time; false interrupts.

@@ -3,9 +3,9 @@
 ///
 ///   x ← x (1 ± ε part)   for each component x of q and q̇,
 ///
-/// with pseudo-random signs that are the same in every run; ε is the spacing of floating-point numbers at 1. The
-/// perturbed motion could also result from other rounding errors. As in floating-point arithmetic, an exact 0 remains
-/// 0.
+/// with `part` = 1, or −1 to reverse all kicks. The pseudo-random signs are the same in every run, and ε is the spacing
+/// of floating-point numbers at 1. The perturbed motion could also result from other rounding errors. As in
+/// floating-point arithmetic, an exact 0 remains 0.
 
 #include <Eigen/Core>
 #include <bit>
@@ -36,8 +36,8 @@ struct Kicked : Method {
   }
 
  private:
-  /// The sign for kick k, from the parity of the bits of k times a 64-bit multiple of the golden ratio. The signs are
-  /// neither constant nor periodic.
+  /// The sign for kick k. It is the parity of the bits of k times the odd number next to 2⁶⁴/φ, with the golden ratio
+  /// φ. The signs are neither constant nor periodic.
   static double sign(std::uint64_t k) { return std::popcount(k * 0x9e3779b97f4a7c15u) % 2 == 0 ? 1 : -1; }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Largest frequency ω of small motions about a state that are tangent to the constraints. With the multiplier λ of the
-/// motion,
+/// Largest frequency ω of small motions about a state that are tangent to the constraints g = 0. With the mass M, the
+/// force f, G = Dg and the multiplier λ of the motion,
 ///
 ///   ω² = max over G u = 0 of  uᵀK u / uᵀM u,     K u = −D_q[f + G(q)ᵀλ] u   (by differences, λ and v fixed).
 ///
@@ -8,15 +8,15 @@
 ///
 ///   γ = max over G u = 0 of  uᵀC u / uᵀM u,      C u = −D_v f u,
 ///
-/// γ limits the step of a method that iterates on the damping. Both ω and γ are computed by Lanczos' iteration for M⁻¹K
-/// or M⁻¹C in the inner product of M. The projection
+/// The damping rate γ limits the step of a method that iterates on the damping. Both ω and γ are computed by Lanczos'
+/// iteration for M⁻¹K or M⁻¹C in the inner product of M. The projection
 ///
 ///   u ← u − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G u,
 ///
 /// keeps u tangent to the constraints. Each u is stored together with w = M u, so only M⁻¹ is needed, and ⟨u, u'⟩_M =
-/// uᵀw'. M⁻¹ may have zeros for components that are held fixed, since there u = 0 for every w. Differences are central,
-/// with errors of about 1e-10. For distributed vectors, whose forces are costly, differences are forward, with errors
-/// of about 1e-8.
+/// uᵀw'. M⁻¹ may have zeros for components that are held fixed, because u is 0 in these components for every w. For
+/// dense vectors, differences are central, with errors of about 1e-10. For distributed vectors, whose forces are
+/// costly, differences are forward, with errors of about 1e-8.
 
 #include <algorithm>
 #include <cmath>
@@ -97,9 +97,9 @@ class TangentOperator {
     return evaluate(force_at_state_);
   }
 
-  /// Sets result.w to K u and result.u to M⁻¹K u, and projects both. For C, replace K by C. If the force fails, the
-  /// increment of the difference is divided by 10, up to five times. This occurs for a body that is thin compared with
-  /// its length.
+  /// Sets result.w to K u and result.u to M⁻¹K u, and projects both. If `of_velocity` is true, C replaces K. If the
+  /// force fails, the increment of the difference is divided by 10, up to five times. The force can fail for a body
+  /// that is thin compared with its length.
   Status apply(const typename S::Vector& u, MassPair<S>& result) {
     Status status = difference(u, result.w);
     for (int n_smaller = 0; !status && n_smaller < 5; ++n_smaller) {
@@ -169,15 +169,16 @@ class TangentOperator {
   typename S::Multiplier lambda_, residual_, delta_;
 };
 
-/// Largest eigenvalue of the Lanczos matrix (diagonal alpha, off-diagonal beta), and the residual |β_n s_n| of its
-/// eigenvector s. An eigenvalue of the operator is within the residual of this value.
+/// Largest eigenvalue of the Lanczos matrix with the diagonal `alpha` and the off-diagonal `beta`, and the residual
+/// |β_n s_n| of its eigenvector s. The operator has an eigenvalue that differs from this value by at most the residual.
 struct RitzValue {
   double value = 0, residual = 0;
 };
 RitzValue largest_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta);
 
-/// Number of independent displacements tangent to the constraints, for distributed vectors the largest int. After this
-/// number of steps the iteration is complete. Further vectors would consist of round-off, which can grow without bound.
+/// Number of independent displacements tangent to the constraints, or the largest int for distributed vectors. After
+/// this number of steps the iteration is complete. Further vectors would consist of round-off, which can grow without
+/// bound.
 template <ConstrainedSystem S>
 int most_directions(const S& system) {
   if constexpr (VectorSpace<typename S::Vector>::dense) {
@@ -188,8 +189,9 @@ int most_directions(const S& system) {
   return std::numeric_limits<int>::max();
 }
 
-/// Sets `value` to the largest eigenvalue from at most `n_iterations` steps of Lanczos, plus its residual, or to 0 if
-/// this sum is negative. The iteration ends earlier if the residual is at most `accuracy` times the eigenvalue.
+/// Computes the largest eigenvalue with at most `n_iterations` steps of Lanczos, and sets `value` to the sum of the
+/// eigenvalue and its residual. If this sum is negative, `value` is 0. The iteration ends earlier if the residual is at
+/// most `accuracy` times the eigenvalue.
 template <ConstrainedSystem S>
 Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_iterations, double accuracy,
                           double& value) {
@@ -226,9 +228,9 @@ Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_ite
 }  // namespace detail
 
 /// Returns ω from at most `n_iterations` steps of Lanczos. The iteration ends earlier if the relative uncertainty of ω²
-/// is at most `accuracy`. The residual is added to the eigenvalue, so a short iteration gives an ω that is too large
-/// and a step that is too small, which is safe. If the number of steps is the number of modes, only the differences
-/// have errors. ω is 0 if no motion oscillates.
+/// is at most `accuracy`. The residual is added to the eigenvalue. A short iteration therefore gives an ω that is too
+/// large and a step that is too small, which is safe. If the number of steps is the number of modes, only the
+/// differences have errors. If no motion oscillates, ω is 0.
 template <ConstrainedSystem S>
 FrequencyReport largest_frequency(const S& system, const State<S>& state, typename S::Workspace& workspace,
                                   int n_iterations, double accuracy = 0) {
@@ -239,8 +241,8 @@ FrequencyReport largest_frequency(const S& system, const State<S>& state, typena
   return {std::move(status), std::sqrt(omega_squared)};
 }
 
-/// Returns the largest damping rate γ, computed like ω. `omega` is the largest frequency. The differences change a
-/// velocity of the size |v| or ω|q|, whichever is larger. If the system does not dissipate energy, γ is 0.
+/// Returns the largest damping rate γ, computed like ω. `omega` is the largest frequency. The velocity that the
+/// differences change has the size |v| or ω|q|, whichever is larger. If the system does not dissipate energy, γ is 0.
 template <ConstrainedSystem S>
 DampingReport largest_damping(const S& system, const State<S>& state, typename S::Workspace& workspace, double omega,
                               int n_iterations, double accuracy = 0) {

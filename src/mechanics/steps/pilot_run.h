@@ -1,5 +1,5 @@
 #pragma once
-/// Pilot runs are short runs over the beginning of the motion. From them the program chooses the method and the step.
+/// Pilot runs are short runs over the beginning of the motion. The program uses them to choose the method and the step.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -20,15 +20,17 @@
 namespace pseudorigid::mechanics {
 
 struct StepRequest {
-  double end = 0;           ///< end T of the run
-  double window = 0;        ///< length w of the pilot runs
-  double tolerance = 0;     ///< permitted error of the configuration over [0, T]
-  double rattle_limit = 0;  ///< largest stable step of RATTLE (rattle_step_limit); other limits are proportional to it
-  double step_bound = HUGE_VAL;        ///< largest step that the user allows, with all its substeps
-  double interval = HUGE_VAL;          ///< time between samples, a bound for methods with fixed steps
-  bool stiff = false;                  ///< the damping would limit the step of all methods except RATTLE
-  bool spare_pilots = false;           ///< true if forces are costly: the search first tries shorter pilot runs, and
-                                       ///< omits methods that save less than 20 % of the forces of the best one so far
+  double end = 0;        ///< end T of the run
+  double window = 0;     ///< length w of the pilot runs
+  double tolerance = 0;  ///< permitted error of the configuration over [0, T]
+  /// Largest permitted step of RATTLE (rattle_step_limit). The limits of other methods are proportional to it.
+  double rattle_limit = 0;
+  double step_bound = HUGE_VAL;  ///< largest step that the user allows, with all its substeps
+  double interval = HUGE_VAL;    ///< time between samples, a bound for methods with fixed steps
+  bool stiff = false;            ///< true if the damping would limit the step of all methods except RATTLE
+  /// True if forces are costly. The search then first tries shorter pilot runs. It also omits methods that save less
+  /// than 20 % of the forces of the best method so far.
+  bool spare_pilots = false;
   std::optional<MethodId> method{};    ///< the requested method; empty: the cheapest method
   std::function<bool()> give_up = {};  ///< called after every pilot step; true ends the search
 };
@@ -37,11 +39,11 @@ namespace detail {
 
 inline constexpr double error_safety = 0.5;  ///< fraction of the tolerance that the error estimate may use
 inline constexpr long max_pilot_samples = 32;
-/// If the configurations of two pilot runs differ by more than this bound, in the system's unit of length, the
-/// difference does not follow the order of the method. Collisions and chaos cause such differences.
+/// Largest difference of two pilot runs, in the system's unit of length, that is assumed to follow the order of the
+/// method. Collisions and chaos cause larger differences.
 inline constexpr double asymptotic_difference = 0.1;
 /// Bound of the number of forces of one pilot run, and of all pilot runs for one method with fixed steps. The steps of
-/// a collapsing body shrink, so a run without bound would never end.
+/// a collapsing body shrink, so a run without a bound would never end.
 inline constexpr long max_pilot_forces = 4'000'000;
 /// Tolerance of the constraints in pilot runs with costly forces, as a fraction of the permitted difference of two
 /// pilot runs. For the ball, fractions 0 … 5e-3 give the same steps to three digits. With the fraction 5e-2 one step
@@ -68,7 +70,7 @@ struct FixedStepMethod {
   /// Makes a pilot run over `window`, with n_steps steps from each sample to the next.
   std::function<PilotRun(double window, long n_samples, long n_steps)> pilot;
   /// Makes the same pilot run, but records kinetic and potential energy instead of the configuration. Empty if the
-  /// method is symplectic or the energies are not given.
+  /// method is symplectic or the caller does not give the energies.
   std::function<PilotRun(double window, long n_samples, long n_steps)> energies{};
 };
 struct AdaptiveMethod {
@@ -112,8 +114,8 @@ inline Status failure_of(RunResult result) {
                                                            : "it takes too many steps to look ahead");
 }
 
-/// Makes a pilot run. `form` is the form of the system that the method integrates (field_of.h). `prepare(workspace)` is
-/// called before the first step.
+/// Makes a pilot run. `form` is the form of the system that the method integrates (field_of.h). The function calls
+/// `prepare(workspace)` before the first step.
 template <class Method, class Form, class QOf, class Prepare>
 PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& request, const QOf& Q_of, double window,
                    long n_samples, long n_steps, Prepare&& prepare) {
@@ -128,9 +130,9 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
   return std::move(hooks.run);
 }
 
-/// Longest step of a pilot run with perturbations. An adaptive step does not react to perturbations far below its
-/// tolerance. Without this bound, the steps of a body at rest would exceed the stability limit, and the method itself
-/// would amplify the perturbations. For a stiff system the bound is the window divided by 4096.
+/// Longest step of a pilot run with perturbations: the limit of RATTLE, but at least the window divided by 4096. An
+/// adaptive step does not react to perturbations far below its tolerance. Without this bound, the steps of a body at
+/// rest would exceed the stability limit, and the method itself would amplify the perturbations.
 inline double longest_kicked_step(const StepRequest& request) {
   constexpr double most_steps = 4096;
   if (request.rattle_limit == 0) return HUGE_VAL;  // not known
@@ -151,7 +153,8 @@ template <class Method, class S, class QOf, class EnergiesOf>
 FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                   const QOf& Q_of, const EnergiesOf& energies_of) {
   const auto prepare = [&request](auto& workspace) {
-    // Halvings of a step could make the steps of both pilot runs equal. Their difference would then be meaningless.
+    // If steps were halved, the steps of both pilot runs could become equal. Their difference would then be
+    // meaningless.
     if constexpr (requires { workspace.most_halvings; }) {
       workspace.most_halvings = 0;
       workspace.iteration_tolerance = Method::iteration_tolerance(request.tolerance, request.end);
@@ -200,9 +203,9 @@ inline double largest_difference(const PilotRun& a, const PilotRun& b) {
   return d;
 }
 
-/// Error at `end` from the random walk of round-off over n_substeps substeps of size h. Every substep rounds the
-/// velocity. If sums are compensated, only the increments of the velocity have round-off, which is smaller by the
-/// factor hω.
+/// Error at the time `end` from the random walk of round-off over n_substeps substeps. Every substep rounds the
+/// velocity. If sums are compensated, only the increments of the velocity have round-off. It is then smaller by the
+/// factor hω, with the size h of a substep and the largest frequency ω.
 inline double round_off_walk(bool compensated, double speed, double end, double n_substeps, double h_omega) {
   const double part = compensated ? std::min(1.0, h_omega) : 1.0;
   return 0.5 * std::numeric_limits<double>::epsilon() * (1 + part * std::sqrt(n_substeps) * std::max(1.0, speed * end));

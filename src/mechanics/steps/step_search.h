@@ -9,53 +9,56 @@
 /// The factor T/w assumes that the error grows linearly after the window. This holds for symmetric methods on regular
 /// motions (Hairer, Lubich, Wanner, Geometric Numerical Integration, X.3). The window should contain several periods of
 /// the slowest important motion. On a chaotic motion only w = T is safe. In a test with 1500 short scenes, all runs met
-/// their tolerances. A release from the stretches 1.29, 1.29, 0.60, which is not in the test, had 1.12 times its
-/// tolerance. Its motion magnifies a change of its initial state 2000 times in 6.4 r/c.
+/// their tolerances. A release from the stretches 1.29, 1.29, 0.60, which is not in the test, had an error of 1.12
+/// times its tolerance. Its motion magnifies a change of its initial state 2000 times in 6.4 r/c.
 ///
-/// The search starts at the stability limit and halves the step. It ends if e ≤ target, or if a difference of at most
-/// 0.1 falls by 2^p (to within √2) at a halving. Then the relation e ~ hᵖ gives the step. If this step is smaller than
-/// h, no pilot run has tested it, so e is multiplied by a reserve of 2^(p/4).
+/// The search starts at the stability limit and halves the step. It ends if e is at most the target or the error e₀ of
+/// round-off (below). It also ends if a difference of at most 0.1 falls at a halving by a factor of at least 2^p/√2.
+/// Then the relation e ~ hᵖ gives the step. If this step is smaller than h, no pilot run has tested it, so e is
+/// multiplied by a reserve of 2^(p/4).
 ///
 /// A multistep method of order p begins with p − 1 steps of another method. These steps do not show the error of the
 /// multistep method. Therefore the window contains at least 4p steps, or the whole run.
 ///
 /// If forces are costly, the search first makes a shorter estimate over a part w' of the window. The errors have hardly
 /// begun to grow in w', so the estimate is multiplied by (w/w')^(3/2). The first part is w/8 with the factor 23. If
-/// this product is too large, but 2.8 times the estimate is not, the search also tries w/2 with the factor 2.8. The
-/// factor was tested in releases, spins, tides and figures of equilibrium of the ball. Without the factor, the estimate
-/// was 0.07 to 9 times too small at w/8, and 0.4 to 2.1 times at w/2. A method of high order at its stability limit
-/// often passes this test. The pilot runs then cost only a fifth or a half as much.
+/// this product is too large, but 2.8 times the estimate is not, the search also tries w/2 with the factor 2.8. These
+/// factors were tested in releases, spins, tides and figures of equilibrium of the ball. Without a factor, the estimate
+/// was too small by a factor of 0.07 to 9 at w/8, and of 0.4 to 2.1 at w/2. A method of high order at its stability
+/// limit often passes this test. The pilot runs then cost only a fifth or a half as much.
 ///
-/// A symmetric multistep method conserves a modified energy. For a mode of frequency ω and energy E_ω it is
+/// A symmetric multistep method conserves a modified energy. For a mode of frequency ω and energy E_ω, the modified
+/// energy is
 ///
-///   E_ω (1 + C (hω)^p + …),   C = 0.094 for order 4 (5/2 of the coefficient of its modified differential equation),
+///   E_ω (1 + C (hω)^p + …),   C = 0.094 for order 4 (5/2 of the coefficient of its modified differential equation).
 ///
 /// The energy therefore changes if the motion transfers energy from slow modes to fast modes. For a body with many
 /// modes this transfer continues for a long time, with and without constraints, but not in small motions. RATTLE-4 has
 /// C = −0.0009. The change of its energy has the opposite sign and a hundredth of the size.
 ///
-/// Therefore one more pilot run uses the step found, over the first eighth of the run, if this eighth has at least five
-/// windows. D is the largest change of the energy in this pilot run. δ is the difference of the mean energies in the
-/// first and the second half. D and δ are divided by the energy of the motion above the least potential energy. The
-/// step is shortened to h' such that
+/// Therefore one more pilot run of a multistep method uses the step found. It covers the first eighth of the run, and
+/// is made only if this eighth has at least five windows. D is the largest change of the energy in this pilot run. δ is
+/// the difference of the mean energies in its first and second half. D and δ are divided by the energy of the motion
+/// above the least potential energy. The step is shortened to h' such that
 ///
 ///   (D + 44 δ) (h'/h)^p ≤ target,
 ///
-/// since a change that grows like t^(3/2) is 44 δ at the end of the run. In small motions the energy oscillates, and δ
-/// is small. In 123 runs of releases and spins of the ball, the change at the end was 0.09 to 42 times D + 44 δ, with
+/// because a change that grows like t^(3/2) is 44 δ at the end of the run. In small motions the energy oscillates, and
+/// δ is small. In 123 runs of releases and spins of the ball, the change at the end was 0.09 to 42 times D + 44 δ, with
 /// the median 0.9. (Stretches were 1.001 to 1.3, degrees 2 to 4 of elements and 3 to 9 of polynomials, with and without
-/// the constraint, t = 20 to 1000.) In 12 runs the change was more than 5 times D + 44 δ, since violent motions become
-/// more violent with time. In the worst case a compressible ball is compressed to a fifth. The power 3/2 was chosen
-/// after these measurements. The target and the reserve of the models permit a factor of 5. A larger excess comes from
-/// the parasitic roots of the method, ±i for order 4, which resonate with sums of frequencies. Sums of two frequencies
-/// resonate from hω = 0.79 on, sums of three from 0.52 on. The error of these resonances falls faster than h^p.
+/// the constraint, t = 20 to 1000.) In 12 runs the change was more than 5 times D + 44 δ, because violent motions
+/// become more violent with time. In the worst case a compressible ball is compressed to a fifth. The power 3/2 was
+/// chosen after these measurements. The target and the reserve of the models permit a factor of 5. A larger excess
+/// comes from the parasitic roots of the method, ±i for order 4, which resonate with sums of frequencies. Sums of two
+/// frequencies resonate from hω = 0.79 on, and sums of three from 0.52 on. The error of these resonances falls faster
+/// than h^p.
 ///
 /// The random walk of round-off in the velocity causes an error of the configuration of about
 ///
-///   e₀ = ½ ε √N max(1, |v|_∞ T),   with N substeps and the round-off ε.
+///   e₀ = ½ ε √N max(1, |v|_∞ T),   with N substeps, the velocity v and the round-off ε.
 ///
-/// If sums are compensated, e₀ has the additional factor min(1, hω). Unless the stability limit is smaller, the step is
-/// not smaller than the step at which e = e₀.
+/// If sums are compensated, e₀ has the additional factor min(1, hω). The chosen step is not smaller than the step at
+/// which e = e₀, unless the stability limit is smaller.
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +74,7 @@ class StepSearch {
       : request_(request), compensated_(compensated), window_(pilot_window(request)) {}
 
   /// Finds the step of one method and returns the result. The search ends early with the verdict `dearer` if the run
-  /// would need more than `n_forces_to_beat` forces.
+  /// would need `n_forces_to_beat` forces or more.
   Trial try_method(const FixedStepMethod& method, double n_forces_to_beat) {
     Trial trial = meet_tolerance(method, n_forces_to_beat);
     if (trial.verdict == Trial::Verdict::accepted && trial.n_forces_of_run < n_forces_to_beat)

@@ -5,13 +5,14 @@
 /// An adaptive method (tolerance_search.h) is tried first. It can follow motions of every kind, and its cost bounds the
 /// cost of the search among the other methods. An adaptive method does not conserve the invariants of the motion. It is
 /// therefore chosen only if it needs less than half of the forces of the other methods. This occurs on short runs,
-/// since its error grows like T², and on motions with short violent phases.
+/// because the error of an adaptive method grows like T², and on motions with short violent phases.
 ///
 /// Then methods with fixed steps are tried (step_search.h), in the order of their least cost, which is the cost at the
 /// stability limit. For methods of order 2 this cost counts twice. A method is skipped if its least cost exceeds the
-/// cost of the best method so far. During the search for its step, pilot runs predict the cost of a method. The search
-/// ends if this cost exceeds the cost of the best method so far, or is four times the least cost of a later method of
-/// higher order.
+/// cost of the best method so far, or 0.8 of this cost if forces are costly. During the search for the step of a
+/// method, pilot runs predict the cost of the method. The search ends if this cost exceeds the cost of the best method
+/// so far. It also ends if this cost is four times the least cost of a later method. If forces are cheap, only later
+/// methods of higher order count.
 
 #include <Eigen/Core>
 #include <optional>
@@ -27,10 +28,10 @@ namespace pseudorigid::mechanics {
 struct [[nodiscard]] StepChoice {
   Status status{};
   MethodId method = id_of<Rattle>;
-  double step = 0;             ///< upper bound of the step with all its substeps
+  double step = 0;             ///< upper bound of the step, which contains all its substeps
   double local_tolerance = 0;  ///< for adaptive methods only
   double error = 0;            ///< estimated error of the configuration over the run
-  bool at_round_off = false;   ///< the tolerance is below the limit of double precision
+  bool at_round_off = false;   ///< true if the tolerance is below the limit of double precision
   /// Time after which round-off grows beyond the tolerance; empty if no such time is known.
   std::optional<double> round_off_rules_from{};
   double rattle_limit = 0;  ///< the value of the request
@@ -42,14 +43,15 @@ struct [[nodiscard]] StepChoice {
 /// stretch.
 double affine_rate(const Eigen::Matrix3d& Q, const Eigen::Matrix3d& Qdot);
 
-/// Step at which RATTLE is stable with some reserve: safety · 2/(ω + rate). Small motions about the present motion have
-/// the largest frequency ω, and `rate` is the rate of the present motion.
+/// Step at which RATTLE is stable with some reserve: safety · 2/(ω + rate). The frequency ω is the largest frequency of
+/// small motions about the present motion, and `rate` is the rate of the present motion.
 inline double rattle_step_limit(double omega, double rate, double safety = 0.8) {
   return safety * Rattle::stability_limit / (omega + rate);
 }
 
 /// Step at which RATTLE's iteration on a force that depends on the velocity converges well. With the largest damping
-/// rate γ, an iteration multiplies the error by hγ/2. At this step an iteration gains more than half a digit.
+/// rate γ and the step h, an iteration multiplies the error by hγ/2. At this step an iteration gains more than half a
+/// digit.
 inline double damped_step_limit(double gamma, double safety = 0.8) { return safety * 0.5 / gamma; }
 
 /// True if Method = auto chooses the method only for systems that evaluate stages in lanes (stage_by_stage.h).
@@ -73,8 +75,8 @@ StepChoice choose_among(const std::vector<FixedStepMethod>& fixed, const std::ve
                         bool compensated, const StepRequest& request);
 
 /// True for the requested method. Without a request, true for each method that Method = auto may choose and that
-/// accepts the system. If a force is costly, an adaptive method is a candidate only for dissipative systems, because
-/// these systems exclude methods with fixed steps of high order. If the system is stiff, RATTLE is the only candidate,
+/// accepts the system. If a force is costly, an adaptive method is a candidate only for dissipative systems. Methods
+/// with fixed steps of high order do not accept these systems. If the system is stiff, RATTLE is the only candidate,
 /// because RATTLE solves a linear system for the velocity.
 template <class Method, class S>
 bool is_candidate(const S& system, const StepRequest& request) {
@@ -92,7 +94,8 @@ bool is_candidate(const S& system, const StepRequest& request) {
 /// Chooses the cheapest method and its step, or the step of the requested method. The tolerance applies to the
 /// configuration Q_of(state), a matrix or vector of Eigen. `initial` is at t = 0. A failed pilot run with fixed steps
 /// is repeated with half the step. The function energies_of(state), if given, returns the kinetic and the potential
-/// energy. A multistep method may then change their sum by the tolerance, relative to the energy of the motion.
+/// energy. A multistep method may then change their sum by at most half the tolerance, relative to the energy of the
+/// motion.
 template <class S, class QOf, class EnergiesOf = detail::NoEnergies>
 StepChoice choose_step(const S& system, const State<S>& initial, const StepRequest& request, const QOf& Q_of,
                        const EnergiesOf& energies_of = {}) {

@@ -6,15 +6,16 @@
 ///   e(τ) = max_k |q_τ(t_k) − q_{τ/16}(t_k)| · (T/w)²,
 ///
 /// because the error of a method without geometric structure grows like t²: its energy drifts (Hairer, Lubich, Wanner,
-/// Geometric Numerical Integration, X.3). The relation e ~ τ then gives τ.
+/// Geometric Numerical Integration, X.3). Here q_τ is the configuration with the local tolerance τ, and t_k are the
+/// samples. The relation e ~ τ then gives τ.
 ///
-/// Round-off also grows with the motion, for example like e^{λt} near an unstable point. Two pilot runs with the same
-/// rounding errors do not show this growth. If forces are cheap, the search therefore makes two more pilot runs, which
-/// are perturbed by round-off after every step, in opposite directions (kicked_method.h). Their distance from the run
-/// with tolerance τ is part of the estimate. On a regular motion this distance grows like t^(3/2), because the
-/// perturbations have random signs. If the distance is more than a thousand times as large as on a regular motion, the
-/// motion amplifies round-off. The result then contains the first time at which the distance exceeds (w/T)² times the
-/// tolerance, if the distance does so within the window.
+/// Round-off also grows with the motion, for example like e^{λt} near an unstable point with the growth rate λ. Two
+/// pilot runs with the same rounding errors do not show this growth. If forces are cheap, the search therefore makes
+/// two more pilot runs. They are perturbed by round-off after every step, in opposite directions (kicked_method.h).
+/// Their distance from the run with tolerance τ is part of the estimate. On a regular motion this distance grows like
+/// t^(3/2), because the perturbations have random signs. If the distance is more than a thousand times as large as on a
+/// regular motion, the motion amplifies round-off. The result then contains the first time at which the distance
+/// exceeds (w/T)² times the tolerance. It does not contain a time if the distance does not do so within the window.
 ///
 /// A body at rest that does not amplify perturbations is assumed to remain at rest. Its error and its number of steps
 /// are not extrapolated from the window to the run.
@@ -24,7 +25,7 @@
 namespace pseudorigid::mechanics::detail {
 
 /// Searches for the local tolerance and returns the result. `compensated` is true if sums of the system's vectors are
-/// compensated. n_force is increased by the number of forces of the pilot runs.
+/// compensated. The function adds the number of forces of its pilot runs to n_force.
 Trial search_tolerance(const StepRequest& request, bool compensated, const AdaptiveMethod& method, long& n_force);
 
 }  // namespace pseudorigid::mechanics::detail
