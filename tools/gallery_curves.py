@@ -3,7 +3,7 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from gallery_figures import (BLACK, BLUE, CONTINUUM, GREEN, GREY, ORANGE, REDUCED, SKY, TIME, both, figure, label_axes,
+from gallery_figures import (BLACK, BLUE, CONTINUUM, GREEN, GREY, ORANGE, REDUCED, SKY, STYLES, TIME, both, figure, label_axes,
                              legend_above, picture_of, save, stretch_along_z, table, two_models)
 
 PICTURES = {}
@@ -114,6 +114,25 @@ def tidal_passage(run, path):
         ax.plot(models_table["time"] / 3600, 250 * (models_table["Q11"] - 1), **style)
     label_axes(ax, "time (hours)", "axis towards the planet, change (km)")
     legend_above(ax, 2)
+    save(drawn, path)
+
+
+@picture
+def bounce(run, path):
+    """The ball rests on the floor at the height of 1."""
+    directory = run("bounce", "Output/Graphics=none", "Output/Samples=600")
+    drawn, (height, force) = figure(1, 2, height=3.6)
+    for name, style in (("continuum", CONTINUUM), ("polynomial", {**STYLES["polynomial"], "label": "polynomial, N = 5"}),
+                        ("reduced", REDUCED)):
+        t = table(directory, name)
+        height.plot(t["time"], t["x3"], **style)
+        first = t["time"] < 6.5
+        force.plot(t["time"][first], t["contact_force"][first], **{**style, "linewidth": 1.2})
+    force.set_xlim(2, 6.5)
+    label_axes(height, TIME, "height of the centre (r)")
+    label_axes(force, TIME, "force of the floor (μr²)")
+    for ax in (height, force):
+        legend_above(ax, 2)
     save(drawn, path)
 
 

@@ -113,6 +113,22 @@ def frequencies(run):
     ]
 
 
+def love_error(run, n, k):
+    """Of h_n at gamma = 1, relative to the exact number."""
+    table = run({"Models": "continuum", "Analysis": "love numbers", "Gravity/Constant": 3 / (4 * math.pi), "Continuum/Degree": k}).columns("love-continuum")
+    chosen = table["degree"] == n
+    return abs(table["h"][chosen][0] / table["h_exact"][chosen][0] - 1)
+
+
+def love_numbers(run):
+    of_elements = lambda n, ks: [love_error(run, n, k) for k in ks]  # noqa: E731
+    degrees = [2, 3, 4, 5, 6]
+    return [
+        Series("Love number h₂ (Kelvin), finite elements", degrees, of_elements(2, degrees), "exponential", dict(color=BLUE, marker="o")),
+        Series("Love number h₄ (Kelvin), finite elements", degrees[2:], of_elements(4, degrees[2:]), "exponential", dict(color=SKY, marker="^")),
+    ]
+
+
 def motions(run):
     """Dirichlet's fluid and the step of the methods."""
     fluid = []
@@ -141,17 +157,20 @@ def closing_error(run, method, n_steps):
 
 
 def draw(panels):
-    figure, axes = plt.subplots(1, 3, figsize=(11.5, 3.9), layout="constrained")
-    for axis, (title, label, series) in zip(axes, panels):
+    figure, axes = plt.subplots(2, 2, figsize=(9, 7.4), layout="constrained")
+    for axis, (title, label, series) in zip(axes.flat, panels):
         for s in series:
             axis.plot(s.x, np.maximum(s.error, 1e-15), **s.style, markersize=4, linewidth=1.2, label=s.name)
         axis.set(title=title, xlabel=label, yscale="log", xscale="log" if series[0].falls == "power" else "linear")
+        if label.startswith("degree"):
+            axis.xaxis.get_major_locator().set_params(integer=True)
         if max(map(max, (s.x for s in series))) == 4:
             axis.set_xticks([1, 2, 4], ["1", "2", "4"])
             axis.minorticks_off()
         axis.grid(alpha=0.3)
         axis.legend(fontsize=6.5)
-    axes[0].set_ylabel("relative error")
+    for axis in axes[:, 0]:
+        axis.set_ylabel("relative error")
     save(figure, PICTURE)
 
 
@@ -172,7 +191,8 @@ def main():
     run = Runs(arguments.program, arguments.runs)
     in_degree, in_h = frequencies(run)
     dirichlet, steps = motions(run)
-    panels = [("Degree k or N", "degree", [*in_degree, dirichlet]), ("Refinement of the mesh", "cells along an edge, 1/h", in_h),
+    panels = [("Modes and motions", "degree k or N", [*in_degree, dirichlet]), ("Love numbers", "degree k or N", love_numbers(run)),
+              ("Refinement of the mesh", "cells along an edge, 1/h", in_h),
               (f"Time step, {N_PERIODS} periods", "steps", steps)]
     draw(panels)
     text = PAGE.read_text()
