@@ -98,7 +98,7 @@ class Contact(RefusedInputTest):
         self.assertIn("contact: Loads/Plane normals is empty", self.run_done("check", "scene.prm").stdout)
 
     def test_pictures_have_the_pressure_of_the_planes(self):
-        """Which is k d at the points of the surface. Of the pseudo-rigid ball the pole has the largest penetration."""
+        """The pressure is k d at the points of the surface. The pole of the pseudo-rigid ball has the largest penetration."""
         self.scene({**IMPACT, "Models": "reduced, polynomial, continuum", "Polynomial/Degree": 3, "Continuum/Degree": 4,
                     "Continuum/Error estimate": "none", "Initial state/Center velocity": "0, 0, -0.3", "Loads/Plane stiffness": 40,
                     "Time/End": 0.5, "Time/Step": 0.005, "Time/Method": "rattle", "Output/Samples": 10, "Output/Graphics": "vtu",

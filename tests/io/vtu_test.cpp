@@ -263,7 +263,7 @@ TEST(BodyPicture, ShowsWhatTheFieldsOfAnAffineMotionAre) {
   for (int j = 0; j < 9; ++j) EXPECT_NEAR(values(grid.constants, "rotation")[j], R(j / 3, j % 3), 1e-14);
 }
 
-/// Of an ellipsoid whose block faces are slightly off the surface between their corners, as of curved elements.
+/// The body is an ellipsoid. As in curved elements, only the corners of its block faces are exactly on the surface.
 TEST(BodyPicture, HasThePressureOfPlanesOnTheSurfaceOnly) {
   const BallBlocks ball = ball_blocks(2, 1);
   const Eigen::Vector3d axes(1, 0.9, 1.2);
