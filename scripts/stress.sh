@@ -13,6 +13,7 @@
 #                  (a quarter of --number N)
 #   map            the map of stability
 #   rows           rows of the samples of docs/adequacy.md: single runs and finer comparisons
+#   violent        releases from large stretches: energy, local volume, Biot's limit
 #   sanitizers     the tests and damaged files above in a build with the address, leak and undefined behaviour
 #                  sanitizers, sweeps in one with the thread sanitizer
 # or all of them but the last without a name. Results are kept in output/stress, and a part whose results are there is

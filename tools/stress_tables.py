@@ -15,7 +15,8 @@ import package  # noqa: F401
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 TITLES = {"scenes": "Random scenes", "ramps": "Ramps, near-inversion, coincident axes, steps about the limit",
           "units": "Other units", "long": "Long times", "mutants": "Damaged files", "interruptions": "Interruptions",
-          "tolerances": "Tolerances", "quadrature": "Quadrature", "rows": "Rows of compared sweeps", "map": "Map of stability"}
+          "tolerances": "Tolerances", "quadrature": "Quadrature", "rows": "Rows of compared sweeps", "map": "Map of stability",
+          "violent": "Violent releases"}
 
 
 def number(value):

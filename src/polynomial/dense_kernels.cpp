@@ -130,17 +130,19 @@ void for_each_vector(const materials::AnyLaw& law, int n, Visitor&& visitor) {
       law);
 }
 
-/// ∂U/∂F = (κ/2)(J − 1/J) cof F
+/// ∂U/∂F = (κ/4)(J − 1/J³) cof F
 [[gnu::always_inline]] inline Tensor volumetric_stress(double kappa, const Tensor& F) {
   const Tensor cof = materials::cofactor(F);
   const L J = materials::determinant(F, cof);
-  return L(0.5 * kappa) * (J - 1.0 / J) * cof;
+  const L inverse = 1.0 / J;
+  return L(0.25 * kappa) * (J - inverse * inverse * inverse) * cof;
 }
 [[gnu::always_inline]] inline Tensor volumetric_stress_rate(double kappa, const Tensor& F, const Tensor& H) {
   const Tensor cof = materials::cofactor(F);
   const L J = materials::determinant(F, cof), rate = materials::dot(cof, H);
-  return add(L(0.5 * kappa) * (1.0 + 1.0 / (J * J)) * rate * cof,
-             L(0.5 * kappa) * (J - 1.0 / J) * materials::cofactor_derivative(F, H));
+  const L inverse = 1.0 / J, cube = inverse * inverse * inverse;
+  return add(L(0.25 * kappa) * (1.0 + 3.0 * cube * inverse) * rate * cof,
+             L(0.25 * kappa) * (J - cube) * materials::cofactor_derivative(F, H));
 }
 
 void combine(const double* table, int n, int length, const double* c, double* y) {
@@ -292,7 +294,8 @@ EnergySums energy(const materials::AnyLaw& law, double kappa, int n, const doubl
     elastic += load(w + p) * known.energy(f);
     if (kappa == 0) return;
     const L J = materials::determinant(f);
-    volumetric += load(w + p) * (0.25 * kappa) * (J * J - 1.0 - 2.0 * log(J));
+    const L difference = J - 1.0 / J;
+    volumetric += load(w + p) * (0.125 * kappa) * difference * difference;
   });
   return {elastic.sum(n_lanes), volumetric.sum(n_lanes)};
 }

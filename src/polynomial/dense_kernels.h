@@ -50,7 +50,7 @@ struct DenseKernels {
 
   /// In the following functions, the entry (i, j) of a 3×3 tensor at point p of n points is stored at (3i + j) n + p.
 
-  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/4)(J² − 1 − ln J²). Returns the smallest
+  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/8)(J − 1/J)². Returns the smallest
   /// value of det F and of the reserve of the law (materials/law_limits.h) at the points.
   double (*stress)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, double* T);
   /// T ← w DP(F)[H] + w D²U(F)[H]

@@ -7,7 +7,7 @@
 /// This is the generalized Newton law (Oliva 5.3–5.4) for the coefficients q_ia of an orthonormal basis φ_a, with the
 /// unit vectors e_i. The mass is therefore the identity (polynomial_space.h). The body of degree N = 1 is the
 /// pseudo-rigid body, and the limit N → ∞ is the continuum. W is the stored energy, J = det F, and Ê is the energy of
-/// self-gravity (body_gravity.h). U is the volumetric stabilisation (κ/4)(J² − 1 − ln J²), by default 0. The loads have
+/// self-gravity (body_gravity.h). U is the volumetric stabilisation (κ/8)(J − 1/J)², by default 0. The loads have
 /// the following energies V_e or forces, in the notation of loads/forcing.h:
 ///
 ///   quadratic potential      V = ½ T:∫ρ x xᵀ            uniform acceleration     V = −b·∫ρ x

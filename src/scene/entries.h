@@ -203,10 +203,10 @@ void visit_continuum(S& scene, Visit& visit) {
   visit(stiffness, AutoOrNumber{not_negative},
         About{"Continuum/Volumetric stiffness", "pressure",
               "kappa of the volumetric stabilisation of an incompressible body: the elements store the additional "
-              "energy (kappa/4) (J^2 - 1 - ln J^2), J = det F. An exact motion has J = 1 and is not affected; in "
-              "the elements it resists the changes of volume that the pressure space does not control. 0: off. "
-              "auto: the pressure at the centre that self-gravity and a confining tidal matrix cause, off without "
-              "them. For violent motions the shear modulus is a good choice."});
+              "energy (kappa/8) (J - 1/J)^2, J = det F. An exact motion has J = 1 and is not affected; in the "
+              "elements it resists the changes of volume that the pressure space does not control. 0: off. "
+              "auto: the pressure at the centre that self-gravity and a confining tidal matrix cause, and three times "
+              "the shear modulus for finite elements whose motion starts violently; check tells the value."});
   visit(mesh, BuiltinOrMeshFile{},
         About{"Continuum/Mesh", "",
               "The mesh to start from: the builtin mesh of the ball, or a Gmsh file (format 2.2, ASCII, hexahedra "
@@ -255,7 +255,8 @@ void visit_output(S& scene, Visit& visit) {
             "Groups of fields that a picture holds. displacement: with and without the rigid motion, and the reference "
             "coordinates; velocity; stress: Cauchy stress, pressure, von Mises stress; deformation: deformation "
             "gradient, its determinant, principal stretches; energy: energy density, potential of self-gravity; all: "
-            "these five. Fewer fields make smaller files. Ignored without Graphics."});
+            "these five. A scene with planes adds the contact pressure. Fewer fields make smaller files. Ignored "
+            "without Graphics."});
   visit(cells, cells_kind,
         About{"Output/Cells", "",
               "Cells of a picture. With linear, an element of degree k is cut into k^3 hexahedra with straight edges, "

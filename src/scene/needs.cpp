@@ -40,14 +40,16 @@ void describe_error_estimate(const Scene& scene, Needs& needs) {
 
 void describe_stabilization(const Scene& scene, Needs& needs) {
   if (!needs.pressure_space) return;
-  const double kappa = volumetric_stiffness(scene);
+  const bool has_elements =
+      std::ranges::any_of(needs.models, [](const ModelDescription* model) { return model->discretized; });
+  const double kappa = has_elements ? volumetric_stiffness_of_elements(scene) : volumetric_stiffness(scene);
   needs.quantities.volumetric = kappa > 0 && needs.quantities.energies && !is_linear(scene.analysis);
   sort_out(needs, kappa > 0,
            fmt::format("volumetric stabilisation: kappa = {:.3g}{}", kappa,
                        needs.quantities.volumetric ? ", its energy in the column volumetric" : ""),
-           scene.continuum.volumetric_stiffness
-               ? "volumetric stabilisation: Continuum/Volumetric stiffness is 0"
-               : "volumetric stabilisation: neither self-gravity nor a confining tidal matrix");
+           scene.continuum.volumetric_stiffness ? "volumetric stabilisation: Continuum/Volumetric stiffness is 0"
+                                                : "volumetric stabilisation: neither self-gravity nor a confining "
+                                                  "tidal matrix nor a violent start of elements");
 }
 
 /// The number of runs, summed over all models.

@@ -1,8 +1,12 @@
 #include "scene/stabilization.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
+#include <variant>
+
+#include "materials/rest_moduli.h"
+#include "scene/scales.h"
 
 namespace pseudorigid::scene {
 namespace {
@@ -27,6 +31,34 @@ double volumetric_stiffness(const Scene& scene) {
       2 * std::numbers::pi / 3 * loads::constant_forcing(scene.loads).gravity_constant * density * mass_by_length;
   const double confinement = is_confined(scene) ? mass_by_length * rates_of_confinement(scene)[2] / 2 : 0;
   return gravity + confinement;
+}
+
+double violence_of_start(const Scene& scene) {
+  if (is_fluid(scene)) return 0;
+  const auto& [radius, density] = std::pair(scene.body.radius, scene.body.density);
+  const materials::AnyLaw law = law_of(scene);
+  const double mu = materials::moduli_at_rest(law, scene.body.incompressible).shear;
+  const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation),
+                        L = loads::to_eigen(scene.initial_state.velocity) * Q.inverse(),
+                        DQ = 0.5 * (L + L.transpose()) * Q;
+  const auto energy = [&](const Eigen::Matrix3d& F) {
+    materials::Tensor<double> f;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) f(i, j) = F(i, j);
+    return std::visit([&](const auto& known) { return known.energy(f); }, law);
+  };
+  return (energy(Q) - energy(Eigen::Matrix3d::Identity())) / mu +
+         density * radius * radius * DQ.squaredNorm() / (10 * mu);
+}
+
+double volumetric_stiffness_of_elements(const Scene& scene) {
+  constexpr double violent = 0.06, of_shear_modulus = 3;
+  const double kappa = volumetric_stiffness(scene);
+  const bool chooses = scene.body.incompressible && !scene.continuum.volumetric_stiffness &&
+                       scene.analysis == Analysis::motion && !is_fluid(scene);
+  if (!chooses || !(violence_of_start(scene) > violent)) return kappa;
+  const auto law = law_of(scene);
+  return kappa + of_shear_modulus * materials::moduli_at_rest(law, true).shear;
 }
 
 }  // namespace pseudorigid::scene

@@ -107,6 +107,15 @@ class Skipping(ProgramTest):
             for a, b in zip(*(self.table(name, "continuum.csv").column(column) for name in ("without", "with"))):
                 self.assertAlmostEqual(a, b, delta=ROUND_OFF, msg=column)
 
+    def test_stabilisation_of_a_violent_start(self):
+        """By the energy of deformation at the start, in every unit of stress; not in a model without elements."""
+        self.scene({**RELEASE, "Models": "continuum", "Material/Shear modulus": 0.1})
+        for amplitude, kappa in (0.09, "volumetric stabilisation: neither"), (0.11, "volumetric stabilisation: kappa = 0.3"):
+            velocity = f"{amplitude}, 0, 0; 0, {amplitude}, 0; 0, 0, {-2 * amplitude}"  # 0.28 and 0.35 c/r
+            self.assertIn(kappa, "".join(self.run_scene("check", {"Initial state/Velocity": velocity})))
+        polynomial = {"Models": "polynomial", "Initial state/Velocity": "1.1, 0, 0; 0, 1.1, 0; 0, 0, -2.2"}
+        self.assertIn("volumetric stabilisation: neither", "".join(self.run_scene("polynomial", polynomial)))
+
     def test_gravity(self):
         self.scene({**RELEASE, "Models": "reduced"})
         _, skipped = self.run_scene("without")

@@ -3,7 +3,7 @@
 
     stress.py [PART …] [--quick] [--fresh] [--seed N] [--number N] [--output DIR]
 
-Parts: scenes, ramps, units, long, mutants, interruptions, tolerances, quadrature, map, rows; all without a name. A part whose results are in DIR is not
+Parts: scenes, ramps, units, long, mutants, interruptions, tolerances, quadrature, map, rows, violent; all without a name. A part whose results are in DIR is not
 run again, unless --fresh. Exit code 1 if anything was not as it must be. The program is that of the environment variable
 PSEUDORIGID, test programs are those of PSEUDORIGID_TESTS; scripts/stress.sh sets both.
 """
@@ -29,11 +29,13 @@ import random_scenes  # noqa: E402
 import stability_map  # noqa: E402
 import tolerances  # noqa: E402
 import units  # noqa: E402
+import violent  # noqa: E402
 from program import Program  # noqa: E402
 
 PARTS = {"scenes": random_scenes.run, "ramps": ramps.run, "units": units.run, "long": long_times.run,
          "mutants": mutants.run, "interruptions": interruptions.run, "tolerances": tolerances.run,
-         "quadrature": quadrature.run, "map": stability_map.run, "rows": compared_rows.run}
+         "quadrature": quadrature.run, "map": stability_map.run, "rows": compared_rows.run,
+         "violent": violent.run}
 N_SCENES = {True: 40, False: 1000}
 ENDINGS = {0: "done", 2: "refused", 3: "stopped"}
 

@@ -95,6 +95,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   }
   Eigen::Matrix3d affine_part(const continuum::Vector& x) const override { return ball_.mass_moment(x); }
   Eigen::Vector3d mean(const continuum::Vector& x) const override { return ball_.mean(x); }
+  double least_jacobian_at(const continuum::Vector& x) const override { return ball_.least_jacobian(x).value; }
   std::array<double, 3> own_remarks() const override { return wrinkling_.remarks(); }
   void take_own_remarks(std::span<const double, 3> remarks) override { wrinkling_.take_remarks(remarks); }
 

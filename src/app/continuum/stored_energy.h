@@ -8,7 +8,7 @@
 namespace pseudorigid::app {
 
 inline continuum::StoredEnergy stored_energy(const scene::Scene& scene) {
-  return {internal_law(scene), scene::volumetric_stiffness(scene) / units_of(scene).stress()};
+  return {internal_law(scene), scene::volumetric_stiffness_of_elements(scene) / units_of(scene).stress()};
 }
 
 }  // namespace pseudorigid::app

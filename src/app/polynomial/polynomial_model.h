@@ -100,6 +100,9 @@ class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces>
   Eigen::Vector3d mean(const Eigen::VectorXd& x) const override {
     return body_.space().mean(x.head(body_.space().n_unknowns()));
   }
+  double least_jacobian_at(const Eigen::VectorXd& x) const override {
+    return body_.least(x, [](const Eigen::Matrix3d& F) { return F.determinant(); });
+  }
   std::array<double, 3> own_remarks() const override { return quadrature_.numbers(body_); }
   void take_own_remarks(std::span<const double, 3> remarks) override { quadrature_.take_numbers(remarks, body_); }
 

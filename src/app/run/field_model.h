@@ -69,6 +69,20 @@ class FieldModel : public RunnableModelOf<S> {
   double rate(const State& state) const final {
     return mechanics::affine_rate(affine_part(state.q), affine_part(state.v));
   }
+  State at_rest(const State& state) const final {
+    return {state.t, affine(Eigen::Matrix3d::Identity(), mean(state.q)),
+            affine(Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero())};
+  }
+  double least_jacobian(const State& state) const final { return least_jacobian_at(state.q); }
+  bool keeps_volume(const State& state, double h) const final {
+    const double most_change = 0.5, bound = (1 - most_change) * least_jacobian_at(state.q);
+    Vector x = state.q;
+    for (const double time : {h, -2 * h}) {  // x + h v, then x − h v
+      mechanics::axpy(time, state.v, x);
+      if (!(least_jacobian_at(x) > bound)) return false;
+    }
+    return true;
+  }
   /// Length of the pilot runs in internal time, at most `end`. The unit is r/c for an elastic ball without
   /// self-gravity. At t = 1 the shear front from the surface has reached the centre. This time is 0.4 periods of the
   /// slowest mode. A contact of a fast body takes up to three times as long. A force that depends on time can act
@@ -155,6 +169,8 @@ class FieldModel : public RunnableModelOf<S> {
   virtual Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const = 0;
   virtual Eigen::Matrix3d affine_part(const Vector& x) const = 0;
   virtual Eigen::Vector3d mean(const Vector& x) const = 0;
+  /// Least det F over the quadrature points. Collective.
+  virtual double least_jacobian_at(const Vector& x) const = 0;
   virtual std::array<double, 3> own_remarks() const = 0;
   virtual void take_own_remarks(std::span<const double, 3> remarks) = 0;
 

@@ -40,6 +40,10 @@ io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot& snapsh
   c.set("sample", position.cursor.sample);
   c.set("step in interval", position.cursor.step);
   c.set("steps in interval", position.steps_in_interval);
+  c.set("halvings", static_cast<long>(position.halvings));
+  c.set("halvings after failure", static_cast<long>(position.halvings_after_failure));
+  c.set("repeated intervals", position.n_repeated);
+  c.set("failed intervals", position.n_failed);
   c.set("next look", position.looks.next);
   c.set("last look", position.looks.last);
   c.set("method", std::string(mechanics::method_name(position.method)));
@@ -64,6 +68,10 @@ void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot) {
                        numbers[0],
                        numbers[1],
                        c.get_integer("steps in interval"),
+                       static_cast<int>(c.get_integer("halvings")),
+                       static_cast<int>(c.get_integer("halvings after failure")),
+                       c.get_integer("repeated intervals"),
+                       c.get_integer("failed intervals"),
                        {c.get_integer("next look"), c.get_integer("last look"), numbers[5], numbers[6]},
                        numbers[2],
                        numbers[3],

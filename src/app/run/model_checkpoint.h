@@ -26,9 +26,14 @@ struct LooksAtFrequency {
 struct RunPosition {
   mechanics::Cursor cursor;
   mechanics::MethodId method = mechanics::id_of<mechanics::Rattle>;
-  double step = 0;             ///< upper bound of the step in internal time; a method can divide the step
-  double local_tolerance = 0;  ///< tolerance per step of an adaptive method
-  long steps_in_interval = 0;  ///< number of steps in the present interval between samples; 0 at a sample
+  double step = 0;                 ///< upper bound of the step in internal time; a method can divide the step
+  double local_tolerance = 0;      ///< tolerance per step of an adaptive method
+  long steps_in_interval = 0;      ///< number of steps in the present interval between samples; 0 at a sample
+  int halvings = 0;                ///< the steps in the present interval, or in the last one, are step / 2^halvings
+  int halvings_after_failure = 0;  ///< least number of halvings in the present interval, because a step failed in it or
+                                   ///< before it; it falls by one from interval to interval
+  long n_repeated = 0;  ///< number of attempts to integrate an interval that were repeated with shorter steps
+  long n_failed = 0;    ///< number of these attempts in which a step failed
   LooksAtFrequency looks{};
   double max_constraint = 0, max_constraint_rate = 0;  ///< largest scaled |g| and |Gv| at the samples so far
   /// Estimated time error of the configuration, added over all parts of the run. Each part has its own step. Empty if

@@ -29,7 +29,7 @@ ModelOutcome ModelRunBase::run() {
   if (result.outcome == Outcome::finished) {
     if (next_stepping_) step_anew();
     result = run_until(times_.n_samples);
-    while (result.outcome == Outcome::failed && step_back(result)) result = run_until(times_.n_samples);
+    while (result.outcome == Outcome::failed && repeat_interval(result)) result = run_until(times_.n_samples);
   }
   sink_->progress_ends();
   return end(std::move(result), start);
@@ -44,22 +44,44 @@ bool ModelRunBase::is_time_to_save() const {
   return context_.ranks->of_first(Clock::now() - last_save_ > seconds_between_checkpoints);
 }
 
-/// Returns to the last sample and halves the step, at most three times in a run. Returns false if this is not possible.
-/// A return requires distributed vectors, a method of fixed step, a step that the program has chosen, and a sample
-/// after the first. A return is not possible if the model itself ended the run. In a violent motion of finite elements,
-/// a longer step inverts an element sooner, with every method.
-bool ModelRunBase::step_back(const mechanics::RunResult& failure) {
-  constexpr int most = 3;
-  const bool may = traits_.is_distributed && verdict_ && adapts() && good_.position.cursor.sample > 0;
-  if (!may || ++n_steps_back_ > most) return false;
+/// Returns to the last sample and integrates the interval again with shorter steps. Returns false if this is not
+/// possible: after `most_failures` failed steps, a motion is not resolved. The next interval begins with the steps that
+/// its own state asks for. In this way a motion that is violent for a short time does not shorten the steps of the
+/// whole run. A repetition needs a costly force, a method of fixed step and a step that the program has chosen. It does
+/// not help if the model itself ended the run.
+bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
+  if (!repeats_intervals() || !verdict_) return false;
+  const bool asked = least_halvings_ > position_.halvings;
+  const int halvings = asked ? least_halvings_ : position_.halvings + 1;
+  if (halvings > most_halvings || (!asked && good_.position.n_failed == most_failures)) return false;
   return_to_kept_state();
+  if (!kept_remarks_.empty()) any_model_.take_remarks(kept_remarks_);  // a contact of the failed attempt does not count
   position_ = good_.position;
-  position_.step /= 2;
-  position_.steps_in_interval = 0;
+  ++position_.n_repeated;
+  least_halvings_ = halvings;
+  if (!asked) {
+    ++position_.n_failed;
+    position_.halvings_after_failure = halvings;
+  }
+  if (position_.steps_in_interval > 0) {
+    // The kept state is that of a run which was resumed within the interval. Its steps are divided.
+    const int more = halvings - position_.halvings;
+    position_.steps_in_interval <<= more;
+    position_.cursor.step <<= more;
+    position_.halvings = halvings;
+  } else if (become_symplectic()) {
+    good_.memory.clear();
+  }
   good_.position = position_;
-  context_.log->info("{}: step reduced to {:.4g} at t = {}, since it fails at t = {}: {}", any_model_.name,
-                     position_.step * context_.units.time, physical_time(time()), physical_time(failure.t),
-                     failure.reason);
+  // A state that asks for shorter steps is usual. A step that fails is not: the motion was not resolved before it.
+  const std::string text = fmt::format(
+      "{}: from t = {} the step is {:.4g} for one interval between samples, since with a longer one {}",
+      any_model_.name, physical_time(time()), std::ldexp(position_.step, -halvings) * context_.units.time,
+      asked ? failure.reason : fmt::format("the run fails at t = {}: {}", physical_time(failure.t), failure.reason));
+  if (!asked && position_.n_failed == 1)
+    context_.log->warn("{}", text);
+  else
+    context_.log->debug("{}", text);
   return true;
 }
 
@@ -112,6 +134,7 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   counters_ = good_.counters;
   position_ = good_.position;
   if (const std::size_t n = any_model_.remarks().size(); n > 0) any_model_.take_remarks(file.get_doubles("remarks", n));
+  kept_remarks_ = any_model_.remarks();
   // If the end of the run has changed, the time of the same sample may differ in the last digit.
   if (const double at = times_[position_.cursor.sample]; std::abs(time() - at) < 1e-12 * times_.end) set_time(at);
   const bool complete = position_.cursor.sample == times_.n_samples;
@@ -179,6 +202,10 @@ ModelOutcome ModelRunBase::outcome(Outcome end, const std::string& message, Cloc
   c["substeps"] = static_cast<double>(n.n_substeps);
   c["forces"] = static_cast<double>(n.n_force);
   c["step"] = position_.step * context_.units.time;
+  if (repeats_intervals()) {
+    c["repeated_intervals"] = static_cast<double>(position_.n_repeated);
+    c["failed_intervals"] = static_cast<double>(position_.n_failed);
+  }
   mechanics::with_method(position_.method, [&]<class Method>(Method) {
     c["order"] = Method::order;
     statistics_.method = Method::name;

@@ -66,7 +66,7 @@ class ModelRunBase : protected ModelStepping {
   Status begin();
   Status choose_stepping();
   Status restore(const io::Checkpoint& file);
-  bool step_back(const mechanics::RunResult& failure);
+  bool repeat_interval(const mechanics::RunResult& failure);
   void step_anew();
   ModelOutcome end(mechanics::RunResult result, Clock::time_point start);
   std::string saved_state() const;
@@ -81,11 +81,12 @@ class ModelRunBase : protected ModelStepping {
   Snapshot good_;   ///< data of the kept state: the last sample, or the last step of an adaptive method
   std::vector<double> row_;
   int steps_since_look_ = 0;
+  std::vector<double> kept_remarks_;  ///< remarks of the model at the kept state, if intervals can be repeated
+  int least_halvings_ = 0;            ///< in the present interval, after a failed attempt
 
  private:
   RunIdentity identity_;
   std::optional<NextStepping> next_stepping_;  ///< method and step after the next sample, if they change there
-  int n_steps_back_ = 0;
   Clock::time_point last_save_{};
 };
 
@@ -109,6 +110,9 @@ class ModelRun final : public ModelRunBase {
 
   template <class Workspace>
   Status sample(long k, const State& state, Workspace& workspace) {
+    // The time loop calls `sample` at the start, also if the first interval is integrated again.
+    if (k == 0 && least_halvings_ > 0) return {};
+    if (Status status = judge_interval(k, state); !status) return status;
     const double time = context_.time_of_sample(k);
     auto& system_workspace = workspace_of_system(workspace);
     if (Status status = model_.row(time, state, system_workspace, row_); !status) return status;
@@ -120,16 +124,19 @@ class ModelRun final : public ModelRunBase {
     if (has_shapes_ && sink_->wants_shape(k)) sink_->append_shape(model_.shape(time, state));
     position_.cursor = {k, 0};
     position_.steps_in_interval = 0;
+    least_halvings_ = 0;
+    position_.halvings_after_failure = std::max(0, position_.halvings_after_failure - 1);
     if (k == 0 || !is_adaptive()) keep(state, workspace);
     if (k == 0) save();
     return {};
   }
 
   template <class Workspace>
-  long steps_per_interval(long k, const State&, Workspace&) {
+  long steps_per_interval(long k, const State& state, Workspace&) {
     if (position_.steps_in_interval > 0) return position_.steps_in_interval;
     if (adapts() && k >= position_.looks.next) reconsider();
-    return position_.steps_in_interval = times_.steps_per_interval(position_.step);
+    position_.halvings = std::max({least_halvings_, position_.halvings_after_failure, halvings_at(state)});
+    return position_.steps_in_interval = times_.steps_per_interval(std::ldexp(position_.step, -position_.halvings));
   }
 
   template <class Workspace>
@@ -174,6 +181,48 @@ class ModelRun final : public ModelRunBase {
     good_.t = state_.t;
   }
   void return_to_kept_state() override { state_ = good_state_; }
+
+  /// Least number of halvings after which a step is stable at `state`, which is the present state, and keeps the local
+  /// volume. The number is 0 if the local volume has not changed much. It does not depend on earlier states or on the
+  /// sign of the velocity.
+  int halvings_at(const State& state) const {
+    constexpr double violent = 0.8;
+    if (!repeats_intervals() || model_.least_jacobian(state) > violent) return 0;
+    int halvings = 0;
+    if (double limit = 0; rattle_limit(less_reserve, limit)) halvings = halvings_within(limit);
+    while (halvings < most_halvings && !model_.keeps_volume(state, std::ldexp(position_.step, -halvings))) ++halvings;
+    return halvings;
+  }
+  /// Fails at the end of an interval if it must be integrated again. The state at this end then asks for shorter steps
+  /// than those of the interval, or the energy has changed. The condition is the same for the interval backwards in
+  /// time, so steps change reversibly.
+  Status judge_interval(long k, const State& state) {
+    if (k == 0 || !repeats_intervals()) return {};
+    least_halvings_ = std::max(least_halvings_, halvings_at(state));
+    if (least_halvings_ > position_.halvings) return Status::failure("the motion becomes too fast for the step");
+    if (keeps_energy(state) || position_.halvings >= most_halvings_for_energy) return {};
+    least_halvings_ = position_.halvings + 1;
+    return Status::failure("the energy changes");
+  }
+  /// Whether the energy has changed by at most 1e-3/√N of the energy of the motion since the last of N samples. The
+  /// energy of the motion is the kinetic energy at the start, and the potential energy at the start relative to the
+  /// body at rest, or the sum of the kinetic energies at both ends if this is larger. True if forces dissipate or
+  /// depend on time, or if the local volume has hardly changed: other errors of the energy are those of the chosen
+  /// step.
+  bool keeps_energy(const State& state) {
+    constexpr double watched = 0.95, most = 1e-3;
+    const auto changes = [&](const State& s) { return model_.least_jacobian(s) < watched; };
+    if (mechanics::dissipative(model_.system()) || mechanics::time_dependent(model_.system())) return true;
+    if (!changes(state) && !changes(good_state_)) return true;
+    if (!energy_of_motion_) {
+      const State start = model_.initial_state();
+      const Eigen::Vector2d at_start = model_.energies(start);
+      energy_of_motion_ = at_start[0] + std::abs(at_start[1] - model_.energies(model_.at_rest(start))[1]);
+    }
+    const Eigen::Vector2d before = model_.energies(good_state_), after = model_.energies(state);
+    const double of_motion = std::max(*energy_of_motion_, before[0] + after[0]);
+    return std::abs(after.sum() - before.sum()) <= most / std::sqrt(static_cast<double>(times_.n_samples)) * of_motion;
+  }
   SavedVectors kept_vectors() override { return vectors_.collect(good_state_, good_); }
   void restore_state(const io::Checkpoint& file) override {
     on_all_ranks(*context_.ranks, [&] {
@@ -290,6 +339,7 @@ class ModelRun final : public ModelRunBase {
   void keep(const State& state, Workspace& workspace) {
     good_state_ = state;
     good_.take(position_, state.t, workspace);
+    if (repeats_intervals()) kept_remarks_ = model_.remarks();
   }
 
   template <class Workspace>
@@ -314,6 +364,7 @@ class ModelRun final : public ModelRunBase {
 
   Model& model_;
   State state_, good_state_;
+  std::optional<double> energy_of_motion_;                      ///< empty before it is needed
   std::optional<typename System::Workspace> system_workspace_;  ///< for rows, if the method's workspace has none
   CheckpointVectors<Model> vectors_;
 };

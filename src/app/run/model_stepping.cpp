@@ -94,10 +94,6 @@ void ModelStepping::reconsider() {
   if (!traits_.constrained_form) return;
   position_.looks.next = position_.cursor.sample + samples_between_looks();
   double limit = 0;
-  // When a step is chosen, its ratio to the stability limit is at most `reserve`. Above the ratio 1 a step is unstable.
-  // A limit between these ratios has two advantages. A step is not halved if the frequency oscillates by a few per
-  // cent, and is halved before it becomes unstable.
-  constexpr double less_reserve = 0.9;
   if (!rattle_limit(less_reserve, limit)) return;  // the next step fails for the same reason and reports the reason
   const double before = position_.step;
   while (position_.step > limit_of(position_.method, limit)) position_.step /= 2;
@@ -105,6 +101,24 @@ void ModelStepping::reconsider() {
   if (position_.step != before)
     context_.log->info("{}: step reduced to {:.4g} at t = {:.6g}, because the stiffness has grown", any_model_.name,
                        position_.step * context_.units.time, time() * context_.units.time);
+}
+
+bool ModelStepping::become_symplectic() {
+  using Symplectic = mechanics::Rattle4;
+  const bool symplectic =
+      mechanics::with_method(position_.method, []<class Method>(Method) { return Method::symplectic; });
+  if (symplectic || asked_method()) return false;
+  position_.step *= limit_of(mechanics::id_of<Symplectic>, 1) / limit_of(position_.method, 1);
+  position_.method = mechanics::id_of<Symplectic>;
+  position_.time_error.reset();
+  context_.log->info("{}: {}, step {:.4g} from t = {:.6g} on, because the motion has become violent", any_model_.name,
+                     Symplectic::name, position_.step * context_.units.time, time() * context_.units.time);
+  return true;
+}
+
+int ModelStepping::halvings_within(double rattle_limit) const {
+  const double ratio = position_.step / limit_of(position_.method, rattle_limit);
+  return ratio > 1 ? std::min(most_halvings, static_cast<int>(std::ceil(std::log2(ratio)))) : 0;
 }
 
 mechanics::Status ModelStepping::search(const std::optional<double>& error_so_far) {

@@ -69,6 +69,16 @@ class ModelStepping {
   /// True if the step can change during the run: the scene does not give the step, and the method is not adaptive.
   bool adapts() const { return !context_.scene.time.step && !is_adaptive(); }
 
+  /// True if a failed interval between samples is integrated again with shorter steps.
+  bool repeats_intervals() const { return traits_.has_costly_force && adapts(); }
+  /// Replaces a method that is not symplectic, if the program has chosen it, by RATTLE of order 4 with the same ratio
+  /// of the step to the stability limit. In violent motions a change of the step makes such a method lose energy.
+  /// Returns true if the method has changed; the estimate of the time error is then not known.
+  bool become_symplectic();
+  /// Least number of halvings after which the step is at most the stability limit, if RATTLE has the limit
+  /// `rattle_limit`. The number is at most `most_halvings`.
+  int halvings_within(double rattle_limit) const;
+
   /// Tolerance of the scaled constraint, for systems with a costly force. It is the value of Time/Constraint tolerance
   /// if the scene gives one. Otherwise it is 1e-4 of Time/Tolerance, or 0 if the scene gives the step. The method uses
   /// the larger of this tolerance and the tolerance of the system. With 1e-13 in place of 1e-4, errors and steps would
@@ -78,6 +88,17 @@ class ModelStepping {
     constexpr double part = 1e-4;
     return time.constraint_tolerance.value_or(time.step ? 0 : part * time.tolerance);
   }
+
+  /// Ratio of a step to the stability limit above which the step is halved. When a step is chosen, the ratio is at most
+  /// 0.8. A step is therefore not halved if the frequency oscillates by a few per cent, and is halved before it becomes
+  /// unstable, with a ratio above 1.
+  static constexpr double less_reserve = 0.9;
+  /// Largest number of halvings of the step in one interval between samples.
+  static constexpr int most_halvings = 6;
+  /// Largest number of intervals of a run that are integrated again because a step has failed.
+  static constexpr long most_failures = 32;
+  /// Largest number of halvings because of the energy.
+  static constexpr int most_halvings_for_energy = 5;
 
   RunnableModel& any_model_;
   const RunContext& context_;

@@ -65,6 +65,12 @@ class RunnableModelOf : public RunnableModel {
   virtual Eigen::Vector2d energies(const State&) const { return Eigen::Vector2d::Zero(); }
   /// Checks the state after every step. A failure ends the run.
   virtual mechanics::Status judge(const State&) { return {}; }
+  /// The undeformed body at rest with the centre of mass of `state`.
+  virtual State at_rest(const State& state) const { return state; }
+  /// Least det F in the body; 1 if the model does not resolve the local volume.
+  virtual double least_jacobian(const State&) const { return 1; }
+  /// Whether a step h forwards or backwards with the present velocity keeps det F above half of its least value.
+  virtual bool keeps_volume(const State&, double /*h*/) const { return true; }
   /// The state at the begin of the pilot runs, for a run that begins with `state`.
   virtual State start_of_pilot(const State& state) const { return state; }
   /// `choose_quadrature` chooses the quadrature rule before the search for the step. `estimate_quadrature` estimates

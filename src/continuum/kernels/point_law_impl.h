@@ -41,7 +41,8 @@ class LawAtPoints final : public PointLaw<n_lanes> {
       elastic += weights[q] * law_.energy(F);
       if (kappa_ == 0) continue;
       const L J = materials::determinant(F);
-      volumetric += weights[q] * (0.25 * kappa_) * (J * J - 1.0 - 2.0 * log(J));
+      const L difference = J - 1.0 / J;
+      volumetric += weights[q] * (0.125 * kappa_) * difference * difference;
     }
   }
 

@@ -5,11 +5,11 @@
 ///   T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ,   F = H (∂X/∂ξ)⁻¹,   J = det F,   w = ŵ det ∂X/∂ξ
 ///
 /// with the stored energy W, the weight ŵ on the reference cell and the stabilising energy
-/// U = (κ/4)(J² − 1 − 2 ln J). For a general law a point stores ten numbers, (∂X/∂ξ)⁻¹ and w. If
+/// U = (κ/8)(J − 1/J)². For a general law a point stores ten numbers, (∂X/∂ξ)⁻¹ and w. If
 /// ∂W/∂F = a F + c cof F, with functions a and c of J (materials/stress_coefficients.h), seven numbers are sufficient.
 /// Because cof F (∂X/∂ξ)⁻ᵀ = cof H / det ∂X/∂ξ, the stress is then
 ///
-///   T = −a H G − ŵ (c + (κ/2)(J − 1/J)) cof H,   J = D det H,
+///   T = −a H G − ŵ (c + (κ/4)(J − 1/J³)) cof H,   J = D det H,
 ///   G = w (∂X/∂ξ)⁻¹ (∂X/∂ξ)⁻ᵀ,   D = 1 / det ∂X/∂ξ
 
 #include <type_traits>
@@ -23,7 +23,8 @@ namespace pseudorigid::continuum {
 /// ∂U/∂J.
 template <class L>
 [[gnu::always_inline]] inline L stabilizing_pressure(double kappa, const L& J) {
-  return (0.5 * kappa) * (J - 1.0 / J);
+  const L inverse = 1.0 / J;
+  return (0.25 * kappa) * (J - inverse * inverse * inverse);
 }
 
 template <class L>
