@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""docs/data/stress.md, docs/data/stability_map.csv and docs/images/stability_map.svg from the results of the stress
-suite.
+"""docs/data/stress.md, docs/data/stability_map.csv, docs/data/violent_motions.csv and docs/images/stability_map.svg from the
+results of the stress suite.
 
     tools/stress_tables.py output/stress
 """
@@ -103,11 +103,12 @@ def main():
     (ROOT / "docs/data/stress.md").write_text("\n".join(page).rstrip() + "\n")
     if (results / "map.csv").is_file():
         data = ROOT / "docs/data/stability_map.csv"
-        data.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(results / "map.csv", data)
         from pseudorigid import stability_map
 
         stability_map.write(data, ROOT / "docs/images/stability_map.svg")
+    if (results / "violent.csv").is_file():
+        shutil.copy(results / "violent.csv", ROOT / "docs/data/violent_motions.csv")
 
 
 if __name__ == "__main__":

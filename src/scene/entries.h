@@ -205,8 +205,9 @@ void visit_continuum(S& scene, Visit& visit) {
               "kappa of the volumetric stabilisation of an incompressible body: the elements store the additional "
               "energy (kappa/8) (J - 1/J)^2, J = det F. An exact motion has J = 1 and is not affected; in the "
               "elements it resists the changes of volume that the pressure space does not control. 0: off. "
-              "auto: the pressure at the centre that self-gravity and a confining tidal matrix cause, and three times "
-              "the shear modulus for finite elements whose motion starts violently; check tells the value."});
+              "auto: the pressure at the centre that self-gravity and a confining tidal matrix cause. Finite elements "
+              "whose motion starts violently have three times the shear modulus in addition. The command check prints "
+              "the value."});
   visit(mesh, BuiltinOrMeshFile{},
         About{"Continuum/Mesh", "",
               "The mesh to start from: the builtin mesh of the ball, or a Gmsh file (format 2.2, ASCII, hexahedra "

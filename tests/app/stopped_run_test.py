@@ -66,7 +66,7 @@ class StoppedRun(StoppedRunTest):
         self.assertGreater(len(self.table("output/scene/continuum.csv")), len(stopped))
 
     def test_velocity_that_no_mesh_stands_with_a_chosen_step(self):
-        self.scene(self.VIOLENT)
+        self.scene({**self.VIOLENT, "Initial state/Velocity": "40, 0, 0; 0, 40, 0; 0, 0, -80"})
         stopped = self.run_program("run", "scene.prm", "--quiet", timeout=15)
         self.assert_exit(stopped, STOPPED)
         self.assertRegex(stopped.stderr, r"error: continuum stopped at t = [0-9.e-]+: .*; the state at t = [0-9.e-]+, the last sample, is saved, least det F")

@@ -206,7 +206,7 @@ class ModelRun final : public ModelRunBase {
   }
   /// Whether the energy has changed by at most 1e-3/√N of the energy of the motion since the last of N samples. The
   /// energy of the motion is the kinetic energy at the start, and the potential energy at the start relative to the
-  /// body at rest, or the sum of the kinetic energies at both ends if this is larger. True if forces dissipate or
+  /// body at rest. If the kinetic energies at both ends have a larger sum, it is this sum. True if forces dissipate or
   /// depend on time, or if the local volume has hardly changed: other errors of the energy are those of the chosen
   /// step.
   bool keeps_energy(const State& state) {
