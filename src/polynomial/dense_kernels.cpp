@@ -133,8 +133,7 @@ void for_each_vector(const materials::AnyLaw& law, int n, Visitor&& visitor) {
 /// ∂U/∂F = (κ/4)(J − 1/J³) cof F
 [[gnu::always_inline]] inline Tensor volumetric_stress(double kappa, const Tensor& F) {
   const Tensor cof = materials::cofactor(F);
-  const L J = materials::determinant(F, cof);
-  const L inverse = 1.0 / J;
+  const L J = materials::determinant(F, cof), inverse = 1.0 / J;
   return L(0.25 * kappa) * (J - inverse * inverse * inverse) * cof;
 }
 [[gnu::always_inline]] inline Tensor volumetric_stress_rate(double kappa, const Tensor& F, const Tensor& H) {

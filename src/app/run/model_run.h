@@ -135,7 +135,11 @@ class ModelRun final : public ModelRunBase {
   long steps_per_interval(long k, const State& state, Workspace&) {
     if (position_.steps_in_interval > 0) return position_.steps_in_interval;
     if (adapts() && k >= position_.looks.next) reconsider();
-    position_.halvings = std::max({least_halvings_, position_.halvings_after_failure, halvings_at(state)});
+    if (repeats_intervals()) {
+      if (!kept_volume_) kept_volume_ = look_at(state);  // after a resumption
+      position_.halvings =
+          std::max({least_halvings_, position_.halvings_after_failure, halvings_at(state, *kept_volume_)});
+    }
     return position_.steps_in_interval = times_.steps_per_interval(std::ldexp(position_.step, -position_.halvings));
   }
 
@@ -166,7 +170,7 @@ class ModelRun final : public ModelRunBase {
     return false;
   }();
   static constexpr SystemTraits traits{mechanics::ConstrainedSystem<System>, has_constraints,
-                                       mechanics::has_costly_force<System>, is_distributed<Model>,
+                                       mechanics::has_costly_force<System>,
                                        mechanics::method_fits<mechanics::DormandPrince8, System>()};
 
   static constexpr int n_lanczos = 24;
@@ -182,14 +186,24 @@ class ModelRun final : public ModelRunBase {
   }
   void return_to_kept_state() override { state_ = good_state_; }
 
-  /// Least number of halvings after which a step is stable at `state`, which is the present state, and keeps the local
-  /// volume. The number is 0 if the local volume has not changed much. It does not depend on earlier states or on the
-  /// sign of the velocity.
-  int halvings_at(const State& state) const {
+  /// Properties of a state that decide on the steps of the intervals before and after it.
+  struct LocalVolume {
+    double least_jacobian;
+    double rattle_limit = HUGE_VAL;  ///< largest stable step of RATTLE times less_reserve, if the motion is violent
+  };
+  /// Looks at `state`, which is the present state.
+  LocalVolume look_at(const State& state) const {
     constexpr double violent = 0.8;
-    if (!repeats_intervals() || model_.least_jacobian(state) > violent) return 0;
-    int halvings = 0;
-    if (double limit = 0; rattle_limit(less_reserve, limit)) halvings = halvings_within(limit);
+    LocalVolume seen{model_.least_jacobian(state)};
+    if (double limit = 0; seen.least_jacobian <= violent && rattle_limit(less_reserve, limit))
+      seen.rattle_limit = limit;
+    return seen;
+  }
+  /// Least number of halvings after which a step is stable at `state` and keeps the local volume. The number is 0 if
+  /// the local volume has not changed much. It does not depend on earlier states or on the sign of the velocity.
+  int halvings_at(const State& state, const LocalVolume& seen) const {
+    if (seen.rattle_limit == HUGE_VAL) return 0;
+    int halvings = halvings_within(seen.rattle_limit);
     while (halvings < most_halvings && !model_.keeps_volume(state, std::ldexp(position_.step, -halvings))) ++halvings;
     return halvings;
   }
@@ -197,23 +211,30 @@ class ModelRun final : public ModelRunBase {
   /// than those of the interval, or the energy has changed. The condition is the same for the interval backwards in
   /// time, so steps change reversibly.
   Status judge_interval(long k, const State& state) {
-    if (k == 0 || !repeats_intervals()) return {};
-    least_halvings_ = std::max(least_halvings_, halvings_at(state));
-    if (least_halvings_ > position_.halvings) return Status::failure("the motion becomes too fast for the step");
-    if (keeps_energy(state) || position_.halvings >= most_halvings_for_energy) return {};
-    least_halvings_ = position_.halvings + 1;
-    return Status::failure("the energy changes");
+    if (!repeats_intervals()) return {};
+    const LocalVolume seen = look_at(state);
+    if (k > 0) {
+      least_halvings_ = std::max(least_halvings_, halvings_at(state, seen));
+      if (least_halvings_ > position_.halvings) return Status::failure("the motion becomes too fast for the step");
+      if (position_.halvings < most_halvings_for_energy && !keeps_energy(state, seen)) {
+        least_halvings_ = position_.halvings + 1;
+        return Status::failure("the energy changes");
+      }
+    }
+    kept_volume_ = seen;
+    return {};
   }
   /// Whether the energy has changed by at most 1e-3/√N of the energy of the motion since the last of N samples. The
   /// energy of the motion is the kinetic energy at the start, and the potential energy at the start relative to the
   /// body at rest. If the kinetic energies at both ends have a larger sum, it is this sum. True if forces dissipate or
   /// depend on time, or if the local volume has hardly changed: other errors of the energy are those of the chosen
   /// step.
-  bool keeps_energy(const State& state) {
+  bool keeps_energy(const State& state, const LocalVolume& seen) {
     constexpr double watched = 0.95, most = 1e-3;
-    const auto changes = [&](const State& s) { return model_.least_jacobian(s) < watched; };
     if (mechanics::dissipative(model_.system()) || mechanics::time_dependent(model_.system())) return true;
-    if (!changes(state) && !changes(good_state_)) return true;
+    // A run that was resumed within the interval has not looked at its kept state.
+    const double kept = kept_volume_ ? kept_volume_->least_jacobian : model_.least_jacobian(good_state_);
+    if (seen.least_jacobian >= watched && kept >= watched) return true;
     if (!energy_of_motion_) {
       const State start = model_.initial_state();
       const Eigen::Vector2d at_start = model_.energies(start);
@@ -364,6 +385,7 @@ class ModelRun final : public ModelRunBase {
 
   Model& model_;
   State state_, good_state_;
+  std::optional<LocalVolume> kept_volume_;                      ///< of the kept state; empty after a resumption
   std::optional<double> energy_of_motion_;                      ///< empty before it is needed
   std::optional<typename System::Workspace> system_workspace_;  ///< for rows, if the method's workspace has none
   CheckpointVectors<Model> vectors_;

@@ -23,7 +23,7 @@ void warn_of_round_off(const mechanics::StepChoice& choice, std::string_view mod
 /// Properties of the type of a system that affect the choice of the step and the run.
 struct SystemTraits {
   bool constrained_form;  ///< true for a ConstrainedSystem, with constraints or without
-  bool has_constraints, has_costly_force, is_distributed;
+  bool has_constraints, has_costly_force;
   bool takes_explicit;  ///< true if the method explicit-8 fits the system
 };
 
