@@ -223,6 +223,8 @@ void report_nonaffine_motion(Workshop& w) {
   if (!w.has(w.c, w.out.reference, "non-affine motion", columns)) return;
   for (const std::string& name : columns) w.add(name, 1, w.c.column(name));
   if (w.c.has_column("min_jacobian")) w.out.min_jacobian = std::ranges::min(w.c.column("min_jacobian"));
+  if (w.c.has_column("volume_error")) w.out.volume_error = std::ranges::max(w.c.column("volume_error"));
+  if (w.c.has_column("max_volume_error")) w.out.max_volume_error = std::ranges::max(w.c.column("max_volume_error"));
   if (!w.c.has_column("kinetic")) return;
   w.out.mean_nonaffine_kinetic_fraction = weighted_mean(w.c.column(columns[0]), w.c.column("kinetic"));
 }
@@ -240,6 +242,8 @@ Comparison compare(const ModelRunTable& model, const ModelRunTable& reference, c
   w.of_model.other = nullptr;
   w.out.model.name = model.name, w.out.model.adjective = model.adjective;
   w.out.reference.name = reference.name, w.out.reference.adjective = reference.adjective;
+  w.out.model.n_failed_intervals = model.n_failed_intervals;
+  w.out.reference.n_failed_intervals = reference.n_failed_intervals;
   w.out.time = common_times(model, reference);
   w.out.surface_limit_time = options.surface_limit_time;
   compare_states(w);

@@ -77,6 +77,7 @@ Json model_json(const ModelSummary& m, bool has_state) {
   json["energy_drift"] = to_json(m.energy_drift);
   json["angular_momentum_drift"] = to_json(m.angular_momentum_drift);
   json["circulation_drift"] = to_json(m.circulation_drift);
+  json["failed_intervals"] = m.n_failed_intervals;
   return json;
 }
 
@@ -258,6 +259,8 @@ nlohmann::ordered_json comparison_json(const Comparison& c) {
   json[c.reference.name] = model_json(c.reference, c.has_state);
   json["mean_nonaffine_kinetic_fraction"] = to_json(c.mean_nonaffine_kinetic_fraction);
   json["min_jacobian"] = to_json(c.min_jacobian);
+  json["volume_error"] = to_json(c.volume_error);
+  json["max_volume_error"] = to_json(c.max_volume_error);
   json["surface_limit_time"] = to_json(c.surface_limit_time);
   json["not_compared"] = c.not_compared;
   return json;
@@ -278,7 +281,8 @@ std::string summary_sentence(const Comparison& c) {
   const bool moves = !c.has_state || c.reference.deforms || c.reference.turns;
   if (moves && c.find("nonaffine_kinetic_fraction")) sentence += "; " + nonaffine_clause(c);
   for (const ModelSummary* m : {&c.model, &c.reference})
-    if (const std::string clause = energy_clause(*m); !clause.empty()) sentence += fmt::format("; {}", clause);
+    for (const std::string& clause : {energy_clause(*m), failure_clause(*m)})
+      if (!clause.empty()) sentence += fmt::format("; {}", clause);
   return sentence + ".";
 }
 

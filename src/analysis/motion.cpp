@@ -45,6 +45,7 @@ MotionSummary begin_summary(const ModelRunTable& run) {
   MotionSummary s;
   s.model.name = run.name;
   s.model.adjective = run.adjective;
+  s.model.n_failed_intervals = run.n_failed_intervals;
   s.n_samples = run.table.n_rows();
   s.first_time = run.table.row(0)[0];
   s.last_time = run.table.row(s.n_samples - 1)[0];
@@ -65,6 +66,7 @@ constexpr std::pair<const char*, const char*> shown_ranges[] = {
     {"elastic", "elastic energy"},
     {"nonaffine_displacement", "non-affine part of the position"},
     {"min_jacobian", "least det F"},
+    {"volume_error", "rms of ln det F"},
 };
 
 }  // namespace
@@ -133,11 +135,24 @@ void set_energy_drift(const io::Table& table, double reference, std::optional<do
     if (std::abs(energy[n] - energy[0]) > summary.energy_bound * reference) summary.energy_beyond_since = time[n];
 }
 
+namespace {
+std::string of_ball(const ModelSummary& summary) {
+  return summary.adjective == summary.name ? "" : fmt::format(" of the {} ball", summary.adjective);
+}
+}  // namespace
+
 std::string energy_clause(const ModelSummary& summary) {
   if (!summary.energy_beyond_since) return {};
-  const std::string whose = summary.adjective == summary.name ? "" : fmt::format(" of the {} ball", summary.adjective);
-  return fmt::format("the energy{} changes by up to {:.2g} %, and by more than {:.2g} % from t = {:.4g} on", whose,
-                     100 * *summary.energy_drift, 100 * summary.energy_bound, *summary.energy_beyond_since);
+  return fmt::format("the energy{} changes by up to {:.2g} %, and by more than {:.2g} % from t = {:.4g} on",
+                     of_ball(summary), 100 * *summary.energy_drift, 100 * summary.energy_bound,
+                     *summary.energy_beyond_since);
+}
+
+std::string failure_clause(const ModelSummary& summary) {
+  if (summary.n_failed_intervals == 0) return {};
+  return fmt::format("steps{} failed, and {} repeated with shorter ones", of_ball(summary),
+                     summary.n_failed_intervals == 1 ? "one interval was"
+                                                     : fmt::format("{} intervals were", summary.n_failed_intervals));
 }
 
 std::string drift_in_words(double drift) {
@@ -232,7 +247,8 @@ std::string terminal_table(const MotionSummary& s) {
   if (s.ranges.size() > most_ranges)
     lines.push_back(
         fmt::format("columns not shown: {} (they are in {}.csv)", s.ranges.size() - most_ranges, s.model.name));
-  if (const std::string clause = energy_clause(s.model); !clause.empty()) lines.push_back(fmt::format("{}.", clause));
+  for (const std::string& clause : {energy_clause(s.model), failure_clause(s.model)})
+    if (!clause.empty()) lines.push_back(fmt::format("{}.", clause));
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 

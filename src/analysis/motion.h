@@ -15,11 +15,12 @@
 namespace pseudorigid::analysis {
 
 /// One run of a model: the name of the model, the adjective of its ball (for example "elastic"), the samples and their
-/// errors.
+/// errors. `n_failed_intervals` counts the intervals between samples that were integrated again because a step failed.
 struct ModelRunTable {
   std::string name, adjective;
   const io::Table& table;
   RunErrors errors{};
+  long n_failed_intervals = 0;
 };
 
 /// Summary of the motion of one model. A drift is the largest difference of a quantity from its initial value, relative
@@ -36,6 +37,7 @@ struct ModelSummary {
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
   double energy_bound = 0;  ///< largest change of the energy without a warning, relative to the reference value
   std::optional<double> energy_beyond_since{};  ///< first time at which the energy has changed by more than this bound
+  long n_failed_intervals = 0;                  ///< as in ModelRunTable
 };
 
 /// Q and C = QᵀQ of one model at each sample, and the mean of C.
@@ -71,6 +73,10 @@ void set_energy_drift(const io::Table& table, double reference, std::optional<do
 /// Returns, for example, "the energy of the elastic ball changes by up to 4.2 %, and by more than 1 % from t = 3.2 on".
 /// The result is empty if the change is within the bound.
 std::string energy_clause(const ModelSummary& summary);
+
+/// Returns, for example, "steps of the elastic ball failed, and 3 intervals were repeated with shorter ones". The
+/// result is empty if no step failed.
+std::string failure_clause(const ModelSummary& summary);
 
 /// A drift up to this value is reported as round-off. This is the error of some hundred operations in double precision.
 inline constexpr double round_off_drift = 1e-13;

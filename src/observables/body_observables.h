@@ -200,8 +200,10 @@ struct ContinuumObservables : BodyObservables {
   Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean deformation gradient F̄ = ∫F dV / Vol
   double nonaffine_kinetic_fraction = not_observed;             ///< η_K = K_nonaffine / K  (0/0 = 0)
   double nonaffine_displacement = not_observed;                 ///< e_x = |x − Q_M X| / |x|, norms weighted with ρ
-  double volumetric = not_observed;    ///< part of `elastic` that the volumetric stabilisation stores
-  double min_jacobian = not_observed;  ///< least det F over the quadrature points
+  double volumetric = not_observed;        ///< part of `elastic` that the volumetric stabilisation stores
+  double min_jacobian = not_observed;      ///< least det F over the quadrature points
+  double volume_error = not_observed;      ///< (∫(ln det F)² dV / Vol)^½
+  double max_volume_error = not_observed;  ///< largest |ln det F| over the quadrature points
 };
 
 inline constexpr BodyColumn<ContinuumObservables> continuum_columns[] = {
@@ -213,6 +215,10 @@ inline constexpr BodyColumn<ContinuumObservables> continuum_columns[] = {
      [](const ContinuumObservables& o) { return o.nonaffine_displacement; }},
     {"min_jacobian", &Quantities::nonaffine, "", "least det F at the integration points",
      [](const ContinuumObservables& o) { return o.min_jacobian; }},
+    {"volume_error", &Quantities::nonaffine, "", "root mean square of ln det F over the body",
+     [](const ContinuumObservables& o) { return o.volume_error; }},
+    {"max_volume_error", &Quantities::nonaffine, "", "largest |ln det F| at the integration points",
+     [](const ContinuumObservables& o) { return o.max_volume_error; }},
     {"volumetric", &Quantities::volumetric, "mass*length^2/time^2",
      "part of the elastic energy that the volumetric stabilisation stores; with the energies, where it is on",
      [](const ContinuumObservables& o) { return o.volumetric; }},

@@ -12,10 +12,10 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Integrals of F, J and ρ X ⊗ Fᵀẋ over the body.
+/// Integrals of F, J, (ln J)² and ρ X ⊗ Fᵀẋ over the body, and the largest |ln J|.
 struct Integrals {
   Eigen::Matrix3d F = Eigen::Matrix3d::Zero(), X_pulled_back = Eigen::Matrix3d::Zero();
-  double volume = 0;
+  double volume = 0, squared_log_J = 0, largest_log_J = 0;
 };
 
 Integrals integrals(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
@@ -33,7 +33,10 @@ Integrals integrals(const PolynomialSpace& space, const Eigen::VectorXd& q, cons
     const auto& xi = space.points()[p];
     const Eigen::Vector3d X = space.semi_axes().cwiseProduct(Eigen::Vector3d(xi[0], xi[1], xi[2]));
     sums.F += w * F_p;
-    sums.volume += w * F_p.determinant();
+    const double J = F_p.determinant(), log_J = std::log(J);
+    sums.volume += w * J;
+    sums.squared_log_J += w * log_J * log_J;
+    sums.largest_log_J = std::max(sums.largest_log_J, std::abs(log_J));
     sums.X_pulled_back += w * X * (F_p.transpose() * velocity.row(p).transpose()).transpose();
   }
   sums.F = mechanics::without_odd_entries(sums.F, space.reflect());
@@ -96,6 +99,8 @@ void observe_motion(const PolynomialBody& body, const BodyState& state, const me
     o.nonaffine_kinetic_fraction = mechanics::share(of_u.nonaffine, of_u.whole);
     o.nonaffine_displacement = std::sqrt(mechanics::share(of_x.nonaffine, of_x.whole));
     o.min_jacobian = body.least(state.q, [](const Eigen::Matrix3d& F) { return F.determinant(); });
+    o.volume_error = std::sqrt(sums.squared_log_J / space.volume());
+    o.max_volume_error = sums.largest_log_J;
   }
 }
 

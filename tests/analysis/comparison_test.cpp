@@ -112,11 +112,15 @@ TEST(Comparison, NonaffineMeanIsWeightedByTheKineticEnergy) {
   const auto change = [](double, ContinuumObservables& o) {
     o.nonaffine_kinetic_fraction = o.kinetic < 1e-8 ? 1 : 0.03;
     o.min_jacobian = 0.9 + o.kinetic;
+    o.volume_error = 0.01 - 1e-3 * o.kinetic;
+    o.max_volume_error = 0.1 - o.kinetic;
   };
   const Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten, {}, change));
   EXPECT_NEAR(*c.mean_nonaffine_kinetic_fraction, 0.03, 1e-5);
   EXPECT_EQ(c.find("nonaffine_kinetic_fraction")->max, 1);
   EXPECT_EQ(c.min_jacobian, 0.9);
+  EXPECT_EQ(c.volume_error, 0.01);
+  EXPECT_EQ(c.max_volume_error, 0.1);
 }
 
 TEST(Comparison, WhatIsMissingIsNamedAndTheRestCompared) {

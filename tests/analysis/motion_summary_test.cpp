@@ -89,6 +89,14 @@ TEST(MotionSummary, EnergyBeyondItsBoundIsReportedWithItsTime) {
   EXPECT_LE(*precise.model.energy_beyond_since, bound / 2e-3 + 1.01 * interval);
 }
 
+TEST(MotionSummary, FailedStepsAreCounted) {
+  ModelSummary summary{.name = "continuum", .adjective = "elastic"};
+  EXPECT_TRUE(failure_clause(summary).empty());
+  summary.n_failed_intervals = 3;
+  EXPECT_NE(failure_clause(summary).find("elastic"), std::string::npos);
+  EXPECT_NE(failure_clause(summary).find("3 intervals"), std::string::npos);
+}
+
 TEST(MotionSummary, FrequencyHasABarOnlyIfAllItsErrorsAreKnown) {
   EXPECT_TRUE(says(of_ball({}), " +- "));
   EXPECT_FALSE(says(of_ball({}, {}, reduced_pulsation, {.time = 1e-8}), " +- "));

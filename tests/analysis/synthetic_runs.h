@@ -55,6 +55,7 @@ inline ContinuumObservables observe(const Motion& motion, double t, double energ
   o.gravitational = o.external = o.dissipated = o.multiplier = 0;
   o.nonaffine_kinetic_fraction = o.nonaffine_displacement = 0;
   o.min_jacobian = 1;
+  o.volume_error = o.max_volume_error = 0;
   o.Q = motion.Q(t);
   o.Qdot = motion.Qdot(t);
   o.F = o.Q;

@@ -197,7 +197,8 @@ class ContinuumLoads(StoppedRunTest):
             length, mass, time = units
             unit = {"time": time, "x": length, "v": length / time, "Qdot": 1 / time, "J": mass * length**2 / time,
                     "Z": mass * length**2 / time, "multiplier": time**-2, "a": length}
-            plain = {"Q", "F", "volume_ratio", "nonaffine_kinetic_fraction", "nonaffine_displacement", "min_jacobian"}
+            plain = {"Q", "F", "volume_ratio", "nonaffine_kinetic_fraction", "nonaffine_displacement", "min_jacobian", "volume_error",
+                     "max_volume_error"}
             scale = [1 if column.rstrip("123") in plain else unit.get(column.rstrip("123"), mass * length**2 / time**2)
                      for column in table.header]
             table.rows = [[x / s for x, s in zip(values, scale)] for values in table.rows]

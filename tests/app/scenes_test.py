@@ -294,7 +294,7 @@ class Scenes(ProgramTest):
         energy = density * radius**5 / time**2
         units = {"time": time, "Qdot": 1 / time, "x": radius, "v": radius / time, "J": energy * time, "Z": energy * time,
                  "multiplier": 1 / time**2, "a": radius, "Q": 1, "F": 1, "volume_ratio": 1, "nonaffine_kinetic_fraction": 1,
-                 "nonaffine_displacement": 1, "min_jacobian": 1}
+                 "nonaffine_displacement": 1, "min_jacobian": 1, "volume_error": 1, "max_volume_error": 1}
         scale = [units.get(name.rstrip("123"), energy) for name in table.header]
         table.rows = [[x / s for x, s in zip(row, scale)] for row in table.rows]
         return table

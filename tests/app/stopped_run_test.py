@@ -1,4 +1,5 @@
 """Runs that end before their time: inverted elements, Ctrl-C, a full disk, SIGKILL; and how they go on with --resume."""
+import math
 import resource
 import signal
 import subprocess
@@ -72,6 +73,17 @@ class StoppedRun(StoppedRunTest):
         self.assertRegex(stopped.stderr, r"error: continuum stopped at t = [0-9.e-]+: .*; the state at t = [0-9.e-]+, the last sample, is saved, least det F")
         counters = self.json("output/scene/manifest.json")["models"]["continuum"]["counters"]
         self.assertTrue(0 < counters["failed_intervals"] <= counters["repeated_intervals"])
+
+    def test_control_c_within_an_interval_that_is_integrated_again(self):
+        """The checkpoint also has the last sample: if shorter steps are asked for, the whole interval is repeated."""
+        side = 1 / math.sqrt(1.5)
+        self.check_control_c({"Models": "continuum", "Continuum/Degree": 3,
+                              "Initial state/Deformation": f"{side!r}, 0, 0; 0, {side!r}, 0; 0, 0, 1.5",
+                              "Time/End": 7, "Output/Samples": 7, "Time/Tolerance": 1e-4}, "continuum", after_rows=2)
+        for counter in "repeated_intervals", "steps", "forces":
+            part, whole = (self.json(folder, "manifest.json")["models"]["continuum"]["counters"][counter] for folder in ("parts", "whole"))
+            self.assertEqual(part, whole, counter)
+        self.assertGreater(part, 0)
 
     def test_comparison_of_what_both_models_reached(self):
         self.scene({"Models": "reduced, continuum", "Continuum/Degree": 2,

@@ -52,6 +52,8 @@ class Twin : public ::testing::TestWithParam<int> {
     expect_near(o.F, Q, "mean deformation gradient");
     EXPECT_LT(o.nonaffine_kinetic_fraction + o.nonaffine_displacement, tolerance);
     EXPECT_NEAR(o.min_jacobian, expected.volume_ratio, tolerance);
+    EXPECT_NEAR(o.volume_error, std::abs(std::log(expected.volume_ratio)), tolerance);
+    EXPECT_NEAR(o.max_volume_error, o.volume_error, tolerance);
   }
 
   void compare_forces(const ElasticBall& ball, const Body& body, const Matrix3d& Q, double Lambda) {

@@ -19,7 +19,8 @@ const std::string reduced_header =
     "volume_ratio,multiplier,a1,a2,a3";
 const std::string continuum_header =
     reduced_header +
-    ",F11,F12,F13,F21,F22,F23,F31,F32,F33,nonaffine_kinetic_fraction,nonaffine_displacement,min_jacobian";
+    ",F11,F12,F13,F21,F22,F23,F31,F32,F33,nonaffine_kinetic_fraction,nonaffine_displacement,min_jacobian,volume_error,"
+    "max_volume_error";
 
 Eigen::Matrix3d diagonal(double a, double b, double c) { return Eigen::Vector3d(a, b, c).asDiagonal(); }
 
@@ -39,6 +40,7 @@ ContinuumObservables distinct_observables() {
   o.semi_axes << 95, 94, 93;
   o.over_points = {3, 0.5};
   o.volumetric = 99, o.nonaffine_kinetic_fraction = 96, o.nonaffine_displacement = 97, o.min_jacobian = 98;
+  o.volume_error = 1, o.max_volume_error = 2;
   return o;
 }
 
@@ -78,12 +80,33 @@ TEST(Trajectory, ValuesStandUnderTheirNames) {
   std::vector<double> row;
   Continuum(everything).row(7, distinct_observables(), row);
   const auto columns = Continuum(everything).names();
-  const std::vector<std::pair<std::string, double>> expected{
-      {"time", 7},      {"Q12", 12},        {"Q21", 21},          {"Qdot13", 113}, {"x3", 43},
-      {"v1", 51},       {"kinetic", 61},    {"elastic", 62},      {"J2", 72},      {"gravitational", 63},
-      {"external", 64}, {"dissipated", 65}, {"energy", 315},      {"Z3", 83},      {"volume_ratio", 91},
-      {"a1", 95},       {"a3", 93},         {"F32", 232},         {"F23", 223},    {"nonaffine_kinetic_fraction", 96},
-      {"a2", 94},       {"multiplier", 92}, {"min_jacobian", 98}, {"J1", 71},      {"nonaffine_displacement", 97}};
+  const std::vector<std::pair<std::string, double>> expected{{"time", 7},
+                                                             {"Q12", 12},
+                                                             {"Q21", 21},
+                                                             {"Qdot13", 113},
+                                                             {"x3", 43},
+                                                             {"v1", 51},
+                                                             {"kinetic", 61},
+                                                             {"elastic", 62},
+                                                             {"J2", 72},
+                                                             {"gravitational", 63},
+                                                             {"external", 64},
+                                                             {"dissipated", 65},
+                                                             {"energy", 315},
+                                                             {"Z3", 83},
+                                                             {"volume_ratio", 91},
+                                                             {"a1", 95},
+                                                             {"a3", 93},
+                                                             {"F32", 232},
+                                                             {"F23", 223},
+                                                             {"nonaffine_kinetic_fraction", 96},
+                                                             {"a2", 94},
+                                                             {"multiplier", 92},
+                                                             {"min_jacobian", 98},
+                                                             {"J1", 71},
+                                                             {"nonaffine_displacement", 97},
+                                                             {"volume_error", 1},
+                                                             {"max_volume_error", 2}};
   for (const auto& [name, number] : expected) EXPECT_EQ(value(columns, row, name), number) << name;
 }
 
@@ -97,7 +120,8 @@ TEST(Trajectory, UnitsHaveTheDimensionOfEachColumn) {
   const auto factor = [&](const std::string& name) {
     return value(columns, scaled, name) / value(columns, plain, name);
   };
-  for (const char* name : {"time", "Q11", "Q23", "F31", "volume_ratio", "min_jacobian", "nonaffine_kinetic_fraction"})
+  for (const char* name : {"time", "Q11", "Q23", "F31", "volume_ratio", "min_jacobian", "volume_error",
+                           "max_volume_error", "nonaffine_kinetic_fraction"})
     EXPECT_EQ(factor(name), 1) << name;
   for (const char* name : {"Qdot11", "Qdot32"}) EXPECT_EQ(factor(name), 8) << name;
   for (const char* name : {"x1", "a1", "a2", "a3"}) EXPECT_EQ(factor(name), 2) << name;

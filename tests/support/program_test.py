@@ -31,7 +31,7 @@ BODY_COLUMNS = (
     "kinetic,elastic,gravitational,external,dissipated,energy,J1,J2,J3,Z1,Z2,Z3,volume_ratio,multiplier,a1,a2,a3"
 ).split(",")
 CONTINUUM_COLUMNS = BODY_COLUMNS + (
-    "F11,F12,F13,F21,F22,F23,F31,F32,F33,nonaffine_kinetic_fraction,nonaffine_displacement,min_jacobian"
+    "F11,F12,F13,F21,F22,F23,F31,F32,F33,nonaffine_kinetic_fraction,nonaffine_displacement,min_jacobian,volume_error,max_volume_error"
 ).split(",")
 
 

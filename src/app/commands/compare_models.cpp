@@ -55,6 +55,10 @@ analysis::RunErrors errors_of(const scene::ModelDescription& model, const io::Ma
       .other = other == others.end() ? nullptr : &other->second};
 }
 
+long n_failed_intervals(const io::Manifest::Model& statistics) {
+  return static_cast<long>(counter(statistics, "failed_intervals").value_or(0));
+}
+
 void warn_of_energy(const RunContext& context, const analysis::ModelSummary& summary) {
   if (const std::string clause = analysis::energy_clause(summary); !clause.empty())
     context.log->warn("{}; a smaller Time/Step or Time/Tolerance keeps it better", clause);
@@ -79,7 +83,8 @@ analysis::Comparison compare(const RunContext& context, const RunOfModel& run, c
     options.exact_frequency_ratio = small->ratio();
   options.surface_limit_time = counter(reference.statistics, "surface_limit_time");
   const auto named = [&](const RunOfModel& r) {
-    return analysis::ModelRunTable{r.name, r.adjective, r.table, errors_of(*r.model, r.statistics, others)};
+    return analysis::ModelRunTable{r.name, r.adjective, r.table, errors_of(*r.model, r.statistics, others),
+                                   n_failed_intervals(r.statistics)};
   };
   return analysis::compare(named(run), named(reference), options);
 }
@@ -114,6 +119,7 @@ std::string summarize_run(const RunContext& context, const io::Manifest& manifes
     const scene::ModelDescription& model = *context.needs.models.front();
     run.adjective = scene::runs_of(model, context.scene).back().adjective;
     run.errors = errors_of(model, manifest.models.at(name), others);
+    run.n_failed_intervals = n_failed_intervals(manifest.models.at(name));
   }
   const auto summary = is_system ? analysis::summarize_system(run) : analysis::summarize_motion(run, facts_of(context));
   warn_of_energy(context, summary.model);

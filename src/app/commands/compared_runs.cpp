@@ -124,6 +124,7 @@ constexpr std::array columns_of_reference{
                    return series ? series->max : none;
                  }},
     ColumnOfPair{"min_jacobian", [](const Comparison& c) { return c.min_jacobian.value_or(none); }},
+    ColumnOfPair{"volume_error", [](const Comparison& c) { return c.volume_error.value_or(none); }},
     ColumnOfPair{"surface_limit_time", [](const Comparison& c) { return c.surface_limit_time.value_or(unknown); }},
 };
 

@@ -8,8 +8,8 @@
 ///   for every m but the last
 ///                m_frequency_ratio, m_frequency_ratio_error, m_tenth_of_period_after, m_q_difference_error, and
 ///                m_c_max, m_c_rms for every column c of comparison.csv that compares the two models;
-///   for the last nonaffine_kinetic_fraction (mean), nonaffine_displacement (largest), min_jacobian, and
-///                surface_limit_time.
+///   for the last nonaffine_kinetic_fraction (mean), nonaffine_displacement (largest), min_jacobian, volume_error
+///                (largest), and surface_limit_time.
 ///
 /// A quantity that does not exist is 0. An error, a drift or a time that is not known is −1. Motions of angular
 /// frequencies ω and ω' have phases that differ by a tenth of a period after the time t = 0.2 π/|ω − ω'|.

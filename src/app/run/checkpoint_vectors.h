@@ -37,18 +37,19 @@ class CheckpointVectors {
  public:
   explicit CheckpointVectors(const Model&) {}
 
-  void take(const io::Checkpoint& file, State& state, Snapshot& snapshot) {
+  void take(const io::Checkpoint& file, State& state, Snapshot& snapshot, const std::string& prefix = "") {
     const auto copy = [&](const char* name, std::span<double> own) {
-      std::ranges::copy(file.get_doubles(name, own.size()), own.begin());
+      std::ranges::copy(file.get_doubles(prefix + name, own.size()), own.begin());
     };
     copy("q", mechanics::local_values(state.q));
     copy("v", mechanics::local_values(state.v));
-    snapshot.memory = file.get_doubles("memory");
+    snapshot.memory = file.get_doubles(prefix + "memory");
   }
   template <class Workspace>
   void restore_memory(Workspace& workspace, Snapshot& snapshot) {
     give_memory(workspace, snapshot.memory);
   }
+  void take_own_memory(Snapshot&) const {}
   SavedVectors collect(State& state, const Snapshot& snapshot) const {
     const auto q = mechanics::local_values(state.q), v = mechanics::local_values(state.v);
     return {{q.begin(), q.end()}, {v.begin(), v.end()}, snapshot.memory};
@@ -66,22 +67,25 @@ class CheckpointVectors<Model> {
 
   /// Reads q and v of this rank, and the memory of all ranks. The part of the memory that belongs to this rank is not
   /// known yet. The workspace of the method, which is made later, determines this part.
-  void take(const io::Checkpoint& file, State& state, Snapshot& snapshot) {
+  void take(const io::Checkpoint& file, State& state, Snapshot& snapshot, const std::string& prefix = "") {
     const auto take_own = [&](const char* name, std::span<double> own) {
-      order_.take_field(file.get_doubles(name, order_.field_size()), own);
+      order_.take_field(file.get_doubles(prefix + name, order_.field_size()), own);
     };
     take_own("q", mechanics::local_values(state.q));
     take_own("v", mechanics::local_values(state.v));
-    snapshot.memory = file.get_doubles("memory");
+    snapshot.memory = file.get_doubles(prefix + "memory");
     memory_is_whole_ = true;
   }
   template <class Workspace>
   void restore_memory(Workspace& workspace, Snapshot& snapshot) {
     layout_.emplace(order_);
     workspace.visit_memory(*layout_);
-    if (std::exchange(memory_is_whole_, false) && !snapshot.memory.empty())
-      snapshot.memory = layout_->take(snapshot.memory);
+    if (std::exchange(memory_is_whole_, false)) take_own_memory(snapshot);
     give_memory(workspace, snapshot.memory);
+  }
+  /// Replaces the memory of all ranks by that of this rank. Requires an earlier call of `restore_memory`.
+  void take_own_memory(Snapshot& snapshot) const {
+    if (!snapshot.memory.empty()) snapshot.memory = layout_->take(snapshot.memory);
   }
   /// Returns the complete vectors on the rank that writes the checkpoint. Collective.
   SavedVectors collect(State& state, const Snapshot& snapshot) const {

@@ -30,54 +30,60 @@ RunIdentity run_identity(const scene::Scene& scene) {
   return {scene::to_prm(frozen), scene::to_prm(stepping), scene::to_prm(choice)};
 }
 
-io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot& snapshot, SavedVectors vectors) {
+void add_snapshot(io::Checkpoint& c, const Snapshot& snapshot, SavedVectors vectors, const std::string& prefix) {
   const RunPosition& position = snapshot.position;
   const mechanics::Counters& n = snapshot.counters;
+  const auto set = [&](const char* name, auto value) { c.set(prefix + name, std::move(value)); };
+  set("sample", position.cursor.sample);
+  set("step in interval", position.cursor.step);
+  set("steps in interval", position.steps_in_interval);
+  set("halvings", static_cast<long>(position.halvings));
+  set("halvings after failure", static_cast<long>(position.halvings_after_failure));
+  set("repeated intervals", position.n_repeated);
+  set("failed intervals", position.n_failed);
+  set("next look", position.looks.next);
+  set("last look", position.looks.last);
+  set("method", std::string(mechanics::method_name(position.method)));
+  set("numbers", std::array{position.step, position.local_tolerance, position.max_constraint,
+                            position.max_constraint_rate, snapshot.t, position.looks.stable_step,
+                            position.looks.fastest_change, position.time_error.value_or(unknown_error)});
+  set("q", std::move(vectors.q));
+  set("v", std::move(vectors.v));
+  set("memory", std::move(vectors.memory));
+  set("counters", std::array{static_cast<double>(n.n_steps), static_cast<double>(n.n_substeps),
+                             static_cast<double>(n.n_force), static_cast<double>(n.n_position_iterations),
+                             static_cast<double>(n.n_projections), static_cast<double>(n.n_gram_iterations)});
+}
+
+io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot& snapshot, SavedVectors vectors) {
   io::Checkpoint c;
   c.set("scene", identity.frozen_scene);
   c.set("stepping", identity.stepping);
   c.set("choice", identity.choice);
-  c.set("sample", position.cursor.sample);
-  c.set("step in interval", position.cursor.step);
-  c.set("steps in interval", position.steps_in_interval);
-  c.set("halvings", static_cast<long>(position.halvings));
-  c.set("halvings after failure", static_cast<long>(position.halvings_after_failure));
-  c.set("repeated intervals", position.n_repeated);
-  c.set("failed intervals", position.n_failed);
-  c.set("next look", position.looks.next);
-  c.set("last look", position.looks.last);
-  c.set("method", std::string(mechanics::method_name(position.method)));
-  c.set("numbers", std::array{position.step, position.local_tolerance, position.max_constraint,
-                              position.max_constraint_rate, snapshot.t, position.looks.stable_step,
-                              position.looks.fastest_change, position.time_error.value_or(unknown_error)});
-  c.set("q", std::move(vectors.q));
-  c.set("v", std::move(vectors.v));
-  c.set("memory", std::move(vectors.memory));
-  c.set("counters", std::array{static_cast<double>(n.n_steps), static_cast<double>(n.n_substeps),
-                               static_cast<double>(n.n_force), static_cast<double>(n.n_position_iterations),
-                               static_cast<double>(n.n_projections), static_cast<double>(n.n_gram_iterations)});
+  add_snapshot(c, snapshot, std::move(vectors));
   return c;
 }
 
-void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot) {
-  const auto& numbers = c.get_doubles("numbers", 8);
-  const auto method = mechanics::find_method(c.get_string("method"));
+void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot, const std::string& prefix) {
+  const auto integer = [&](const char* name) { return c.get_integer(prefix + name); };
+  const auto& numbers = c.get_doubles(prefix + "numbers", 8);
+  const auto method = mechanics::find_method(c.get_string(prefix + "method"));
   if (!method) throw UserError("the checkpoint is of a method that this program does not have");
-  snapshot.position = {{c.get_integer("sample"), c.get_integer("step in interval")},
+  snapshot.position = {{integer("sample"), integer("step in interval")},
                        *method,
                        numbers[0],
                        numbers[1],
-                       c.get_integer("steps in interval"),
-                       static_cast<int>(c.get_integer("halvings")),
-                       static_cast<int>(c.get_integer("halvings after failure")),
-                       c.get_integer("repeated intervals"),
-                       c.get_integer("failed intervals"),
-                       {c.get_integer("next look"), c.get_integer("last look"), numbers[5], numbers[6]},
+                       integer("steps in interval"),
+                       static_cast<int>(integer("halvings")),
+                       static_cast<int>(integer("halvings after failure")),
+                       integer("repeated intervals"),
+                       integer("failed intervals"),
+                       {integer("next look"), integer("last look"), numbers[5], numbers[6]},
                        numbers[2],
                        numbers[3],
                        numbers[7] == unknown_error ? std::nullopt : std::optional(numbers[7])};
   snapshot.t = numbers[4];
-  const auto& n = c.get_doubles("counters", 6);
+  const auto& n = c.get_doubles(prefix + "counters", 6);
   snapshot.counters = {static_cast<long>(n[0]), static_cast<long>(n[1]), static_cast<long>(n[2]),
                        static_cast<long>(n[3]), static_cast<long>(n[4]), static_cast<long>(n[5])};
 }

@@ -74,10 +74,18 @@ struct SavedVectors {
   std::vector<double> q, v, memory;
 };
 
+/// Names of the entries of a snapshot begin with this text if the snapshot is the last sample of a run that stopped
+/// within an interval. The run can then integrate the whole interval again.
+inline constexpr const char* at_last_sample = "last sample: ";
+
+/// Adds the entries of a snapshot and of its vectors. Their names begin with `prefix`.
+void add_snapshot(io::Checkpoint& c, const Snapshot& snapshot, SavedVectors vectors, const std::string& prefix = "");
 io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot& snapshot, SavedVectors vectors);
+/// True if the checkpoint also contains the last sample.
+inline bool has_last_sample(const io::Checkpoint& c) { return c.has(std::string(at_last_sample) + "q"); }
 /// Sets all members of the snapshot except `memory`. Throws UserError if the program lacks the method of the
 /// checkpoint, or if an entry is missing or has the wrong type or size.
-void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot);
+void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot, const std::string& prefix = "");
 
 /// Number of samples in the table when the run is resumed. The number is 0 for a checkpoint at the start: the resumed
 /// run then writes sample 0 again.

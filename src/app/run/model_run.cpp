@@ -24,12 +24,16 @@ ModelOutcome ModelRunBase::run() {
     if (context_.interrupted()) return outcome(Outcome::interrupted, status.reason(), start);
     return outcome(Outcome::failed, "stopped at t = " + physical_time(time()) + ": " + status.reason(), start);
   }
+  const auto run_to = [this](long sample) {
+    mechanics::RunResult result = run_until(sample);
+    while (result.outcome == Outcome::failed && repeat_interval(result)) result = run_until(sample);
+    return result;
+  };
   mechanics::RunResult result;
-  if (next_stepping_) result = run_until(position_.cursor.sample + 1);
+  if (next_stepping_) result = run_to(position_.cursor.sample + 1);
   if (result.outcome == Outcome::finished) {
     if (next_stepping_) step_anew();
-    result = run_until(times_.n_samples);
-    while (result.outcome == Outcome::failed && repeat_interval(result)) result = run_until(times_.n_samples);
+    result = run_to(times_.n_samples);
   }
   sink_->progress_ends();
   return end(std::move(result), start);
@@ -135,6 +139,8 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   position_ = good_.position;
   if (const std::size_t n = any_model_.remarks().size(); n > 0) any_model_.take_remarks(file.get_doubles("remarks", n));
   kept_remarks_ = any_model_.remarks();
+  if (const std::string name = std::string(at_last_sample) + "remarks"; file.has(name))
+    kept_remarks_ = file.get_doubles(name, kept_remarks_.size());
   // If the end of the run has changed, the time of the same sample may differ in the last digit.
   if (const double at = times_[position_.cursor.sample]; std::abs(time() - at) < 1e-12 * times_.end) set_time(at);
   const bool complete = position_.cursor.sample == times_.n_samples;
@@ -164,10 +170,14 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   return {};
 }
 
-void ModelRunBase::write(const Snapshot& snapshot, SavedVectors vectors) {
+void ModelRunBase::write(const Snapshot& snapshot, SavedVectors vectors, std::optional<SavedVectors> of_sample) {
   sink_->save([&] {
     io::Checkpoint checkpoint = to_checkpoint(identity_, snapshot, std::move(vectors));
-    if (const std::vector<double> remarks = any_model_.remarks(); !remarks.empty()) checkpoint.set("remarks", remarks);
+    if (of_sample) add_snapshot(checkpoint, good_, std::move(*of_sample), at_last_sample);
+    if (const std::vector<double> remarks = any_model_.remarks(); !remarks.empty()) {
+      checkpoint.set("remarks", remarks);
+      if (of_sample) checkpoint.set(std::string(at_last_sample) + "remarks", kept_remarks_);
+    }
     return checkpoint;
   });
   last_save_ = Clock::now();

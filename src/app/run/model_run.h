@@ -54,7 +54,8 @@ class ModelRunBase : protected ModelStepping {
   void save() {
     if (sink_->keeps_states()) write(good_, kept_vectors());
   }
-  void write(const Snapshot& snapshot, SavedVectors vectors);
+  /// Writes a checkpoint. `of_sample` has the vectors of the kept state, if the checkpoint must contain it as well.
+  void write(const Snapshot& snapshot, SavedVectors vectors, std::optional<SavedVectors> of_sample = {});
 
  private:
   struct NextStepping {
@@ -159,7 +160,11 @@ class ModelRun final : public ModelRunBase {
     if (is_time_to_save() || interrupted) {
       Snapshot now;
       now.take(position_, state.t, workspace);
-      if (sink_->keeps_states()) write(now, vectors_.collect(state_, now));
+      if (sink_->keeps_states()) {
+        std::optional<SavedVectors> of_sample;
+        if (repeats_intervals()) of_sample = kept_vectors();
+        write(now, vectors_.collect(state_, now), std::move(of_sample));
+      }
     }
     return !interrupted;
   }
@@ -249,9 +254,24 @@ class ModelRun final : public ModelRunBase {
     on_all_ranks(*context_.ranks, [&] {
       from_checkpoint(file, good_);
       vectors_.take(file, good_state_, good_);
+      if (!has_last_sample(file)) return;
+      last_sample_.emplace(LastSample{good_state_, {}});
+      from_checkpoint(file, last_sample_->snapshot, at_last_sample);
+      vectors_.take(file, last_sample_->state, last_sample_->snapshot, at_last_sample);
+      last_sample_->state.t = last_sample_->snapshot.t;
     });
     good_state_.t = good_.t;
     state_ = good_state_;
+  }
+  /// After a resumption within an interval, the kept state becomes the last sample.
+  void keep_last_sample() {
+    if (!last_sample_) return;
+    if (repeats_intervals()) {
+      vectors_.take_own_memory(last_sample_->snapshot);
+      good_ = std::move(last_sample_->snapshot);
+      good_state_ = std::move(last_sample_->state);
+    }
+    last_sample_.reset();
   }
   std::string place_of_least_jacobian() const override { return model_.place_of_least_jacobian(good_state_); }
   void choose_quadrature() override { model_.choose_quadrature(state_); }
@@ -319,6 +339,7 @@ class ModelRun final : public ModelRunBase {
     typename Method::template Workspace<mechanics::FormFor<Method, System>> workspace(form);
     on_all_ranks(*context_.ranks, [&] { restore_memory(workspace); });
     workspace.counters = good_.counters;
+    keep_last_sample();
     if constexpr (Method::adaptive) {
       workspace.tolerance = position_.local_tolerance;
       workspace.h_max = position_.step;
@@ -385,6 +406,11 @@ class ModelRun final : public ModelRunBase {
 
   Model& model_;
   State state_, good_state_;
+  struct LastSample {
+    State state;
+    Snapshot snapshot;
+  };
+  std::optional<LastSample> last_sample_;                       ///< only until the kept state has been taken up
   std::optional<LocalVolume> kept_volume_;                      ///< of the kept state; empty after a resumption
   std::optional<double> energy_of_motion_;                      ///< empty before it is needed
   std::optional<typename System::Workspace> system_workspace_;  ///< for rows, if the method's workspace has none

@@ -40,7 +40,8 @@ double n_nodes_of_images(int n_octants, double n) {
 /// and r = 0 … 3. The memory of a process that has only loaded the libraries is subtracted from the resident memory.
 constexpr double bytes_of_unknown = 600, bytes_of_pair_of_multipliers = 60;
 /// Number of doubles in a checkpoint per unknown and per multiplier: positions, velocities, and the memory of
-/// symmetric-4. Among the methods for the ball, symmetric-4 remembers the largest number of past steps.
+/// symmetric-4. Among the methods for the ball, symmetric-4 remembers the largest number of past steps. If the program
+/// chooses the step, a checkpoint also has the last sample.
 constexpr double remembered_of_unknown = 11, remembered_of_multiplier = 5;
 constexpr double most_unknowns = std::numeric_limits<int>::max();  // largest index in PETSc and deal.II
 
@@ -125,8 +126,8 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
   return {.n_unknowns = n_unknowns,
           .n_multipliers = n_multipliers,
           .bytes = bytes_of_unknown * n_unknowns + bytes_of_pair_of_multipliers * n_multipliers * n_pressure,
-          .checkpoint_bytes =
-              sizeof(double) * (remembered_of_unknown * n_unknowns + remembered_of_multiplier * n_multipliers),
+          .checkpoint_bytes = (scene.time.step ? 1 : 2) * sizeof(double) *
+                              (remembered_of_unknown * n_unknowns + remembered_of_multiplier * n_multipliers),
           .n_points_of_picture = n_cells * (builtin ? 8.0 / n_octants : 1) * std::pow(k + 1, 3)};
 }
 

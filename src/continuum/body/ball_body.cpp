@@ -153,6 +153,8 @@ CellIntegrals BallBody::integrals(const Vector& x, const Vector& v) const {
   sums.elastic = sum_over_ranks(sums.elastic, communicator);
   sums.volumetric = sum_over_ranks(sums.volumetric, communicator);
   sums.volume = sum_over_ranks(sums.volume, communicator);
+  sums.squared_log_J = sum_over_ranks(sums.squared_log_J, communicator);
+  sums.largest_squared_log_J = -least_over_ranks(-sums.largest_squared_log_J, communicator);
   sums.least = least_over_ranks(sums.least, communicator);
   for (CellIntegrals::Matrix* matrix : {&sums.F, &sums.X_pulled_back})
     for (auto& row : *matrix) row = sum_over_ranks(row, communicator);

@@ -296,7 +296,8 @@ class DegreeKernels final : public LocalKernels {
   /// Adds the integrals of a batch to `sums`. The buffers contain the layers of X, x and v.
   void add_integrals(std::size_t b, CellIntegrals& sums) const {
     const auto& batch = batches_.batches[b];
-    L elastic(0.0), volumetric(0.0), volume(0.0), least(HUGE_VAL), F_sum[9], pulled_back[9], reserve[plane];
+    L elastic(0.0), volumetric(0.0), volume(0.0), squared_log_J(0.0), least_negative(0.0), least(HUGE_VAL);
+    L F_sum[9], pulled_back[9], reserve[plane];
     for (int k = 0; k < 9; ++k) F_sum[k] = pulled_back[k] = L(0.0);
     for (int q3 = 0; q3 < n; ++q3) {
       planes_.plane_gradient(buffers_.x, q3, buffers_.H);
@@ -309,7 +310,10 @@ class DegreeKernels final : public LocalKernels {
         const L weight = buffers_.weights[q];
         const Tensor F = Planes::load(buffers_.H, q);
         const L J = materials::determinant(F);
+        const L log_J = log(J), squared = log_J * log_J;
         volume += weight * J;
+        squared_log_J += weight * squared;
+        least_negative = min(least_negative, -squared);
         least = min(least, min(J, reserve[q]));
         for (int j = 0; j < 3; ++j) {
           const auto& v = buffers_.values;
@@ -324,6 +328,8 @@ class DegreeKernels final : public LocalKernels {
     sums.elastic += elastic.sum(batch.n_active);
     sums.volumetric += volumetric.sum(batch.n_active);
     sums.volume += volume.sum(batch.n_active);
+    sums.squared_log_J += squared_log_J.sum(batch.n_active);
+    sums.largest_squared_log_J = std::max(sums.largest_squared_log_J, -least_negative.least(batch.n_active));
     sums.least = lesser(least.least(batch.n_active), sums.least);
     for (int k = 0; k < 9; ++k) {
       sums.F[k / 3][k % 3] += F_sum[k].sum(batch.n_active);

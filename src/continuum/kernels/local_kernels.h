@@ -32,6 +32,8 @@ struct CellIntegrals {
   double volume = 0;                                       ///< ∫J dX
   Matrix F{};                                              ///< ∫F dX
   Matrix X_pulled_back{};                                  ///< ∫ρ X ⊗ (Fᵀẋ) dX
+  double squared_log_J = 0;                                ///< ∫(ln J)² dX
+  double largest_squared_log_J = 0;                        ///< largest (ln J)²
   double least = std::numeric_limits<double>::infinity();  ///< least value of J and of the law's reserve
 };
 

@@ -89,6 +89,8 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
     o.nonaffine_displacement =
         std::sqrt(mechanics::share(squared_distance_from_affine(ball, x, o.Q), squared_norm(ball, x)));
     o.min_jacobian = ball.least_jacobian(x).value;
+    o.volume_error = std::sqrt(n_images * sums.squared_log_J / ball.volume());
+    o.max_volume_error = std::sqrt(sums.largest_squared_log_J);
   }
   return {};
 }
