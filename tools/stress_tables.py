@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""docs/data/stress.md, docs/data/stability_map.csv, docs/data/violent_motions.csv and docs/images/stability_map.svg from the
-results of the stress suite.
+"""docs/data/stress.md, docs/data/stability_map.csv, docs/data/violent_motions.csv, docs/data/local_volume.csv and the pictures
+stability_map.svg and local_volume.svg in docs/images from the results of the stress suite.
 
     tools/stress_tables.py output/stress
 """
@@ -10,13 +10,14 @@ import json
 import pathlib
 import shutil
 
+import local_volume_figure
 import package  # noqa: F401
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 TITLES = {"scenes": "Random scenes", "ramps": "Ramps, near-inversion, coincident axes, steps about the limit",
           "units": "Other units", "long": "Long times", "mutants": "Damaged files", "interruptions": "Interruptions",
           "tolerances": "Tolerances", "quadrature": "Quadrature", "rows": "Rows of compared sweeps", "map": "Map of stability",
-          "violent": "Violent releases"}
+          "violent": "Violent releases", "volume": "Local volume"}
 
 
 def number(value):
@@ -109,6 +110,10 @@ def main():
         stability_map.write(data, ROOT / "docs/images/stability_map.svg")
     if (results / "violent.csv").is_file():
         shutil.copy(results / "violent.csv", ROOT / "docs/data/violent_motions.csv")
+    if (results / "volume.csv").is_file():
+        data = ROOT / "docs/data/local_volume.csv"
+        shutil.copy(results / "volume.csv", data)
+        local_volume_figure.write(data, ROOT / "docs/images/local_volume.svg")
 
 
 if __name__ == "__main__":

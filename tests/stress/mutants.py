@@ -11,26 +11,14 @@ import subprocess
 
 from program import DONE, WRONG_INPUT, faults
 
-HEADER = 32
+from checkpoint_file import HEADER, with_right_checksum
+
 REDUCED = {"Models": "reduced", "Initial state/Velocity": "0.1, 0, 0; 0, 0.1, 0; 0, 0, -0.2", "Time/End": 1,
            "Time/Method": "rattle", "Time/Step": 0.01, "Output/Samples": 5}
 SCENES = {"reduced": REDUCED, "double_pendulum": {"System": "double pendulum", "Time/End": 1, "Output/Samples": 5},
           "continuum": {**REDUCED, "Models": "continuum", "Continuum/Degree": 2, "Time/End": 0.2}}
 MESHES = "Gmsh.*:MeshFiles.*"  # the test cases of io_test that read meshes
 TALLY = re.compile(r"mutants of (.*): (\d+) refused, (\d+) accepted")
-
-
-def checksum(data):
-    """FNV-1a, 64 bit."""
-    value = 0xcbf29ce484222325
-    for byte in data:
-        value = (value ^ byte) * 0x100000001b3 & 0xffffffffffffffff
-    return value
-
-
-def forged(data):
-    payload = data[HEADER:]
-    return data[:16] + struct.pack("<QQ", len(payload), checksum(payload)) + payload
 
 
 def damaged(rng, data, first):
@@ -79,7 +67,7 @@ def resumed(program, number, rng, with_continuum):
         for i in range(number):
             for kind, first in (("damaged", 0), ("forged", HEADER)):
                 mutant = damaged(rng, good, first)
-                mutant = forged(mutant) if kind == "forged" else mutant
+                mutant = with_right_checksum(mutant) if kind == "forged" else mutant
                 folder = program.scratch / f"{model}-mutant"
                 shutil.rmtree(folder, ignore_errors=True)
                 shutil.copytree(whole.folder, folder)

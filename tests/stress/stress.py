@@ -3,7 +3,7 @@
 
     stress.py [PART …] [--quick] [--fresh] [--seed N] [--number N] [--output DIR]
 
-Parts: scenes, ramps, units, long, mutants, interruptions, tolerances, quadrature, map, rows, violent; all without a name. A part whose results are in DIR is not
+Parts: scenes, ramps, units, long, mutants, interruptions, tolerances, quadrature, map, rows, violent, volume; all without a name. A part whose results are in DIR is not
 run again, unless --fresh. Exit code 1 if anything was not as it must be. The program is that of the environment variable
 PSEUDORIGID, test programs are those of PSEUDORIGID_TESTS; scripts/stress.sh sets both.
 """
@@ -21,6 +21,7 @@ import time
 sys.dont_write_bytecode = True
 import compared_rows  # noqa: E402
 import interruptions  # noqa: E402
+import local_volume  # noqa: E402
 import long_times  # noqa: E402
 import mutants  # noqa: E402
 import quadrature  # noqa: E402
@@ -35,7 +36,7 @@ from program import Program  # noqa: E402
 PARTS = {"scenes": random_scenes.run, "ramps": ramps.run, "units": units.run, "long": long_times.run,
          "mutants": mutants.run, "interruptions": interruptions.run, "tolerances": tolerances.run,
          "quadrature": quadrature.run, "map": stability_map.run, "rows": compared_rows.run,
-         "violent": violent.run}
+         "violent": violent.run, "volume": local_volume.run}
 N_SCENES = {True: 40, False: 1000}
 ENDINGS = {0: "done", 2: "refused", 3: "stopped"}
 

@@ -29,6 +29,7 @@ def outcome(run):
     energy, elastic = table.column("energy"), table.column("elastic")
     record = {"outcome": "finished", "time": table.column("time")[-1], "biot_time": counters.get("surface_limit_time", ""),
               "drift": max(abs(x - energy[0]) for x in energy) / elastic[0], "least_jacobian": min(table.column("min_jacobian")),
+              "volume_error": max(table.column("volume_error")),
               "steps": counters.get("steps", ""), "forces": counters.get("forces", ""),
               "repeated_intervals": counters.get("repeated_intervals", ""), "reason": ""}
     if run.too_long:
