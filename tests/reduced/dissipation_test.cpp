@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "mechanics/core/explicit_multiplier.h"
+#include "mechanics/methods/dormand_prince_8.h"
 #include "mechanics/steps/largest_frequency.h"
 #include "reduced/dissipative_body.h"
 #include "reduced/potentials.h"

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "mechanics/core/jacobi_metric.h"
+#include "mechanics/methods/dormand_prince_8.h"
 #include "support/integrate.h"
 #include "support/pendulum_chain.h"
 #include "support/surface_curves.h"
