@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/core/vector_space.h"
 #include "mechanics/core/second_order_field.h"
+#include "mechanics/core/vector_space.h"
 
 namespace pseudorigid::testing {
 
@@ -53,11 +53,12 @@ void set_entries(const Eigen::VectorXd& from, Vector& to) {
 template <mechanics::SecondOrderField F>
 FlatField flat_field(const F& field) {
   struct Own {
+    explicit Own(const F& f)
+        : workspace(f.make_workspace()), q(f.make_vector()), v(f.make_vector()), a(f.make_vector()) {}
     typename F::Workspace workspace;
     typename F::Vector q, v, a;
   };
-  const auto own =
-      std::make_shared<Own>(Own{field.make_workspace(), field.make_vector(), field.make_vector(), field.make_vector()});
+  const auto own = std::make_shared<Own>(field);
   FlatField flat;
   copy_entries(own->a, flat.zero);
   flat.acceleration_at = [&field, own](double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
