@@ -11,6 +11,7 @@
 #include "loads/periodic_tide.h"
 #include "loads/pressure.h"
 #include "loads/rigid_planes.h"
+#include "loads/rise.h"
 #include "loads/self_gravity.h"
 #include "loads/tide.h"
 #include "loads/traction.h"
@@ -27,6 +28,7 @@ using LoadList = std::tuple<Viscosity,     //
                             Acceleration,  //
                             Traction,      //
                             Pressure,      //
+                            Rise,          //
                             RigidPlanes>;
 
 namespace detail {
@@ -87,37 +89,54 @@ inline bool any_present(const Loads& loads) {
   return any;
 }
 
-/// Sum of the forcings of the loads that do not depend on time.
-inline Forcing constant_forcing(const Loads& loads) {
+/// Sum of the forcings of the loads that are constant or become constant after their rise, at their full strength.
+inline Forcing full_forcing(const Loads& loads) {
   Forcing sum;
   loads.for_each([&]<class L>(const L& load) {
     if constexpr (!DependsOnTime<L>) sum += load.forcing();
   });
   return sum;
 }
+/// The part of the full forcing that does not depend on time.
+inline Forcing constant_forcing(const Loads& loads) {
+  const Forcing sum = full_forcing(loads);
+  return loads.get<Rise>().is_present() ? Rise::constant(sum) : sum;
+}
 
-/// Sum of the forcings of the loads that depend on time, and (driving_rate) the derivative of this sum with respect to
-/// time.
+/// Sum of the forcings that depend on time, and (driving_rate) the derivative of this sum with respect to time.
 inline Forcing driving(const Loads& loads, double t) {
   Forcing sum;
   loads.for_each([&]<class L>(const L& load) {
     if constexpr (DependsOnTime<L>) sum += load.forcing(t);
   });
-  return sum;
+  const Rise& rise = loads.get<Rise>();
+  if (!rise.is_present()) return sum;
+  sum += Rise::rising(full_forcing(loads));
+  return Rise::times(rise.factor(t), sum);
 }
 inline Forcing driving_rate(const Loads& loads, double t) {
-  Forcing sum;
+  Forcing sum, rate;
   loads.for_each([&]<class L>(const L& load) {
-    if constexpr (DependsOnTime<L>) sum += load.forcing_rate(t);
+    if constexpr (DependsOnTime<L>) sum += load.forcing(t), rate += load.forcing_rate(t);
   });
-  return sum;
+  const Rise& rise = loads.get<Rise>();
+  if (!rise.is_present()) return rate;
+  sum += Rise::rising(full_forcing(loads));
+  rate = Rise::times(rise.factor(t), rate);
+  return rate += Rise::times(rise.factor_rate(t), sum);
 }
-inline bool depend_on_time(const Loads& loads) {
-  bool any = false;
+/// Whether a load that satisfies the condition `has` depends on time and is present. `has` is called with the forcing
+/// of largest size over all times.
+template <class Condition>
+bool depend_on_time(const Loads& loads, const Condition& has) {
+  bool any = loads.get<Rise>().is_present() && has(Rise::rising(full_forcing(loads)));
   loads.for_each([&]<class L>(const L& load) {
-    if constexpr (DependsOnTime<L>) any = any || present(load);
+    if constexpr (DependsOnTime<L>) any = any || has(load.largest_forcing());
   });
   return any;
+}
+inline bool depend_on_time(const Loads& loads) {
+  return depend_on_time(loads, [](const Forcing& f) { return f.present(); });
 }
 
 /// Angular frequencies of the periodic loads that are present.
@@ -134,7 +153,8 @@ inline std::vector<double> angular_frequencies(const Loads& loads) {
 /// the constraint balances them.
 inline Loads at_constant_volume(Loads loads) {
   loads.for_each([]<class L>(L& load) {
-    if (!largest_forcing(load).acts_at_constant_volume()) load = L{};
+    if constexpr (!std::is_same_v<L, Rise>)
+      if (!largest_forcing(load).acts_at_constant_volume()) load = L{};
   });
   return loads;
 }

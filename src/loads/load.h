@@ -13,6 +13,8 @@
 ///                                 reason why no relative equilibrium is known
 ///   needed(body), skipped         lines of `pseudorigid check` if the load is present and if it is absent; empty: none
 ///
+/// A load that changes others, such as their rise, has no forcing of its own and is_present() in addition.
+///
 /// A load that depends on time has forcing(t) and its derivative forcing_rate(t) instead of forcing(). It also has
 /// largest_forcing(), the forcing of largest size over all times. A periodic load also has angular_frequency(), so that
 /// the program does not mistake the forced motion for a pulsation of the body. The program computes all other
@@ -71,7 +73,10 @@ Forcing largest_forcing(const L& load) {
 
 template <Load L>
 bool present(const L& load) {
-  return largest_forcing(load).present();
+  if constexpr (requires { load.is_present(); })
+    return load.is_present();
+  else
+    return largest_forcing(load).present();
 }
 
 }  // namespace pseudorigid::loads

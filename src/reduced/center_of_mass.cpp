@@ -31,11 +31,9 @@ double potential_of(const loads::Forcing& forcing, const Eigen::Vector3d& x) {
 
 /// True if the centre stays at the origin.
 bool rests(const CenterOfMass& c) {
-  bool pushed = !c.position.isZero(0) || !c.velocity.isZero(0) || !c.acceleration.isZero(0);
-  c.driving.for_each([&]<class L>(const L& load) {
-    if constexpr (loads::DependsOnTime<L>) pushed = pushed || !load.largest_forcing().acceleration.isZero(0);
-  });
-  return !pushed;
+  const bool driven =
+      loads::depend_on_time(c.driving, [](const loads::Forcing& f) { return !f.acceleration.isZero(0); });
+  return c.position.isZero(0) && c.velocity.isZero(0) && c.acceleration.isZero(0) && !driven;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 /// The eigenvalues of the tidal matrix of the scene, in increasing order.
 Eigen::Vector3d rates_of_confinement(const Scene& scene) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(loads::constant_forcing(scene.loads).quadratic,
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(loads::full_forcing(scene.loads).quadratic,
                                                         Eigen::EigenvaluesOnly)
       .eigenvalues();
 }

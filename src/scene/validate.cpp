@@ -263,7 +263,8 @@ class Validator {
                            print_upper_bound(units.to_physical(largest_stretch, unit)), print_number(value)));
     };
     scene_.loads.for_each([&]<class Load>(const Load& load) {
-      const bool acts = loads::present(load);  // the frequency of an absent tide is not checked
+      // The frequency of an absent tide and the time of a rise are not checked.
+      const bool acts = loads::present(load) && !std::is_same_v<Load, loads::Rise>;
       const auto check = [&]<class Kind>(const auto& member, const Kind& kind, const About& about) {
         if constexpr (requires { kind.symmetric; })
           if (kind.symmetric) require_symmetric(std::string(about.path).c_str(), member);

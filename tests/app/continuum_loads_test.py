@@ -175,6 +175,32 @@ class ContinuumLoads(StoppedRunTest):
                  "Initial state/Center": "0, 0, 0.5", "Initial state/Velocity": "0, -0.3, 0; 0.3, 0, 0; 0, 0, 0"}
         self.check_control_c(scene, "reduced", 0)
 
+    def test_loads_that_rise(self):
+        """A traction that rises over four periods stretches the body with hardly an oscillation, in every model; at once, by twice as
+        much for a while. The energy, less what the rise has given, is constant; the end is that of the static stretch."""
+        stretch = 1.05
+        scene = {"Models": "reduced, polynomial, continuum", "Polynomial/Degree": 3, "Continuum/Degree": 3,
+                 "Loads/Nominal traction": f"0, 0, 0; 0, 0, 0; 0, 0, {stretch - stretch**-2!r}", "Loads/Acceleration": "0, 0, 1e-3",
+                 "Time/End": 16, "Output/Samples": 160, "Time/Tolerance": 1e-6}
+        models = "reduced", "polynomial", "continuum"
+        for name, rise in ("rising", 10), ("at_once", 0):
+            self.scene({**scene, "Loads/Rise time": rise}, f"{name}.prm")
+            self.run_done("run", f"{name}.prm")
+        for model in models:
+            rising, at_once = (self.table(f"output/{name}/{model}.csv") for name in ("rising", "at_once"))
+            late = [q for t, q in zip(rising.column("time"), rising.column("Q33")) if t >= 10]
+            self.assertLess(max(abs(q - stretch) for q in late), 1e-3, model)
+            self.assertGreater(max(at_once.column("Q33")) - stretch, 0.8 * (stretch - 1), model)
+            self.assert_constant(rising.column("energy"), 1e-5 * max(rising.column("elastic")))
+            # b ∫s dt twice: T²/7 until T = 10 for this s (∫∫ of 10x³ − 15x⁴ + 6x⁵ is 1/7), v = b T/2 at T
+            at = rising.column("time").index(16)
+            self.assertAlmostEqual(rising.column("x3")[at], 1e-3 * (100 / 7 + 10 / 2 * 6 + 6**2 / 2), delta=1e-8)
+
+    def test_a_run_under_rising_loads_goes_on_after_an_interrupt(self):
+        self.check_control_c({"Models": "continuum", "Continuum/Degree": 2, "Loads/Nominal traction": "0, 0, 0; 0, 0, 0; 0, 0, 0.3",
+                              "Loads/Rise time": 15, "Time/End": 20, "Output/Samples": 20, "Time/Step": 0.001, "Time/Method": "rattle"},
+                             "continuum")
+
     def test_any_units_of_loads(self):
         def scene(length, mass, time):
             rate, speed, stress = 1 / time, length / time, mass / (length * time**2)

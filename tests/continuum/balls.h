@@ -74,7 +74,7 @@ inline bool admits_entry(const Sector& sector, int i, int j) {
 }
 
 /// Every load of the list that finite elements know but planes (contact_test.cpp), with irregular values; of them what
-/// a sector admits.
+/// a sector admits. They act at once.
 inline loads::Loads all_loads(const Sector& sector = whole) {
   loads::Loads loads;
   int n = 0;
@@ -96,6 +96,7 @@ inline loads::Loads all_loads(const Sector& sector = whole) {
     }
   });
   loads.get<loads::SelfGravity>() = {};
+  loads.get<loads::Rise>() = {};
   return loads;
 }
 

@@ -95,6 +95,8 @@ TYPED_TEST(LoadedTwin, EveryLawUnderEachLoadAndAllOfThem) {
   all.for_each([&](const auto& load) {
     if (loads::present(load)) cases.emplace_back(load);
   });
+  cases.push_back(all);
+  cases.back().get<loads::Rise>() = {1};
   for (const auto& law : materials::law_table) {
     if (law.name == "none") continue;
     const materials::AnyLaw made =

@@ -104,7 +104,7 @@ class DegreeOne : public ::testing::Test {
     EXPECT_LT((space.mean(f) - of_center).norm(), 2e-15);
     if (f.size() == space.n_unknowns()) return;
     const double taken = a(0, 3) + space.volume() * forcing.drag * c_rate.squaredNorm();
-    const double given = a(1, 3) + space.volume() * c.dot(rate.quadratic * c) / 2;
+    const double given = a(1, 3) + space.volume() * (c.dot(rate.quadratic * c) / 2 - rate.acceleration.dot(c));
     EXPECT_NEAR(f[space.n_unknowns()], taken, 2e-14 * (1 + taken));
     EXPECT_NEAR(f[space.n_unknowns() + 1], given, 2e-15);
   }

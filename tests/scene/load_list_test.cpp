@@ -173,6 +173,39 @@ TEST(EveryLoad, HasTheRateOfItsForcing) {
   });
 }
 
+/// The sum of loads that rise begins at 0 without a kink, ends at the full loads, and has its rate.
+TEST(Rise, TakesEveryLoadWithAPotentialFromZeroToItsStrength) {
+  struct Risen {
+    loads::Loads loads;
+    loads::Forcing forcing(double t) const { return loads::driving(loads, t); }
+    loads::Forcing forcing_rate(double t) const { return loads::driving_rate(loads, t); }
+  };
+  Risen risen;
+  for_each_load([&]<class L>(const L&, const L& filled) { risen.loads.get<L>() = filled; });
+  Risen at_once = risen;
+  at_once.loads.get<loads::Rise>() = {};
+  risen.loads.get<loads::Rise>() = {5};
+  EXPECT_TRUE(loads::depend_on_time(risen.loads));
+  EXPECT_EQ(numbers(risen.forcing(0)).norm(), 0);
+  EXPECT_EQ(numbers(risen.forcing_rate(0)).norm(), 0);
+  for (const double t : {0.3, 2.5, 4.9, 7.0}) EXPECT_LT(error_of_rate(risen, t), 1e-9) << t;
+  for (const double t : {5.0, 8.0}) {
+    const auto all = [t](const Risen& r) { return numbers(loads::constant_forcing(r.loads)) + numbers(r.forcing(t)); };
+    EXPECT_LT((all(risen) - all(at_once)).norm(), 1e-15);
+    EXPECT_LT((numbers(risen.forcing_rate(t)) - numbers(at_once.forcing_rate(t))).norm(), 1e-15);
+  }
+  const loads::Forcing constant = loads::constant_forcing(risen.loads);
+  EXPECT_GT(constant.gravity_constant, 0);
+  EXPECT_TRUE(constant.dissipative());
+  EXPECT_TRUE(constant.quadratic.isZero(0) && constant.acceleration.isZero(0) && constant.pressure == 0);
+}
+
+TEST(Rise, OfNoLoadIsNoDependenceOnTime) {
+  EXPECT_FALSE(loads::depend_on_time(loads::Loads{loads::Rise{5}}));
+  EXPECT_FALSE(loads::depend_on_time(loads::at_constant_volume(loads::Loads{loads::Rise{5}, loads::Pressure{1}})));
+  EXPECT_TRUE(loads::depend_on_time(loads::Loads{loads::Rise{5}, loads::Pressure{1}}));
+}
+
 /// Another choice of units for the same body and the same loads has the same internal values.
 TEST(EveryLoad, HasInternalValuesByTheUnitsOfItsEntries) {
   const double length = 2.5, density = 3, time = 0.7;

@@ -56,7 +56,7 @@ class NonaffineWatch {
   /// False if the surface has a load other than a uniform pressure. Such loads are a traction, viscous stress, and
   /// contact with planes.
   static bool stays_affine(const scene::Scene& scene) {
-    const loads::Forcing forcing = loads::constant_forcing(scene.loads);
+    const loads::Forcing forcing = loads::full_forcing(scene.loads);
     return forcing.nominal_traction.isZero(0) && forcing.viscosity == 0 && forcing.planes.empty();
   }
 
