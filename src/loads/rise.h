@@ -28,7 +28,7 @@ struct Rise {
 
   static constexpr std::string_view no_equilibria = "equilibria are those under constant loads; set the rise time to 0";
   static constexpr bool has_static_equilibria = false;
-  static constexpr std::string_view skipped = "";
+  static constexpr std::string_view skipped = "rise of the loads: Loads/Rise time is 0";
   std::string needed(const BodyFacts&) const {
     return "loads that rise smoothly from 0, and the energy that they give";
   }
