@@ -1,5 +1,5 @@
-"""docs/images/local_volume.svg from docs/data/local_volume.csv: error of Q and error of the local volume over the number of
-forces, a curve for each volumetric stiffness, the degrees of the unrefined mesh along it."""
+"""docs/images/local_volume.svg from docs/data/local_volume.csv: error of the local volume and error of Q over the degree of
+the unrefined mesh, a curve for each volumetric stiffness."""
 import csv
 
 import package  # noqa: F401

@@ -111,8 +111,9 @@ void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
       fmt::format("component of C = Q^T Q with the largest variance in the {}",
                   by_reference ? fmt::format("{} (the {} model keeps its shape)", out.reference.name, out.model.name)
                                : out.model.name + " model");
-  out.model.frequency = fit_component(r.component(i, j), out.time, out.model.deforms);
-  out.reference.frequency = fit_component(c.component(i, j), out.time, out.reference.deforms);
+  const bool loads_rise = w.options.facts.loads_rise;
+  out.model.frequency = fit_component(r.component(i, j), out.time, out.model.deforms, loads_rise);
+  out.reference.frequency = fit_component(c.component(i, j), out.time, out.reference.deforms, loads_rise);
   const auto judge = [&](ModelSummary& model, const Deformation& deformation, const RunErrors& errors) {
     model.frequency_error = frequency_error(model.frequency, deformation, {i, j}, out.time, errors);
     model.load = load_of_line(model.frequency, w.options.facts.load_frequencies);

@@ -101,13 +101,15 @@ std::pair<int, int> Deformation::liveliest_component() const {
   return {0, 0};
 }
 
-FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms) {
+FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms,
+                           bool loads_rise) {
   constexpr double tolerance = 1e-9;
   FrequencyFit none;
   const double interval = (time.back() - time.front()) / double(std::max<std::size_t>(time.size(), 2) - 1);
   for (std::size_t n = 0; n < time.size(); ++n)
     if (std::abs(time[n] - time[0] - double(n) * interval) > tolerance * interval)
       none.reason = "the samples are not equally spaced";
+  if (loads_rise) none.reason = "the loads rise";
   if (!deforms) none.reason = "the shape is constant";
   return none.reason.empty() ? fit_frequency(signal, interval) : none;
 }
@@ -150,9 +152,10 @@ std::string energy_clause(const ModelSummary& summary) {
 
 std::string failure_clause(const ModelSummary& summary) {
   if (summary.n_failed_intervals == 0) return {};
-  return fmt::format("steps{} failed, and {} repeated with shorter ones", of_ball(summary),
-                     summary.n_failed_intervals == 1 ? "one interval was"
-                                                     : fmt::format("{} intervals were", summary.n_failed_intervals));
+  return summary.n_failed_intervals == 1
+             ? fmt::format("a step{} failed, and its interval was repeated with shorter ones", of_ball(summary))
+             : fmt::format("steps{} failed {} times, and their intervals were repeated with shorter ones",
+                           of_ball(summary), summary.n_failed_intervals);
 }
 
 std::string drift_in_words(double drift) {
@@ -173,7 +176,7 @@ MotionSummary summarize_motion(const ModelRunTable& run, const SceneFacts& facts
     const std::vector<double> time = table.column("time");
     const auto [i, j] = deformation.liveliest_component();
     s.signal = fmt::format("C{}{}", i + 1, j + 1);
-    s.model.frequency = fit_component(deformation.component(i, j), time, s.model.deforms);
+    s.model.frequency = fit_component(deformation.component(i, j), time, s.model.deforms, facts.loads_rise);
     s.model.frequency_error = frequency_error(s.model.frequency, deformation, {i, j}, time, run.errors);
     s.model.load = load_of_line(s.model.frequency, facts.load_frequencies);
   }

@@ -15,7 +15,8 @@
 namespace pseudorigid::analysis {
 
 /// One run of a model: the name of the model, the adjective of its ball (for example "elastic"), the samples and their
-/// errors. `n_failed_intervals` counts the intervals between samples that were integrated again because a step failed.
+/// errors. `n_failed_intervals` counts how often an interval between samples was integrated again because a step
+/// failed.
 struct ModelRunTable {
   std::string name, adjective;
   const io::Table& table;
@@ -56,7 +57,9 @@ struct Deformation {
 
 /// The fit of the frequency to the samples of a component of C. The fit contains no frequency if the times are not
 /// equally spaced or the body does not deform.
-FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms);
+/// It also contains none if the loads rise: the slow change of the shape is then larger than its oscillation.
+FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms,
+                           bool loads_rise = false);
 
 /// Reference value for the energies of one or more models. It is the larger of max_t (kinetic + elastic) and the
 /// largest dissipated energy, unless this value is round-off. The value is round-off if it is less than 1e-12 of the
@@ -74,8 +77,8 @@ void set_energy_drift(const io::Table& table, double reference, std::optional<do
 /// The result is empty if the change is within the bound.
 std::string energy_clause(const ModelSummary& summary);
 
-/// Returns, for example, "steps of the elastic ball failed, and 3 intervals were repeated with shorter ones". The
-/// result is empty if no step failed.
+/// Returns, for example, "steps of the elastic ball failed 3 times, and their intervals were repeated with shorter
+/// ones". The result is empty if no step failed.
 std::string failure_clause(const ModelSummary& summary);
 
 /// A drift up to this value is reported as round-off. This is the error of some hundred operations in double precision.
@@ -119,6 +122,7 @@ struct SceneFacts {
   /// step.
   std::optional<double> tolerance{};
   std::vector<double> load_frequencies{};  ///< angular frequencies of loads that depend on time
+  bool loads_rise = false;                 ///< true if Loads/Rise time is given
 };
 
 /// Summary of the run of a model of the ball. The summary omits quantities whose columns the table lacks. The table

@@ -120,7 +120,6 @@ class BodyOnPlanes {
       contacts.push_back(contact_with(plane, matrix(q), center(q)).contact());
     return loads::summary(constant_.planes, contacts);
   }
-  const loads::Forcing& constant_forcing() const { return constant_; }
 
   static mechanics::VectorState<Vector> state_of(const mechanics::VectorState<Eigen::Matrix3d>& motion,
                                                  const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {

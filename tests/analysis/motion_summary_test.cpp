@@ -94,7 +94,7 @@ TEST(MotionSummary, FailedStepsAreCounted) {
   EXPECT_TRUE(failure_clause(summary).empty());
   summary.n_failed_intervals = 3;
   EXPECT_NE(failure_clause(summary).find("elastic"), std::string::npos);
-  EXPECT_NE(failure_clause(summary).find("3 intervals"), std::string::npos);
+  EXPECT_NE(failure_clause(summary).find("3 times"), std::string::npos);
 }
 
 TEST(MotionSummary, FrequencyHasABarOnlyIfAllItsErrorsAreKnown) {

@@ -1,7 +1,9 @@
 """Runs under mpirun: the same results on any number of ranks, checkpoints that any number of ranks reads."""
+import math
 import shutil
 import signal
 import subprocess
+import time
 import unittest
 
 from program_test import DONE, PATIENCE, SOURCE, STOPPED, TIME_LIMIT, WRONG_INPUT, largest_difference
@@ -104,6 +106,30 @@ class Ranks(RanksTest):
             shutil.copytree(self.scratch / "part", self.scratch / f"on{n_ranks}")
             self.run_on(n_ranks, "run", "scene.prm", "--output", f"on{n_ranks}", "--resume")
             self.assert_same("whole/continuum.csv", f"on{n_ranks}/continuum.csv")
+
+    def test_interval_that_is_integrated_again_after_a_checkpoint_within_it(self):
+        """Two ranks, interrupted again and again within intervals that are repeated with shorter steps."""
+        side = 1 / math.sqrt(1.5)
+        self.scene({"Models": "continuum", "Continuum/Degree": 3, "Initial state/Deformation": f"{side!r}, 0, 0; 0, {side!r}, 0; 0, 0, 1.5",
+                    "Time/End": 12, "Output/Samples": 12, "Time/Tolerance": 1e-4, "Continuum/Error estimate": "none"})
+        self.run_on(2, "run", "scene.prm", "--output", "whole")
+        code, n_interruptions, arguments, header = None, 0, (), self.scratch / "part/continuum.csv"
+        while code != DONE:
+            process = subprocess.Popen(self.command_on(2, "run", "scene.prm", "--output", "part", *arguments), stdin=subprocess.DEVNULL,
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=self.scratch, env=ENVIRONMENT)
+            self.addCleanup(self.end_process, process)
+            self.wait_until(lambda: process.poll() is not None or header.exists(), "the run is under way")
+            time.sleep(1 if arguments else 0)
+            if n_interruptions < 4:
+                process.send_signal(signal.SIGINT)
+            code = process.wait(timeout=TIME_LIMIT)
+            n_interruptions += code != DONE
+            arguments = ("--resume",)
+        self.assertGreater(n_interruptions, 0)
+        counters = [self.json(folder, "manifest.json")["models"]["continuum"]["counters"]["repeated_intervals"] for folder in ("whole", "part")]
+        self.assertEqual(*counters)
+        self.assertGreater(counters[0], 0)
+        self.assertEqual(self.bytes("whole", "continuum.csv"), self.bytes("part", "continuum.csv"))
 
     def test_pictures_are_pieces_and_a_list_of_them(self):
         self.scene({**SCENE, "Time/End": 0.05, "Output/Samples": 2, "Output/Graphics": "vtu", "Output/Frames": 2})

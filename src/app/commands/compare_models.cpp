@@ -69,7 +69,8 @@ analysis::SceneFacts facts_of(const RunContext& context) {
   return {.resolution = scene.time.tolerance,
           .energy_unit = context.units.energy(),
           .tolerance = scene.time.step ? std::nullopt : std::optional(scene.time.tolerance),
-          .load_frequencies = loads::angular_frequencies(scene.loads)};
+          .load_frequencies = loads::angular_frequencies(scene.loads),
+          .loads_rise = loads::present(scene.loads.get<loads::Rise>())};
 }
 
 analysis::Comparison compare(const RunContext& context, const RunOfModel& run, const RunOfModel& reference,

@@ -59,8 +59,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   State start_of_pilot(const State& state) const override {
     State start = state;
     if constexpr (on_planes)
-      if (const auto flight =
-              flight_to_contact(system_.contact(state.q), System::center(state.v), system_.constant_forcing())) {
+      if (const auto flight = flight_to_contact(system_.contact(state.q), System::center(state.v),
+                                                loads::full_forcing(internal_loads(context_.scene)))) {
         start.q.col(3) += flight->displacement;
         start.v.col(3) += flight->velocity_change;
       }
@@ -70,9 +70,9 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     const auto motion = system_.motion(state);
     return mechanics::affine_rate(motion.q, motion.v);
   }
-  /// About ten periods of the slowest pulsation, in internal time, but at most `end`. After this time the time error of
-  /// regular motions grows linearly.
-  double pilot_window(double end) const override { return std::min(end, 20.0); }
+  /// About ten periods of the slowest pulsation after the rise of the loads, in internal time, but at most `end`. After
+  /// this time the time error of regular motions grows linearly.
+  double pilot_window(double end) const override { return std::min(end, 20.0 + rise_time(context_.scene)); }
 
   std::vector<std::string> columns() const override { return trajectory_.names(); }
 

@@ -59,7 +59,7 @@ class FieldModel : public RunnableModelOf<S> {
   State start_of_pilot(const State& state) const final {
     State start = state;
     if (!context_.needs.contact) return start;
-    const loads::Forcing forcing = loads::constant_forcing(internal_loads(context_.scene));
+    const loads::Forcing forcing = loads::full_forcing(internal_loads(context_.scene));
     if (const auto flight = flight_to_contact(this->system().contact(state.q), mean(state.v), forcing)) {
       mechanics::axpy(1.0, affine(Eigen::Matrix3d::Zero(), flight->displacement), start.q);
       mechanics::axpy(1.0, affine(Eigen::Matrix3d::Zero(), flight->velocity_change), start.v);
@@ -86,10 +86,10 @@ class FieldModel : public RunnableModelOf<S> {
   /// Length of the pilot runs in internal time, at most `end`. The unit is r/c for an elastic ball without
   /// self-gravity. At t = 1 the shear front from the surface has reached the centre. This time is 0.4 periods of the
   /// slowest mode. A contact of a fast body takes up to three times as long. A force that depends on time can act
-  /// later, so the length is then about four periods.
+  /// later, so the length is then about four periods after the rise of the loads.
   double pilot_window(double end) const final {
     const double window = mechanics::time_dependent(this->system()) ? 10.0 : context_.needs.contact ? 3.0 : 1.0;
-    return std::min(end, window);
+    return std::min(end, window + rise_time(context_.scene));
   }
   std::vector<std::string> columns() const final { return trajectory_.names(); }
 

@@ -186,6 +186,9 @@ void ModelRunBase::write(const Snapshot& snapshot, SavedVectors vectors, std::op
 ModelOutcome ModelRunBase::end(mechanics::RunResult result, Clock::time_point start) {
   if (result.outcome == Outcome::interrupted)
     return outcome(Outcome::interrupted, "interrupted at t = " + physical_time(result.t), start);
+  // After a failure the last sample is saved, without the remarks of the failed attempt.
+  if (result.outcome == Outcome::failed && repeats_intervals() && !kept_remarks_.empty())
+    any_model_.take_remarks(kept_remarks_);
   save();
   if (result.outcome == Outcome::finished) return outcome(Outcome::finished, "", start);
   return outcome(Outcome::failed,

@@ -337,9 +337,9 @@ class ModelRun final : public ModelRunBase {
   mechanics::RunResult run_until_with(long sample) {
     const auto& form = mechanics::form_for<Method>(model_.system());
     typename Method::template Workspace<mechanics::FormFor<Method, System>> workspace(form);
+    const mechanics::Counters counters = good_.counters;
     on_all_ranks(*context_.ranks, [&] { restore_memory(workspace); });
-    workspace.counters = good_.counters;
-    keep_last_sample();
+    workspace.counters = counters;
     if constexpr (Method::adaptive) {
       workspace.tolerance = position_.local_tolerance;
       workspace.h_max = position_.step;
@@ -388,6 +388,7 @@ class ModelRun final : public ModelRunBase {
   void restore_memory(Workspace& workspace) {
     try {
       vectors_.restore_memory(workspace, good_);
+      keep_last_sample();
     } catch (const std::invalid_argument&) {
       throw UserError("the checkpoint in " + context_.directory.path().string() + " does not fit its method");
     }

@@ -61,6 +61,9 @@ inline loads::Loads internal_loads(const scene::Scene& scene) {
   return loads;
 }
 
+/// The time until which the loads rise, in internal units.
+inline double rise_time(const scene::Scene& scene) { return internal_loads(scene).get<loads::Rise>().time; }
+
 /// The material law in internal units. For a solid without self-gravity the unit of time is r/c, and μ is exactly 1.
 inline materials::AnyLaw internal_law(const scene::Scene& scene) {
   const scene::Scene::Material& material = scene.material;

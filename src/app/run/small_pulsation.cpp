@@ -27,6 +27,7 @@ bool rests(const materials::AnyLaw& law, bool incompressible) {
 std::optional<SmallPulsation> small_pulsation(const scene::Scene& scene) {
   loads::Loads others = scene.loads;
   others.get<loads::SelfGravity>() = {};
+  others.get<loads::Rise>() = {};
   if (!is_sphere(scene) || scene::is_fluid(scene) || loads::any_present(others)) return {};
   const bool incompressible = scene.body.incompressible;
   const materials::AnyLaw law = internal_law(scene);

@@ -204,7 +204,7 @@ function nonaffineSections() {
   return section(`How far the ${models.length > 1 ? "models are" : `${models[0].name} is`} from an affine motion`, "0: the pseudo-rigid ball can have the same motion.", models.length > 1 ? legend(models) : null, make("div", {class: "charts"},
     of("nonaffine_kinetic_fraction", "non-affine part of the kinetic energy", "It is near 1 when the affine motion pauses."),
     of("nonaffine_displacement", "non-affine part of the position", "Root mean square over the ball, relative."),
-    of("min_jacobian", "least det F at the points of integration", "1: the volume is preserved there. The constraint holds in the mean over each element, so det F departs from 1 between the points; the departure falls with the degree."),
+    of("min_jacobian", "least det F at the points of integration", "1: the volume is preserved there. The constraint holds in the mean over each element, so det F departs from 1 between the points."),
     models.every(m => m.table.has("volume_error")) ? of("volume_error", "root mean square of ln det F", "0: the volume is preserved everywhere.") : null));
 }
 
