@@ -12,6 +12,7 @@
 #include "app/run/picture.h"
 #include "app/run/run_context.h"
 #include "app/run/runnable_model.h"
+#include "app/run/scene_to_model.h"
 #include "app/run/tension_watch.h"
 #include "io/ball_blocks.h"
 #include "io/trajectory.h"
