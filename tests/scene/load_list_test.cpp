@@ -190,7 +190,9 @@ TEST(Rise, TakesEveryLoadWithAPotentialFromZeroToItsStrength) {
   EXPECT_EQ(numbers(risen.forcing_rate(0)).norm(), 0);
   for (const double t : {0.3, 2.5, 4.9, 7.0}) EXPECT_LT(error_of_rate(risen, t), 1e-9) << t;
   for (const double t : {5.0, 8.0}) {
-    const auto all = [t](const Risen& r) { return numbers(loads::constant_forcing(r.loads)) + numbers(r.forcing(t)); };
+    const auto all = [t](const Risen& r) -> Eigen::VectorXd {
+      return numbers(loads::constant_forcing(r.loads)) + numbers(r.forcing(t));
+    };
     EXPECT_LT((all(risen) - all(at_once)).norm(), 1e-15);
     EXPECT_LT((numbers(risen.forcing_rate(t)) - numbers(at_once.forcing_rate(t))).norm(), 1e-15);
   }
