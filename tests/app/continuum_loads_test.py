@@ -191,7 +191,8 @@ class ContinuumLoads(StoppedRunTest):
             late = [q for t, q in zip(rising.column("time"), rising.column("Q33")) if t >= 10]
             self.assertLess(max(abs(q - stretch) for q in late), 1e-3, model)
             self.assertGreater(max(at_once.column("Q33")) - stretch, 0.8 * (stretch - 1), model)
-            self.assert_constant(rising.column("energy"), 1e-5 * max(rising.column("elastic")))
+            bound = 4e-6 * math.sqrt(3) / (stretch - 1)  # of a motion whose Q has the error 1e-6 (analysis/motion.h)
+            self.assert_constant(rising.column("energy"), bound * max(rising.column("elastic")))
             # b ∫s dt twice: T²/7 until T = 10 for this s (∫∫ of 10x³ − 15x⁴ + 6x⁵ is 1/7), v = b T/2 at T
             at = rising.column("time").index(16)
             self.assertAlmostEqual(rising.column("x3")[at], 1e-3 * (100 / 7 + 10 / 2 * 6 + 6**2 / 2), delta=1e-8)
