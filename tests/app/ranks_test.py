@@ -111,7 +111,7 @@ class Ranks(RanksTest):
         """Two ranks, interrupted again and again within intervals that are repeated with shorter steps."""
         side = 1 / math.sqrt(1.5)
         self.scene({"Models": "continuum", "Continuum/Degree": 3, "Initial state/Deformation": f"{side!r}, 0, 0; 0, {side!r}, 0; 0, 0, 1.5",
-                    "Time/End": 12, "Output/Samples": 12, "Time/Tolerance": 1e-4, "Continuum/Error estimate": "none"})
+                    "Time/End": 12, "Output/Samples": 12, "Time/Tolerance": 1e-4, "Time/Constraint tolerance": 1e-13, "Continuum/Error estimate": "none"})
         self.run_on(2, "run", "scene.prm", "--output", "whole")
         code, n_interruptions, arguments, header = None, 0, (), self.scratch / "part/continuum.csv"
         while code != DONE:
@@ -129,7 +129,8 @@ class Ranks(RanksTest):
         counters = [self.json(folder, "manifest.json")["models"]["continuum"]["counters"]["repeated_intervals"] for folder in ("whole", "part")]
         self.assertEqual(*counters)
         self.assertGreater(counters[0], 0)
-        self.assertEqual(self.bytes("whole", "continuum.csv"), self.bytes("part", "continuum.csv"))
+        # What is left of the constraint depends on factors that are made anew; a wrong interval differs by 1e-6.
+        self.assert_same("whole/continuum.csv", "part/continuum.csv", 1e-10)
 
     def test_pictures_are_pieces_and_a_list_of_them(self):
         self.scene({**SCENE, "Time/End": 0.05, "Output/Samples": 2, "Output/Graphics": "vtu", "Output/Frames": 2})
