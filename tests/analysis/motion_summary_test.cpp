@@ -90,7 +90,8 @@ TEST(MotionSummary, EnergyBeyondItsBoundIsReportedWithItsTime) {
 }
 
 TEST(MotionSummary, FailedStepsAreCounted) {
-  ModelSummary summary{.name = "continuum", .adjective = "elastic"};
+  ModelSummary summary;
+  summary.name = "continuum", summary.adjective = "elastic";
   EXPECT_TRUE(failure_clause(summary).empty());
   summary.n_failed_intervals = 3;
   EXPECT_NE(failure_clause(summary).find("elastic"), std::string::npos);
