@@ -85,7 +85,7 @@ struct Comparison {
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine
                                                           ///< fraction of the kinetic energy K
   std::optional<double> min_jacobian, max_volume_error;  ///< extremes over the samples of the reference
-  std::optional<double> volume_error;  ///< largest root mean square of ln det F over the samples of the reference
+  std::optional<double> volume_error;        ///< largest root mean square of ln det F over the samples of the reference
   std::optional<double> surface_limit_time;  ///< after this time the results of the reference depend on its mesh
   std::vector<std::string> not_compared;  ///< quantities that a file lacks: "semi-axes (no column a1 in continuum.csv)"
 

@@ -72,8 +72,10 @@ class DegreeOne : public ::testing::Test {
   /// Calls visitor(law, loads, planes) for every law and load.
   template <class Visitor>
   static void for_each_law_and_load(const Planes& planes, Visitor&& visitor) {
+    std::vector<NamedLoads> cases = single_loads(GroupType::incompressible, planes);
+    cases.push_back(rising_loads(planes));
     for (const auto& named : materials::law_table)
-      for (const auto& [name, loads] : single_loads(GroupType::incompressible, planes)) {
+      for (const auto& [name, loads] : cases) {
         SCOPED_TRACE(std::string(named.name) + ", " + name);
         visitor(named, loads);
       }

@@ -76,7 +76,7 @@ struct NamedLoads {
   std::string name;
   loads::Loads loads;
 };
-/// No load, each of the list by itself, and several that rise together. Self-gravity needs a uniform density.
+/// No load, and each of the list by itself. Self-gravity needs a uniform density.
 inline std::vector<NamedLoads> single_loads(bool incompressible, const Planes& planes = no_planes) {
   std::vector<NamedLoads> result{{"no load", {}}};
   loads::Loads{}.for_each([&]<class L>(const L&) {
@@ -85,11 +85,14 @@ inline std::vector<NamedLoads> single_loads(bool incompressible, const Planes& p
     const std::string number = std::to_string(result.size());
     if (loads::present(load)) result.push_back({"load " + number, loads::Loads(load)});
   });
-  result.push_back({"loads that rise",
-                    {loads::Rise{2}, with_entries<loads::Tide>(planes), with_entries<loads::PeriodicTide>(planes),
-                     with_entries<loads::Acceleration>(planes), with_entries<loads::Traction>(planes),
-                     with_entries<loads::Pressure>(planes)}});
   return result;
+}
+/// Several loads that rise together.
+inline NamedLoads rising_loads(const Planes& planes) {
+  return {"loads that rise",
+          {loads::Rise{2}, with_entries<loads::Tide>(planes), with_entries<loads::PeriodicTide>(planes),
+           with_entries<loads::Acceleration>(planes), with_entries<loads::Traction>(planes),
+           with_entries<loads::Pressure>(planes)}};
 }
 
 inline VectorXd random_vector(Eigen::Index n, std::mt19937& generator) {
