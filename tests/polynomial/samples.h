@@ -83,7 +83,7 @@ inline std::vector<NamedLoads> single_loads(bool incompressible, const Planes& p
     if (!incompressible && std::is_same_v<L, loads::SelfGravity>) return;
     const L load = with_entries<L>(planes);
     const std::string number = std::to_string(result.size());
-    if (loads::present(load)) result.push_back({"load " + number, loads::Loads(load)});
+    if (largest_forcing(load).present()) result.push_back({"load " + number, loads::Loads(load)});
   });
   return result;
 }
