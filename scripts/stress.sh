@@ -20,7 +20,8 @@
 # or all of them but the last without a name. Results are kept in output/stress, and a part whose results are there is
 # not run again (--fresh: it is). --quick: the short form that ctest runs as well (ctest -L stress). At the end the
 # tables docs/data/stress.md and docs/data/violent_motions.csv, and the pictures stability_map.svg and local_volume.svg
-# in docs/images with their data in docs/data are made from what is there, if nothing was run with --quick. Exit code 1: something was not as it must be.
+# in docs/images with their data in docs/data are made from what is there, if nothing was run with --quick. Exit code 1:
+# something was not as it must be.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 

@@ -83,17 +83,15 @@ class StoppedRun(StoppedRunTest):
                     "Initial state/Deformation": f"{side!r}, 0, 0; 0, {side!r}, 0; 0, 0, 1.5",
                     "Time/End": 40, "Output/Samples": 40, "Time/Tolerance": 1e-4})
         self.run_done("run", "scene.prm", "--output", "whole")
-        code, n_interruptions, has_last_sample = self.interrupt("continuum", "parts"), 0, False
+        code, has_last_sample = self.interrupt("continuum", "parts"), False
         while code == STOPPED:
             self.check_interrupted("parts")
             has_last_sample |= "last sample: q" in checkpoint_file.read(self.scratch / "parts/checkpoint-continuum.bin")
-            n_interruptions += 1
             process = self.start("parts", "--resume")
             time.sleep(0.15)
             process.send_signal(signal.SIGINT)
             code = process.wait()
         self.assertEqual(code, DONE)
-        self.assertGreater(n_interruptions, 3)
         self.assertTrue(has_last_sample)
         self.assert_finished_like("parts", "whole")
         for counter in "repeated_intervals", "steps":
