@@ -3,8 +3,8 @@
 ///
 ///   s(t) = x³ (10 − 15x + 6x²) with x = t/T until T,   s(t) = 1 from then on.
 ///
-/// The factor has two continuous derivatives. A load that acts at once sends a shear front from the surface to the
-/// centre. A load that rises during several periods of the slowest mode does not.
+/// The factor has two continuous derivatives. A traction that acts at once sends a shear front from the surface to the
+/// centre. A traction that rises during several periods of the slowest mode does not.
 
 #include <algorithm>
 
@@ -17,13 +17,14 @@ struct Rise {
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {
-    visit(self.time, scene::not_negative,
-          scene::About{
-              "Loads/Rise time", "time",
-              "Tidal matrix, periodic tide, acceleration, traction and pressure rise smoothly from 0 to their full "
-              "strength until this time. A load that acts at once (0) sends a shear front through the body; one that "
-              "rises during several periods does not. The column external subtracts the energy that the rise has given "
-              "to the body, so that the column energy is constant."});
+    visit(
+        self.time, scene::not_negative,
+        scene::About{
+            "Loads/Rise time", "time",
+            "Tidal matrix, periodic tide, acceleration, traction and pressure rise smoothly from 0 to their full "
+            "strength until this time. A traction that acts at once (0) sends a shear front through the body; one that "
+            "rises during several periods does not. The column external subtracts the energy that the rise has given "
+            "to the body, so that the column energy is constant."});
   }
 
   static constexpr std::string_view no_equilibria = "equilibria are those under constant loads; set the rise time to 0";

@@ -37,7 +37,10 @@ class CheckpointVectors {
  public:
   explicit CheckpointVectors(const Model&) {}
 
+  /// Reads a snapshot and its state.
   void take(const io::Checkpoint& file, State& state, Snapshot& snapshot, const std::string& prefix = "") {
+    from_checkpoint(file, snapshot, prefix);
+    state.t = snapshot.t;
     const auto copy = [&](const char* name, std::span<double> own) {
       std::ranges::copy(file.get_doubles(prefix + name, own.size()), own.begin());
     };
@@ -65,9 +68,11 @@ class CheckpointVectors<Model> {
  public:
   explicit CheckpointVectors(const Model& model) : order_(model.rank_order()) {}
 
-  /// Reads q and v of this rank, and the memory of all ranks. The part of the memory that belongs to this rank is not
-  /// known yet. The workspace of the method, which is made later, determines this part.
+  /// Reads the snapshot, q and v of this rank, and the memory of all ranks. The part of the memory that belongs to this
+  /// rank is not known yet. The workspace of the method, which is made later, determines this part.
   void take(const io::Checkpoint& file, State& state, Snapshot& snapshot, const std::string& prefix = "") {
+    from_checkpoint(file, snapshot, prefix);
+    state.t = snapshot.t;
     const auto take_own = [&](const char* name, std::span<double> own) {
       order_.take_field(file.get_doubles(prefix + name, order_.field_size()), own);
     };

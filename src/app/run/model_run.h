@@ -13,6 +13,7 @@
 
 #include "app/ranks/on_all_ranks.h"
 #include "app/run/checkpoint_vectors.h"
+#include "app/run/energy_watch.h"
 #include "app/run/model_checkpoint.h"
 #include "app/run/model_stepping.h"
 #include "app/run/run_context.h"
@@ -103,6 +104,7 @@ class ModelRun final : public ModelRunBase {
         model_(model),
         state_(model.initial_state()),
         good_state_(state_),
+        energy_(model, times_.n_samples),
         vectors_(model) {
     good_.t = state_.t;
   }
@@ -221,7 +223,10 @@ class ModelRun final : public ModelRunBase {
     if (k > 0) {
       least_halvings_ = std::max(least_halvings_, halvings_at(state, seen));
       if (least_halvings_ > position_.halvings) return Status::failure("the motion becomes too fast for the step");
-      if (position_.halvings < most_halvings_for_energy && !keeps_energy(state, seen)) {
+      // A run that was resumed within the interval has not looked at its kept state.
+      const double kept = kept_volume_ ? kept_volume_->least_jacobian : model_.least_jacobian(good_state_);
+      if (position_.halvings < most_halvings_for_energy &&
+          !energy_.keeps_energy(good_state_, kept, state, seen.least_jacobian)) {
         least_halvings_ = position_.halvings + 1;
         return Status::failure("the energy changes");
       }
@@ -229,38 +234,14 @@ class ModelRun final : public ModelRunBase {
     kept_volume_ = seen;
     return {};
   }
-  /// Whether the energy has changed by at most 1e-3/√N of the energy of the motion since the last of N samples. The
-  /// energy of the motion is the kinetic energy at the start, and the potential energy at the start relative to the
-  /// body at rest. If the kinetic energies at both ends have a larger sum, it is this sum. True if forces dissipate or
-  /// depend on time, or if the local volume has hardly changed: other errors of the energy are those of the chosen
-  /// step.
-  bool keeps_energy(const State& state, const LocalVolume& seen) {
-    constexpr double watched = 0.95, most = 1e-3;
-    if (mechanics::dissipative(model_.system()) || mechanics::time_dependent(model_.system())) return true;
-    // A run that was resumed within the interval has not looked at its kept state.
-    const double kept = kept_volume_ ? kept_volume_->least_jacobian : model_.least_jacobian(good_state_);
-    if (seen.least_jacobian >= watched && kept >= watched) return true;
-    if (!energy_of_motion_) {
-      const State start = model_.initial_state();
-      const Eigen::Vector2d at_start = model_.energies(start);
-      energy_of_motion_ = at_start[0] + std::abs(at_start[1] - model_.energies(model_.at_rest(start))[1]);
-    }
-    const Eigen::Vector2d before = model_.energies(good_state_), after = model_.energies(state);
-    const double of_motion = std::max(*energy_of_motion_, before[0] + after[0]);
-    return std::abs(after.sum() - before.sum()) <= most / std::sqrt(static_cast<double>(times_.n_samples)) * of_motion;
-  }
   SavedVectors kept_vectors() override { return vectors_.collect(good_state_, good_); }
   void restore_state(const io::Checkpoint& file) override {
     on_all_ranks(*context_.ranks, [&] {
-      from_checkpoint(file, good_);
       vectors_.take(file, good_state_, good_);
       if (!has_last_sample(file)) return;
       last_sample_.emplace(LastSample{good_state_, {}});
-      from_checkpoint(file, last_sample_->snapshot, at_last_sample);
       vectors_.take(file, last_sample_->state, last_sample_->snapshot, at_last_sample);
-      last_sample_->state.t = last_sample_->snapshot.t;
     });
-    good_state_.t = good_.t;
     state_ = good_state_;
   }
   /// After a resumption within an interval, the kept state becomes the last sample.
@@ -411,9 +392,9 @@ class ModelRun final : public ModelRunBase {
     State state;
     Snapshot snapshot;
   };
-  std::optional<LastSample> last_sample_;                       ///< only until the kept state has been taken up
-  std::optional<LocalVolume> kept_volume_;                      ///< of the kept state; empty after a resumption
-  std::optional<double> energy_of_motion_;                      ///< empty before it is needed
+  std::optional<LastSample> last_sample_;   ///< only until the kept state has been taken up
+  std::optional<LocalVolume> kept_volume_;  ///< of the kept state; empty after a resumption
+  EnergyWatch<Model> energy_;
   std::optional<typename System::Workspace> system_workspace_;  ///< for rows, if the method's workspace has none
   CheckpointVectors<Model> vectors_;
 };

@@ -1,0 +1,49 @@
+#pragma once
+/// Judges whether the steps in an interval between samples keep the energy of a violent motion. Let K be the kinetic
+/// and V the potential energy, E = K + V, and N the number of samples. The indices 0 and 1 denote the ends of the
+/// interval. The condition is
+///
+///   |E_1 − E_0| ≤ 1e-3/√N · max(E_m, K_0 + K_1),   E_m = K + |V − V of the body at rest| at the start of the run.
+///
+/// It is the same for the interval backwards in time.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "mechanics/core/second_order_field.h"
+
+namespace pseudorigid::app {
+
+template <class Model>
+class EnergyWatch {
+  using State = typename Model::State;
+
+ public:
+  EnergyWatch(const Model& model, long n_samples)
+      : model_(model), most_(1e-3 / std::sqrt(static_cast<double>(n_samples))) {}
+
+  /// Whether the condition holds between the states at both ends, whose least det F is J_before and J_after. The result
+  /// is true if forces dissipate or depend on time. It is also true if the local volume has hardly changed: other
+  /// errors of the energy are those of the chosen step.
+  bool keeps_energy(const State& before, double J_before, const State& after, double J_after) {
+    constexpr double watched = 0.95;
+    if (mechanics::dissipative(model_.system()) || mechanics::time_dependent(model_.system())) return true;
+    if (J_before >= watched && J_after >= watched) return true;
+    if (!of_motion_) {
+      const State start = model_.initial_state();
+      const Eigen::Vector2d at_start = model_.energies(start);
+      of_motion_ = at_start[0] + std::abs(at_start[1] - model_.energies(model_.at_rest(start))[1]);
+    }
+    const Eigen::Vector2d E_0 = model_.energies(before), E_1 = model_.energies(after);
+    return std::abs(E_1.sum() - E_0.sum()) <= most_ * std::max(*of_motion_, E_0[0] + E_1[0]);
+  }
+
+ private:
+  const Model& model_;
+  double most_;
+  std::optional<double> of_motion_;  ///< E_m; empty before it is needed
+};
+
+}  // namespace pseudorigid::app
