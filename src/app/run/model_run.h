@@ -110,7 +110,6 @@ class ModelRun final : public ModelRunBase {
   }
 
   // Functions that the time loop calls.
-
   template <class Workspace>
   Status sample(long k, const State& state, Workspace& workspace) {
     // The time loop calls `sample` at the start, also if the first interval is integrated again.
@@ -192,7 +191,6 @@ class ModelRun final : public ModelRunBase {
     good_.t = state_.t;
   }
   void return_to_kept_state() override { state_ = good_state_; }
-
   /// Properties of a state that decide on the steps of the intervals before and after it.
   struct LocalVolume {
     double least_jacobian;
