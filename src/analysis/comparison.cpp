@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "analysis/frequency_error.h"
+#include "analysis/phase.h"
 #include "analysis/samples.h"
 #include "scene/user_error.h"
 
@@ -102,6 +103,26 @@ FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference
   return ratio;
 }
 
+/// Adds phase_difference, and its values after 1, 2, 5, 10 … periods of the reference.
+void compare_phases(Workshop& w, const std::vector<double>& r, const std::vector<double>& c) {
+  Comparison& out = w.out;
+  const double interval = (out.time.back() - out.time.front()) / double(out.time.size() - 1);
+  const double omega = out.reference.frequency.dominant().frequency;
+  const std::vector<double> of_r = phase(r, interval, out.model.frequency.dominant().frequency),
+                            of_c = phase(c, interval, omega);
+  if (of_r.empty() || of_c.empty()) return;
+  constexpr double turn = 2 * std::numbers::pi;
+  std::vector<double> apart = each([](double a, double b) { return (a - b) / turn; }, of_r, of_c);
+  const double whole_turns = std::nearbyint(apart.front());
+  for (double& periods : apart) periods -= whole_turns;
+  for (int decade = 1; decade <= 1'000'000; decade *= 10)
+    for (const int n : {decade, 2 * decade, 5 * decade}) {
+      const auto sample = std::size_t(std::lround(n * turn / (omega * interval)));
+      if (sample < apart.size()) out.phase_after_periods[n] = apart[sample];
+    }
+  w.add("phase_difference", 1, std::move(apart));
+}
+
 void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   Comparison& out = w.out;
   const bool by_reference = !out.model.deforms && out.reference.deforms;
@@ -122,6 +143,7 @@ void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   judge(out.reference, c, w.of_reference);
   if (!out.model.frequency || !out.reference.frequency || out.model.load || out.reference.load) return;
   out.ratio = ratio_of(out.model, out.reference);
+  compare_phases(w, r.component(i, j), c.component(i, j));
 }
 
 /// Whether the body spins. The test uses J/m̄ and Z/m̄, which are the axial vectors of Q̇Qᵀ and QᵀQ̇.

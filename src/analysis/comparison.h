@@ -11,6 +11,9 @@
 ///   strain_difference           |C_c − C_r| / (√2 rms_t |C − C̄|),  with C of the model that varies more and its
 ///                               mean C̄ over time. The denominator of a sinusoid is its amplitude. Rotations of the
 ///                               body do not change C.
+///   phase_difference            (θ_r − θ_c) / 2π,  with the phases θ (phase.h) of the component of C whose frequency is
+///                               fitted: by how many periods model r is ahead. It begins between −½ and ½. It exists
+///                               if the frequencies have a ratio.
 ///   a1_difference …             (a_c − a_r) / a_r
 ///   volume_ratio_difference     vol_c − vol_r, both relative to the reference volume
 ///   kinetic_difference,
@@ -32,6 +35,7 @@
 /// the component with the largest variance in model r, or in the reference if model r keeps its shape. Errors in space
 /// are errors of the reference only. The truncation of model r is part of the difference.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -82,6 +86,8 @@ struct Comparison {
   ErrorBar error;
   std::optional<FrequencyRatio> ratio;  ///< empty without two frequencies, or if one of the lines belongs to a load
   std::optional<double> exact_ratio;    ///< empty if the body spins or the scene does not have an exact ratio
+  /// Number n of periods of the reference → phase_difference after n periods, for n = 1, 2, 5, 10, 20, 50 …
+  std::map<int, double> phase_after_periods;
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine
                                                           ///< fraction of the kinetic energy K
   std::optional<double> min_jacobian, max_volume_error;  ///< extremes over the samples of the reference

@@ -44,8 +44,10 @@ Json frequency_of_model(const ModelSummary& m) {
   json["amplitude"] = line.amplitude;
   json["cycles"] = fit.cycles;
   json["residual_rms"] = fit.residual_rms;
+  const auto second = second_line(fit);
+  json["second_line"] = second ? Json{{"omega", second->frequency}, {"amplitude", second->amplitude}} : Json(nullptr);
   for (const Line& l : fit.lines) {
-    if (l.frequency <= 3 * l.uncertainty) continue;  // a drift that the fit describes by a slow line
+    if (is_drift(l)) continue;
     json["lines"].push_back(
         {{"omega", l.frequency}, {"fit_error", l.uncertainty}, {"amplitude", l.amplitude}, {"phase", l.phase}});
   }
@@ -59,6 +61,8 @@ Json frequency_json(const Comparison& c) {
   json["ratio"] = c.ratio ? Json(c.ratio->value) : Json(nullptr);
   add_ratio_errors(json, c);
   json["exact_small_amplitude_ratio"] = to_json(c.exact_ratio);
+  json["phase_after_periods"] = Json::object();
+  for (const auto& [n, periods] : c.phase_after_periods) json["phase_after_periods"][std::to_string(n)] = periods;
   return json;
 }
 
@@ -217,9 +221,10 @@ void add_model_rows(const Comparison& c, std::vector<std::string>& lines) {
 }
 
 /// The series in the table for the terminal, with their labels.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> shown{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> shown{{
     {"q_difference", "Q, relative to |Q|"},
     {"strain_difference", "C, relative to its amplitude"},
+    {"phase_difference", "phase, in periods"},
     {"kinetic_difference", "kinetic energy, relative to E0"},
     {"elastic_difference", "elastic energy, relative to E0"},
     {"nonaffine_kinetic_fraction", "non-affine part of the kinetic energy"},
@@ -281,7 +286,7 @@ std::string summary_sentence(const Comparison& c) {
   const bool moves = !c.has_state || c.reference.deforms || c.reference.turns;
   if (moves && c.find("nonaffine_kinetic_fraction")) sentence += "; " + nonaffine_clause(c);
   for (const ModelSummary* m : {&c.model, &c.reference})
-    for (const std::string& clause : {energy_clause(*m), failure_clause(*m)})
+    for (const std::string& clause : {shared_motion_clause(*m), energy_clause(*m), failure_clause(*m)})
       if (!clause.empty()) sentence += fmt::format("; {}", clause);
   return sentence + ".";
 }

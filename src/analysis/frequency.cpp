@@ -166,6 +166,19 @@ std::vector<Line> read_lines(LineModel& model, double deviation, double half_len
 
 }  // namespace
 
+std::optional<Line> second_line(const FrequencyFit& fit) {
+  if (!fit) return {};
+  constexpr double share = 0.5, near_multiple = 0.01;
+  const double omega = fit.dominant().frequency;
+  const auto is_second = [&](const Line& line) {
+    const double multiple = std::round(line.frequency / omega);
+    const bool is_harmonic = multiple >= 2 && std::abs(line.frequency - multiple * omega) < near_multiple * omega;
+    return !is_harmonic && !is_drift(line) && line.amplitude >= share * fit.dominant().amplitude;
+  };
+  const auto found = std::find_if(fit.lines.begin() + 1, fit.lines.end(), is_second);
+  return found == fit.lines.end() ? std::nullopt : std::optional(*found);
+}
+
 FrequencyFit fit_frequency(std::span<const double> values, double interval, const FrequencyOptions& options) {
   constexpr std::size_t least_samples = 16;
   constexpr double least_precision = 0.05;

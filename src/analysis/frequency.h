@@ -17,6 +17,7 @@
 /// residual, because a modulated or damped line also looks like several close lines. Frequencies are below the Nyquist
 /// frequency. The fit cannot detect that a frequency is an alias of a higher frequency.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -56,6 +57,14 @@ struct FrequencyOptions {
   double precision = 1e-13;  ///< lines are added until the dominant frequency has this relative standard error
   double round_off = 1e-12;  ///< a signal with a smaller relative variation counts as constant
 };
+
+/// The strongest line that is not the dominant one, not a multiple of it and not a slow drift, if its amplitude is at
+/// least half of the dominant amplitude. Two frequencies then share the motion, and one alone does not describe it.
+/// With gravity, this happens if the frequencies of two modes come close (avoided crossing).
+std::optional<Line> second_line(const FrequencyFit& fit);
+
+/// Whether a line describes a slow drift: its frequency is within three standard errors of 0.
+inline bool is_drift(const Line& line) { return line.frequency <= 3 * line.uncertainty; }
 
 /// Fits the lines to the samples `values`, which have the constant positive time step `interval`.
 FrequencyFit fit_frequency(std::span<const double> values, double interval, const FrequencyOptions& options = {});

@@ -143,6 +143,14 @@ std::string of_ball(const ModelSummary& summary) {
 }
 }  // namespace
 
+std::string shared_motion_clause(const ModelSummary& summary) {
+  const auto second = second_line(summary.frequency);
+  if (!second) return {};
+  const Line& first = summary.frequency.dominant();
+  return fmt::format("two frequencies share the motion{}, omega = {:.4g} and, with {:.2g} of its amplitude, {:.4g}",
+                     of_ball(summary), first.frequency, second->amplitude / first.amplitude, second->frequency);
+}
+
 std::string energy_clause(const ModelSummary& summary) {
   if (!summary.energy_beyond_since) return {};
   return fmt::format("the energy{} changes by up to {:.2g} %, and by more than {:.2g} % from t = {:.4g} on",
@@ -250,7 +258,7 @@ std::string terminal_table(const MotionSummary& s) {
   if (s.ranges.size() > most_ranges)
     lines.push_back(
         fmt::format("columns not shown: {} (they are in {}.csv)", s.ranges.size() - most_ranges, s.model.name));
-  for (const std::string& clause : {energy_clause(s.model), failure_clause(s.model)})
+  for (const std::string& clause : {shared_motion_clause(s.model), energy_clause(s.model), failure_clause(s.model)})
     if (!clause.empty()) lines.push_back(fmt::format("{}.", clause));
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }

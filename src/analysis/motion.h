@@ -73,6 +73,10 @@ double energy_reference(std::initializer_list<const io::Table*> models, double u
 /// with |Q| = √3, but at most 1 %. Otherwise the bound is 1 %.
 void set_energy_drift(const io::Table& table, double reference, std::optional<double> tolerance, ModelSummary& summary);
 
+/// Returns, for example, "two frequencies share the motion of the elastic ball, omega = 4.93 and, with 0.8 of its
+/// amplitude, 6.14". The result is empty if the fit has no second line (frequency.h).
+std::string shared_motion_clause(const ModelSummary& summary);
+
 /// Returns, for example, "the energy of the elastic ball changes by up to 4.2 %, and by more than 1 % from t = 3.2 on".
 /// The result is empty if the change is within the bound.
 std::string energy_clause(const ModelSummary& summary);

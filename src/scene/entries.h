@@ -84,7 +84,15 @@ void visit_material(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_loads(S& scene, Visit& visit) {
-  loads::visit_entries(scene.loads, visit);
+  scene.loads.for_each([&]<class L>(L& load) {
+    std::remove_const_t<L>::visit_entries(load, visit);
+    if constexpr (std::is_same_v<std::remove_const_t<L>, loads::SelfGravity>)
+      visit(scene.gamma, Number{0, largest_condition},
+            About{"Gravity/Gamma", "",
+                  "Self-gravity in proportion to elasticity, gamma = rho g r/mu with g = (4/3) pi G rho r, the "
+                  "density rho, the radius r and the shear modulus mu. It takes the place of Constant, which follows "
+                  "from it. 0: Constant counts."});
+  });
 }
 
 template <SceneOrConst S, class Visit>

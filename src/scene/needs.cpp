@@ -223,19 +223,30 @@ Needs needs(const Scene& scene) {
   return needs;
 }
 
+namespace {
+/// The clause about the least and the largest γ; empty without self-gravity.
+std::string gravity_in_words(const std::pair<double, double>& gammas) {
+  const auto [least, largest] = gammas;
+  if (largest == 0) return {};
+  return least == largest ? fmt::format(", self-gravity gamma = {:.4g}", least)
+                          : fmt::format(", self-gravity gamma = {:.4g} to {:.4g}", least, largest);
+}
+}  // namespace
+
 std::string summary(const Scene& scene, const Needs& needs) {
   const bool moves = scene.analysis == Analysis::motion || scene.analysis == Analysis::section;
   const std::string end = moves ? ", until time " + print_number(scene.time.end) : "";
   if (needs.system) return fmt::format("{} of the {}{}", analysis_kind.print(scene.analysis), scene.system, end);
-  return fmt::format("{} of {} ball of radius {}, density {}, {}{}", analysis_kind.print(scene.analysis),
+  return fmt::format("{} of {} ball of radius {}, density {}, {}{}{}", analysis_kind.print(scene.analysis),
                      scene.body.incompressible ? "an incompressible" : "a compressible",
                      print_number(scene.body.radius), print_number(scene.body.density),
-                     is_fluid(scene) ? "fluid" : "shear modulus " + print_number(scene.material.shear_modulus), end);
+                     is_fluid(scene) ? "fluid" : "shear modulus " + print_number(scene.material.shear_modulus),
+                     gravity_in_words(needs.gammas.value_or(std::pair(gamma_of(scene), gamma_of(scene)))), end);
 }
 
 std::string describe(const Scene& scene, const Needs& needs) {
   std::string text = (scene.title.empty() ? "" : scene.title + "\n") + summary(scene, needs) + "\n";
-  if (!needs.system) text += list("Scales:", scale_lines(scene));
+  if (!needs.system) text += list(scene.sweep.empty() ? "Scales:" : "Scales of the first run:", scale_lines(scene));
   text += list("Needed:", needs.needed) + list("Skipped:", needs.skipped);
   if (!needs.expected.empty()) text += list("Expected:", needs.expected);
   return needs.warnings.empty() ? text : text + list("Warnings:", needs.warnings);

@@ -1,7 +1,9 @@
 #pragma once
 /// The parts of the program that a scene needs. The program does not build, compute or write the other parts.
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/catalogue.h"
@@ -25,9 +27,10 @@ struct Needs {
   bool report = false;            ///< whether report.html is written
   Quantities quantities;          ///< the observables to evaluate
   Sector sector;                  ///< sector of the models with motions other than x = QX
-  std::vector<std::string> needed, skipped;  ///< lines for the user
-  std::vector<std::string> expected;         ///< lines about errors that are known before the run
-  std::vector<std::string> warnings;         ///< sentences about valid input that is seldom intended
+  std::vector<std::string> needed, skipped;         ///< lines for the user
+  std::vector<std::string> expected;                ///< lines about errors that are known before the run
+  std::vector<std::string> warnings;                ///< sentences about valid input that is seldom intended
+  std::optional<std::pair<double, double>> gammas;  ///< least and largest γ of the runs of a sweep; empty: one run
 };
 
 /// The needs of a scene that scene::validate has returned.

@@ -192,11 +192,18 @@ std::string as_json(const Scene& scene) {
   return entries.dump(2) + "\n";
 }
 
+/// The scene as its author wrote it. A constant of gravity that follows from Gravity/Gamma is not written.
+Scene as_written(Scene scene) {
+  if (scene.gamma != 0) scene.loads.get<loads::SelfGravity>().constant = 0;
+  return scene;
+}
+
 }  // namespace
 
 std::string to_prm(const Scene& scene, const Origins& origins) {
   PrmWriter writer;
-  visit_entries(scene, [&](const auto& member, const auto& kind, const About& about) {
+  const Scene written = as_written(scene);
+  visit_entries(written, [&](const auto& member, const auto& kind, const About& about) {
     if (!concerns(scene, about.path)) return;
     writer.enter_section_of(about);
     const auto expression = scene.expressions.find(about.path);
@@ -208,7 +215,8 @@ std::string to_prm(const Scene& scene, const Origins& origins) {
 
 std::vector<UsedValue> used_values(const Scene& scene) {
   std::vector<UsedValue> values;
-  visit_entries(scene, [&](const auto& member, const auto& kind, const About& about) {
+  const Scene written = as_written(scene);
+  visit_entries(written, [&](const auto& member, const auto& kind, const About& about) {
     if (!concerns(scene, about.path)) return;
     const auto expression = scene.expressions.find(about.path);
     const bool varies = !scene.sweep.empty() && expression != scene.expressions.end();

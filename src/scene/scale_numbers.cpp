@@ -27,8 +27,7 @@ ScaleNumbers scale_numbers(const Scene& scene) {
   n.c = n.is_fluid ? radius / time_scale(scene) : std::sqrt(mu / density);
   n.time = radius / n.c;
   n.duration = scene.time.end / n.time;
-  const double G = loads::constant_forcing(scene.loads).gravity_constant;
-  if (!n.is_fluid) n.gamma = density * (4 * std::numbers::pi / 3 * G * density * radius) * radius / mu;
+  n.gamma = gamma_of(scene);
   const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation),
                         Qdot = loads::to_eigen(scene.initial_state.velocity);
   const Eigen::Matrix3d L = Qdot * Q.inverse();
@@ -40,6 +39,13 @@ ScaleNumbers scale_numbers(const Scene& scene) {
 constexpr std::string_view advice = "; are lengths, masses, times and pressures given in one system of units?";
 
 }  // namespace
+
+double gamma_of(const Scene& scene) {
+  if (is_fluid(scene)) return 0;
+  const double g = 4 * std::numbers::pi / 3 * loads::constant_forcing(scene.loads).gravity_constant *
+                   scene.body.density * scene.body.radius;
+  return scene.body.density * g * scene.body.radius / scene.material.shear_modulus;
+}
 
 std::vector<std::string> scale_lines(const Scene& scene) {
   const ScaleNumbers n = scale_numbers(scene);
@@ -72,7 +78,8 @@ std::vector<std::string> unit_warnings(const Scene& scene) {
     warn(fmt::format("Initial state/Velocity: the largest speed is {:.2g} times the speed of shear waves, c = {:.3g}",
                      n.speed, n.c));
   if (n.gamma > 1e4 || (n.gamma > 0 && n.gamma < 1e-8))
-    warn(fmt::format("Gravity/Constant: gamma = rho g r/mu = {:.2g}, so that {} hardly counts", n.gamma,
+    warn(fmt::format("{}: gamma = rho g r/mu = {:.2g}, so that {} hardly counts",
+                     scene.gamma > 0 ? "Gravity/Gamma" : "Gravity/Constant", n.gamma,
                      n.gamma > 1 ? "elasticity" : "self-gravity"));
   return warnings;
 }

@@ -13,6 +13,9 @@
 
 namespace pseudorigid::scene {
 
+/// γ of a scene of the ball; 0 for a fluid.
+double gamma_of(const Scene& scene);
+
 /// Lines of text about the scales and numbers. The first line contains c and r/c, or the unit of time of a fluid. A
 /// line follows for each number that applies to the scene and is not zero.
 std::vector<std::string> scale_lines(const Scene& scene);

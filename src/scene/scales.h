@@ -29,7 +29,17 @@ inline materials::AnyLaw law_of(const Scene& scene) {
 inline bool is_fluid(const Scene& scene) { return materials::is_fluid(law_of(scene)); }
 
 /// Whether the ball has no loads, so that elasticity and pressure are the only forces.
-inline bool is_free(const Scene& scene) { return !loads::any_present(scene.loads); }
+/// A rise is not a load: without a load that rises, it has no effect.
+inline bool is_free(const Scene& scene) {
+  loads::Loads acting = scene.loads;
+  acting.get<loads::Rise>() = {};
+  return !loads::any_present(acting);
+}
+
+/// Whether the scene has a load that rises from 0 (loads/rise.h).
+inline bool loads_rise(const Scene& scene) {
+  return loads::present(scene.loads.get<loads::Rise>()) && loads::depend_on_time(scene.loads);
+}
 
 /// The largest rate that a load other than self-gravity would cause in a body without other forces.
 inline double rate_of_loads(const Scene& scene) {

@@ -82,6 +82,7 @@ struct Scene {
     std::string law{materials::law_table[0].name};
   } material;
   loads::Loads loads;  ///< the entries of the loads are in src/loads/
+  double gamma = 0;    ///< γ of Gravity/Gamma, from which validate() sets the constant of gravity; 0: not given
   struct InitialState {
     Matrix3 deformation = identity3;  ///< Q₀
     Matrix3 velocity{};               ///< Q̇₀

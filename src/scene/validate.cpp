@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -63,6 +64,7 @@ class Validator {
       refuse("Analysis", fmt::format("{} is offered for systems other than the ball: {}",
                                      analysis_kind.print(scene_.analysis), joined(systems_for(scene_.analysis))));
     if (scene_.time.end < 0) refuse("Time/End", needs_complete_system());
+    set_constant_of_gravity();
     check_problem();
     if (scene_.analysis == Analysis::motion)
       if (const auto refusal = refuses_duration(scene_.time.end, time_unit())) refuse(*refusal);
@@ -74,6 +76,21 @@ class Validator {
     if (scene_.body.incompressible)
       if (const auto refusal = make_isochoric(scene_)) refuse(*refusal);
     check_models();
+  }
+
+  /// Sets the constant of gravity if the scene gives γ = ρgr/μ: G = 3γμ/(4πρ²r²).
+  void set_constant_of_gravity() {
+    if (scene_.gamma == 0) return;
+    if (is_fluid(scene_))
+      refuse("Gravity/Gamma", "a fluid has no shear modulus, so gamma is not defined; give Gravity/Constant instead");
+    const double mass_by_length = scene_.body.density * scene_.body.radius;
+    const double constant =
+        3 * scene_.gamma / (4 * std::numbers::pi) * (scene_.material.shear_modulus / mass_by_length / mass_by_length);
+    double& given = scene_.loads.get<loads::SelfGravity>().constant;
+    if (purpose_ == Purpose::judge && given != 0 && given != constant)
+      refuse("Gravity/Gamma", fmt::format("expected one of Gravity/Gamma and Gravity/Constant, got {} and {}",
+                                          print_number(scene_.gamma), print_number(given)));
+    given = constant;
   }
 
   [[noreturn]] void refuse(const std::string& path, const std::string& sentence) const {

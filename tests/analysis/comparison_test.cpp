@@ -25,6 +25,28 @@ TEST(Comparison, TwoPulsationsHaveTheKnownRatio) {
   EXPECT_TRUE(c.not_compared.empty());
 }
 
+TEST(Comparison, PhasesDriftApartWithTheFrequencies) {
+  const std::vector<double> t = times(2001, 100);
+  const Comparison c = compare(reduced_run(reduced_pulsation, t), continuum_run(exact_pulsation, t));
+  const Series* phase = c.find("phase_difference");
+  ASSERT_TRUE(phase);
+  // C33 = (1 + ε cos ωt)² has a harmonic of the amplitude ε²/2, 0.25 % of the line; it disturbs a fit of one period.
+  for (std::size_t n = 0; n < t.size(); ++n)
+    EXPECT_NEAR(phase->values[n], (pseudo_rigid_omega - exact_omega) * t[n] / (2 * std::numbers::pi), 1e-3) << t[n];
+  EXPECT_EQ(phase->time_of_max, 100);
+  ASSERT_EQ(c.phase_after_periods.size(), 5u);  // 42 periods: 1, 2, 5, 10, 20
+  for (const auto& [n, periods] : c.phase_after_periods)
+    // The sample is up to half an interval away, in which the difference grows by 0.002.
+    EXPECT_NEAR(periods, n * (incompressible_ball_ratio - 1), 3e-3) << n;
+}
+
+TEST(Comparison, HasNoPhaseWithoutARatio) {
+  const Comparison c = compare(reduced_run(pulsation(1, 0), ten), continuum_run(exact_pulsation, ten));
+  EXPECT_FALSE(c.ratio);
+  EXPECT_FALSE(c.find("phase_difference"));
+  EXPECT_TRUE(c.phase_after_periods.empty());
+}
+
 TEST(Comparison, SeriesFollowTheirDefinitions) {
   const Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten));
   double departure = 0;

@@ -13,6 +13,7 @@ namespace {
 
 using pseudorigid::analysis::fit_frequency;
 using pseudorigid::analysis::FrequencyFit;
+using pseudorigid::analysis::second_line;
 constexpr double pi = std::numbers::pi;
 
 FrequencyFit fit(int n_samples, double duration, const std::function<double(double)>& signal) {
@@ -114,6 +115,21 @@ TEST(Frequency, LinesCloserThanAWidthInACleanSignal) {
       fit(400, 40, [](double t) { return std::cos(2.7 * t) + 0.6 * std::cos((2.7 + 0.8 * 2 * pi / 40) * t + 1); });
   ASSERT_TRUE(f);
   EXPECT_NEAR(f.dominant().frequency / 2.7, 1, 1e-10);
+}
+
+TEST(SecondLine, IsStrongAndNoMultipleOfTheFirst) {
+  const auto second_of = [](double omega, double amplitude) {
+    std::vector<double> y;
+    for (int n = 0; n < 4000; ++n) y.push_back(1 + std::cos(3 * 0.05 * n) + amplitude * std::cos(omega * 0.05 * n + 1));
+    return second_line(fit_frequency(y, 0.05));
+  };
+  const auto found = second_of(4.1, 0.8);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->frequency, 4.1, 1e-9);
+  EXPECT_NEAR(found->amplitude, 0.8, 1e-9);
+  EXPECT_FALSE(second_of(4.1, 0.4));
+  EXPECT_FALSE(second_of(6, 0.8)) << "a harmonic";
+  EXPECT_FALSE(second_line({})) << "no fit";
 }
 
 /// C33 = (1 + εh)² of a ball whose h holds several lines: sums and differences of the frequencies lie within a

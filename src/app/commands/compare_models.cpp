@@ -70,7 +70,7 @@ analysis::SceneFacts facts_of(const RunContext& context) {
           .energy_unit = context.units.energy(),
           .tolerance = scene.time.step ? std::nullopt : std::optional(scene.time.tolerance),
           .load_frequencies = loads::angular_frequencies(scene.loads),
-          .loads_rise = loads::present(scene.loads.get<loads::Rise>())};
+          .loads_rise = scene::loads_rise(scene)};
 }
 
 analysis::Comparison compare(const RunContext& context, const RunOfModel& run, const RunOfModel& reference,

@@ -92,6 +92,11 @@ constexpr std::array columns_of_model{
                 [](const RunOfModel&, const ModelSummary* s) {
                   return s && s->frequency ? s->frequency_error.total().value_or(unknown) : unknown;
                 }},
+    ColumnOfRun{"second_line",
+                [](const RunOfModel&, const ModelSummary* s) {
+                  const auto second = s ? analysis::second_line(s->frequency) : std::nullopt;
+                  return second ? second->amplitude / s->frequency.dominant().amplitude : none;
+                }},
     ColumnOfRun{"amplitude", [](const RunOfModel&, const ModelSummary* s) { return s ? s->strain_amplitude : none; }},
     ColumnOfRun{"energy_drift", [](const RunOfModel&,
                                    const ModelSummary* s) { return s ? s->energy_drift.value_or(unknown) : unknown; }},
@@ -103,6 +108,13 @@ double tenth_of_period_after(const Comparison& c) {
   return apart > 0 ? 0.2 * std::numbers::pi / apart : unknown;
 }
 
+/// |phase_difference| after n periods of the reference.
+template <int n>
+double phase_after(const Comparison& c) {
+  const auto found = c.phase_after_periods.find(n);
+  return found == c.phase_after_periods.end() ? unknown : std::abs(found->second);
+}
+
 struct ColumnOfPair {
   const char* name;
   double (*value)(const Comparison&);
@@ -112,6 +124,13 @@ constexpr std::array columns_of_pair{
     ColumnOfPair{"frequency_ratio_error",
                  [](const Comparison& c) { return c.ratio ? c.ratio->error.total().value_or(unknown) : unknown; }},
     ColumnOfPair{"tenth_of_period_after", &tenth_of_period_after},
+    ColumnOfPair{"phase_after_1_period", &phase_after<1>},
+    ColumnOfPair{"phase_after_10_periods", &phase_after<10>},
+    ColumnOfPair{"phase_difference_max",
+                 [](const Comparison& c) {
+                   const auto* series = c.find("phase_difference");
+                   return series ? series->max : unknown;
+                 }},
     ColumnOfPair{"q_difference_error", [](const Comparison& c) { return c.error.total().value_or(unknown); }},
 };
 

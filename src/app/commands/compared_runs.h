@@ -4,15 +4,17 @@
 ///
 ///   run, the parameters, compared (1 or 0);
 ///   for every m  m_finished (1 or 0), m_time (reached), m_steps, m_forces, m_time_error, m_space_error, m_frequency,
-///                m_frequency_error, m_amplitude (of C = QᵀQ), m_energy_drift, as in comparison.json;
+///                m_frequency_error, m_second_line (its amplitude over that of the dominant line),
+///                m_amplitude (of C = QᵀQ), m_energy_drift, as in comparison.json;
 ///   for every m but the last
-///                m_frequency_ratio, m_frequency_ratio_error, m_tenth_of_period_after, m_q_difference_error, and
-///                m_c_max, m_c_rms for every column c of comparison.csv that compares the two models;
+///                m_frequency_ratio, m_frequency_ratio_error, m_tenth_of_period_after, m_phase_after_1_period,
+///                m_phase_after_10_periods, m_phase_difference_max (without signs, in periods of the last model),
+///                m_q_difference_error, and m_c_max, m_c_rms for every column c of comparison.csv that compares the two models;
 ///   for the last nonaffine_kinetic_fraction (mean), nonaffine_displacement (largest), min_jacobian, volume_error
 ///                (largest), and surface_limit_time.
 ///
-/// A quantity that does not exist is 0. An error, a drift or a time that is not known is −1. Motions of angular
-/// frequencies ω and ω' have phases that differ by a tenth of a period after the time t = 0.2 π/|ω − ω'|.
+/// A quantity that does not exist is 0. An error, a drift, a phase or a time that is not known is −1. Motions of
+/// angular frequencies ω and ω' have phases that differ by a tenth of a period after the time t = 0.2 π/|ω − ω'|.
 
 #include <string>
 #include <vector>

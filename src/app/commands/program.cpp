@@ -175,10 +175,11 @@ int dispatch(const Options& options, int argc, char** argv, Process& process) {
     case Command::run:
       return run(options, argc, argv, process, catalogue);
     case Command::check: {
-      const scene::ReadScene read = read_and_validate(options, catalogue, process.n_ranks()).read;
+      const auto [raw, read] = read_and_validate(options, catalogue, process.n_ranks());
       scene::Needs needs = needs_with_effort(read.scene);
       describe_disk_use(read.scene, {read.scene.output.directory, options.scene, options.output}, needs);
       describe_expected_error(read.scene, needs);
+      needs.gammas = gammas_of_sweep(raw);
       needs.warnings.insert(needs.warnings.begin(), read.warnings.begin(), read.warnings.end());
       io::print(scene::describe(read.scene, needs));
       return exit_done;

@@ -216,6 +216,7 @@ int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const O
   const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
   scene::Needs needs = needs_with_effort(scene);
   describe_disk_use(scene, directory, needs);
+  needs.gammas = gammas_of_sweep(raw);
   needs.warnings.insert(needs.warnings.begin(), read.warnings.begin(), read.warnings.end());
   io::install_signal_handlers();
   const io::RunLock lock = prepare(directory, read, needs, options);

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <exception>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -26,6 +27,7 @@
 #include "io/signals.h"
 #include "scene/expressions.h"
 #include "scene/needs.h"
+#include "scene/scale_numbers.h"
 #include "scene/scales.h"
 #include "scene/user_error.h"
 
@@ -241,6 +243,25 @@ void check_sweep(const scene::ReadScene& raw) {
     }
   require_used(raw);
   require_own_names(raw);
+}
+
+std::optional<std::pair<double, double>> gammas_of_sweep(const scene::ReadScene& raw) {
+  const scene::Sweep& sweep = raw.scene.sweep;
+  const auto varies = [&](const char* entry) { return raw.scene.expressions.contains(entry); };
+  const bool has_gravity = raw.scene.gamma > 0 || loads::present(raw.scene.loads.get<loads::SelfGravity>()) ||
+                           varies("Gravity/Gamma") || varies("Gravity/Constant");
+  if (sweep.empty() || raw.scene.system != scene::ball || !has_gravity) return {};
+  std::set<int> runs = corners(sweep);
+  constexpr int most = 1000;
+  const int n = scene::n_runs(sweep), stride = (n + most - 1) / most;
+  for (int k = 0; k < n; k += stride) runs.insert(k);
+  std::pair gammas(std::numeric_limits<double>::infinity(), 0.0);
+  for (const int k : runs) try {
+      const double gamma = scene::gamma_of(scene_of_run(raw, scene::values_of_run(sweep, k)));
+      gammas = {std::min(gammas.first, gamma), std::max(gammas.second, gamma)};
+    } catch (const UserError&) {  // the run is refused when it begins
+    }
+  return gammas;
 }
 
 ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,

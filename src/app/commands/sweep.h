@@ -18,6 +18,9 @@
 /// (row_processes.h). If the scene has several models, each run compares the models, and sweep.csv has the columns of
 /// compared_runs.h.
 
+#include <optional>
+#include <utility>
+
 #include "app/commands/program.h"
 #include "scene/read_scene.h"
 
@@ -28,6 +31,11 @@ namespace pseudorigid::app {
 /// name of a column. Other runs are validated when they begin. An invalid run ends the sweep as failed, and the rows
 /// before it are kept.
 void check_sweep(const scene::ReadScene& raw);
+
+/// The least and the largest γ = ρgr/μ of the runs of a sweep of the ball (scene/scale_numbers.h). If the sweep has
+/// more than 1000 runs, these are 1000 of them and those with first or last values of the parameters. `raw` is the
+/// scene before validation. The result is empty without a sweep, without a ball, or without self-gravity.
+std::optional<std::pair<double, double>> gammas_of_sweep(const scene::ReadScene& raw);
 
 /// Computes the runs of the sweep and writes its files. `context` is the context of the first run.
 ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,

@@ -25,7 +25,11 @@ function setupSections() {
   const table = tableOf(head.map((text, i) => isText(i) ? make("th", {class: "words"}, text) : text), rows.map(row => row.map((text, i) => isText(i) ? make("td", {class: "words"}, String(text)) : text)));
   table.classList.add("setup");
   const tolerance = scene["Time/Tolerance"] && !/\d/.test(scene["Time/Step"] || "") ? ` The step follows from the tolerance ${scene["Time/Tolerance"]} of Q.` : "";
-  return [table, make("p", {class: "note"}, `Error in time: estimated, of Q over the whole run.${tolerance}`)];
+  const limits = Object.entries(manifest.models).filter(([, m]) => (m.counters || {}).surface_limit_time !== undefined).map(([key, m]) => {
+    const ball = (manifest.ball || []).find(b => b.name === key);
+    return make("p", {class: "warning"}, `From t = ${show(m.counters.surface_limit_time, 4)} on, the surface of the ${ball ? adjectiveOf(ball) : key} ball is somewhere beyond Biot's limit; wrinkles of the size of the mesh may grow from then on.`);
+  });
+  return [table, ...limits, make("p", {class: "note"}, `Error in time: estimated, of Q over the whole run.${tolerance}`)];
 }
 
 // The moments of the cut, and at each the faces of both bodies: {times, at(j) → [{model, faces}], plane}.

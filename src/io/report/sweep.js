@@ -29,7 +29,7 @@ function sweptQuantities(t) {
 }
 
 // Of a sweep of several models, the comparison of each with the last. −1 and, of a ratio, 0 stand for "not known".
-const COMPARED = [["frequency_ratio", "ratio of frequencies"], ["frequency_ratio_error", "error bar of the ratio"], ["strain_difference_max", "difference of C, over its amplitude"], ["q_difference_max", "difference of Q, relative"], ["elastic_difference_max", "difference of the elastic energy, over E₀"], ["max_stretch_difference_max", "difference of the largest stretch, relative"], ["dissipated_difference_max", "difference of the dissipated energy, relative"], ["tenth_of_period_after", "time until a tenth of a period apart"]];
+const COMPARED = [["frequency_ratio", "ratio of frequencies"], ["frequency_ratio_error", "error bar of the ratio"], ["strain_difference_max", "difference of C, over its amplitude"], ["q_difference_max", "difference of Q, relative"], ["elastic_difference_max", "difference of the elastic energy, over E₀"], ["max_stretch_difference_max", "difference of the largest stretch, relative"], ["dissipated_difference_max", "difference of the dissipated energy, relative"], ["tenth_of_period_after", "time until a tenth of a period apart"], ["phase_after_10_periods", "phase difference after ten periods, in periods"], ["phase_difference_max", "largest phase difference, in periods"]];
 function comparedQuantities(t) {
   const list = [], known = c => t.columns[c].map((v, i) => t.at("compared", i) && v > 0 ? v : NaN);
   for (const [end, words] of COMPARED)

@@ -1,0 +1,23 @@
+#pragma once
+/// Phase of an oscillation over time. Near the time t_n of each sample, the signal is fitted by
+///
+///   y(t) ≈ d + a cos ω(t − t_n) + b sin ω(t − t_n),   |t − t_n| ≤ π/ω
+///
+/// with the given frequency ω, by least squares over one period. The phase at t_n is θ_n = arg(a − ib), and the
+/// amplitude is A_n = √(a² + b²), so that y ≈ d + A_n cos(θ_n + ω(t − t_n)). In the first and the last half period of
+/// the record, the phase continues that of the nearest whole period with ω. It also continues with ω while A_n is below
+/// a hundredth of the largest amplitude. θ is continuous: it increases by about 2π in a period.
+
+#include <span>
+#include <vector>
+
+namespace pseudorigid::analysis {
+
+/// Least number of samples in a period for which a phase is computed.
+inline constexpr double least_samples_per_period = 4;
+
+/// The phases θ_n, in radians, at the samples `values`, which have the constant positive time step `interval`. The
+/// result is empty if the record is shorter than a period or has fewer than `least_samples_per_period`.
+std::vector<double> phase(std::span<const double> values, double interval, double frequency);
+
+}  // namespace pseudorigid::analysis
