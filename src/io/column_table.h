@@ -1,8 +1,10 @@
 #pragma once
-/// CSV files whose columns have units. Rows are given in internal units and written in the units of the user.
+/// Tables whose columns have units, in CSV files or in memory. Rows are given in internal units and kept in the units
+/// of the user.
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "io/csv.h"
 #include "scene/catalogue.h"
@@ -29,26 +31,43 @@ struct ColumnUnits {
 
 class ColumnTable {
  public:
+  /// The rows go to a CSV file.
   template <class Factor>
   ColumnTable(const std::filesystem::path& path, const std::vector<scene::Column>& columns, const Factor& factor)
       : units_(columns, factor), csv_(CsvWriter::create(path, units_.names)) {}
+  /// The rows go to `table`, which must outlive this object.
+  template <class Factor>
+  ColumnTable(Table& table, const std::vector<scene::Column>& columns, const Factor& factor)
+      : units_(columns, factor), table_(&table) {
+    table = {.columns = units_.names, .values = {}};
+  }
 
   /// Returns false and does not write the row if a value in the units of the user is not finite.
   bool append_if_finite(std::vector<double> row) {
     units_.convert(row);
     const bool is_finite = std::ranges::all_of(row, [](double x) { return std::isfinite(x); });
-    if (is_finite) csv_.append(row);
+    if (is_finite) write(row);
     return is_finite;
   }
   void append(std::vector<double> row) {
     units_.convert(row);
-    csv_.append(row);
+    write(row);
   }
-  void flush() { csv_.flush(); }
+  void flush() {
+    if (csv_) csv_->flush();
+  }
 
  private:
+  void write(const std::vector<double>& row) {
+    if (csv_)
+      csv_->append(row);
+    else
+      table_->values.insert(table_->values.end(), row.begin(), row.end());
+  }
+
   ColumnUnits units_;
-  CsvWriter csv_;
+  std::optional<CsvWriter> csv_;
+  Table* table_ = nullptr;  ///< used if there is no file
 };
 
 }  // namespace pseudorigid::io

@@ -123,8 +123,10 @@ class Validator {
     const bool is_ball = scene_.system == ball;
     if (is_ball && scene_.models.size() > 1 && scene_.sweep_trajectories)
       refuse({"Sweep/Trajectories", "a sweep keeps the samples of one model", {{{"Sweep/Trajectories", "false"}}}});
-    if (scene_.analysis != Analysis::motion)
-      refuse({"Analysis", "a sweep is offered for motions", {{{"Analysis", "motion"}}}});
+    if (scene_.analysis != Analysis::motion && !is_linear(scene_.analysis))
+      refuse({"Analysis", "a sweep is offered for motions, modes and Love numbers", {{{"Analysis", "motion"}}}});
+    if (is_linear(scene_.analysis) && scene_.sweep_trajectories)
+      refuse({"Sweep/Trajectories", "modes and Love numbers have no samples", {{{"Sweep/Trajectories", "false"}}}});
     if (is_ball && scene_.output.graphics != Graphics::none)
       refuse({"Output/Graphics", "a sweep writes no pictures", {{{"Output/Graphics", "none"}}}});
   }

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "app/commands/compared_runs.h"
+#include "app/commands/linear_runs.h"
 #include "app/commands/row_processes.h"
 #include "app/commands/sweep_rows.h"
 #include "app/commands/sweep_run.h"
@@ -51,9 +52,10 @@ void require_own_names(const scene::ReadScene& raw) {
   std::vector<std::string> taken = columns_of_frequencies();
   for (const auto& conserved :
        {std::set<std::string>{}, needs.system ? std::set<std::string>{} : names_conserved(true, true)})
-    std::ranges::copy(
-        needs.comparison ? columns_of_compared_runs(scene, needs) : columns_of_sweep(scene, needs, conserved),
-        std::back_inserter(taken));
+    std::ranges::copy(scene::is_linear(scene.analysis) ? columns_of_linear_runs(scene, needs)
+                      : needs.comparison               ? columns_of_compared_runs(scene, needs)
+                                                       : columns_of_sweep(scene, needs, conserved),
+                      std::back_inserter(taken));
   for (const auto& parameter : parameters)
     if (std::ranges::find(taken, parameter.name) != taken.end())
       refuse_parameter(
@@ -226,6 +228,7 @@ int n_processes_of(const scene::Scene& scene, int n_threads) {
 std::unique_ptr<SweepTask> task_of(const scene::ReadScene& raw, const RunContext& context,
                                    const Executable& executable) {
   const scene::Needs& needs = context.needs;
+  if (scene::is_linear(raw.scene.analysis)) return std::make_unique<LinearRuns>(raw, executable, context);
   if (needs.comparison) return std::make_unique<ComparedRuns>(raw, executable, context);
   if (needs.system) return std::make_unique<SweepRun>(raw, run_system, nullptr, context);
   const BallModel& model = executable.model(*needs.models.front());

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "app/run/scene_to_model.h"
-#include "io/column_table.h"
 #include "scene/models.h"
 
 namespace pseudorigid::app {
@@ -21,6 +20,8 @@ std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& number
     rows.push_back({numbers[i], bound(numbers[i].h, other[i].h), bound(numbers[i].l, other[i].l)});
   return rows;
 }
+
+std::string love_file(std::string_view run) { return fmt::format("love-{}", run); }
 
 std::vector<scene::Column> love_columns() {
   return {{"degree", "", "degree n of the tide"},
@@ -43,7 +44,7 @@ std::vector<scene::Column> love_columns() {
 
 void write_love_table(const std::vector<LoveRow>& rows, std::string_view run, std::string_view ball,
                       const RunContext& context, ModelOutcome& outcome) {
-  io::ColumnTable table(context.directory.csv(fmt::format("love-{}", run)), love_columns(), context.scales());
+  io::ColumnTable table = table_of(context, love_file(run), love_columns());
   const double gamma = gravity_to_elasticity(context.scene);
   add_result(outcome, context, fmt::format("Love numbers of the {} ball, gamma = rho g r/mu = {:.6g}", ball, gamma));
   add_result(outcome, context,

@@ -2,6 +2,7 @@
 /// Writes the Love numbers of a ball (gravity/love_numbers.h) into love-<run>.csv and into a table for the terminal.
 /// The file and the table also have the Love numbers of the exact homogeneous incompressible sphere.
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct LoveRow {
 /// round-off of the solver.
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other, double round_off);
+
+/// The name of the CSV file of a run of a model.
+std::string love_file(std::string_view run);
 
 std::vector<scene::Column> love_columns();
 

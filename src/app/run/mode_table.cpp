@@ -7,7 +7,6 @@
 #include <string>
 
 #include "analysis/sphere_frequencies.h"
-#include "io/column_table.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -75,7 +74,7 @@ std::vector<scene::Column> mode_columns() {
 void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallAtRest& ball, const RunContext& context,
                       std::string_view file, ModelOutcome& outcome) {
   constexpr double spheroidal = 1, toroidal = 2;  // values of the column kind
-  io::ColumnTable table(context.directory.csv(file), mode_columns(), context.scales());
+  io::ColumnTable table = table_of(context, std::string(file), mode_columns());
   add_result(outcome, context,
              fmt::format("{:>3}  {:<14} {:>16} {:>6} {:>9} {:>16} {:>10} {:>16}", "", "mode", "omega", "copies",
                          "spread", "exact sphere", "difference", "pseudo-rigid"));

@@ -11,6 +11,7 @@
 #include "app/ranks/ranks.h"
 #include "app/run/model_sink.h"
 #include "entries/units.h"
+#include "io/column_table.h"
 #include "io/log.h"
 #include "io/manifest.h"
 #include "io/run_directory.h"
@@ -37,6 +38,7 @@ struct RunContext {
   SinkOfModel sink_of;
   bool resumes = false;  ///< true if the run continues an earlier run in the directory
   const Ranks* ranks = &one_rank();
+  std::map<std::string, io::Table>* tables = nullptr;  ///< receives modes and Love numbers; null: they go to files
 
   /// Converts a time of the scene to internal units.
   double internal_time(double physical) const { return physical / units.time; }
@@ -51,7 +53,7 @@ struct RunContext {
 
 /// A copy of the context with another scene and other needs.
 inline RunContext derived(const RunContext& context, const scene::Scene& scene, const scene::Needs& needs) {
-  const auto& [its_scene, its_needs, directory, units, log, sink_of, resumes, ranks] = context;
+  const auto& [its_scene, its_needs, directory, units, log, sink_of, resumes, ranks, tables] = context;
   return {.scene = scene,
           .needs = needs,
           .directory = directory,
@@ -59,7 +61,15 @@ inline RunContext derived(const RunContext& context, const scene::Scene& scene, 
           .log = log,
           .sink_of = sink_of,
           .resumes = resumes,
-          .ranks = ranks};
+          .ranks = ranks,
+          .tables = tables};
+}
+
+/// The table of modes or Love numbers with this name: a CSV file, or an entry of context.tables.
+inline io::ColumnTable table_of(const RunContext& context, const std::string& name,
+                                const std::vector<scene::Column>& columns) {
+  if (context.tables) return {(*context.tables)[name], columns, context.scales()};
+  return {context.directory.csv(name), columns, context.scales()};
 }
 
 /// Method and step of a run.

@@ -1,0 +1,41 @@
+#pragma once
+/// The runs of a sweep of modes or Love numbers, with one or more models. The columns of sweep.csv are
+///
+///   run, the parameters, finished (1 or 0);
+///   modes:         m_omega_i, m_kind_i, m_degree_i, … for every model m and the rows i = 1, 2, … of its table of modes
+///                  (app/run/mode_table.h);
+///   Love numbers:  m_h_n, m_l_n, m_k_n, … for every run m of a model and the degrees n of the tide
+///                  (app/run/love_table.h).
+///
+/// In the names of runs, "_" replaces "-". The degrees are those of the first run of the sweep. A value is 0 if the
+/// table does not have its row, or if the model has failed.
+
+#include <string>
+#include <vector>
+
+#include "app/commands/program.h"
+#include "app/commands/sweep_task.h"
+#include "app/run/run_context.h"
+#include "scene/read_scene.h"
+
+namespace pseudorigid::app {
+
+/// The columns of sweep.csv of a scene with Analysis = modes or love numbers.
+std::vector<std::string> columns_of_linear_runs(const scene::Scene& scene, const scene::Needs& needs);
+
+class LinearRuns : public SweepTask {
+ public:
+  /// `context` is the context of the first run of the sweep.
+  LinearRuns(const scene::ReadScene& raw, const Executable& executable, const RunContext& context);
+
+  std::vector<std::string> columns() const override;
+  FinishedRun run(int k) const override;
+
+ private:
+  const scene::ReadScene& raw_;
+  const Executable& executable_;
+  const RunContext& context_;
+  std::shared_ptr<io::Logger> silent_;
+};
+
+}  // namespace pseudorigid::app
