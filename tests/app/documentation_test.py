@@ -55,6 +55,20 @@ class Documentation(ProgramTest):
     def test_accurate_runs(self):
         self.assertGreaterEqual(self.check("docs/accurate_runs.md"), 3)
 
+    def test_results_name_every_key_and_column_of_a_comparison(self):
+        self.scene({"Models": "reduced, continuum", "Continuum/Degree": 2, "Time/End": 10, "Material/Viscosity": 1e-3,
+                    "Initial state/Velocity": "0.1, 0, 0; 0, 0.1, 0; 0, 0, -0.2"})
+        self.run_done("run", "scene.prm")
+        page = (SOURCE / "docs/output.md").read_text()
+        table, comparison = self.table("output/scene/comparison.csv"), self.json("output/scene/comparison.json")
+
+        def names(value):
+            items = value.items() if isinstance(value, dict) else [("", v) for v in value] if isinstance(value, list) else []
+            return {name for name, _ in items}.union(*(names(v) for _, v in items)) - {""}
+        for name in names(comparison) | set(table.header):
+            if not name.isdigit() and not re.match(r"a[23]_", name):
+                self.assertIn(f"`{name}`", page)
+
     def test_every_link_of_the_documentation_leads_somewhere(self):
         for page in [*sorted(SOURCE.glob("*.md")), *sorted((SOURCE / "docs").rglob("*.md")), SOURCE / "meshes" / "README.md"]:
             text = page.read_text()
