@@ -75,7 +75,9 @@ def n_common_samples(run: Run) -> int:
 
 def curves(run: Run, quantity: str | None = None) -> Any:
     """The figure of matplotlib."""
-    if not run.models or run.manifest.get("system"):
+    if (run.directory / "sweep.csv").is_file():
+        raise WrongInput(f"{run.directory} holds a sweep and no single motion; Run({str(run.directory)!r}).sweep() reads it")
+    if run.manifest.get("system") or not any((run.directory / f"{model}.csv").is_file() for model in run.models):
         raise WrongInput(f"{run.directory} holds no motion of the ball")
     quantity = quantity or named_quantity(run)
     if not re.fullmatch("[QC][123][123]", quantity):

@@ -21,6 +21,10 @@ INDICES = {"sweep": ["run"], "connections": ["curve"], "trajectories": ["run", "
 OF_ALL_TABLES = {"time": "time", "frequency": "1/time"}  # units that the manifest need not say
 # The same of the end of a column, in a sweep of several models.
 OF_COMPARED = {"_time": "time", "_frequency": "1/time", "_frequency_error": "1/time", "_tenth_of_period_after": "time"}
+# Ends of columns in which a sweep of several models has 0 or -1 for a value that does not exist.
+MISSING_AS_ZERO = ("_frequency_ratio", "_frequency")
+MISSING_AS_MINUS_ONE = ("_error", "_tenth_of_period_after", "_phase_after_1_period", "_phase_after_10_periods", "_phase_difference_max",
+                        "_energy_drift", "surface_limit_time")
 # What the columns of a sweep add to the name of a column.
 OF_A_RUN = ("_end", "_min", "_max", "_drift")
 
@@ -76,7 +80,14 @@ class Run:
     def models(self) -> list[str]:
         """The models of the ball that have run, or the one system, by the names of their files."""
         names = [model["name"] for model in self.manifest.get("ball", [])] or [self.manifest.get("system", "")]
-        return [name for name in names if (self.directory / f"{name}.csv").is_file()]
+        if (self.directory / "sweep.csv").is_file():
+            return names
+        last = ["modes.csv"] if names else []  # of the last model of modes
+
+        def files(name: str) -> list[str]:
+            own = [f"{stem}{name}.csv" for stem in ("", "modes-", "love-", "equilibria-")]
+            return own + (last if name == names[-1] else [])
+        return [name for name in names if any((self.directory / file).is_file() for file in files(name))]
 
     def title(self, model: str) -> str:
         """As the ball of a model is called: 'Elastic ball'."""
@@ -132,13 +143,25 @@ class Run:
         return table.set_index(index[0] if len(index) == 1 else index) if index else table
 
     def sweep(self) -> "pandas.DataFrame | np.ndarray":
-        """The runs of a sweep, as table("sweep") or, without pandas, as records("sweep")."""
+        """The runs of a sweep, as table("sweep") or, without pandas, as records("sweep").
+
+        A sweep of several models writes 0 for a ratio or a frequency that does not exist, and -1 for an error, a phase or a
+        time that is not known. Here they are nan.
+        """
         try:
-            return self.table("sweep")
+            table = self.table("sweep")
         except WrongInput as error:
             if not isinstance(error.__cause__, ImportError):
                 raise
-            return self.records("sweep")
+            table = self.records("sweep")
+        names = list(table) if hasattr(table, "columns") else list(table.dtype.names)
+        if "compared" in names:
+            for name in names:
+                if name.endswith(MISSING_AS_ZERO):
+                    table[name] = np.where(table[name] == 0, np.nan, table[name])
+                elif name.endswith(MISSING_AS_MINUS_ONE):
+                    table[name] = np.where(table[name] == -1, np.nan, table[name])
+        return table
 
     def matrices(self, model: str, letter: str) -> np.ndarray:
         """A matrix column, such as Q, Qdot or F, of shape (samples, 3, 3)."""

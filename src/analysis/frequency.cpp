@@ -202,7 +202,7 @@ FrequencyFit fit_frequency(std::span<const double> values, double interval, cons
   fit.residual_rms = std::sqrt(model.rss() / double(y.size()));
   fit.cycles = lines.front().frequency * half_length / pi;
   if (!(fit.cycles >= 1 && lines.front().uncertainty < least_precision * lines.front().frequency))
-    return refuse("the samples do not determine a frequency");
+    return refuse("the samples do not determine a frequency; a later Time/End may");
   fit.lines = std::move(lines);
   return fit;
 }

@@ -108,6 +108,24 @@ int edit_distance(std::string_view from, std::string_view to) {
   return row.back();
 }
 
+/// The candidate of the same section whose name has the word `word` after other words, as "Material/Lame lambda" for
+/// "Material/lambda". The result is empty if there is no such candidate, or more than one.
+std::optional<std::string_view> with_last_word(std::string_view word, const std::vector<std::string_view>& candidates) {
+  const std::string_view typed = last_part(word), section = word.substr(0, word.size() - typed.size());
+  constexpr std::size_t least = 4;
+  if (typed.size() < least) return std::nullopt;
+  std::optional<std::string_view> found;
+  for (const std::string_view candidate : candidates) {
+    const std::string_view name = last_part(candidate);
+    if (name.size() <= typed.size() || candidate.substr(0, candidate.size() - name.size()) != section) continue;
+    const std::size_t begin = name.size() - typed.size();
+    if (name[begin - 1] != ' ' || edit_distance(name.substr(begin), typed) > 0) continue;
+    if (found) return std::nullopt;
+    found = candidate;
+  }
+  return found;
+}
+
 std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
   if (word.empty() || word.size() > longest_misspelling) return std::nullopt;
   int best_distance = std::max(1, static_cast<int>(last_part(word).size()) / 3) + 1;
@@ -125,7 +143,8 @@ std::optional<std::string_view> nearest(std::string_view word, const std::vector
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
   const std::string typed = without_lookalikes(word);
-  const auto candidate = nearest(trimmed(typed), candidates);
+  auto candidate = nearest(trimmed(typed), candidates);
+  if (!candidate) candidate = with_last_word(trimmed(typed), candidates);
   return candidate ? "; did you mean " + quote(*candidate) + "?" : std::string();
 }
 

@@ -60,7 +60,8 @@ std::optional<Refusal> refuses_expansion(const Matrix3& q, const Matrix3& projec
   return Refusal{deformation_path,
                  fmt::format("expected det = 1 within {} for an incompressible body, got det = {}; the nearest choice "
                              "is \"set Deformation = {}\"",
-                             print_number(isochoric_tolerance), print_number(det(q)), print_matrix(projected))};
+                             print_number(isochoric_tolerance), print_number(det(q)), print_matrix(projected)),
+                 {{{"Body/Incompressible", "false"}}}};
 }
 
 std::optional<Refusal> refuses_rate_of_expansion(double rate, const Matrix3& projected) {

@@ -32,9 +32,16 @@ std::vector<std::string_view> known_paths(const Scene& scene, bool sections) {
 
 void check_subsection(const Statement& statement, const Scene& scene) {
   const std::vector<std::string_view> sections = known_paths(scene, true);
-  if (std::find(sections.begin(), sections.end(), statement.path) == sections.end())
-    throw UserError(fmt::format("{}: unknown subsection {}{}", statement.where(), quote(statement.path),
-                                did_you_mean(statement.path, sections)));
+  if (std::find(sections.begin(), sections.end(), statement.path) != sections.end()) return;
+  const auto slash = statement.path.rfind('/');
+  const bool is_inside = slash != std::string::npos;
+  const std::string outer = statement.path.substr(0, is_inside ? slash : 0);
+  const std::string_view inner = std::string_view(statement.path).substr(is_inside ? slash + 1 : 0);
+  if (is_inside && std::find(sections.begin(), sections.end(), inner) != sections.end())
+    throw UserError(fmt::format("{}: subsection {} begins inside subsection {}; is the \"end\" of {} missing?",
+                                statement.where(), quote(inner), quote(outer), outer));
+  throw UserError(fmt::format("{}: unknown subsection {}{}", statement.where(), quote(statement.path),
+                              did_you_mean(statement.path, sections)));
 }
 
 /// The path of a mesh file. A name in a parameter file is relative to the folder of this file. A name in an override is

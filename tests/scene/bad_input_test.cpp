@@ -313,7 +313,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"nested",
                  "subsection Body\nsubsection Body\nend\nend",
                  {},
-                 "scene.prm:2: unknown subsection \"Body/Body\""},
+                 "scene.prm:2: subsection \"Body\" begins inside subsection \"Body\""},
+        BadInput{
+            "missing_end",
+            "subsection Body\nset Radius = 2\nsubsection Material\nend",
+            {},
+            "scene.prm:3: subsection \"Material\" begins inside subsection \"Body\"; is the \"end\" of Body missing"},
+        BadInput{"last_word",
+                 entry("Material", "Lambda = 1"),
+                 {},
+                 "scene.prm:2: unknown entry \"Material/Lambda\"; did you mean \"Material/Lame lambda\"?"},
         BadInput{"not_offered", entry("Body", "Gravity = 1"), {}, "scene.prm:2: unknown entry \"Body/Gravity\""},
         BadInput{"terminal_escape", "set \x1b[31mA = 1", {}, "scene.prm:1: expected text, got control characters"},
         BadInput{"long_name", "set " + std::string(900'000, 'A') + " = 1", {}, "scene.prm:1: unknown entry \"AAAA"}));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 
 #include "app/commands/sweep_run.h"
 #include "app/run/love_table.h"
@@ -29,7 +30,8 @@ std::vector<std::string> names_of(const std::vector<scene::Column>& columns) {
   return names;
 }
 
-std::string prefix_of(std::string run) {
+std::string prefix_of(std::string_view run_name) {
+  std::string run(run_name);
   std::ranges::replace(run, '-', '_');
   return run + "_";
 }
@@ -88,7 +90,7 @@ FinishedRun LinearRuns::run(int k) const {
                            .log = silent_,
                            .sink_of = {},
                            .tables = &tables};
-  FinishedRun run{.row = {k + 1.0}, .samples = {}};
+  FinishedRun run{.row = {k + 1.0}, .samples = {}, .end = mechanics::Outcome::finished, .message = {}};
   for (const auto& parameter : raw_.scene.sweep) run.row.push_back(values.at(parameter.name));
   for (const scene::ModelDescription* model : needs.models) {
     const ModelOutcome outcome = executable_.model(*model).run(context);
