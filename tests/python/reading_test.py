@@ -1,4 +1,5 @@
 """What the Python package reads from the directory of a run: tables, matrices, comparison, pictures; its refusals."""
+import re
 import subprocess
 import sys
 
@@ -51,6 +52,27 @@ class Reading(ProgramTest):
         self.assertIn(run.comparison["summary"], printed)
         self.assertIn(f"{len(run.frames('continuum')[-1].read().points)} points", printed)
         self.assertTrue((run.directory / "phase_portrait.svg").is_file())
+
+    def test_example_of_a_compared_sweep(self):
+        """18.63 % at small amplitude, within the bars and the fall with the amplitude (docs/adequacy.md: 18 % at 0.25)."""
+        printed = subprocess.run([sys.executable, SOURCE / "python/examples/compared_sweep.py", "out"], cwd=self.scratch, check=True,
+                                 capture_output=True, text=True).stdout
+        rows = re.findall(r"amplitude (\S+): (\S+) \+- (\S+) % too fast, after ten periods (\S+) periods", printed)
+        self.assertEqual(len(rows), 4)
+        for a, excess, bar, phase in (map(float, row) for row in rows):
+            self.assertLess(abs(excess - 18.63), bar + 15 * a * a + 0.1, a)
+            self.assertAlmostEqual(phase, excess / 10, delta=0.1, msg=a)
+        self.assertTrue((self.scratch / "out/frequency_error.svg").is_file())
+
+    def test_a_sweep_has_nan_for_what_is_missing(self):
+        self.scene({"Models": "reduced, polynomial", "Polynomial/Degree": 3, "Sweep/Parameters": "v: 0, 0.1", "Time/End": 15,
+                    "Initial state/Velocity": "$(v), 0, 0; 0, $(v), 0; 0, 0, $(-2*v)", "Output/Samples": 150})
+        self.run_done("run", "scene.prm")
+        run = Run(self.scratch / "output/scene")
+        self.assertEqual(run.models, ["reduced", "polynomial"])
+        sweep = run.sweep()
+        for name in ("reduced_frequency_ratio", "reduced_frequency_ratio_error", "polynomial_frequency", "reduced_phase_after_1_period"):
+            self.assertEqual([bool(x) for x in np.isnan(sweep[name])], [True, False], name)
 
     def test_parts_of_a_sweep(self):
         sweep = {"Models": "reduced", "Initial state/Deformation": "$(1/sqrt(l)), 0, 0; 0, $(1/sqrt(l)), 0; 0, 0, $(l)",

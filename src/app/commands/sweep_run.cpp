@@ -28,8 +28,7 @@ bool has_frequencies(const scene::Needs& needs) { return !needs.system && needs.
 std::set<std::string> conserved_columns(const scene::ReadScene& raw) {
   bool is_free = true, incompressible = true;
   for (const int k : corners(raw.scene.sweep)) {
-    // The scene is not validated here, because check_sweep has validated it.
-    const scene::Scene scene = scene::with_parameters(raw.scene, scene::values_of_run(raw.scene.sweep, k), raw.origins);
+    const scene::Scene scene = scene_of_run(raw, scene::values_of_run(raw.scene.sweep, k));
     if (scene.system != scene::ball) return {};
     is_free = is_free && scene::is_free(scene);
     incompressible = incompressible && scene.body.incompressible;
