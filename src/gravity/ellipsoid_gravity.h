@@ -1,21 +1,23 @@
 #pragma once
-/// Self-gravity of the homogeneous ellipsoid F B, with the unit ball B (docs/oliva.md, section 2, 8; Carlson's form of
-/// Chandrasekhar's integrals). With k = (3/5) G M², F = U diag(a) Vᵀ, x_i = a_i², A = UᵀF, and with d_i = R_D(x_j, x_k,
-/// x_i) and t_k of ellipsoid_integrals.h, the potential V and its derivative are
+/// Self-gravity of the homogeneous ellipsoid F B, with the unit ball B (docs/oliva.md, correction 8; Carlson's form of
+/// Chandrasekhar's integrals). G is the gravitational constant and M the mass. Let k = (3/5) G M², F = U diag(a) Wᵀ
+/// with orthogonal U and W, A = UᵀF and x_i = a_i². With the integrals d_i and t_k of ellipsoid_integrals.h, the
+/// potential energy V and its derivative are
 ///
 ///   V = −k R_F(x_1, x_2, x_3) = −(k/3) Σ x_i d_i,      ∂V/∂F = (k/3) U diag(d) A = (k/3) U diag(d) Uᵀ F.
 ///
-/// Let ĥ = UᵀH, and let ċ = ĥAᵀ + Aĥᵀ be the derivative of C = FFᵀ in the frame of the axes. The derivative along Ḟ = H
-/// is
+/// Let ĥ = UᵀH, and let ċ = ĥAᵀ + Aĥᵀ be the derivative of C = FFᵀ in the frame of the axes. The derivative of ∂V/∂F
+/// along Ḟ = H is, for different indices i, j, k,
 ///
 ///   D(∂V/∂F)[H] = (k/3) U (gA + diag(d)ĥ),   g_ij = −t_k ċ_ij,   g_ii = −(3/2) t_ii ċ_ii − ½ Σ_{j≠i} t_k ċ_jj,
 ///   x_i t_ii = d_i − ⅓ Σ_{j≠i} x_j t_k    (Euler's identity; at least ⅓ d_i, so that there is no cancellation).
 ///
-/// The formulas do not divide by differences of the axes, so the axes may coincide. The force uses the rows A_i of A
-/// and not the product M F with M = U diag(d) Uᵀ, although both are equal in exact arithmetic. For a flat body, M F has
-/// errors of cond(F)·ε, and d_i A_i has errors of ε, with the round-off ε. The torque and the circulation are accurate
-/// for the same reason. V is homogeneous of degree −1. Very large or small F are therefore scaled by a power of two to
-/// avoid overflow of squares. This scaling has no rounding errors.
+/// The formulas do not divide by differences of the axes, so the axes may coincide. The force is computed from the
+/// products d_i A_i with the rows A_i of A, and not from (U diag(d) Uᵀ) F. Both are equal in exact arithmetic. For a
+/// flat body, the products d_i A_i have relative errors of the round-off ε, and the other form has relative errors of
+/// cond(F)·ε. The torque and the circulation are accurate for the same reason. V is homogeneous of degree −1. Very
+/// large or small F are therefore scaled by a power of two to avoid overflow of squares. This scaling has no rounding
+/// errors.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -58,8 +60,8 @@ struct EllipsoidGravity {
   }
 
  private:
-  /// The factor by which F is scaled. If squares and their products cannot overflow or underflow, the factor is 1.
-  /// Otherwise it is the power of two that brings the largest entry to [½, 1).
+  /// The factor by which F is scaled. If the largest entry of F is between 2⁻²⁰ and 2²⁰, the factor is 1. Otherwise the
+  /// factor is the power of two that brings the largest entry into [½, 1).
   static double unit_scale(const Eigen::Matrix3d& F) {
     const double largest = F.cwiseAbs().maxCoeff();
     if (largest > 0x1p-20 && largest < 0x1p+20) return 1;

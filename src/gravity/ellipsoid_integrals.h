@@ -7,8 +7,8 @@
 /// Other integrals follow without cancellation: R_F = ⅓ Σ x_i d_i, (d_i − d_j)/(x_i − x_j) = −t_k, ∂d_i/∂x_j = −½ t_k.
 ///
 /// Carlson's duplication (Numer. Math. 33 (1979) 1; Numer. Algorithms 10 (1995) 13) is used without his factor ¼. Let
-/// r_i = √x_i and p_ij = r_i + r_j. The new arguments are x_i' = x_i + r_1 r_2 + r_2 r_3 + r_3 r_1 = p_ij p_ik. The new
-/// arguments have the same differences as the x_i. With the integrals d_i' and t_k' of the new arguments,
+/// r_i = √x_i and p_ij = r_i + r_j. A duplication replaces x_i by x_i' = x_i + r_1 r_2 + r_2 r_3 + r_3 r_1 = p_ij p_ik.
+/// The new arguments have the same differences as the x_i. With the integrals d_i' and t_k' of the new arguments,
 ///
 ///   d_i = 3/(r_i x_i') + 2 d_i',      t_k = 3 (r_1 + r_2 + r_3)/(p_ij² r_i r_j p_ik p_jk) + 2 t_k'.
 ///
@@ -33,8 +33,9 @@ struct EllipsoidIntegrals {
 
 namespace detail {
 
-/// Largest degree in Z of the terms of the series, and the largest spread of the arguments, in units of their sum, for
-/// which the series is used. The truncation error is below 1e-16 of the result (measured: 4e-17 in d_i, 6e-17 in t_k).
+/// The series is truncated after this degree in Z. The series is used if the largest and the smallest argument differ
+/// by at most `series_spread` times the sum of the arguments. The truncation error is below 1e-16 of the result
+/// (measured: 4e-17 in d_i, 6e-17 in t_k).
 inline constexpr int series_degree = 11;
 inline constexpr double series_spread = 0.025;
 
@@ -74,15 +75,15 @@ double series(double E2, double E3) {
 
 }  // namespace detail
 
-/// The integrals for semi-axes a_i ≥ 0, each 0 or between 10⁻⁵⁰ and 10⁵⁰. If `with_t` is false, t is not computed. The
-/// result is infinite if two axes vanish.
+/// The integrals for semi-axes a_i, each 0 or between 10⁻⁵⁰ and 10⁵⁰. At most one of them may be 0. If a_i = 0, d_i and
+/// the t_k with k ≠ i are infinite. If `with_t` is false, t is not computed.
 template <bool with_t = true>
 EllipsoidIntegrals ellipsoid_integrals(const Eigen::Vector3d& a) {
   using Eigen::Array3d;
   constexpr int max_duplications = 20;  // a ratio of 10³⁰⁰ needs 14
   const auto others = [](const Array3d& y) { return Array3d(y[1] * y[2], y[2] * y[0], y[0] * y[1]); };
   Array3d r = a, x = r * r, d = Array3d::Zero(), t = Array3d::Zero();
-  double weight = 3;  // 3·2ⁿ
+  double weight = 3;  // 3·2ⁿ after n duplications
   const auto is_wide = [&x] {
     const double largest = std::max(std::max(x[0], x[1]), x[2]), smallest = std::min(std::min(x[0], x[1]), x[2]);
     return largest - smallest > detail::series_spread * (x[0] + x[1] + x[2]);

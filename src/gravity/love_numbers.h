@@ -1,12 +1,14 @@
 #pragma once
-/// Love numbers of a homogeneous incompressible elastic ball of radius r under its own gravity, g = (4/3)πGρr. A tidal
-/// potential V = V_n (|x|/r)^n Y_n causes, at the surface,
+/// Love numbers of a homogeneous incompressible elastic ball under its own gravity. The ball has the radius r, the
+/// density ρ and the shear modulus μ. The gravity at its surface is g = (4/3)πGρr. A tidal potential V = V_n (|x|/r)^n
+/// Y_n with a spherical harmonic Y_n of degree n causes, at the surface,
 ///
 ///   u_r = h_n V/g,    u_t = l_n r∇V/g,    k_n V.
 ///
-/// These are the radial and the tangential displacement, and the potential that the displaced mass adds. In the
-/// interior, a pressure balances the force ρ∇V. The tide therefore acts at the surface alone, and its work on a
-/// displacement is ρ∮V u_r dS. The displaced mass is a layer ρu_r with the potential 3/(2n + 1) g u_r:
+/// These are the radial and the tangential displacement, and the additional potential of the displaced mass. Only the
+/// tangential part of ∇V counts in u_t. In the interior, a pressure balances the force ρ∇V. The tide therefore acts at
+/// the surface alone, and its work on a displacement is ρ∮V u_r dS. The displaced mass is a layer ρu_r with the
+/// potential 3/(2n + 1) g u_r:
 ///
 ///   k_n = 3/(2n + 1) h_n.
 ///

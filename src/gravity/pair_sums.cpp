@@ -35,14 +35,15 @@ struct Rated {
   }
 };
 
-/// A block of targets, one in each lane, with their sums. `g` does not contain the terms along N_i. `along_N` is the
-/// factor of N_i in these terms.
+/// A block of targets, one in each lane, with their sums (surface_gravity.h). `g` does not contain the terms of g_i
+/// along N_i. `along_N` is the factor of N_i in these terms.
 template <class S>
 struct Block {
   S x[3], N[3], along_N, g[3], h[3];
 };
 
-/// Adds the pairs of a block with n sources. point(c, j) and area(c, j) are the components of source j.
+/// Adds the terms of n sources to the sums of a block. For source j, point(c, j) and area(c, j) are component c of its
+/// point and of its area vector.
 template <class S, class Point, class Area>
 void add_pairs(Block<S>& block, std::size_t n, const Point& point, const Area& area) {
   Block<S> s = block;  // in registers
@@ -70,8 +71,8 @@ void store(const L& lanes, std::vector<double>& values, std::size_t first) {
   for (std::size_t l = 0; l < n_lanes && first + l < values.size(); ++l) values[first + l] = lanes[static_cast<int>(l)];
 }
 
-/// Writes the sums of a block to `sums`, for the targets from number `first` on. `part` selects the value or the time
-/// derivative.
+/// Completes g and computes e for the targets of a block. Writes their sums to `sums`, from number `first` on. `part`
+/// selects the value or the time derivative.
 template <class S, class Part>
 void store(const Block<S>& block, const Part& part, std::size_t first, PairSums& sums) {
   store(part(block.N[0] * block.h[0] + block.N[1] * block.h[1] + block.N[2] * block.h[2]), sums.e, first);

@@ -1,6 +1,7 @@
 #pragma once
 /// Self-gravity of a body of uniform density ρ, computed from its surface alone. For two points x and y of the surface,
-/// let d = x − y. Let N be the outward area vectors, N dξdη = n dS. Because ∂_i∂_j(d_i d_j/|d|) = 6/|d|, the energy is
+/// let d = x − y. Let N be the outward area vectors, N dξdη = n dS. G is the gravitational constant. Because
+/// ∂_i∂_j(d_i d_j/|d|) = 6/|d|, the energy is
 ///
 ///   E = −½Gρ² ∫∫ dV dV/|d| = (Gρ²/12) ∮∮ (d·N_x)(d·N_y)/|d|.
 ///
@@ -61,7 +62,8 @@ Moving<PairSums> sum_pairs(const Moving<SurfacePoints>& targets, const Moving<Su
 /// V = ⅓ Σ x·N
 double enclosed_volume(const SurfacePoints& points);
 
-/// Sums over the targets. If several processes have targets, their totals must be added before use.
+/// Sums over the targets. If the targets are distributed over several processes, add the totals of all processes before
+/// use.
 struct SurfaceTotals {
   double pairs = 0;   ///< Σ_i e_i
   double volume = 0;  ///< V
@@ -71,8 +73,8 @@ SurfaceTotals totals(const SurfacePoints& targets, const PairSums& sums);
 /// Ê of the part of the body with these targets. `strength` is Gρ², and `rest_volume` is V₀ of this part.
 double surface_energy(const SurfaceTotals& totals, double strength, double rest_volume);
 
-/// The derivative of Ê with respect to the points and area vectors of the targets. The sources move with the targets:
-/// they are the targets and, if only a sector is computed, their images.
+/// The derivative of Ê with respect to the points and area vectors of the targets. The sources must be the targets and,
+/// if only a sector is computed, also the images of the targets. The derivative includes the motion of the sources.
 struct SurfaceDerivative {
   std::array<std::vector<double>, 3> by_point, by_area;
 };
@@ -85,7 +87,8 @@ Moving<SurfaceTotals> totals(const Moving<SurfacePoints>& targets, const Moving<
 SurfaceDerivative surface_derivative_rate(const Moving<SurfacePoints>& targets, const Moving<PairSums>& sums,
                                           const Moving<SurfaceTotals>& totals, double strength, double rest_volume);
 
-/// The potential φ(x) = −½Gρ ∮ (y − x)·N_y/|y − x| at points x on the surface or in the interior. `strength` is Gρ.
+/// The potential φ(x) = −½Gρ ∮ (y − x)·N_y/|y − x| at points x on the surface or in the interior. A source at the point
+/// x itself adds 0. `strength` is Gρ.
 std::vector<double> potential_at(const std::vector<Eigen::Vector3d>& points, const SurfacePoints& sources,
                                  double strength);
 

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Names of the files of a control group. In a group without a limit, the file of version 1 contains a number larger
-/// than any memory. The file of version 2 contains the word "max".
+/// Names of the files with the limit and the use of memory of a control group. In a group without a limit, the file
+/// `limit` of version 1 contains a number larger than any memory. The file of version 2 contains the word "max".
 struct Names {
   const char *limit, *used;
   /// Entries of memory.stat: the bytes of files that the kernel can drop, in the group and in all groups below it.
@@ -26,14 +26,15 @@ struct Names {
 constexpr Names version_1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file", "total_active_file"};
 constexpr Names version_2{"memory.max", "memory.current", "inactive_file", "active_file"};
 
-/// The number in a file. If the file does not exist or contains a word, the result is `otherwise`.
+/// The number at the beginning of a file. If the file does not exist or begins with a word, the result is `otherwise`.
 double number_in(const fs::path& path, double otherwise) {
   std::ifstream file(path);
   double number;
   return file >> number ? number : otherwise;
 }
 
-/// The number after the word `wanted`. If the file does not contain this word, the result is `otherwise`.
+/// The number after the word `wanted` in a file. If the file does not contain this word with a number, the result is
+/// `otherwise`.
 double number_named(const fs::path& path, std::string_view wanted, double otherwise) {
   std::ifstream file(path);
   double number;
@@ -42,6 +43,7 @@ double number_named(const fs::path& path, std::string_view wanted, double otherw
   return otherwise;
 }
 
+/// The limit of a group less the memory in use. Files that the kernel can drop do not count as used.
 double left_in_group(const fs::path& group, const Names& names) {
   const double limit = number_in(group / names.limit, infinite), used = number_in(group / names.used, 0);
   const fs::path parts = group / "memory.stat";
@@ -50,8 +52,8 @@ double left_in_group(const fs::path& group, const Names& names) {
 }
 
 /// The least free memory of a group and of the groups above it. In a container, the mounted folder may contain only the
-/// group of the container, although `path` names the groups of the machine. If a file is missing, its group has no
-/// limit.
+/// group of the container, although `path` names the groups of the machine. If the file with the limit is missing, the
+/// group has no limit.
 double left_in_groups(const fs::path& mount, const std::string& path, const Names& names) {
   double left = infinite;
   for (fs::path group = fs::path(path).lexically_normal();; group = group.parent_path()) {

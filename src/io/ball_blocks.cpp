@@ -11,20 +11,22 @@ namespace {
 /// Half the edge of the cube. The corners of the cube have the distance 0.69 from the centre of the unit ball.
 constexpr double half_edge = 0.4;
 
-/// The coordinate of a point of the cube in units of half the edge. Equal steps of the index are equal angles seen from
-/// the centre. The function is odd. Therefore the points have exactly the symmetry of the cube.
+/// The coordinate of a point of the cube in units of half the edge, for an index between −n and n. Equal steps of the
+/// index are equal angles seen from the centre. The function is odd in the index. Therefore the points have exactly the
+/// symmetry of the cube.
 double face_coordinate(int twice_index_from_middle, int n) {
   return std::tan(std::numbers::pi / 4 * twice_index_from_middle / n);
 }
 
-/// Points with numbers. A point gets its number when it is used for the first time.
+/// The list of all points. A point gets its number when it is used for the first time.
 class Points {
  public:
   Points(int n_intervals, int n_layers, std::vector<Eigen::Vector3d>& points)
       : n_intervals_(n_intervals), n_layers_(n_layers), points_(points) {}
 
-  /// The number of a point. The index `cube` gives the place in the cube, from −n to n in steps of 2 for n intervals.
-  /// Layer 0 is the cube itself. The other layers are outside the cube, from its surface to the surface of the ball.
+  /// The number of a point. Each component of `cube` is a place in the cube, from −n to n in steps of 2 for n
+  /// intervals. Layer 0 is the cube itself. The other layers are outside the cube, from its surface to the surface of
+  /// the ball.
   std::int64_t number(const std::array<int, 3>& cube, int layer) {
     const auto [found, is_new] =
         numbers_.try_emplace({cube[0], cube[1], cube[2], layer}, static_cast<std::int64_t>(points_.size()));

@@ -10,8 +10,8 @@ namespace pseudorigid::io {
 namespace {
 
 /// The index that VTK gives to the point (i, j, k) of a Lagrange hexahedron of degree p. The order is corners, edges,
-/// faces, interior. Files of version 1.0 number the edges along k as 0, 1, 3, 2. VTK exchanges the last two when it
-/// reads such a file.
+/// faces, interior. In files of version 1.0, the order of the edges along k is that of the corners 0, 1, 3, 2. VTK
+/// exchanges the last two edges when it reads such a file.
 std::size_t place_in_hexahedron(std::size_t i, std::size_t j, std::size_t k, std::size_t p) {
   const std::size_t on_edge = p - 1, on_face = on_edge * on_edge;
   const auto is_end = [p](std::size_t index) { return index == 0 || index == p; };
@@ -49,9 +49,8 @@ std::vector<std::size_t> linear_cells(std::size_t p) {
   return points;
 }
 
-/// The degree p of the blocks that linear_cells has divided. It is the number of cells at the beginning of the list
-/// that form a row, in which each cell shares a face with the next. The result is 1 if the number of cells is not a
-/// multiple of p³.
+/// The degree p of the blocks that linear_cells has divided. The first p cells of the list form a row, in which each
+/// cell shares a face with the next. The result is 1 if the number of all cells is not a multiple of p³.
 std::size_t cells_in_a_row(const UnstructuredGrid& grid) {
   const auto share_a_face = [&](std::size_t cell) {
     const std::int64_t *here = &grid.connectivity[8 * cell], *next = here + 8;

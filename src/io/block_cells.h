@@ -9,12 +9,13 @@
 
 namespace pseudorigid::io {
 
-/// Sets the cells of the grid to the cells of the blocks. With `linear`, a block is divided into degree³ hexahedra.
-/// With `lagrange`, a block is one hexahedron of the same degree. Pictures then show the fields of a block as
-/// polynomials, for which VTK treats the points as equidistant.
+/// Sets the cells of the grid to the cells of the blocks. With Cells::linear, a block is divided into degree³
+/// hexahedra. With Cells::lagrange, a block is one hexahedron of the same degree. Pictures then show the fields of a
+/// block as polynomials. VTK treats the points of such a block as equidistant.
 void set_cells(UnstructuredGrid& grid, const mechanics::PointBlocks& blocks, scene::Cells cells);
 
-/// The blocks from which `set_cells` made the cells of the grid. The result is empty if the cells are not hexahedra.
+/// The blocks from which `set_cells` made the cells of the grid. The result is empty if the cells are not hexahedra or
+/// do not form complete blocks.
 std::optional<mechanics::PointBlocks> blocks_of(const UnstructuredGrid& grid);
 
 }  // namespace pseudorigid::io

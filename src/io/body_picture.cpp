@@ -28,7 +28,7 @@ std::vector<double> scaled(std::vector<double> values, double unit) {
   return values;
 }
 
-/// Adds fields to a grid. The argument `value_at(i)` computes the value at point i.
+/// Adds fields to a grid. The function `value_at(i)` returns the value at point i.
 class Fields {
  public:
   Fields(const mechanics::BodyFields& body, UnstructuredGrid& grid) : body_(body), grid_(grid) {}
@@ -84,7 +84,7 @@ void for_points_on_surface(const mechanics::PointBlocks& blocks, const std::vect
       }
 }
 
-/// The pressure of the planes at all points.
+/// The pressure of the planes at all points. It is 0 at points that are not on the surface.
 std::vector<double> contact_pressure(const mechanics::PointBlocks& blocks, const mechanics::BodyFields& body,
                                      const PicturedContact& contact) {
   std::vector<double> pressure(body.n_points(), 0.0);

@@ -26,7 +26,7 @@
 
 namespace pseudorigid::io {
 
-/// The rigid planes that an ellipsoid can touch, in internal units.
+/// The rigid planes that a ball or ellipsoid can touch, and its reference surface, in internal units.
 struct PicturedContact {
   loads::Planes planes{};
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();  ///< of the reference surface

@@ -1,7 +1,7 @@
 #pragma once
-/// Version, compiler and flags of this executable, fixed when it was built. A separate library (CMake target
-/// build_info) contains them, because the commit changes often. After a new commit, only this library is compiled, and
-/// the executables are linked again.
+/// Version, compiler and flags of this executable, fixed when it was built. A separate library (pseudorigid_build_info)
+/// contains these data, because the hash of the commit changes often. After a new commit, only this library is
+/// compiled, and the executables are linked again.
 
 #include <string_view>
 

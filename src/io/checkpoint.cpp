@@ -41,7 +41,7 @@ std::uint64_t hash_on(std::uint64_t hash, std::string_view bytes) {
 }
 constexpr std::uint64_t hash_of_nothing = 0xcbf29ce484222325u;
 
-/// Reads values from the beginning of a payload. Before each read, it checks that enough bytes remain.
+/// Reads values from a payload, one after the other. Throws std::out_of_range if not enough bytes remain for a value.
 class Cursor {
  public:
   explicit Cursor(std::string_view bytes) : rest_(bytes) {}
@@ -50,7 +50,7 @@ class Cursor {
   template <class T>
   void take(T* values, std::size_t n) {
     if (n > rest_.size() / sizeof(T)) throw std::out_of_range("a section is longer than the file");
-    // memcpy does not permit a null pointer, even for n = 0.
+    // Unlike copy_n, memcpy does not permit a null pointer, even for n = 0.
     std::copy_n(rest_.data(), n * sizeof(T), reinterpret_cast<char*>(values));
     rest_.remove_prefix(n * sizeof(T));
   }

@@ -1,12 +1,12 @@
 #pragma once
-/// A binary file of named values that contains the state of a run. A new file replaces the old one atomically. Its
-/// format is
+/// A binary file of named values that contains the state of a run. A new file replaces the old one atomically. The
+/// format of the file is
 ///
 ///   header   magic "PSRGCKPT" | endianness tag u32 | version u32 | payload size u64 | FNV-1a of the payload u64
 ///   payload  section after section: type u8 | name length u32 | name | count u64 | count values (f64, i64 or char)
 ///
-/// `load` verifies the sizes and the checksum before it uses a value. It throws UserError for a truncated, altered or
-/// foreign file.
+/// `load` verifies the sizes and the checksum before it uses a value. It throws UserError if the file cannot be read,
+/// is truncated or altered, or is of another kind.
 
 #include <concepts>
 #include <cstdint>
@@ -20,7 +20,7 @@
 
 namespace pseudorigid::io {
 
-/// The FNV-1a hash with 64 bits. A change of one byte always changes the hash.
+/// The FNV-1a hash with 64 bits. A change of a single byte always changes the hash.
 std::uint64_t checksum(std::string_view bytes);
 
 class Checkpoint {

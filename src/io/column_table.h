@@ -11,8 +11,8 @@
 
 namespace pseudorigid::io {
 
-/// The names of columns, and the factors that convert a row to the units of the user. The function `factor(unit)`
-/// returns the factor of a unit.
+/// The names of columns, and the factors that convert a row from internal units to the units of the user. The function
+/// `factor(unit)` returns the factor of a unit.
 struct ColumnUnits {
   template <class Factor>
   ColumnUnits(const std::vector<scene::Column>& columns, const Factor& factor) {

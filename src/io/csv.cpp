@@ -19,7 +19,7 @@ namespace pseudorigid::io {
 
 namespace {
 
-constexpr std::size_t pending_limit = 1 << 16;  // largest number of bytes that wait for a flush
+constexpr std::size_t pending_limit = 1 << 16;  // `append` flushes if this number of bytes waits
 
 std::string header_line(std::span<const std::string> columns) { return fmt::format("{}\n", fmt::join(columns, ",")); }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The syntax of the CSV files of a run: one header line, commas between values, finite numbers only. Numbers have 17
-/// significant digits. A reader therefore obtains the same doubles that were written.
+/// Readers and writers of the CSV files of a run. A file has one header line and then finite numbers, separated by
+/// commas. Numbers have 17 significant digits. A reader therefore obtains the same doubles that were written.
 
 #include <cstdint>
 #include <filesystem>
@@ -37,25 +37,29 @@ void require_rows(const std::filesystem::path& path, std::span<const std::string
 /// The names of the columns in a file. Throws UserError "path:line: …" if the file does not begin with a header.
 std::vector<std::string> columns_in(const std::filesystem::path& path);
 
-/// Keeps the header and the first `n_rows` rows, for a resumed run. All text after these rows is removed; a killed run
-/// may have left an incomplete row. Throws UserError if the file has fewer rows or other columns.
+/// Removes all text after the header and the first `n_rows` rows, for a resumed run. A killed run may have left an
+/// incomplete row. Throws UserError if the file has fewer rows or other columns, and WriteError if it cannot be
+/// changed.
 void truncate_csv(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);
 
-/// Appends rows to a file. The rows are collected in memory, and flush() writes them to the file. Call flush() before
-/// each checkpoint. The file then contains all rows up to the checkpoint. If a write fails (WriteError), the file is
-/// truncated to whole rows, and the rows that are not written remain in memory. A later flush may then succeed.
+/// Appends rows to a file. The rows are collected in memory. flush() writes them to the file, and so does append() if
+/// many rows have been collected. Call flush() before each checkpoint. The file then contains all rows up to the
+/// checkpoint. If a write fails, a WriteError is thrown, the file is truncated to whole rows, and the unwritten rows
+/// remain in memory. A later flush may then succeed.
 class CsvWriter {
  public:
+  /// Creates the file with its header, and replaces an old file. Throws WriteError.
   static CsvWriter create(const std::filesystem::path& path, std::span<const std::string> columns);
-  /// Opens the file of a resumed run, and keeps only its first `n_rows` rows. New rows are appended.
+  /// Opens the file of a resumed run, and keeps only its first `n_rows` rows. New rows are appended. Throws the errors
+  /// of truncate_csv.
   static CsvWriter resume(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);
 
   CsvWriter(CsvWriter&& other) noexcept;
   CsvWriter& operator=(CsvWriter&&) = delete;
   ~CsvWriter();  ///< flushes and ignores errors; call flush() to detect them
 
-  /// Appends a row with one finite value per column. If a value is not finite, the row is discarded, and a
-  /// std::logic_error contains the name of the column.
+  /// Appends a row with one finite value per column. If a value is not finite or the number of values is wrong, the row
+  /// is discarded and std::logic_error is thrown. The message contains the name of the column that is not finite.
   void append(std::span<const double> row);
   void flush();
   std::int64_t n_rows() const { return n_rows_; }  ///< number of rows, including those before a resume

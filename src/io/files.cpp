@@ -58,7 +58,8 @@ bool is_file(int file_descriptor) {
   return ::fstat(file_descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
-/// The path at the end of a chain of symbolic links. A file with this path need not exist.
+/// The path at the end of a chain of symbolic links. A file with this path need not exist. Throws WriteError if the
+/// chain is too long.
 fs::path behind_links(fs::path path) {
   constexpr int most = 40;  // the limit of the kernel
   for (int n = 0; n < most; ++n) {

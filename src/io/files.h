@@ -38,7 +38,7 @@ class Descriptor {
   int value_;
 };
 
-/// Whether the path exists. A symbolic link exists even if its target does not.
+/// True if the path exists. A symbolic link exists even if its target does not.
 bool is_there(const std::filesystem::path& path);
 
 /// Returns "a named pipe", "a socket", "a device" or "a directory". The result is empty for a regular file, for a link
@@ -46,17 +46,17 @@ bool is_there(const std::filesystem::path& path);
 std::string kind_unless_file(const std::filesystem::path& path);
 
 /// Writes the concatenated parts to the file `path`.partial and then renames it. A reader therefore sees either the old
-/// file or the new one. If this fails (WriteError), the old file remains. It also remains if the program is killed or
-/// the disk is full. A power failure may damage the file, because there is no fsync. If `path` is a link, its target is
-/// replaced and the link remains. Pipes and devices are written directly. A pipe without a reader is a WriteError with
-/// ENXIO.
+/// file or the new one. If writing fails, for example because the disk is full, a WriteError is thrown and the old file
+/// remains. The old file also remains if the program is killed. A power failure may damage the file, because there is
+/// no fsync. If `path` is a link, its target is replaced and the link remains. Pipes and devices are written directly.
+/// A pipe without a reader causes a WriteError with the error number ENXIO.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts);
 inline void write_file_atomically(const std::filesystem::path& path, std::initializer_list<std::string_view> parts) {
   write_file_atomically(path, std::span(parts.begin(), parts.size()));
 }
 
-/// The contents of a file. Throws UserError with the path and the reason. Pipes and devices are refused, because some
-/// of them never end.
+/// The contents of a file. Throws UserError with the path and the reason if the file cannot be read. Directories, pipes
+/// and devices also cause a UserError, because some pipes and devices never end.
 std::string read_file(const std::filesystem::path& path);
 
 /// Calls write(2) until all bytes are written. Throws a WriteError with `path` if this fails.

@@ -40,7 +40,7 @@ std::optional<std::size_t> n_nodes_of_boundary(int type) {
 }
 
 /// The part of a message after "expected hexahedra". It names the element that was found, and the way to make hexahedra
-/// in Gmsh.
+/// in Gmsh. The result is empty for an unknown type.
 std::string other_element(int type) {
   constexpr std::string_view divided = "Gmsh divides it into hexahedra if Mesh.SubdivisionAlgorithm = 2",
                              straight = "save the mesh with -order 1";
@@ -57,7 +57,7 @@ std::string other_element(int type) {
 std::string text_of(const std::filesystem::path& file) {
   std::error_code ignored;
   std::ifstream stream;
-  // The program would wait without end for some pipes.
+  // The program would wait for some pipes without end.
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file, std::ios::binary);
   if (!stream.is_open()) throw UserError(fmt::format("cannot open the mesh {}", file.string()));
   std::string text;
@@ -133,7 +133,8 @@ class GmshReader {
     if (!next_line()) throw UserError(fmt::format("{}: the file ends within {}; is it truncated?", file_, within));
   }
 
-  /// Reads the next number of the line. The exponent may have the letter D, which Fortran writes (1.0D+00).
+  /// Reads the next number of the line. The exponent may have the letter D, which Fortran writes (1.0D+00). Throws
+  /// UserError if the next word is not a number; `what` describes the expected number.
   template <class T>
   T take(const char* what) {
     line_.remove_prefix(std::min(line_.find_first_not_of(" \t"), line_.size()));

@@ -6,9 +6,9 @@
 ///   $Elements    count, then: number type n_tags tags nodes    $EndElements
 ///
 /// The reader skips other sections, and points, lines and quadrangles, which Gmsh adds on boundaries. Other elements,
-/// $ParametricNodes and missing data are UserErrors "FILE:line: …" or "FILE: …". Lines may end with LF, CR LF or CR. A
-/// byte order mark and comments may come first, and numbers may have Fortran's exponent D. If all cells are
-/// left-handed, the reader reverses their orientation.
+/// $ParametricNodes, missing data and files of more than 256 MiB cause a UserError "FILE:line: …" or "FILE: …". Lines
+/// may end with LF, CR LF or CR. A byte order mark and comments may come first, and numbers may have Fortran's exponent
+/// D. If all cells are left-handed, the reader reverses their orientation.
 
 #include <filesystem>
 
@@ -16,7 +16,8 @@
 
 namespace pseudorigid::io {
 
-/// Reads the mesh of the file. The returned mesh satisfies the conditions of require_one_body.
+/// Reads the mesh of the file. The returned mesh satisfies the conditions of require_one_body; otherwise throws
+/// UserError.
 HexahedralMesh read_gmsh(const std::filesystem::path& file);
 
 }  // namespace pseudorigid::io

@@ -19,7 +19,7 @@ namespace {
 using Point = HexahedralMesh::Point;
 using Face = std::array<unsigned int, 4>;
 
-/// The corners of the six faces. The order follows a path around each face.
+/// The corners of the six faces of a cell, in an order around each face.
 constexpr std::array<std::array<int, 4>, 6> corners_of_faces{
     {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
 
@@ -66,9 +66,9 @@ PointOfCell at(const HexahedralMesh& mesh, std::size_t cell, const Point& xi) {
 }
 
 /// A lower bound of the Jacobian in the cube with the corner ξ₀ and the given edge. The Jacobian is quadratic in each
-/// ξ_d. The values f at 3³ points therefore determine its Bernstein coefficients. In each direction these are f₀, 2f_½
-/// − (f₀ + f₁)/2 and f₁. The Jacobian at each point is a convex combination of the coefficients, and therefore their
-/// least value is a bound.
+/// ξ_d. The values f at 3³ points therefore determine its Bernstein coefficients. Let f₀, f_½ and f₁ be the values at
+/// the ends and the middle of an edge. The coefficients in this direction are f₀, 2f_½ − (f₀ + f₁)/2 and f₁. The
+/// Jacobian at each point is a convex combination of the coefficients, and therefore their least value is a bound.
 double least_jacobian(const HexahedralMesh& mesh, std::size_t cell, const Point& xi0, double edge) {
   std::array<double, 27> b;
   for (int i = 0; i < 27; ++i)
@@ -80,8 +80,8 @@ double least_jacobian(const HexahedralMesh& mesh, std::size_t cell, const Point&
   return *std::min_element(b.begin(), b.end());
 }
 
-/// Throws UserError unless the Jacobian is positive at every point. The bound is computed for each eighth of a cell. It
-/// therefore rejects only cells that are tangled or almost tangled.
+/// Throws UserError unless the Jacobian is positive at every point. The test uses the bound of least_jacobian on each
+/// eighth of a cell. It therefore also rejects some cells that are almost tangled.
 void require_untangled(const HexahedralMesh& mesh) {
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
     for (int part = 0; part < 8; ++part) {
@@ -160,7 +160,8 @@ std::vector<double> shortest_edges(const HexahedralMesh& mesh) {
   return shortest;
 }
 
-/// Vertices sorted into boxes, for the search of near points. There are about as many boxes as vertices.
+/// Vertices sorted into boxes, for the search for near points. There are about as many boxes as vertices in a body of
+/// compact shape.
 class Places {
  public:
   explicit Places(const HexahedralMesh& mesh) : vertices_(mesh.vertices), low_(vertices_.front()) {
@@ -201,7 +202,8 @@ class Places {
   std::map<Box, std::vector<std::size_t>> boxes_;
 };
 
-/// Throws UserError if two vertices have the same position. Returns the vertices sorted into boxes.
+/// Throws UserError if two vertices have the same position, within `same_place`. Returns the vertices sorted into
+/// boxes.
 Places require_own_places(const HexahedralMesh& mesh) {
   const std::vector<double> shortest = shortest_edges(mesh);
   const double reach = same_place * *std::max_element(shortest.begin(), shortest.end());
@@ -218,8 +220,9 @@ Places require_own_places(const HexahedralMesh& mesh) {
   return places;
 }
 
-/// Throws UserError if a vertex is at the middle of a face or edge on the surface of the cells. Such a hanging node
-/// occurs if a divided cell is next to an undivided cell.
+/// Throws UserError if two vertices have the same position. Also throws it if a vertex is at the middle of a face of
+/// only one cell, or of an edge of such a face. Such a hanging node occurs if a divided cell is next to an undivided
+/// cell.
 void require_conforming(const HexahedralMesh& mesh, const CellsOfFaces& cells_of) {
   const Places places = require_own_places(mesh);
   const auto require_free = [&](const Point& X, double edge, std::size_t cell) {

@@ -22,7 +22,7 @@ struct HexahedralMesh {
 /// Reverses the orientation of every cell if all cells are left-handed at their centres.
 void turn_right_handed(HexahedralMesh& mesh);
 
-/// Throws UserError if the mesh is not one body. The sentence names the cells or vertices that violate a condition. The
+/// Throws UserError if the mesh is not one body. The message names the cells or vertices that violate a condition. The
 /// conditions do not depend on the unit of length or on the position of the body.
 void require_one_body(const HexahedralMesh& mesh);
 

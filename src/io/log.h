@@ -1,6 +1,6 @@
 #pragma once
-/// Messages of a run. The file log.txt contains all messages with the time. The options --quiet and --verbose select
-/// the messages on stderr.
+/// Messages of a run. The file log.txt contains all messages, each with its time. The options --quiet and --verbose
+/// select the messages on stderr.
 
 #include <fmt/core.h>
 
@@ -18,8 +18,8 @@ namespace pseudorigid::io {
 /// Selection of the messages on the terminal. Ranks other than rank 0 of a parallel run have the value `silent`.
 enum class Verbosity { silent, quiet, normal, verbose };
 
-/// Writes messages. The arguments after the text replace the places {…} in the text. The messages are formatted in
-/// log.cpp alone. A source that formats through spdlog would compile the formatting of spdlog again.
+/// Writes messages. The arguments after the text replace the places {…} in the text. Only log.cpp formats messages, so
+/// that other source files need not compile the formatting of spdlog.
 class Logger {
  public:
   enum class Level { debug, info, warning, error };

@@ -27,7 +27,7 @@ std::string utc(SystemClock::time_point time) {
   return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts)};
 }
 
-/// A number in JSON. Integers are written without ".0".
+/// A number in JSON. Integers of absolute value below 9e15 are written without ".0".
 Json number(double value) {
   const bool is_count = std::abs(value) < 9e15 && value == std::floor(value);
   return is_count ? Json(static_cast<std::int64_t>(value)) : Json(value);
@@ -39,8 +39,8 @@ Json numbers(const std::map<std::string, double>& values) {
   return object;
 }
 
-/// The list of the columns. If the scene has units, each column has a factor. The factor is the unit of the column in
-/// the scales of the scene (length r, mass ρr³, time). A value divided by this factor is dimensionless.
+/// The list of the columns. If the scene has units, each column has a factor: the internal unit of the column in the
+/// units of the user. A value in the file divided by this factor is in internal units.
 Json to_json(const std::vector<scene::Column>& columns, const std::optional<Units>& units) {
   Json list = Json::array();
   for (const scene::Column& column : columns) {
@@ -102,7 +102,8 @@ std::string_view state_word(mechanics::Outcome outcome) {
   return "failed";
 }
 
-/// Overwrites the state in the file by a text of the same length. This does not need additional space on the disk.
+/// Overwrites the state "running" in the file with "failed" and a space. The text has the same length and therefore
+/// does not need additional space on the disk. Errors are ignored.
 void replace_running_by_failed(const std::filesystem::path& path) noexcept try {
   constexpr std::string_view running = "\"state\": \"running\"", failed = "\"state\": \"failed\" ";
   static_assert(running.size() == failed.size());

@@ -46,8 +46,8 @@ struct Manifest {
   std::map<std::string, Model> models;                        ///< results of the models or of the system, by name
 };
 
-/// Writes manifest.json. The constructor writes the state "running", and `finish` writes the final state. If `finish`
-/// is not called, for example after an exception, the destructor writes the state "failed".
+/// Writes manifest.json. The constructor writes the state "running", and `finish` writes the final state. Both throw
+/// WriteError. If `finish` is not called, for example after an exception, the destructor writes the state "failed".
 class ManifestFile {
  public:
   ManifestFile(std::filesystem::path path, Manifest content);
@@ -58,7 +58,7 @@ class ManifestFile {
   Manifest& content() { return content_; }
   const Manifest& content() const { return content_; }
   /// Writes the state "done", "interrupted" or "failed". `message` is the sentence that the user saw, if there was one.
-  /// If the file cannot be written, the state "failed" replaces "running" in the old file, and the WriteError is
+  /// If the new file cannot be written, the state "failed" replaces "running" in the old file, and the WriteError is
   /// rethrown.
   void finish(mechanics::Outcome outcome, int exit_code, const std::string& message = {});
 
@@ -76,12 +76,12 @@ class ManifestFile {
   bool finished_ = false;
 };
 
-/// Writes the state "failed", the exit code and the message into the file. A rank without the ManifestFile calls this
-/// function if it aborts the run. Errors are ignored.
+/// Writes the state "failed", the exit code and the message into an existing manifest. A rank that does not have the
+/// ManifestFile calls this function if it aborts the run. Errors are ignored.
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
-/// The names of the trajectories in the manifest of a run. They are the name of the system's file, or the names of the
-/// models of the ball. Throws UserError if the file is not a manifest of this program. Also throws it if an earlier
+/// The names of the trajectories in a manifest: the name of the system's file, or the names of the models of the ball.
+/// Throws UserError if the file cannot be read or is not a manifest of this program. Also throws it if an earlier
 /// version wrote the file without the entries, which a report needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
 /// The names of the models of the ball with the motion x = QX, Q a matrix. The result is empty if the file does not

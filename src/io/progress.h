@@ -1,6 +1,6 @@
 #pragma once
-/// The progress line of a loop in time: the completed fraction, the steps per second and the remaining time. The line
-/// appears on stderr if stderr is a terminal.
+/// The progress line of a loop in time: the completed fraction, the steps per second and the remaining time. By
+/// default, the line appears on stderr if stderr is a terminal.
 
 #include <chrono>
 #include <cstdint>
@@ -16,8 +16,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Call this function after every step. It reads the clock only once in several calls, whose number is adapted to the
-  /// speed of the loop. Most calls therefore cost only one comparison.
+  /// Call this function after every step. The function reads the clock once in several calls and adapts the number of
+  /// these calls to the speed of the loop. Most calls therefore cost only one comparison.
   void step(double fraction) {
     if (++n_steps_ >= next_look_) look(fraction);
   }
@@ -33,7 +33,7 @@ class Progress {
   std::string label_, unit_;
   std::int64_t n_steps_ = 0, next_look_ = 1, stride_ = 1;
   Clock::time_point start_, last_look_, last_draw_;
-  double start_fraction_ = -1;  ///< fraction at the first call of `step`; positive in a resumed run
+  double start_fraction_ = -1;  ///< −1, then the fraction at the first look; positive in a resumed run
   bool drawn_ = false;
 };
 

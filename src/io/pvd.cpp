@@ -17,7 +17,7 @@ namespace pseudorigid::io {
 
 namespace {
 
-/// The number that is the whole text. The result is empty if the text is not a number.
+/// The value of a text that consists of one number. The result is empty for other texts.
 template <class Number>
 std::optional<Number> number_in(std::string_view text) {
   Number value;

@@ -14,15 +14,15 @@ class PvdCollection {
   struct Frame {
     double time;
     std::filesystem::path file;
-    long number() const;  ///< number at the end of the name: 12 for "reduced-000012.vtu"
+    long number() const;  ///< number at the end of the name: 12 for "reduced-000012.vtu"; −1 if there is none
   };
   explicit PvdCollection(std::filesystem::path path) : path_(std::move(path)) {}
-  /// Reads the list of an earlier run, and keeps the pictures before the time `until`. Without such a list, the result
-  /// is empty. Throws UserError "path:line: …" if an entry of the list does not have the form that `add` writes.
+  /// Reads the list of an earlier run, and keeps the pictures before the time `until`. If the list does not exist, the
+  /// result is empty. Throws UserError "path:line: …" if an entry of the list does not have the form that `add` writes.
   static PvdCollection resume(std::filesystem::path path, double until);
 
-  /// Adds a picture and writes the list. The paths in the list are relative to its folder, and therefore the run
-  /// directory can be moved.
+  /// Adds a picture and writes the list. The paths in the list are relative to the folder of the list. The run
+  /// directory can therefore be moved. Throws WriteError.
   void add(double time, const std::filesystem::path& file);
   const std::vector<Frame>& frames() const { return frames_; }
 

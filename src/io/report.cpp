@@ -28,7 +28,8 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// The page. Each line with a placeholder {mover} is repeated for every name in `movers`.
+/// The page, in which each element with the placeholder {mover} in its file name is repeated for every name in
+/// `movers`.
 std::string page_of(std::string_view page, std::span<const std::string> movers) {
   constexpr std::string_view name = "data-file=\"", of_mover = "{mover}";
   std::string text;
@@ -51,8 +52,8 @@ std::string page_of(std::string_view page, std::span<const std::string> movers) 
   return text;
 }
 
-/// The text of an element: a file of the run, or a table computed from its pictures. The text is empty if there is no
-/// such file.
+/// The text of an element: a file of the run, or a table computed from the pictures of the run. The text is empty if
+/// there are no such files.
 std::string text_of(const RunDirectory& directory, std::string_view name, std::span<const std::string> affine) {
   constexpr std::string_view frames = "frames-", csv = ".csv";
   if (name.starts_with(frames)) {

@@ -61,8 +61,8 @@ int plane_of(const PictureFace& face, const std::vector<UnstructuredGrid>& piece
   return 0;
 }
 
-/// The key of a face, which is the rounded mean of its points in the undeformed body. If two elements have a face with
-/// the same key, they share this face.
+/// The key of a face: the mean of its points in the undeformed body, rounded to multiples of `tolerance`. If two
+/// elements have a face with the same key, they share this face.
 std::array<long, 3> key_of(const PictureFace& face, const std::vector<UnstructuredGrid>& pieces, double tolerance) {
   std::array<double, 3> sum{};
   for (const auto& [piece, point] : face.points)
@@ -72,8 +72,8 @@ std::array<long, 3> key_of(const PictureFace& face, const std::vector<Unstructur
   return key;
 }
 
-/// The files with the grids of a picture. The file of a parallel run (.pvtu) lists them. Any other picture has one
-/// file.
+/// The files with the grids of a picture. A picture of a parallel run (.pvtu) lists these files. Any other picture is
+/// itself the file.
 std::vector<std::filesystem::path> pieces_of(const std::filesystem::path& path) {
   if (path.extension() != ".pvtu") return {path};
   std::vector<std::filesystem::path> files;
@@ -115,8 +115,8 @@ void add_row(std::string& text, double time, std::size_t number, int plane, cons
   fmt::format_to(row, ",{:.5g}\n", (*field(grid, stress))[point]);
 }
 
-/// Returns n frames at equal distances in the list, including the first and the last one. If the list has at most n
-/// frames, returns all.
+/// Returns n ≥ 2 frames at about equal distances in the list, including the first and the last one. If the list has at
+/// most n frames, returns all.
 std::vector<PvdCollection::Frame> some_of(const std::vector<PvdCollection::Frame>& frames, std::size_t n) {
   if (frames.size() <= n) return frames;
   std::vector<PvdCollection::Frame> chosen;

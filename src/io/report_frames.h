@@ -16,15 +16,15 @@ struct PictureFace {
   std::vector<std::pair<int, std::size_t>> points;  ///< index of the grid and number of its point, row by row
 };
 
-/// Finds the faces of a body. The body consists of the grids `pieces`. If two elements share a face on a plane, the
-/// result contains it once, with the points of the first element. The result is empty if a grid does not consist of
-/// hexahedra or lacks the field reference_coordinates.
+/// Finds the faces on the surface and on the coordinate planes of a body. The body consists of the grids `pieces`. If
+/// two elements share a face on a plane, the result contains it once, with the points of the first element. The result
+/// is empty if a grid does not consist of hexahedra, or if it does not have the field reference_coordinates.
 std::vector<PictureFace> faces_of(const std::vector<UnstructuredGrid>& pieces);
 
 /// A table with the columns of shapes.csv and the additional column `von_mises`. The table contains the faces at up to
-/// eight times of pictures. For a body with the motion x = QX, Q a matrix, it contains one point at the times of all
-/// pictures. The table is empty if the pictures cannot be read, lack reference coordinates or stress, or have too many
-/// points.
+/// eight times of pictures. For a body with the motion x = QX with a matrix Q (`is_affine`), the table contains one
+/// point at the times of all pictures. The table is empty if there are no pictures, or if a file cannot be read. It is
+/// also empty if the pictures do not have reference coordinates and stress, or have too many points.
 std::string table_of_frames(const std::filesystem::path& pvd, bool is_affine);
 
 }  // namespace pseudorigid::io

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Names of results that do not depend on models or systems. The function `owns` adds the names for each model or
-/// system, and the names of checkpoints.
+/// Names of results that do not depend on models or systems. The function `owns` also accepts the names for each model
+/// or system, and the names of checkpoints.
 constexpr std::array<std::string_view, 15> owned_names{
     "used.prm",      "manifest.json",   "log.txt",        "comparison.csv", "comparison.json",
     "modes.csv",     "modes.pvd",       "equilibria.csv", "shapes.csv",     "sweep.csv",
@@ -41,7 +41,7 @@ UserError cannot(const char* what, const fs::path& path, const std::string& reas
 }
 
 /// Throws UserError if a pipe or a device has the name of a result. The run would wait for the other end of the pipe,
-/// and must not remove a device.
+/// and must not remove the device.
 void require_no_pipes(const fs::path& directory, const auto& owned) {
   for (const auto& entry : fs::directory_iterator(directory)) {
     const std::string kind = kind_unless_file(entry.path());
@@ -57,7 +57,7 @@ void remove_files(const fs::path& directory, const auto& owned) {
     if (!fs::is_directory(entry.symlink_status()) && owned(entry.path().filename().native())) fs::remove(entry.path());
 }
 
-/// Whether a new run may remove a file of this name from the run directory.
+/// True if a new run may remove a file of this name from the run directory.
 bool owns(std::string_view name, std::span<const std::string> movers) {
   name = without_partial_suffix(name);
   const auto is_of = [&](const std::string& mover) {
@@ -70,7 +70,7 @@ bool owns(std::string_view name, std::span<const std::string> movers) {
          matches(name, "checkpoint-", ".bin") || matches(name, abandoned_lock, "");
 }
 
-/// Whether a new run may remove a file of this name from the folder graphics.
+/// True if a new run may remove a file of this name from the folder graphics.
 bool owns_graphics(std::string_view name, std::span<const std::string> movers) {
   name = without_partial_suffix(name);
   const auto is_frame_of = [&](const std::string& mover) {

@@ -2,8 +2,8 @@
 /// The folder with the results of one run, and the names of its files. The folder is `<Output/Directory>/<scene name>/`
 /// or the argument of --output.
 ///
-/// The constructor does not access the disk, because ranks other than 0 need only the names. When the input has been
-/// checked, call prepare_fresh or prepare_resume.
+/// The constructor does not access the disk, because ranks other than 0 need only the names. On rank 0, call
+/// prepare_fresh or prepare_resume after the input has been checked.
 
 #include <filesystem>
 #include <optional>
@@ -24,14 +24,15 @@ class RunDirectory {
   RunDirectory(const std::filesystem::path& output_directory, const std::filesystem::path& scene_file,
                const std::optional<std::filesystem::path>& output_option);
 
-  /// Creates and locks the folder, and removes the results of an earlier run. A file is a result if its name is
-  /// `<name>.csv`, `modes-<name>.csv` or another name of a result. Here <name> is a model or system in `movers`.
-  /// Pictures are results as well, and other files remain. Throws UserError, with path and reason, if the folder cannot
-  /// be created or written. Also throws it if a pipe or a device has the name of a result, or if another run uses the
-  /// folder. The caller may use the folder until the returned lock is destroyed.
+  /// Creates and locks the folder, and removes the results of an earlier run. Results have fixed names such as
+  /// `manifest.json`, or names such as `<name>.csv` and `modes-<name>.csv` with a model or system <name> in `movers`.
+  /// Checkpoints, and pictures of these models in the folder graphics, are results as well. Other files remain. Throws
+  /// UserError, with path and reason, if the folder cannot be created, written or cleared. Also throws it if a pipe or
+  /// a device has the name of a result, or if another run uses the folder. The caller may use the folder until the
+  /// returned lock is destroyed.
   RunLock prepare_fresh(std::span<const std::string> movers = {}) const;
-  /// Locks the folder for a resumed run, and keeps its results. Throws UserError if the folder does not contain a
-  /// checkpoint, and in the cases of prepare_fresh.
+  /// Locks the folder for a resumed run, and keeps its results. Throws UserError if the folder does not exist or does
+  /// not contain a checkpoint, and in the cases of prepare_fresh.
   RunLock prepare_resume(std::span<const std::string> movers = {}) const;
 
   const std::filesystem::path& path() const { return path_; }

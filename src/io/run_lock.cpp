@@ -48,9 +48,9 @@ struct ProcessState {
   std::string start;
 };
 
-/// State and start of a process, from /proc/<process>/stat. The second field of this file is the name of the program in
-/// parentheses, which may contain any character. The state is the third field. The start is the 22nd field, in clock
-/// ticks since the start of the machine.
+/// State and start of a process, from /proc/<process>/stat. If this file cannot be read, the state is 0. The second
+/// field of this file is the name of the program in parentheses, which may contain any character. The state is the
+/// third field. The start is the 22nd field, in clock ticks since the start of the machine.
 ProcessState state_of(const std::string& process) {
   const std::string line = first_line("/proc/" + process + "/stat");
   const std::size_t name_end = line.rfind(')');
@@ -96,8 +96,8 @@ Judgement judge(Identity holder) {
   if (holder[host].empty() || holder[host] != own[host]) return Judgement::unknown;
   if (holder[numbering] != own[numbering]) return Judgement::unknown;
   if (holder[boot] != own[boot]) {
-    // If this machine was restarted, its boot identifier has changed. The identifier is also different on another
-    // machine with the same name, such as a container or a copy of a virtual machine.
+    // The boot identifier changes if this machine is restarted. It is also different on another machine with the same
+    // name, such as a container or a copy of a virtual machine.
     const bool is_this_machine = !own[machine].empty() && holder[machine] == own[machine];
     return is_this_machine ? Judgement::ended : Judgement::unknown;
   }
@@ -105,7 +105,7 @@ Judgement judge(Identity holder) {
   if (number <= 0) return Judgement::unknown;
   if (::kill(static_cast<pid_t>(number), 0) != 0 && errno == ESRCH) return Judgement::ended;
   const ProcessState found = state_of(holder[process]);
-  if (found.state == 0) return Judgement::at_work;  // unknown: this user may not read the data of the process
+  if (found.state == 0) return Judgement::at_work;  // the process exists, but this user may not read its data
   const bool is_zombie = found.state == 'Z' || found.state == 'X';
   return is_zombie || found.start != holder[process_start] ? Judgement::ended : Judgement::at_work;
 }
@@ -130,7 +130,7 @@ bool same_file(const struct stat& a, const struct stat& b) { return a.st_dev == 
 }  // namespace
 
 RunLock::RunLock(const fs::path& directory) : path_(directory / file_name), identity_(to_text(own_identity())) {
-  // After `create` has found the lock of another run, this run may end, and a third run may create a new lock.
+  // After `create` has found the lock of another run, the other run may end, and a third run may create a new lock.
   // Therefore the constructor tries again.
   constexpr int n_attempts = 100;
   for (int i = 0; i < n_attempts; ++i) {
@@ -154,8 +154,10 @@ RunLock::~RunLock() {
 
 void RunLock::remove(const fs::path& directory) noexcept { ::unlink((directory / file_name).c_str()); }
 
-/// Creates the lock. Returns false if a lock already exists. The lock is first written under another name and then
-/// linked. It is therefore complete when it appears, and only one process can create it, also on a network disk.
+/// Creates the lock. Returns false if a lock already exists or if a file has disappeared; the caller then tries again.
+/// The lock is first written under another name and then linked. It is therefore complete when it appears, and only one
+/// process can create it, even on a network disk. On a disk without hard links, the lock is created under its own name,
+/// and another process may briefly see it incomplete.
 bool RunLock::create() const {
   const fs::path own = path_.native() + fmt::format("-{}-{}", host_name(), ::getpid()) + std::string(partial_suffix);
   struct Removal {
@@ -186,9 +188,9 @@ bool RunLock::create() const {
   return true;
 }
 
-/// Removes the lock of a run that has ended, and throws UserError for any other lock. If several processes find the
-/// same lock, flock admits one at a time. Each process then checks that the file it opened still has the name of the
-/// lock.
+/// Removes the lock of a run that has ended, and throws UserError for any other lock. Does nothing if the lock has
+/// disappeared. If several processes find the same lock, flock admits one at a time. Each process then checks that the
+/// file it opened still has the name of the lock, and otherwise does nothing.
 void RunLock::remove_if_stale() const {
   if (!kind_unless_file(path_).empty()) throw in_use(path_, {}, Judgement::unknown);
   const Descriptor file(path_, O_RDWR);  // on network disks, flock requires a file that is open for writing

@@ -1,11 +1,12 @@
 #pragma once
-/// The lock of a results directory, by which only one run at a time uses the directory. The file `run.lock` identifies
-/// the run by host, process and start of the process. The file is removed when the run ends.
+/// The lock of a run directory. It ensures that only one run at a time uses the directory. The file `run.lock`
+/// identifies the run by host, process and start of the process. The file is removed when the run ends.
 ///
-/// A killed run does not remove the file. The next run on the same host takes over the lock if the process has ended or
-/// if another process now has its number. It also takes over the lock after a restart of the machine. The file
-/// /etc/machine-id distinguishes machines with the same name. A run cannot check processes on another host. In this
-/// case it stops with a message that names the file, and the user decides whether to remove the file.
+/// A killed run does not remove the file. The next run on the same host takes over the lock if the process has ended,
+/// or if another process now has its number. It also takes over the lock after a restart of the machine. The file
+/// /etc/machine-id distinguishes machines with the same name. A run cannot check processes on another host or in
+/// another container. In this case the run stops with a message that names the file, and the user decides whether to
+/// remove the file.
 
 #include <filesystem>
 #include <string>
@@ -16,9 +17,10 @@ class RunLock {
  public:
   static constexpr const char* file_name = "run.lock";
 
-  /// Locks the directory. Throws UserError if another run has locked it; the directory is then unchanged. Throws
-  /// WriteError if the lock cannot be written.
+  /// Locks the directory. Throws UserError if another run has locked it, or if it is not known whether the other run
+  /// has ended; the directory is then unchanged. Throws WriteError if the lock cannot be written.
   explicit RunLock(const std::filesystem::path& directory);
+  /// Removes the lock, unless the user or another run has replaced the file.
   ~RunLock();
   RunLock(RunLock&& other) noexcept;
   RunLock& operator=(RunLock&&) = delete;

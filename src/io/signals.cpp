@@ -23,7 +23,8 @@ void listen_to(int signal, unsigned int flags) {
 }  // namespace
 
 void install_signal_handlers() {
-  // After the first Ctrl-C, the default action is restored. A second Ctrl-C therefore ends the process at once.
+  // After the first of these signals, the default action of this signal is restored. A second Ctrl-C therefore ends the
+  // process at once.
   for (const int signal : {SIGINT, SIGTERM}) listen_to(signal, SA_RESETHAND);
   // A second SIGHUP or SIGXCPU must not end the run at once. The kernel and the shell may both send SIGHUP, and the
   // kernel sends SIGXCPU every second.

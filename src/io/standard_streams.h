@@ -1,6 +1,6 @@
 #pragma once
-/// Standard input, output and error of the process. A shell may close them, direct them to a full disk, or connect them
-/// to a pipe without a reader.
+/// Safe use of standard input, output and error. A shell may close them, direct them to a full disk, or connect them to
+/// a pipe without a reader.
 
 #include <string_view>
 

@@ -39,8 +39,8 @@ const Columns<ContinuumObservables>& body_columns() {
   return columns;
 }
 
-/// The suffixes of the names of a column in the header. They depend on the kind of the value: scalar, vector, matrix,
-/// antisymmetric matrix, or a value over points.
+/// The suffixes that the entries of a column have in the header. The suffixes depend on the kind of the value: scalar,
+/// vector, matrix, antisymmetric matrix, or a value over points.
 template <class O>
 const std::vector<std::string>& suffixes(const BodyColumn<O>& column) {
   static const std::vector<std::string> of_kind[] = {

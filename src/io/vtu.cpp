@@ -36,12 +36,14 @@ std::string bytes_of(std::span<const std::uint64_t> numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
 }
 
-/// A compressed array in VTK's format. The header contains the number of blocks, the size of a block, the size of a
-/// shorter last block or 0, and the compressed size of each block. The compressed blocks follow.
+/// A compressed array in VTK's format. The header contains the number of blocks, the size of a block, the size of the
+/// last block, and the compressed size of each block. If the last block is not shorter, its size is written as 0. The
+/// compressed blocks follow.
 std::string compressed(std::string_view bytes) {
   constexpr std::size_t block_size =
       std::size_t{1} << 18;  // a block is much larger than the window of zlib (32 KiB), and compresses almost as well
-  // Numbers of a motion compress badly. A higher level needs twice the time and reduces the size by only 1 %.
+  // The numbers of a motion can hardly be compressed. A higher level needs twice the time and reduces the size by only
+  // 1 %.
   constexpr int level = 1;
   std::vector<std::uint64_t> header{(bytes.size() + block_size - 1) / block_size, block_size,
                                     bytes.size() % block_size};
@@ -112,8 +114,8 @@ class Document {
     for (auto& helper : helpers) helper.get();
   }
 
-  /// The attribute for the number of components. It is omitted for scalars, because its default is 1. If 1 is written,
-  /// meshio reads a matrix with one column.
+  /// The XML attribute for the number of components. It is omitted for scalars, because its default is 1. If a file
+  /// contains the number 1, meshio reads a scalar as a matrix with one column.
   static std::string components(int n) { return n == 1 ? "" : fmt::format(R"( NumberOfComponents="{}")", n); }
 
   std::vector<Part> parts_;

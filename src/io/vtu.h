@@ -31,12 +31,13 @@ struct UnstructuredGrid {
   std::size_t n_cells() const { return connectivity.size() / nodes_per_cell; }
 };
 
-/// Writes the grid; the new file replaces an old one atomically. Throws WriteError if the file cannot be written.
-/// Throws std::logic_error if sizes of arrays do not match, a point number is out of range or a value is not finite.
+/// Writes the grid to a file. The new file replaces an old one atomically. Throws WriteError if the file cannot be
+/// written. Throws std::logic_error if the sizes of arrays do not match, if a point number is out of range, or if a
+/// value is not finite.
 void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid);
 
-/// Writes the .pvtu file of a parallel run, which lists the files of its pieces. All pieces must have the fields of
-/// `piece` and must be in the folder of this file. Throws WriteError.
+/// Writes the .pvtu file of a picture of a parallel run. It lists `files`, the files of the pieces. All pieces must
+/// have the fields of `piece` and must be in the folder of the .pvtu file. Throws WriteError.
 void write_pvtu(const std::filesystem::path& path, const UnstructuredGrid& piece,
                 const std::vector<std::filesystem::path>& files);
 

@@ -18,8 +18,8 @@
 namespace pseudorigid::io {
 namespace {
 
-/// The two parts of a file, XML and appended arrays. Throws UserError if a part does not have the form that write_vtu
-/// writes.
+/// The two parts of a file: the XML and the appended arrays. The member functions throw UserError if a part does not
+/// have the form that write_vtu writes.
 class VtuText {
  public:
   explicit VtuText(const std::filesystem::path& path) : path_(path), text_(read_file(path)) {
@@ -57,7 +57,7 @@ class VtuText {
     return value;
   }
 
-  /// Reads n numbers of the appended array to which `element` refers.
+  /// Returns the n numbers of the appended array to which `element` refers.
   template <class T>
   std::vector<T> values(std::string_view element, std::size_t n) const {
     constexpr std::size_t largest_ratio_of_zlib = 1100;

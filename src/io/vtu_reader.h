@@ -1,5 +1,5 @@
 #pragma once
-/// Reader for the grids that write_vtu writes. It is used for pictures of a completed run.
+/// Reader for the grids that write_vtu writes. The report reads the pictures of a run with it.
 
 #include <filesystem>
 #include <span>

@@ -165,8 +165,8 @@ void BallBody::fill_irregular(Vector& x) const {
   const Vector& X = space_.reference_positions();
   for (unsigned int i = 0; i < x.locally_owned_size(); ++i) {
     const unsigned int node = i - i % 3;
-    // The numbers are a wave much shorter than the elements, with another phase for each component. Round-off of X
-    // hardly changes the numbers.
+    // The numbers are the values of a wave much shorter than the elements, with another phase for each component.
+    // Round-off of X hardly changes the numbers.
     const double phase =
         1e3 * (X.local_element(node) + 1.7 * X.local_element(node + 1) + 2.9 * X.local_element(node + 2));
     x.local_element(i) = std::sin(phase + i % 3);

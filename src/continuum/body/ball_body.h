@@ -1,6 +1,6 @@
 #pragma once
-/// Common members of the compressible and the incompressible finite-element ball. They are the space, kernels, forces,
-/// mass and moments of nodal fields.
+/// The common part of the compressible and the incompressible finite-element ball: space, kernels, forces, mass, and
+/// moments of nodal fields.
 ///
 ///   M ẍ = −∫P:∇φ + loads   [+ Gᵀλ,   elastic_ball.h]                       (generalized Newton law, Oliva 5.3–5.4)
 ///
@@ -65,22 +65,24 @@ class BallBody {
 
   Vector make_vector() const { return space_.make_vector(); }
 
-  /// The nodal field A X + c. It is a position for A = Q₀, and a velocity for A = Q̇₀ and the velocity c.
+  /// The nodal field A X + c. It is a position if A = Q₀ and c is a position, and a velocity if A = Q̇₀ and c is a
+  /// velocity.
   Vector affine_field(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
   /// The mass moment Q_M = (∫ρ x Xᵀ dV) E₀⁻¹ of a nodal field x. If x is a velocity, the result is the time derivative
   /// of Q_M.
   Eigen::Matrix3d mass_moment(const Vector& x) const;
   /// Mass-weighted mean of a field over the whole ball. Components normal to a symmetry plane are 0. Collective.
   Eigen::Vector3d mean(const Vector& x) const;
-  /// Multiplies an energy that the sector has dissipated by the number of images of the sector. Adds the product to the
-  /// dissipated energy in v. If v is a force, the arguments are powers.
+  /// Multiplies `energy`, which the sector has dissipated on all ranks, by the number of images of the sector. Adds the
+  /// product to the dissipated energy in v. If v is a force, `energy` is a power.
   void add_taken(double energy, Vector& v) const;
   /// The dissipated energy and the energy given by loads that depend on time, for the whole ball. Both are entries of
   /// v. Collective.
   double dissipated(const Vector& v) const;
   double given(const Vector& v) const;
 
-  /// The contact with rigid planes at the position x. It is empty if there are no planes. Collective.
+  /// The contact of the whole ball with rigid planes at the position x. Without planes, the force is 0 and the height
+  /// is infinite. Collective.
   loads::Contact contact(const Vector& x) const { return contact_ ? contact_->contact(x) : loads::Contact{}; }
 
   /// Inertia E₀ = Σ m_n X_n X_nᵀ, volume and mass of the mesh for the whole ball. Node n has the mass m_n and the
@@ -106,7 +108,7 @@ class BallBody {
   /// Integrals over the sector, summed over all ranks.
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
   /// Fails if the smallest `least` of all ranks is not a positive finite number. `least` is the smallest value of det F
-  /// and of the reserve of the law at the points of this rank. Collective.
+  /// and of the reserve of the law at the points of this rank. The message gives the place at position x. Collective.
   mechanics::Status judge(double least, const Vector& x) const;
   /// Fills x with fixed irregular numbers in (−1, 1), which do not depend on the number of ranks.
   void fill_irregular(Vector& x) const;
@@ -114,12 +116,13 @@ class BallBody {
   Eigen::Matrix3d nodal_moment(const Vector& a, const Vector& b) const;
 
  protected:
-  /// Sets f to all forces without the reactions. If `held_at` is not null, springs on the whole surface replace the
-  /// contact. The springs hold every point of the surface at this position with the stiffness of the planes. The
-  /// resulting stiffness is a bound for the stiffness with contact.
+  /// Sets f to all forces without the reactions. If `held_at` is not null and there are planes, springs on the whole
+  /// surface replace the contact. The springs pull each point of the surface towards its position in the configuration
+  /// `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the
+  /// stiffness with contact. Fails if `judge` fails.
   mechanics::Status applied_force(double t, const Vector& x, const Vector& v, const Vector* held_at, Vector& f) const;
-  /// Adds loads, gravity and contact to f, which contains the force of the stress. `least` is the value that the kernel
-  /// of this force has returned. Fails if `judge` fails for this value.
+  /// Adds loads, gravity and contact to f, which already contains the force of the stress. `least` is the value that
+  /// the kernel returned for this force. Fails if `judge` fails for this value.
   mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, const Vector* held_at,
                                    Vector& f) const;
 

@@ -14,7 +14,7 @@ Vector integrated_gradients(const BallSpace& space, const CellKernels& kernels) 
   return gradients;
 }
 
-/// A a_n at every node n.
+/// The nodal field A a_n, with the value a_n of `a` at node n.
 Vector at_nodes(const Eigen::Matrix3d& A, const Vector& a) {
   Vector result = a;
   for (unsigned int i = 0; i < a.locally_owned_size(); i += 3)
@@ -93,7 +93,8 @@ double LoadForces::driving_power(const loads::Forcing& rate, const Vector& x) co
              x_n.dot(rate.nominal_traction * gradient);
   }
   if (rate.pressure == 0) return power;
-  // V = ∫J dX is homogeneous of degree 3 in x. Therefore V = x·∇V/3 by Euler's theorem.
+  // The potential of the pressure, p ∫J dX, is homogeneous of degree 3 in x. By Euler's theorem it is therefore a third
+  // of the scalar product of x and its gradient.
   Vector force = space_.make_vector();
   add_pressure(rate.pressure, x, force);
   for (unsigned int i = 0; i < x.locally_owned_size(); ++i) power -= force.local_element(i) * x.local_element(i) / 3;

@@ -12,8 +12,9 @@
 ///
 /// Node n has the mass m_n, the position x_n and the basis function φ_n. The other symbols are those of
 /// loads/forcing.h. Viscosity and drag dissipate the power ∫2ηJ d:d dX + c Σ m_n |ẋ_n|². A load that depends on time
-/// gives the power ∂V/∂t. Both powers are forces on the node BallSpace::account. The velocity (D, W, 0) of this node
-/// therefore contains the dissipated energy D and the given energy W. All quantities are in internal units.
+/// gives the power ∂V/∂t. Both powers act as forces on the node BallSpace::account, which has the mass 1. The velocity
+/// (D, W, 0) of this node therefore contains the dissipated energy D and the given energy W. All quantities are in
+/// internal units.
 
 #include <Eigen/Core>
 #include <optional>
@@ -23,7 +24,7 @@
 
 namespace pseudorigid::continuum {
 
-/// The forces of the loads on the nodes of a space. A load of zero costs only a branch.
+/// The forces of the loads on the nodes of a space. A load that is zero takes almost no time.
 class LoadForces {
  public:
   LoadForces(const loads::Loads& loads, const BallSpace& space, const CellKernels& kernels);
@@ -31,9 +32,10 @@ class LoadForces {
   bool dissipative() const { return constant_.dissipative(); }
   bool time_dependent() const { return driven_; }
 
-  /// f ← f + the forces of the loads. Sets the force on the node BallSpace::account to the powers of the whole ball.
+  /// f ← f + the forces of the loads. If there is a node BallSpace::account, sets the force on it to the powers of the
+  /// whole ball. Collective.
   void add(double t, const Vector& x, const Vector& v, Vector& f) const;
-  /// f ← f + viscous force and drag. Returns the power that these forces dissipate in the cells and at the nodes of
+  /// f ← f + viscous force and drag. Returns the power that these forces dissipate in the cells and at the own nodes of
   /// this rank.
   double add_dissipation(const Vector& x, const Vector& v, Vector& f) const;
   /// The potential V of the whole ball at the time t. The arguments are Σ m xxᵀ and Σ m x over the nodes, ∫F dX, and
@@ -41,8 +43,8 @@ class LoadForces {
   double potential(double t, const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const;
 
-  /// `add_driving` computes f ← f − ∂V/∂x for the potential V of `forcing`. `driving_power` returns ∂V/∂t over the
-  /// nodes of this rank, from the time derivatives of the loads.
+  /// `add_driving` computes f ← f − ∂V/∂x for the potential V of `forcing`. `driving_power` returns the contribution of
+  /// the nodes of this rank to ∂V/∂t. Its argument `rate` contains the time derivatives of the loads.
   void add_driving(const loads::Forcing& forcing, const Vector& x, Vector& f) const;
   double driving_power(const loads::Forcing& rate, const Vector& x) const;
 

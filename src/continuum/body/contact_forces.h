@@ -4,10 +4,11 @@
 ///
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ φ_m x_m,   f_m = −∂V/∂x_m = Σ w k d n φ_m,
 ///
-/// with the stiffness k and the unit normal n of a plane n·x = z₀. Only points with d > 0 count, and w is the reference
-/// area of a point. Node m has the basis function φ_m and the position x_m. The sums are factorised on each face. A
-/// face is skipped if its points cannot reach the plane. This follows from a bound with the Lebesgue constant Λ of the
-/// nodes at the points. With the maximum and minimum of n·x at the nodes of the face, the bound is
+/// with the stiffness k and the unit normal n of a plane n·x = z₀. Only points with d > 0 count. The weight w of a
+/// point is its share of the reference area. Node m has the basis function φ_m and the position x_m. The sums are
+/// factorised on each face. A face is skipped if a bound shows that its points do not reach the plane. Let Λ be the
+/// Lebesgue constant of the nodes at the points. With the maximum and minimum of n·x at the nodes of the face, the
+/// bound is
 ///
 ///   n·x ≥ (max + min)/2 − Λ² (max − min)/2.
 ///
@@ -32,10 +33,11 @@ class ContactForces {
 
   /// f ← f − ∂V/∂x. Collective.
   void add(const Vector& x, Vector& f) const;
-  /// f ← f + damping force. Returns the power that this force dissipates in the computed sector. Collective.
+  /// f ← f + damping force of the planes (loads/plane.h). Returns the power that this force dissipates in the computed
+  /// sector, summed over all ranks. Collective.
   double add_damping(const Vector& x, const Vector& v, Vector& f) const;
-  /// f ← f − ∂/∂x of ½k∮|x − x₀|², with k = Planes::stiffness_of_all(). This is the force of springs that hold every
-  /// point of the surface at x₀. Collective.
+  /// f ← f − ∂/∂x of ½k∮|x − x₀|², with k = Planes::stiffness_of_all(). This is the force of springs that pull each
+  /// point of the surface to its position in the configuration x₀. Collective.
   void add_holding(const Vector& x, const Vector& x0, Vector& f) const;
   /// Contact of the whole ball. Collective.
   loads::Contact contact(const Vector& x) const;
@@ -52,13 +54,14 @@ class ContactForces {
     const Eigen::MatrixXd half = values_.lazyProduct(nodal);
     return half.lazyProduct(values_.transpose());
   }
+  /// False if the bound shows that the face does not reach the plane. `heights` contains n·x − z₀ at the nodes.
   bool may_touch(const Eigen::MatrixXd& heights) const;
   /// f_m ← f_m + Σ_points w p φ_m n with the pressure p. `pressures` contains the products w p.
   void spread(const Eigen::MatrixXd& pressures, const Eigen::Vector3d& normal, const Face& face, Vector& f) const;
 
   loads::Planes planes_;
   const BallSpace& space_;
-  Eigen::MatrixXd values_;  ///< Lagrange's polynomials ℓ_i at the points: [point][i]
+  Eigen::MatrixXd values_;  ///< Lagrange polynomials ℓ_i at the points: [point][i]
   double lebesgue_;         ///< Λ
   std::vector<Face> faces_;
 };

@@ -4,11 +4,11 @@
 ///   M ẍ = −∫P:∇φ + loads + Gᵀλ,   g_j = ∫ψ_j ln J dX = 0                   (generalized Newton law, Oliva 5.3–5.4)
 ///
 /// with the first Piola–Kirchhoff stress P, the basis functions φ of the displacements in (Q_k)³, J = det F and G = Dg.
-/// The functions ψ_j are the basis of the multipliers λ_h = Σ λ_j ψ_j, which are discontinuous and belong to P_{k−1} on
-/// each cell. The field λ_h is the Kirchhoff pressure Jp, with the pressure p of the body. The constraint balances a
-/// pressure on the surface, so this load is not a force of the system. The constraint uses ln J instead of J − 1.
-/// Therefore the second variation of the constraint along a displacement u does not contain the square of div u. The
-/// discrete motion also does not change if a multiple of ln J is added to the stored energy W.
+/// The functions ψ_j are the basis of the multipliers λ_h = Σ λ_j ψ_j. A multiplier is a polynomial in P_{k−1} on each
+/// cell and may jump between cells. The field λ_h is the Kirchhoff pressure Jp, with the pressure p of the body. The
+/// constraint balances a pressure on the surface, so this load is not a force of the system. The constraint uses ln J
+/// instead of J − 1. Therefore the second variation of the constraint along a displacement u does not contain the
+/// square of div u. The discrete motion also does not change if a multiple of ln J is added to the stored energy W.
 
 #include <cmath>
 #include <optional>
@@ -71,8 +71,8 @@ class ElasticBall : public BallBody {
                                     Multiplier& lambda) const {
     return workspace.gram.solve(x1, x0, r, workspace.residual_sought, lambda);
   }
-  /// |g|_∞ and |Gv|_∞ count as zero up to this value. It corresponds to 1e-13 of ln J, because the ψ_j are orthonormal
-  /// in L² on each cell.
+  /// |g|_∞ and |Gv|_∞ count as zero up to this value. It is equivalent to 1e-13 of ln J, because the ψ_j are
+  /// orthonormal in L² on each cell.
   double constraint_tolerance() const { return 1e-13 * multiplier_scale(); }
   /// |g|_∞ / multiplier_scale() is a bound for the absolute value of the mean of ln J over a cell.
   double multiplier_scale() const { return multiplier_scale_; }

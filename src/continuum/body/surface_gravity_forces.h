@@ -7,9 +7,9 @@
 ///
 /// with x_p = ∂x/∂ξ_p, x_q = ∂x/∂ξ_q, and the quadrature weights w. Node n has the position x_n and the basis function
 /// φ_n. The sign is chosen such that N points outwards. The force is the exact derivative of the discrete Ê, so the
-/// total force and the total torque are zero. The sources are the points of all ranks. If only a sector is computed,
-/// the mirror images of these points are also sources. A pair of points of this rank is computed once for both points.
-/// The density must be uniform, so the ball must be incompressible.
+/// total force and the total torque are zero. The sources are the Gauss points of all ranks. If only a sector is
+/// computed, the mirror images of these points are also sources. Each pair of points of this rank is computed once for
+/// both points. The density must be uniform, so the ball must be incompressible.
 
 #include <array>
 #include <vector>
@@ -19,10 +19,10 @@
 
 namespace pseudorigid::continuum {
 
-/// Number of points in each direction of a face, such that the error of gravity is below the discretisation error. With
+/// Number of points in each direction of a face for which the error of gravity is below the discretisation error. With
 /// the degree k the number is k + 2, or k + 1 if the faces of an elastic body are refined. A fluid needs k + 2, because
-/// only gravity makes the shortest waves on its surface stable. With k + 1 points these waves grow by a factor of 2.3
-/// in the time 1/√(Gρ). With k + 2 points the quadrature resolves the gravity of these waves.
+/// only gravity makes the shortest waves on its surface stable. With k + 1 points the computed waves grow by a factor
+/// of 2.3 in the time 1/√(Gρ). With k + 2 points the quadrature resolves the gravity of these waves.
 int n_gravity_points(const BallSpace& space, bool is_fluid);
 
 class SurfaceGravityForces {
@@ -41,7 +41,8 @@ class SurfaceGravityForces {
   void add_rate(const Vector& x, const Vector& u, const std::array<int, 3>& s, Vector& f) const;
   /// Ê of the computed sector. Collective.
   double energy(const Vector& x) const;
-  /// The gravitational potential φ per mass at points of the computed sector. Collective.
+  /// The gravitational potential φ per mass at points of the computed sector, at the position x of the ball. Each rank
+  /// has its own points. Collective.
   std::vector<double> potential(const Vector& x, const std::vector<Eigen::Vector3d>& points) const;
 
  private:
@@ -49,15 +50,16 @@ class SurfaceGravityForces {
   using Signs = std::array<int, 3>;  ///< signs s_c under the reflections of the sector; all 1 for positions
 
   Jets jets_at(const Vector& x) const;
-  /// `own_points` computes the points of the faces of this rank from the jets of x. `own_rates` computes the rates of
-  /// these points and area vectors from the jets of x and u.
+  /// `own_points` computes the points and area vectors of the faces of this rank from the jets of x. `own_rates`
+  /// computes their derivatives along u from the jets of x and u.
   gravity::SurfacePoints own_points(const Jets& x) const;
   gravity::SurfacePoints own_rates(const Jets& x, const Jets& u) const;
   /// Points, or rates of points, with their mirror images. s contains the signs under the reflections.
   gravity::SurfacePoints with_images(const std::vector<std::array<double, 6>>& points, const Signs& s) const;
-  /// The points of all ranks with their mirror images.
+  /// The points of all ranks, or the rates of these points, with their mirror images. s contains the signs under the
+  /// reflections. Collective.
   gravity::SurfacePoints sources(const gravity::SurfacePoints& own, const Signs& s = {1, 1, 1}) const;
-  /// The sums over all sources, for the points of this rank.
+  /// The sums over all sources, for the points of this rank. Collective.
   gravity::PairSums sums_at(const gravity::SurfacePoints& own) const;
   gravity::SurfaceTotals over_ranks(const gravity::SurfaceTotals& own) const;
   /// f_n ← f_n − ∂E/∂x_n for every node n. `derivative` is the derivative of the function E with respect to points and
@@ -67,7 +69,7 @@ class SurfaceGravityForces {
   double constant_;
   const BallSpace& space_;
   SurfaceInterpolation surface_;
-  double rest_volume_;
+  double rest_volume_;  ///< V₀ of the computed sector
 };
 
 }  // namespace pseudorigid::continuum

@@ -7,7 +7,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// The columns of the given nodes, three per node.
+/// The columns of `rows` for the given nodes of the cell, three for each node.
 dealii::LAPACKFullMatrix<double> columns_of(const dealii::LAPACKFullMatrix<double>& rows,
                                             const std::vector<unsigned int>& nodes) {
   dealii::LAPACKFullMatrix<double> columns(rows.m(), 3 * nodes.size());
@@ -51,7 +51,7 @@ mechanics::Status DenseGram::renew(const Vector& x) {
   const std::vector<Block> G = scaled_constraint_rows(x);
   const unsigned int n_p = space_->n_pressure(), n = space_->n_cells() * n_p;
   Block S(n, n), product(n_p, n_p);
-  // This function sets blocks on and below the diagonal only, because LAPACK reads the lower triangle.
+  // Only blocks on and below the diagonal are set, because LAPACK reads only the lower triangle.
   const auto set_block = [&](unsigned int row, unsigned int column) {
     for (unsigned int j = 0; j < n_p; ++j) std::copy_n(&product(0, j), n_p, &S(row * n_p, column * n_p + j));
   };
@@ -76,9 +76,9 @@ mechanics::Status DenseGram::renew(const Vector& x) {
 }
 
 double DenseGram::renewal_cost() const {
-  // A renewal computes the rows of G and makes about n³ operations. Its cost is divided by the cost of an iteration,
-  // which grows as n. The constants give the shortest run times for 80 … 640 multipliers. Larger problems were not
-  // measured.
+  // For n multipliers, a renewal computes the rows of G and makes about n³ operations. The unit of cost is one
+  // iteration, which takes a time proportional to n. The constants give the shortest run times for n = 80 … 640. Larger
+  // problems were not measured.
   const double n = space_->n_cells() * space_->n_pressure();
   return 40 + 6e-4 * n * n;
 }

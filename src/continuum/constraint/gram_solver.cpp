@@ -112,15 +112,15 @@ class GramSolver::Impl {
             n_iterations};
   }
 
-  /// For small problems the tangent stays in the cache and also gives the reactions, in double precision. For large
-  /// problems only the iterations use the tangent, and the constraint checks the result of the iterations. Single
-  /// precision then halves the memory to read.
+  /// The precision of the tangents. For small problems the tangent stays in the cache and also gives the reactions, in
+  /// double precision. For large problems only the iterations use the tangent, and the constraint checks the result of
+  /// the iterations. Single precision then halves the memory to read.
   static Precision precision_of(GramMethod method) {
     return method == GramMethod::dense ? Precision::double_precision : Precision::single_precision;
   }
 
   /// The tangent of the constraint at the last positions. In double precision it is computed again only if the
-  /// positions change.
+  /// positions change, and in single precision at each call of move_to.
   class TangentAt {
    public:
     TangentAt(const CellKernels& kernels, Precision precision)
@@ -134,7 +134,7 @@ class GramSolver::Impl {
       }
       kernels_->set_tangent(x, *tangent_);
     }
-    /// The tangent, for a caller that sets its values at x; null if it has single precision.
+    /// Returns the tangent to a caller that will set its values at x. Returns null if the tangent has single precision.
     ConstraintTangent* to_be_set_at(const Vector& x) {
       if (tangent_->precision() != Precision::double_precision) return nullptr;
       positions_.assign(x.begin(), x.begin() + x.locally_owned_size());

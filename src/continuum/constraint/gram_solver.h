@@ -1,9 +1,10 @@
 #pragma once
 /// Solves G(q₁) M⁻¹ G(q₀)ᵀ λ = r for the ball without assembling the matrix, by conjugate residuals
-/// (mechanics/core/conjugate_residuals.h). The preconditioner approximates the symmetric Gram operator S = G M⁻¹ Gᵀ at
-/// earlier positions. Small problems in one process use the inverse of S (dense_gram.h), other problems use two levels
-/// (two_level_gram.h). Because the positions move away from the positions of the preconditioner, solves need more
-/// iterations. The preconditioner is renewed when the additional iterations cost more than the renewal.
+/// (mechanics/core/conjugate_residuals.h). G is the derivative of the constraint, M is the mass, and q₀ and q₁ are
+/// positions. The preconditioner approximates the symmetric Gram operator S = G M⁻¹ Gᵀ at earlier positions. Small
+/// problems in one process use the inverse of S (dense_gram.h), and other problems use two levels (two_level_gram.h).
+/// As the positions move away from those of the preconditioner, solves need more iterations. The preconditioner is
+/// renewed when the additional iterations have cost more than a renewal.
 
 #include <memory>
 
@@ -25,20 +26,22 @@ class GramSolver {
   ~GramSolver();
   GramSolver(GramSolver&&) noexcept;
 
-  /// Computes λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. Fails if the iteration
-  /// does not converge with a preconditioner at q₁.
+  /// Computes λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. If the iteration does
+  /// not converge, it is repeated once with a preconditioner at q₁. Fails if this also does not converge, if S is
+  /// singular, or if r is not finite. Collective.
   mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda);
 
-  /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ. Returns the least of J and of the law's reserve, as CellKernels::force. With the
-  /// dense inverse, this function also stores the tangent at x for a later solve at x.
+  /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ. Like CellKernels::force, returns the least of J and of the law's reserve. If the
+  /// solver uses the dense inverse, it also stores the tangent of the constraint at x for a later solve at x.
   double force_with_reaction(const Vector& x, const Vector& lambda, Vector& f);
   /// f ← f + G(x)ᵀλ
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f);
 
-  /// Memory of the solver on which later solves depend, for checkpoints. The residuals depend on the preconditioner, so
-  /// a resumed run needs this memory to repeat the uninterrupted run.
+  /// The part of the solver's memory on which later solves depend, for checkpoints. The residuals depend on the
+  /// preconditioner. A resumed run therefore needs this memory to repeat the uninterrupted run.
   struct History {
     Vector renewed_at;  ///< positions of the preconditioner
+    /// Iterations of the first solve after a renewal, −1 before this solve; additional iterations of later solves.
     int n_iterations_fresh = -1, n_iterations_lost = 0;
     bool stale = true;  ///< true if the preconditioner must be renewed, and before it is first computed
   };
@@ -58,14 +61,14 @@ class GramSolver {
   };
   Statistics statistics() const;
 
-  /// Reduction of the residual by one call. The constraint loops of the methods repeat the call until their own
-  /// residual is small. Therefore a call need not be more accurate than a step of Newton's iteration.
+  /// The factor by which one call of `solve` reduces the residual. The constraint loops of the methods repeat the call
+  /// until their own residual is small. A call therefore need not be more accurate than a step of Newton's iteration.
   static constexpr double reduction = 1e-4;
   /// For up to this many multipliers in one process, a step with the dense inverse is cheaper than with two levels.
   static constexpr std::size_t n_dense = 2400;
 
  private:
-  class Impl;  // on the heap, because PETSc has its address and a workspace can be moved
+  class Impl;  // so that this header does not include the preconditioners and PETSc
   std::unique_ptr<Impl> impl_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 /// A symmetric matrix in single precision and its product with a vector. A large matrix is stored as its lower triangle
-/// by rows. The triangle halves the memory, and reading the memory limits the speed of the product. A small matrix is
-/// stored entirely, by columns, because its product then needs no sums across the lanes of a SIMD vector.
+/// by rows. The triangle halves the memory. The time to read this memory limits the speed of the product. A small
+/// matrix is stored entirely, by columns, because its product then needs no sums across the lanes of a SIMD vector.
 
 #include <cstddef>
 #include <vector>

@@ -39,7 +39,7 @@ Eigen::VectorXd node_weights(const BallSpace& space, unsigned int cell) {
 }
 
 /// Tables at the nodes of a cell, [node, i]: first N_i, then ∂N_i/∂ξ_d. The N_i are the Lagrange polynomials on the
-/// tensor grid of `functions`.
+/// tensor grid of the one-dimensional nodes `functions`.
 std::vector<MatrixXd> tables_at_nodes(const ReferenceCell& ref, const std::vector<double>& functions) {
   const auto n = static_cast<std::size_t>(ref.n), m = functions.size();
   std::vector<MatrixXd> tables(4, MatrixXd(n * n * n, m * m * m));
@@ -57,7 +57,7 @@ std::vector<MatrixXd> tables_at_nodes(const ReferenceCell& ref, const std::vecto
   return tables;
 }
 
-/// The matrix of one cell in `matrices`.
+/// The matrix of one cell in `matrices`, which contains the matrices of all cells one after the other.
 Eigen::Map<Eigen::MatrixXf> cell_matrix(std::vector<float>& matrices, unsigned int cell, std::size_t n_rows,
                                         Eigen::Index n_columns) {
   return {&matrices[cell * n_rows * static_cast<std::size_t>(n_columns)], static_cast<Eigen::Index>(n_rows), n_columns};
@@ -123,8 +123,8 @@ void TwoLevelGram::number_functions() {
   }
 }
 
-/// Computes P_ji = ∫ψ_j N_i dX by Gauss–Lobatto quadrature at the nodes. P_ji = 0 if N_i does not vanish on the
-/// surface.
+/// Computes P_ji = ∫ψ_j N_i dX by Gauss–Lobatto quadrature at the nodes, with the orthonormal basis ψ_j of the
+/// multipliers. P_ji = 0 if N_i does not vanish on the surface.
 void TwoLevelGram::project_functions() {
   tables_ = tables_at_nodes(space_.reference_cell(), ReferenceCell(coarse_degree_).nodes);
   const unsigned int n_pressure = space_.n_pressure(), n_nodes = space_.nodes_per_cell();

@@ -5,11 +5,11 @@
 ///   B = Σ_cells R_cᵀ S_cc⁻¹ R_c + P K⁻¹ Pᵀ.
 ///
 /// R_c restricts the multipliers to one cell c, and S_cc is the block of S of this cell. The N_i ∈ Q_m are continuous
-/// functions that vanish on the free surface, with m = 1 for k ≤ 4 and m = 2 for larger k. P is their L²-projection
-/// onto the multipliers. S is the weak form of −div(ρ⁻¹ grad) in current coordinates with λ = 0 on the free surface.
-/// Therefore K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX. The matrices of the cells have single precision. A decrease of the
-/// residual by 10⁻⁴ takes 7–10 iterations for k = 2, 14–19 for k = 4, and 16–21 for k = 6. These numbers are for an
-/// octant with one to three refinements, at rest and sheared.
+/// functions that vanish on the free surface. For elements of degree k, m = 1 if k ≤ 4, and otherwise m = 2. P is the
+/// L²-projection of the N_i onto the multipliers. S is the weak form of −div(ρ⁻¹ grad) in current coordinates with
+/// λ = 0 on the free surface. Therefore K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX. The matrices of the cells have single
+/// precision. A decrease of the residual by a factor of 10⁴ takes 7–10 iterations for k = 2. It takes 14–19 iterations
+/// for k = 4, and 16–21 for k = 6. These numbers are for an octant with one to three refinements, at rest and sheared.
 ///
 /// K⁻¹ is a KSP solver of PETSc with the options' prefix gram_coarse_. By default it is one V-cycle of the algebraic
 /// multigrid of PETSc (GAMG).
@@ -55,10 +55,10 @@ class TwoLevelGram final : public GramPreconditioner {
   int coarse_degree_;
   dealii::FE_Q<3> element_;
   dealii::DoFHandler<3> dof_handler_;
-  unsigned int n_functions_;                                                  ///< number of functions N_i of a cell
+  unsigned int n_functions_;                                                  ///< number of the N_i of a cell
   std::vector<std::vector<dealii::types::global_dof_index>> cell_functions_;  ///< N_i of each cell, global numbers
   std::vector<unsigned int> local_functions_;                                 ///< N_i of all cells, local numbers
-  std::vector<bool> on_surface_;                                              ///< true on surface; by local number
+  std::vector<bool> on_surface_;                                              ///< [local number]: true on the surface
   std::vector<Eigen::MatrixXd> tables_;  ///< N_i and ∂N_i/∂ξ_d at the nodes of a cell, [node, i]
   std::size_t n_rows_;                   ///< number of rows of the matrices of a cell: multipliers and padding
   std::vector<float> projections_;       ///< P, one matrix per cell: [function of ψ + n_rows · i]

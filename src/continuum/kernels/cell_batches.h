@@ -1,9 +1,9 @@
 #pragma once
 /// Batches of cells of the ball, with one cell in each lane of a SIMD vector, and the data that the kernels read. These
-/// are the node numbers, the weights and positions of the Gauss points for the constraint, and the basis ψ of P_{k−1}.
-/// The basis is orthonormal in L²: ψ = L⁻¹ m with the vector m of the monomials and the Cholesky factor L of ∫m ⊗
-/// m = LLᵀ. If the last batch has fewer cells than lanes, its other lanes repeat the first cell of the batch. The
-/// results omit these lanes.
+/// data are the node numbers, the weights and positions of the Gauss points for the constraint, and the basis ψ of
+/// P_{k−1}. The basis is orthonormal in L²: ψ = L⁻¹ m with the vector m of the monomials and the Cholesky factor L of
+/// ∫m ⊗ m = LLᵀ. If the last batch has fewer cells than lanes, its other lanes repeat its first cell. Results of these
+/// lanes are not used.
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ class CellBatches {
 
   struct Batch {
     unsigned int first_cell;
-    int n_active;
+    int n_active;        ///< number of lanes with a cell of their own
     L center[3], scale;  ///< X = center + scale · position
     L cell_volume;
   };
@@ -56,7 +56,7 @@ class CellBatches {
     for (int i = 0; i < n_nodes; ++i) L::load_triples(x, offsets[i].data(), u[0][i], u[1][i], u[2][i]);
   }
 
-  /// Prefetches the entries of one layer of nodes that the next batch will gather.
+  /// Prefetches the entries of one layer of nodes of the next batch, if there is a next batch.
   void prefetch_layer(const double* x, std::size_t batch, int layer) const {
     if (batch + 1 == batches.size()) return;
     const auto* offsets = &offsets_[(batch + 1) * n_nodes + layer * n * n];
@@ -151,8 +151,8 @@ class CellBatches {
       for (int c = 0; c < 3; ++c) point->position[c] = (point->position[c] - batch.center[c]) / batch.scale;
   }
 
-  /// Computes the basis L⁻¹, with the Cholesky factor L of the Gram matrix of the monomials. The basis is packed by
-  /// rows.
+  /// Computes L⁻¹, with the Cholesky factor L of the Gram matrix of the monomials, and appends its lower triangle to
+  /// the basis, row by row.
   void orthonormalize(std::size_t index) {
     std::vector<L> gram(n_pressure * n_pressure, L(0.0)), monomials(n_pressure),
         inverse(n_pressure * n_pressure, L(0.0));

@@ -10,8 +10,9 @@
 ///   reaction        (Gᵀλ)_n = ∫ λ_h F⁻ᵀ ∇φ_n dX
 ///   viscous force   f_n = −∫ 2ηJ d F⁻ᵀ ∇φ_n dX,   d = sym(∇v F⁻¹),   with the power ∫ 2ηJ d:d dX
 ///
-/// Vectors may be distributed. Each rank integrates over its own cells. The kernels update the ghost entries that they
-/// read, and add contributions to the entries of other ranks. Sums and minima are over the cells of this rank.
+/// Vectors may be distributed over ranks. Each rank integrates over its own cells. The kernels update the ghost entries
+/// that they read, and add contributions to the entries of other ranks. Returned sums and minima are over the cells of
+/// this rank only.
 ///
 /// local_kernels.h computes the integrals, with one implementation per degree (cell_kernels_impl.h). The implementation
 /// calls the law for all points of a batch (point_law.h).
@@ -31,9 +32,9 @@ class CellKernels {
   /// f = −∫∂(W + U)/∂F ∇φ. Returns the least of J and of the law's reserve. If this value is not positive, f is not
   /// valid.
   double force(const Vector& x, Vector& f) const;
-  /// Computes the result of `force` plus the reaction G(x)ᵀλ, and returns the same value as `force`. Here the reaction
-  /// costs a third of a separate evaluation. If `at_x` is not null, it must have double precision and is set to the
-  /// tangent at x.
+  /// Sets f to the result of `force` plus the reaction G(x)ᵀλ, and returns the same value as `force`. The reaction
+  /// takes a third of the time of a separate call of add_reaction. If `at_x` is not null, it must have double precision
+  /// and is set to the tangent at x.
   double force_with_reaction(const Vector& x, const Vector& lambda, ConstraintTangent* at_x, Vector& f) const;
   /// Computes g and returns the least J. If this value is not positive, g is not valid.
   double constraint(const Vector& x, Vector& g) const;
@@ -51,12 +52,12 @@ class CellKernels {
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
   /// Least det F over the quadrature points of this rank, with its reference position.
   LeastPlace locate_least_jacobian(const Vector& x) const;
-  /// Least value of a function of F over the quadrature points of this rank, with its place. The entries of F are given
-  /// row by row.
+  /// Least result of the function `value` over the quadrature points of this rank, with its place. The argument of
+  /// `value` contains the entries of F row by row.
   LeastPlace locate_least(const Vector& x, const FunctionOfF& value) const;
   /// Least reserve of the law over the quadrature points of this rank, with its place (materials/law_limits.h).
   LeastPlace locate_least_reserve(const Vector& x) const;
-  /// Sets `values` to λ_h at the nodes of a cell. The first direction is the fastest index.
+  /// Sets `values` to λ_h at the nodes of a cell. In `values`, the first local direction is the fastest index.
   void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const;
 
   /// Calls `use(cell, rows)` for each cell. For n nodes, rows[j·3n + 3i + c] is the entry of G for function j, node i
@@ -83,7 +84,8 @@ class CellKernels {
 LocalCells local_cells(const BallSpace& space);
 
 /// Kernels for the degree of the space (1 … 8) and the stored energy. Throws std::invalid_argument for another degree.
-/// With degree 1, which is for compressible bodies, the functions of the constraint throw std::invalid_argument.
+/// Degree 1 is for compressible bodies only; functions of the constraint at positions x then throw
+/// std::invalid_argument.
 std::unique_ptr<CellKernels> make_cell_kernels(const BallSpace& space, const StoredEnergy& stored);
 
 }  // namespace pseudorigid::continuum

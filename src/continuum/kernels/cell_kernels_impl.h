@@ -1,5 +1,5 @@
 #pragma once
-/// The kernels of local_kernels.h for one degree. They evaluate the law through point_law.h. The operations at the
+/// The kernels of local_kernels.h for one degree. The law is evaluated through point_law.h. The operations at the
 /// points are done plane by plane (sum_factorization.h). Geometry and positions are prefetched. Let H = ∂x/∂ξ, and let
 /// w be weights that contain det ∂X/∂ξ. In reference coordinates,
 ///
@@ -32,7 +32,7 @@ class DegreeKernels final : public LocalKernels {
   static constexpr int n_nodes = Batches::n_nodes, n_pressure = Batches::n_pressure;
 
  public:
-  DegreeKernels(const DegreeKernels&) = delete;  // because its members have pointers to one another
+  DegreeKernels(const DegreeKernels&) = delete;  // because members refer to other members
   DegreeKernels& operator=(const DegreeKernels&) = delete;
   DegreeKernels(const LocalCells& cells, std::unique_ptr<PointLaw<n_lanes>> law)
       : law_(std::move(law)), planes_(cells), tangents_(planes_) {
@@ -248,8 +248,8 @@ class DegreeKernels final : public LocalKernels {
   }
 
   /// f ← f − ∫∂(W + U)/∂F : ∇φ. Returns the least of J and of the law's reserve. For every plane of points, the
-  /// function calls at_H(batch, plane) with H in the buffers. It later calls at_T(batch, plane) with the stress in the
-  /// same buffer.
+  /// function calls at_H(batch, plane) while buffers_.H contains H. It then calls at_T(batch, plane) while buffers_.H
+  /// contains T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ.
   template <class AtH, class AtT>
   double add_stress(const double* x, double* f, const AtH& at_H, const AtT& at_T) const {
     double least = HUGE_VAL;
@@ -271,7 +271,7 @@ class DegreeKernels final : public LocalKernels {
     return least;
   }
 
-  /// result ← ∫λ_h F⁻ᵀ:∇φ of a batch. The buffers contain the layers of x and the multiplier.
+  /// buffers_.result ← ∫λ_h F⁻ᵀ:∇φ of a batch. The buffers must contain the layers of x and the multiplier.
   void reaction_of_batch(std::size_t b) const {
     L coefficients[n_pressure];
     batches_.monomial_coefficients(buffers_.multiplier, b, coefficients);
@@ -293,7 +293,7 @@ class DegreeKernels final : public LocalKernels {
     planes_.distribute_layers();
   }
 
-  /// Adds the integrals of a batch to `sums`. The buffers contain the layers of X, x and v.
+  /// Adds the integrals of a batch to `sums`. The buffers must contain the layers of X, x and v.
   void add_integrals(std::size_t b, CellIntegrals& sums) const {
     const auto& batch = batches_.batches[b];
     L elastic(0.0), volumetric(0.0), volume(0.0), squared_log_J(0.0), least_negative(0.0), least(HUGE_VAL);

@@ -32,7 +32,7 @@ class CellPlanes {
 
   explicit CellPlanes(const LocalCells& cells) : batches(cells), buffers_(std::make_unique<Buffers>()) {}
 
-  /// The workspace for one batch. Each of the following functions overwrites a part of the workspace.
+  /// The workspace for one batch. Most of the following functions overwrite a part of the workspace.
   Buffers& buffers() const { return *buffers_; }
   std::size_t n_batches() const { return batches.batches.size(); }
   std::size_t memory() const { return batches.memory() + sizeof(Buffers); }
@@ -46,6 +46,7 @@ class CellPlanes {
     for (int k = 0; k < 9; ++k) field[k][q] = T.a[k / 3][k % 3];
   }
 
+  /// Sets `layers` to the nodal values of x in a batch, interpolated to the points in the first two directions.
   void load_layers(const double* x, std::size_t b, Nodal& layers) const {
     batches.gather(x, b, layers);
     for (int c = 0; c < 3; ++c) batches.factorization.interpolate_layers(layers[c]);
@@ -57,8 +58,8 @@ class CellPlanes {
       batches.factorization.plane_gradient(layers[c], q3, buffers_->values[c], H[3 * c], H[3 * c + 1], H[3 * c + 2]);
   }
 
-  /// Replaces H by F = H (∂X/∂ξ)⁻¹ and computes the weights w. The buffers contain the layers of X. The inverse is not
-  /// stored, because energies and minima are computed rarely.
+  /// Replaces H by F = H (∂X/∂ξ)⁻¹, and sets the buffer `weights` to the weights w. The buffers must contain the layers
+  /// of X. The inverse is computed at each call, because energies and minima are computed rarely.
   void deformation_gradients(int q3, Field& H) const {
     plane_gradient(buffers_->X, q3, buffers_->dX);
     for (int q = 0; q < plane; ++q) {
@@ -73,6 +74,7 @@ class CellPlanes {
   }
 
   /// result ← result + Σ_q T : ∂φ/∂ξ over the points of a plane. For the first plane, the sum overwrites `result`.
+  /// After the last plane, distribute_layers turns `result` into nodal values.
   [[gnu::noinline]] void integrate_plane(const Field& T, int q3) const {
     for (int c = 0; c < 3; ++c)
       batches.factorization.integrate_plane(T[3 * c], T[3 * c + 1], T[3 * c + 2], q3, buffers_->values[c],

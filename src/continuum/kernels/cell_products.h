@@ -1,8 +1,8 @@
 #pragma once
-/// Products with small dense matrices in single precision. Compared with double precision, the memory is half as large
-/// and a SIMD vector has twice as many numbers. The matrices belong to cells (constraint/two_level_gram.h) or are
-/// symmetric (constraint/symmetric_matrix.h). A matrix is stored by columns, and the number of rows is a multiple of
-/// `rows_together`. These functions are kernels (kernel_table.h).
+/// Products of small dense matrices with vectors, in single precision. Compared with double precision, the matrices
+/// need half the memory, and a SIMD vector has twice as many numbers. The matrices belong to cells
+/// (constraint/two_level_gram.h) or are symmetric (constraint/symmetric_matrix.h). A matrix is stored by columns, and
+/// the number of rows is a multiple of `rows_together`. These functions are kernels (kernel_table.h).
 
 #include <cstddef>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The derivative of the constraint at fixed positions, for many products. T_q = w H⁻ᵀ (cell_kernels_impl.h) is stored
-/// at every point, in double precision or, for iterations, in single precision. The products are
+/// The derivative G of the constraint at fixed positions, for many products. T_q = w H⁻ᵀ (cell_kernels_impl.h) is
+/// stored at every Gauss point q, in double precision or, for iterations, in single precision. The products are
 ///
 ///   (G v)_j = Σ_q ψ_j T_q : ∂v/∂ξ,   (Gᵀλ)_n = Σ_q λ_h T_q : ∂φ_n/∂ξ
 
@@ -63,7 +63,7 @@ class ConstraintTangents {
     }
   }
 
-  /// w H⁻ᵀ at the points of one plane, from a tangent in double precision.
+  /// Returns w H⁻ᵀ at the points of one plane. The tangent must have double precision.
   Field& plane_of(ConstraintTangent& tangent, std::size_t b, int q3) const {
     return static_cast<Tangent<L>&>(tangent).planes[b * n + static_cast<std::size_t>(q3)].T;
   }
@@ -95,7 +95,7 @@ class ConstraintTangents {
   struct PlaneOfPoints {
     Number T[9][plane];
   };
-  /// Prefetches T at point q of the plane `next`. `next` may be behind the last plane.
+  /// Prefetches part q of the plane `next`, as many numbers as one point has. `next` may point behind the last plane.
   template <class Number>
   static void prefetch_values(const PlaneOfPoints<Number>* next, int q) {
     constexpr int per_point = 9 * sizeof(Number), cache_line = 64;

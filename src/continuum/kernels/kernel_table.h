@@ -22,7 +22,8 @@ struct KernelTable {
 /// One table of functions for each instruction set, the fastest first. A source file that CMake generates defines this
 /// function.
 std::span<const mechanics::KernelBuild<KernelTable>> builds_of_kernels();
-/// The kernels that this process uses. Throws mechanics::NoKernels if none can run.
+/// The kernels that this process uses (mechanics/core/kernel_builds.h). Throws mechanics::NoKernels if no build can be
+/// chosen.
 const mechanics::KernelBuild<KernelTable>& chosen_kernels();
 
 }  // namespace pseudorigid::continuum

@@ -1,8 +1,8 @@
 #pragma once
-/// The integrals of cell_kernels.h over the cells of one process. Vectors are given by the entries of this process in
-/// memory: its own entries, and then the entries of ghost nodes, which must be up to date. The owner of a ghost node
-/// later adds the contributions of other ranks. This file does not depend on deal.II, so the kernels compile in a few
-/// seconds per degree.
+/// The integrals of cell_kernels.h over the cells of one process. A vector is a pointer to its entries on this process:
+/// its own entries, and then those of ghost nodes. The latter must be up to date. The owner of a ghost node later adds
+/// the contributions of other ranks. This file does not depend on deal.II, so the kernels compile in a few seconds per
+/// degree.
 
 #include <array>
 #include <functional>
@@ -60,8 +60,8 @@ class ConstraintTangent {
 class LocalKernels {
  public:
   virtual ~LocalKernels() = default;
-  /// Adds the elastic force −∂/∂x ∫(W + U) dX to f. Returns the least value, over all quadrature points, of J and of
-  /// `reserve(F)` of the law. The reserve is positive if the law admits F (materials/law_limits.h).
+  /// Adds the elastic force −∂/∂x ∫(W + U) dX to f. Returns the least value of J and of `reserve(F)` of the law over
+  /// all quadrature points of this process. The reserve is positive if the law admits F (materials/law_limits.h).
   virtual double add_force(const double* x, double* f) const = 0;
   /// f ← f + force + G(x)ᵀλ in one pass. Returns the same value as `add_force`. If `at_x` is not null, it must have
   /// double precision and is set to the tangent at x.

@@ -1,5 +1,6 @@
 #pragma once
-/// Fields of one cell at its own nodes, for set-up and pictures. The steps of a run use the kernels instead.
+/// Nodal values of one cell and their derivatives at the nodes, for set-up and pictures. The steps of a run use the
+/// kernels instead.
 
 #include <Eigen/Core>
 

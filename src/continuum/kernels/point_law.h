@@ -1,7 +1,8 @@
 #pragma once
-/// The part of the kernels that depends on the law: the operations at the quadrature points of a batch of cells. All
-/// laws are compiled in one file, which does not depend on the degree. All degrees are compiled without the law. This
-/// class stores the geometry that the stress needs (stress_points.h). The points are numbered through all batches.
+/// The part of the kernels that depends on the law: the operations at the quadrature points of a batch of cells. One
+/// source file contains all laws and does not depend on the degree. The source files of the degrees do not depend on
+/// the laws. The class PointLaw stores the geometry that the stress needs (stress_points.h). The numbers of the points
+/// run through all batches.
 ///
 /// A tensor at n_points points has 9 · n_points numbers, with the entry (i, j) of point q at (3i + j) n_points + q.
 /// SIMD vectors are passed only in memory.
@@ -25,8 +26,8 @@ class PointLaw {
   /// Adds the next points, from their Jacobians ∂X/∂ξ and weights on the reference cell.
   virtual void add_points(const L* jacobians, const double* unit_weights, int n_points) = 0;
 
-  /// Replaces H = ∂x/∂ξ by T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ at points from number `first` on. `least` becomes the least of
-  /// `least`, det F and the law's reserve, lane by lane.
+  /// Replaces H = ∂x/∂ξ by T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ at n_points points from number `first` on. `least` becomes the
+  /// least of `least`, det F and the law's reserve, lane by lane.
   virtual void stress(std::size_t first, const double* unit_weights, int n_points, L* H, L& least) const = 0;
   /// elastic += Σ w W(F), volumetric += Σ w U(J)
   virtual void energy(const L* F, const L* weights, int n_points, L& elastic, L& volumetric) const = 0;

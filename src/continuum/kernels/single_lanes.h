@@ -1,5 +1,6 @@
 #pragma once
-/// Lanes that are stored in memory in single precision.
+/// Lanes that are stored in memory in single precision. For arithmetic, they are converted to Lanes in double
+/// precision.
 
 #include "mechanics/core/lanes.h"
 

@@ -4,10 +4,10 @@
 ///
 ///   T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ,   F = H (∂X/∂ξ)⁻¹,   J = det F,   w = ŵ det ∂X/∂ξ
 ///
-/// with the stored energy W, the weight ŵ on the reference cell and the stabilising energy
-/// U = (κ/8)(J − 1/J)². For a general law a point stores ten numbers, (∂X/∂ξ)⁻¹ and w. If
-/// ∂W/∂F = a F + c cof F, with functions a and c of J (materials/stress_coefficients.h), seven numbers are sufficient.
-/// Because cof F (∂X/∂ξ)⁻ᵀ = cof H / det ∂X/∂ξ, the stress is then
+/// with the energy W of the law, the weight ŵ on the reference cell and the stabilising energy U = (κ/8)(J − 1/J)². For
+/// a general law a point stores ten numbers, (∂X/∂ξ)⁻¹ and w. If ∂W/∂F = a F + c cof F, with functions a and c of J
+/// (materials/stress_coefficients.h), seven numbers are sufficient. Because cof F (∂X/∂ξ)⁻ᵀ = cof H / det ∂X/∂ξ, the
+/// stress is then
 ///
 ///   T = −a H G − ŵ (c + (κ/4)(J − 1/J³)) cof H,   J = D det H,
 ///   G = w (∂X/∂ξ)⁻¹ (∂X/∂ξ)⁻ᵀ,   D = 1 / det ∂X/∂ξ
@@ -27,6 +27,7 @@ template <class L>
   return (0.25 * kappa) * (J - inverse * inverse * inverse);
 }
 
+/// Geometry and stress for any law.
 template <class L>
 struct AnyStressPoint {
   using Tensor = materials::Tensor<L>;
@@ -76,7 +77,7 @@ struct AnyStressPoint {
   }
 };
 
-/// Geometry and stress for a law with stress coefficients, with the seven numbers D and G.
+/// Geometry and stress for a law with stress coefficients. The geometry is the seven numbers of D and the symmetric G.
 template <class L>
 struct MetricStressPoint {
   using Tensor = materials::Tensor<L>;
@@ -91,7 +92,7 @@ struct MetricStressPoint {
     G00 = entry(0, 0), G01 = entry(0, 1), G02 = entry(0, 2), G11 = entry(1, 1), G12 = entry(1, 2), G22 = entry(2, 2);
   }
 
-  /// Returns T and updates `least`, as AnyStressPoint::stress.
+  /// Like AnyStressPoint::stress, returns T and updates `least`.
   template <class Law>
   [[gnu::always_inline]] Tensor stress(const Law& law, double kappa, double unit_weight, const Tensor& H,
                                        L& least) const {

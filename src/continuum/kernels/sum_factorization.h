@@ -15,7 +15,8 @@
 
 namespace pseudorigid::continuum {
 
-/// An n×n matrix with M[n−1−q][n−1−i] = ±M[q][i], stored as its action on x_i + x_{n−1−i} and x_i − x_{n−1−i}.
+/// An n×n matrix with M[n−1−q][n−1−i] = ±M[q][i]. It is stored as its action on the sums x_i + x_{n−1−i} and the
+/// differences x_i − x_{n−1−i}.
 template <int n>
 struct EvenOddMatrix {
   static constexpr int half = n / 2, upper = (n + 1) / 2;
@@ -98,7 +99,8 @@ class SumFactorization {
     sweep_layers<true>(distribute_, u);
   }
 
-  /// Values and gradients at the points of a plane, from interpolated layers.
+  /// Computes the values and the derivatives g1, g2, g3 in the three directions at the points of a plane, from
+  /// interpolated layers.
   template <class L>
   void plane_gradient(const L* layers, int q3, L* values, L* g1, L* g2, L* g3) const {
     evaluate_plane(layers, q3, values, g3);
@@ -106,8 +108,8 @@ class SumFactorization {
     sweep_columns<false, false>(differentiate_, values, g2);
   }
 
-  /// The transposed map of plane_gradient. Adds the contribution of the gradients g1, g2, g3 at the points of a plane
-  /// to the layers. The first plane overwrites the layers. `values` is a workspace.
+  /// The transposed map of plane_gradient for the derivatives. Adds the contribution of g1, g2, g3 at the points of a
+  /// plane to the layers. The first plane overwrites the layers. `values` is a workspace.
   template <class L>
   void integrate_plane(const L* g1, const L* g2, const L* g3, int q3, L* values, L* layers) const {
     sweep_rows<false, false>(differentiate_transposed_, g1, values);
@@ -124,7 +126,7 @@ class SumFactorization {
 
   template <bool symmetric, bool add, class L>
   static void sweep_rows(const Matrix& matrix, const L* in, L* out) {
-    const Matrix M = matrix;  // a local copy cannot be an alias of results, so it stays in registers
+    const Matrix M = matrix;  // a local copy cannot alias the results, so it stays in registers
     for (int line = 0; line < plane; line += n) M.template apply<symmetric, add, 1>(in + line, out + line);
   }
   template <bool symmetric, bool add, class L>

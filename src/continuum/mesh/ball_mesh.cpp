@@ -18,7 +18,8 @@ namespace {
 using Corner = std::array<double, 3>;
 using CoarseCell = std::array<Corner, 8>;
 
-/// Distances of the corners of the central block from the centre: along an axis, a face diagonal and a space diagonal.
+/// The nonzero coordinates of the corners of the central block. A corner is on an axis, on a diagonal of a coordinate
+/// plane, or on the space diagonal.
 constexpr double block_axis = 0.528, block_face = 0.4533, block_corner = 0.3752;
 
 /// A corner of the block (on_sphere = false), or its radial projection onto the sphere. bits[i] is 1 if its coordinate
@@ -110,9 +111,10 @@ dealii::Point<3> trilinear(const std::array<dealii::Point<3>, 8>& vertices, cons
   return X;
 }
 
-/// The small end of a local direction: 0, 1, or −1 if the direction is not graded. For an outward direction, the small
-/// end is the vertex on the sphere. For a direction from a plane x_c = 0 that contains the poles, it is the vertex on
-/// this plane. The direction along the axis of the poles is not graded.
+/// The end of a local direction of a coarse cell at which a grading makes cells small: 0 or 1. The result is −1 if the
+/// direction is not graded. For an outward direction, the small end is the vertex on the sphere. For a direction from a
+/// plane x_c = 0 that contains the poles, it is the vertex on this plane. The direction along the axis of the poles is
+/// not graded.
 int small_end(const std::array<dealii::Point<3>, 8>& vertices, unsigned int direction, unsigned int axis) {
   const dealii::Point<3>&a = vertices[0], &b = vertices[1U << direction];
   if (is_on_sphere(a) != is_on_sphere(b)) return is_on_sphere(b) ? 1 : 0;
@@ -121,7 +123,7 @@ int small_end(const std::array<dealii::Point<3>, 8>& vertices, unsigned int dire
   return -1;
 }
 
-/// β of a grading with 0 < g < 1. It is found by bisection, because β/(exp β − 1) decreases with β.
+/// β of a grading with the factor g = `size`, 0 < g < 1. Bisection finds β, because β/(exp β − 1) decreases with β.
 double growth_of(double size) {
   double least = 0, most = 100;
   for (int i = 0; i < 100; ++i) {
@@ -131,13 +133,13 @@ double growth_of(double size) {
   return 0.5 * (least + most);
 }
 
-/// An empty mesh. A mesh in one process does not use p4est, which requires MPI.
+/// An empty mesh. With one rank it does not use p4est, which requires MPI.
 std::unique_ptr<dealii::Triangulation<3>> empty_triangulation(MPI_Comm communicator) {
   if (n_ranks(communicator) > 1) return std::make_unique<dealii::parallel::distributed::Triangulation<3>>(communicator);
   return std::make_unique<dealii::Triangulation<3>>();
 }
 
-/// Boundary faces of the coarse mesh in a symmetry plane x_i = 0 get the id i, other boundary faces `surface_id`.
+/// Sets the ids of the boundary faces of the coarse mesh: i in a symmetry plane x_i = 0, and `surface_id` elsewhere.
 void mark_boundary(dealii::Triangulation<3>& coarse, const Sector& sector) {
   for (const auto& cell : coarse.cell_iterators_on_level(0))
     for (const auto& face : cell->face_iterators()) {

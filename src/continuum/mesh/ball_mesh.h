@@ -13,7 +13,7 @@
 ///
 /// A grading reduces the size of cells at the two poles ±e_p of an axis by a factor g. The grading changes local
 /// coordinates ξ of the coarse cells before the transfinite map. The changed coordinates run outwards, or along the
-/// surface from a plane through the poles. They become
+/// surface from a plane through the poles. A changed coordinate becomes
 ///
 ///   ξ ← (exp(βξ) − 1)/(exp β − 1),   β/(exp β − 1) = g,
 ///
@@ -31,7 +31,8 @@
 
 namespace pseudorigid::continuum {
 
-/// The coordinate planes that cut the ball: reflect[i] is true if x_i = 0 is a symmetry plane of the computed sector.
+/// The coordinate planes that cut the ball. reflect[i] is true if x_i = 0 is a symmetry plane of the computed sector.
+/// The images of the sector, including the sector itself, make up the ball.
 struct Sector {
   std::array<bool, 3> reflect{false, false, false};
   int n_images() const { return (reflect[0] ? 2 : 1) * (reflect[1] ? 2 : 1) * (reflect[2] ? 2 : 1); }
@@ -44,7 +45,7 @@ struct CoarseMesh {
 };
 
 struct Grading {
-  double size = 1;  ///< g
+  double size = 1;  ///< g; 1 means no grading
   int axis = 2;     ///< p
 };
 
@@ -59,7 +60,7 @@ class BallMesh {
   const dealii::Triangulation<3>& triangulation() const { return *triangulation_; }
   MPI_Comm communicator() const { return triangulation_->get_communicator(); }
   const Sector& sector() const { return sector_; }
-  /// Boundary id of the free surface; the faces on the symmetry plane x_i = 0 have the id i.
+  /// Boundary id of the free surface. The faces on the symmetry plane x_i = 0 have the id i.
   static constexpr dealii::types::boundary_id surface_id = 3;
   /// Number of an active cell among all cells, computed from its place in the hierarchy. The number does not depend on
   /// the distribution over the ranks.
@@ -72,8 +73,8 @@ class BallMesh {
   BallMesh(const Sector& sector, const CoarseMesh& coarse, bool on_sphere, int n_refinements, MPI_Comm communicator);
 
   Sector sector_;
-  bool on_sphere_;     ///< true if vertices at the distance 1 lie on the sphere
-  double growth_ = 0;  ///< β
+  bool on_sphere_;     ///< true for the ball and its sectors; false for a body of another shape
+  double growth_ = 0;  ///< β; 0 without grading
   std::unique_ptr<dealii::Triangulation<3>> triangulation_;
   std::vector<std::array<dealii::Point<3>, 8>> coarse_vertices_;
   /// [coarse cell][local direction]: the end with small cells, 0 or 1, or −1 if the direction is not graded.

@@ -11,7 +11,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Index set of the 3 components of every node in `nodes`. The mesh has n_nodes nodes in total.
+/// Index set of the 3 components of every node in `nodes`. `n_nodes` is the number of nodes on all ranks, including the
+/// additional node if there is one.
 dealii::IndexSet components_of(const dealii::IndexSet& nodes, unsigned int n_nodes) {
   dealii::IndexSet result(3 * n_nodes);
   for (auto interval = nodes.begin_intervals(); interval != nodes.end_intervals(); ++interval)
@@ -20,7 +21,8 @@ dealii::IndexSet components_of(const dealii::IndexSet& nodes, unsigned int n_nod
   return result;
 }
 
-/// Derivative with respect to ξ_d of nodal values, at node (i[0], i[1], i[2]) of a cell.
+/// Derivative with respect to ξ_d of nodal values, at node (i[0], i[1], i[2]) of a cell. The function `value` returns
+/// the value at a node of the cell.
 template <class Value>
 double derivative(const ReferenceCell& ref, const Value& value, const std::array<int, 3>& i, int d) {
   double sum = 0;

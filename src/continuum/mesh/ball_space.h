@@ -4,8 +4,8 @@
 ///
 ///   m_n = Σ_cells ρ w_n det(∂X/∂ξ)(ξ_n),   ρ = 1 in internal units.
 ///
-/// On a symmetry plane x_i = 0, the component i of a node is constant. The corresponding entry of the inverse mass is
-/// 0.
+/// ξ_n is the node n in a cell, and w_n is its Gauss–Lobatto weight. On a symmetry plane x_i = 0, the component i of a
+/// node is constant. The corresponding entry of the inverse mass is 0.
 ///
 /// Cells, nodes and multipliers are distributed over the ranks of the mesh. `n_cells` and `cell_nodes` are for the
 /// cells of this rank. The local elements of vectors are the entries of this rank, followed by the ghost nodes of its
@@ -27,7 +27,8 @@ namespace pseudorigid::continuum {
 
 class BallSpace {
  public:
-  /// `with_account` adds a node outside the mesh to the vectors, for dissipated and given energies (body/ball_body.h).
+  /// `with_account` adds one node to the vectors that does not belong to the mesh. Two of its coordinates are for the
+  /// dissipated and the given energy (body/ball_body.h).
   BallSpace(BallMesh mesh, int degree, bool with_account = false);
 
   const BallMesh& mesh() const { return mesh_; }
@@ -50,9 +51,9 @@ class BallSpace {
   const Vector& mass() const { return mass_; }                  ///< m_n at every component
   const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 for a component that a symmetry plane fixes
   const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
-  /// Local index of the coordinate of the dissipated energy. It is empty on processes that do not own this coordinate,
-  /// and without the additional node. The next index is the coordinate of the given energy. The inverse masses of both
-  /// are 1.
+  /// Local index of the coordinate of the dissipated energy. The result is empty on ranks that do not own this
+  /// coordinate, and if there is no additional node. The next index belongs to the coordinate of the given energy. The
+  /// inverse masses of both are 1.
   std::optional<unsigned int> account() const { return account_; }
   Vector make_vector() const { return Vector(partitioner_); }
   Vector make_multiplier() const { return Vector(multiplier_partitioner_); }

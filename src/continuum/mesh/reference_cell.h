@@ -1,11 +1,12 @@
 #pragma once
-/// One-dimensional tables of the reference cell [0,1]. They are the Gauss–Lobatto nodes (displacement, lumped mass),
-/// the Gauss points (force, constraint), and three matrices. Two of the matrices are
+/// One-dimensional tables of the reference cell [0,1]. The tables are the Gauss–Lobatto nodes (displacement, lumped
+/// mass), the Gauss points (force, constraint), and three matrices. Two of the matrices are
 ///
 ///   interpolate[q][i] = ℓ_i(ξ_q),   differentiate[q][p] = ℓ̂_p'(ξ_q),
 ///
 /// with the Lagrange polynomials ℓ_i on the Gauss–Lobatto nodes and ℓ̂_p on the Gauss points ξ_q. The first maps nodal
-/// values to values at the points. The second maps values at the points to derivatives at the points.
+/// values to values at the points. The second maps values at the points to derivatives at the points. The third,
+/// differentiate_at_nodes, maps nodal values to derivatives at the nodes.
 
 #include <array>
 #include <vector>

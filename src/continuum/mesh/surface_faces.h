@@ -1,7 +1,7 @@
 #pragma once
-/// The faces of the finite elements, their nodes and the Gauss quadrature on them. A face is the part ξ_d = 0 or 1 of a
-/// cell. The local directions p = d + 1 and q = d + 2 (mod 3) span the face, so ∂X/∂ξ_p × ∂X/∂ξ_q points to increasing
-/// ξ_d.
+/// The faces of the finite elements, the nodes of the faces, and Gauss quadrature on the faces. A face is the part
+/// ξ_d = 0 or 1 of a cell. The local directions p = d + 1 and q = d + 2 (mod 3) span the face, so ∂X/∂ξ_p × ∂X/∂ξ_q
+/// points to increasing ξ_d.
 
 #include <Eigen/Core>
 #include <vector>
@@ -19,7 +19,8 @@ struct CellFace {
   unsigned int number() const { return 2 * direction + end; }
 };
 
-/// Calls visit(face, iterator of its cell, is_on_free_surface) for all faces of the cells of this rank.
+/// Calls visit(face, cell iterator, is_on_free_surface) for all faces of the cells of this rank. An inner face is
+/// visited once for each of its cells.
 template <class Visit>
 void visit_faces(const BallSpace& space, Visit&& visit) {
   unsigned int own = 0;
@@ -56,7 +57,8 @@ struct FacePoint {
   std::vector<Node> nodes;
   double weight;  ///< quadrature weight on [0,1]²
 
-  /// u must have the ghost nodes of the cells of this rank.
+  /// `value` and `jet` evaluate a nodal function u at the point. The ghost nodes of u on the cells of this rank must be
+  /// up to date.
   Eigen::Vector3d value(const Vector& u) const;
   Jet jet(const Vector& u) const;
 };

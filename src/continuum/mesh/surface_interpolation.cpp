@@ -7,7 +7,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// The entries of a component that belong to one face: [p][q].
+/// The entries of a component that belong to one face, as a matrix [p][q] for n points in each direction.
 auto on_face(std::vector<double>& component, std::size_t face, Eigen::Index n) {
   return Eigen::Map<MatrixXd>(component.data() + face * n * n, n, n);
 }

@@ -17,8 +17,8 @@ namespace pseudorigid::continuum {
 class SurfaceInterpolation {
  public:
   using Field = std::array<std::vector<double>, 3>;  ///< [component][point]
-  /// Values and derivatives of a nodal function u at the points. For a function E of these numbers, the same struct
-  /// contains the derivatives of E with respect to u, ∂u/∂ξ_p and ∂u/∂ξ_q.
+  /// Values and derivatives of a nodal function u at the points. For a function E of these numbers, the same struct can
+  /// contain the derivatives of E with respect to u, ∂u/∂ξ_p and ∂u/∂ξ_q.
   struct Jets {
     Field u, by_p, by_q;
   };
@@ -30,14 +30,15 @@ class SurfaceInterpolation {
   /// Quadrature weights on [0,1]². A weight is negative if ∂x/∂ξ_p × ∂x/∂ξ_q points inwards.
   const std::vector<double>& weights() const { return weights_; }
 
-  /// u must have the ghost nodes of the cells of this rank.
+  /// The jets of u at the points. The ghost nodes of u on the cells of this rank must be up to date.
   Jets jets(const Vector& u) const;
   /// f_n ← f_n − ∂E/∂u_n, by the chain rule. `by_jets` has the derivatives of E with respect to u, ∂u/∂ξ_p and ∂u/∂ξ_q
-  /// at the points. f must have ghost nodes.
+  /// at the points. The changes of ghost nodes remain in the ghost entries of f. The caller must then add these entries
+  /// to those of their owners.
   void subtract_derivative(const Jets& by_jets, Vector& f) const;
 
  private:
-  std::vector<std::vector<unsigned int>> face_nodes_;  ///< [face][j·n + i], i along p
+  std::vector<std::vector<unsigned int>> face_nodes_;  ///< [face][j·n + i] for n nodes per direction, i along p
   Eigen::MatrixXd values_, derivatives_;               ///< ℓ_i and ℓ_i' at the points: [point][i]
   std::vector<double> weights_;
 };

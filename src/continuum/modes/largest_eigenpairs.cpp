@@ -36,7 +36,7 @@ PetscErrorCode multiply(Mat matrix, Vec in, Vec out) {
   return 0;
 }
 
-/// The objects of PETSc and SLEPc that a run allocates.
+/// The objects of PETSc and SLEPc that one run of the iteration allocates.
 struct Run {
   Mat matrix = nullptr;
   EPS solver = nullptr;
@@ -50,7 +50,7 @@ struct Run {
   }
 };
 
-/// Ends the iteration if a product has failed, or if the default test of SLEPc ends it.
+/// SLEPc's test for the end of the iteration. It also ends the iteration if a product has failed.
 PetscErrorCode look(EPS solver, PetscInt n_iterations, PetscInt max_iterations, PetscInt n_converged, PetscInt n_wanted,
                     EPSConvergedReason* reason, void* context) {
   PetscCall(EPSStoppingBasic(solver, n_iterations, max_iterations, n_converged, n_wanted, reason, nullptr));
@@ -75,7 +75,8 @@ PetscErrorCode set_up(Run& run, Product& product, PetscInt n, PetscInt n_wanted,
     PetscCall(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, n, pair.vector.data(), &v));
   }
   PetscCall(EPSSetDeflationSpace(run.solver, static_cast<PetscInt>(run.known.size()), run.known.data()));
-  // Each run has its own starting vector, which is the same in every call of the program.
+  // The starting vector depends only on the size and on the number of known vectors. The results are therefore
+  // reproducible.
   std::mt19937 generator(static_cast<unsigned int>(known.size()));
   std::uniform_real_distribution<double> uniform(-1, 1);
   PetscCall(VecCreateSeq(PETSC_COMM_SELF, n, &run.start));

@@ -13,7 +13,8 @@
 
 namespace pseudorigid::continuum {
 
-/// Sets the second vector to the product of the operator with the first. A failure ends the iteration.
+/// A function that sets the second vector to the product of the operator with the first. If it fails, the iteration
+/// ends.
 using SymmetricOperator = std::function<mechanics::Status(std::span<const double>, std::span<double>)>;
 
 struct EigenPair {
@@ -21,9 +22,10 @@ struct EigenPair {
   std::vector<double> vector;
 };
 
-/// Appends n_wanted pairs or a few more to `known`, in descending order. The new vectors are orthogonal to the vectors
-/// in `known`. If the operator has fewer other pairs, all of them are appended. Residuals are below `tolerance` times
-/// the eigenvalue. Fails without a change of `known` if a product fails or the iteration does not converge.
+/// Appends n_wanted pairs, or a few more, to `known`, in descending order of the eigenvalues. The new vectors are
+/// orthogonal to the vectors in `known`. If the operator has fewer than n_wanted other pairs, all of them are appended.
+/// Residuals are below `tolerance` times the eigenvalue. Fails if a product fails, if SLEPc reports an error, or if the
+/// iteration does not converge; `known` then does not change.
 mechanics::Status append_largest_eigenpairs(const SymmetricOperator& apply, std::size_t size, int n_wanted,
                                             double tolerance, std::vector<EigenPair>& known);
 

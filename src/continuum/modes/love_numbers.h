@@ -8,7 +8,7 @@
 ///
 /// Tides of even n are even at all three planes of the octant, and tides of odd n are odd. No rigid motion has these
 /// parities. The mesh breaks the symmetry between the harmonics of one degree. The result is the mean over these
-/// harmonics, and their spread is an error of the mesh.
+/// harmonics. The difference between the largest and the smallest number is an error of the mesh.
 
 #include <vector>
 
@@ -17,14 +17,15 @@
 
 namespace pseudorigid::continuum {
 
-/// The mean Love numbers of a degree, and the differences between the largest and the smallest number of its harmonics.
+/// The mean Love numbers over the harmonics of a degree. The spreads are the differences between the largest and the
+/// smallest number.
 struct BallLoveNumbers {
   gravity::LoveNumbers mean;
   double spread_of_h = 0, spread_of_l = 0;
 };
 
-/// Sets `numbers` to the Love numbers of `degrees`, for an incompressible ball with self-gravity. Fails if the ball is
-/// not stable at rest.
+/// Sets `numbers` to the Love numbers of the `degrees`, each at least 2, for an incompressible ball with self-gravity.
+/// Fails if the ball is not stable at rest.
 mechanics::Status love_numbers(RestProblem problem, const std::vector<int>& degrees,
                                std::vector<BallLoveNumbers>& numbers);
 

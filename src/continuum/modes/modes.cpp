@@ -16,7 +16,7 @@ namespace {
 constexpr double eigenvector_tolerance = 1e-7;
 constexpr double round_off = 1e-9;
 
-/// A sector to solve, and the number of sectors with the same spectrum, including this sector.
+/// A sector to solve (parity_of_sector), and the number of sectors with the same spectrum, including this sector.
 struct SectorClass {
   int number, n_sectors;
 };
@@ -135,7 +135,7 @@ class SectorSpectrum {
 
 double root(double square) { return std::copysign(std::sqrt(std::abs(square)), square); }
 
-/// All frequencies with a mode below the bound, in the order of their lowest modes.
+/// Groups the modes with ω < `bound` into frequencies, in the order of the lowest modes of the frequencies.
 std::vector<mechanics::ModeGroup> sort_modes(const std::vector<SectorMode>& modes, double bound) {
   std::vector<mechanics::ClassifiedMode> known;
   for (const SectorMode& mode : modes) {

@@ -1,11 +1,11 @@
 #pragma once
 /// The lowest eigenfrequencies of the ball at rest, from all eight parity sectors of one octant (parity_sector.h).
 ///
-/// The sphere has 2n + 1 modes for each frequency of a kind and degree n. These modes are distributed over the sectors.
-/// On a mesh, their computed frequencies differ by the error of the mesh. The modes are classified by the kind and
-/// degree of their surface displacement (surface_harmonics.h). The lowest 2n + 1 modes of one class are its
-/// fundamental, and the next 2n + 1 modes its first overtone (mechanics/equilibria/mode_groups.h). Rigid motions are
-/// omitted.
+/// A sphere has 2n + 1 modes for each frequency of a kind (spheroidal or toroidal) and a degree n. These modes are
+/// distributed over the sectors. On a mesh, their computed frequencies differ by the error of the mesh. The modes are
+/// classified by the kind and degree of their surface displacement (surface_harmonics.h). The lowest 2n + 1 modes of
+/// one class are its fundamental, and the next 2n + 1 modes its first overtone (mechanics/equilibria/mode_groups.h).
+/// Rigid motions are omitted.
 ///
 /// The iteration of a sector has several runs. Each run is made in the orthogonal complement of all modes found before.
 /// The modes of a sector are therefore complete below the lowest frequency that the last run has found. The search
@@ -42,12 +42,14 @@ struct ModesReport {
   int n_eigenpairs = 0;
 };
 
-/// Computes the lowest n_frequencies in ascending order. `give_up` is called between the runs of the iteration; if it
-/// returns true, the function fails. The function also fails if the mesh is too coarse for so many frequencies.
+/// Computes the lowest n_frequencies in ascending order. `give_up` is called between the runs of the iteration. Fails
+/// if `give_up` returns true, if the ball at rest is not stable under the law, or if an iteration does not converge.
+/// Also fails if the mesh is too coarse for so many frequencies.
 mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std::vector<BallFrequency>& frequencies,
                              ModesReport& report, const std::function<bool()>& give_up = {});
 
-/// Displacements of the whole ball at the points of nodal_blocks(space), three numbers per point.
+/// The displacements of the mode `shape` with this parity on the whole ball, at the points of nodal_blocks(space).
+/// There are three numbers for each point.
 std::vector<double> mode_displacement(const BallSpace& space, const Parity& parity, const Vector& shape);
 
 }  // namespace pseudorigid::continuum

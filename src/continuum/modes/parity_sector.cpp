@@ -19,14 +19,13 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Numbers of corrections of G u: in the operator of the iteration for eigenvectors, and for a mode or a static
-/// response.
+/// Numbers of corrections of G u: first in the operator for the eigenvectors, then for a mode or a static response.
 constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
-/// Tolerances of conjugate gradients with self-gravity in the energy norm: for eigenvectors and modes, and for a static
-/// response.
+/// Relative tolerances of the conjugate gradients with self-gravity, in the energy norm: first for eigenvectors and
+/// modes, then for a static response. The third constant is the largest number of iterations.
 constexpr double tolerance_of_operator = 1e-9, tolerance_of_response = 1e-13;
 constexpr int n_iterations_with_gravity = 100;
-/// Largest number of unknowns between cells for which their matrix is factorised as a dense matrix.
+/// The matrix of the unknowns between cells is factorised as a dense matrix for up to this number of unknowns.
 constexpr Eigen::Index n_dense = 1500;
 
 #ifdef PSEUDORIGID_CHOLMOD
@@ -80,7 +79,8 @@ void RestProblem::add_springs() {
   }
 }
 
-/// The free entries of a cell: first its own entries, then the entries that it shares with other cells.
+/// The free entries of a cell, that is, those that the parity does not set to 0: first its own entries, then the
+/// entries that it shares with other cells.
 struct ParitySector::Cell {
   std::vector<int> own, shared;            ///< 3·(node of the cell) + component
   std::vector<Eigen::Index> unknown;       ///< number of each entry in the vectors of the sector
@@ -266,7 +266,7 @@ mechanics::Status ParitySector::solve(const Eigen::VectorXd& f, int n_correction
   }
   u = Eigen::VectorXd::Zero(f.size());
   Eigen::VectorXd r = f, z = solve_elastic(r, n_corrections), p = z;
-  // B p without a term Gᵀμ; the products of this term with p and z are 0, because G p = G z = 0
+  // B p up to a term Gᵀμ. The products of this term with p and z are 0, because G p = G z = 0.
   Eigen::VectorXd B_p = r;
   double rz = r.dot(z);
   const double enough = tolerance * tolerance * rz;

@@ -47,8 +47,8 @@
 
 namespace pseudorigid::continuum {
 
-/// Data that all sectors share: the space, and the stiffness and the constraint of every cell. The space must be the
-/// space of an octant.
+/// Data that all sectors share: the space, and the stiffness and the constraint of every cell. The space must be that
+/// of an octant in one process.
 struct RestProblem {
   /// The self-gravity K_g (top of this file) is that of an incompressible body. `gravity_constant` is Newton's constant
   /// in internal units, in which ρ = r = 1.
@@ -75,18 +75,20 @@ class ParitySector {
   ~ParitySector();
   ParitySector(ParitySector&&) noexcept;
 
+  /// Factorises B. Call this function before `apply`, `respond` and `mode_of`. Fails if B is not positive definite.
   mechanics::Status factorize();
   std::size_t n_unknowns() const { return n_unknowns_; }
   const Parity& parity() const { return parity_; }
 
-  /// z = M^½ T M^½ y. This operator is symmetric and has the eigenvalues 1/(ω² + s). Fails if T cannot be applied.
+  /// z = M^½ T M^½ y. This operator is symmetric and has the eigenvalues 1/(ω² + s). `apply`, `respond` and `mode_of`
+  /// fail if the ball with self-gravity is unstable, or if the conjugate gradients do not converge.
   mechanics::Status apply(std::span<const double> y, std::span<double> z) const;
 
   /// Sets u = T f for a force f on the octant.
   mechanics::Status respond(const Vector& f, Vector& u) const;
 
-  /// A mode with its ω². `mode_of` makes a step of inverse iteration from an approximate eigenvector y of `apply`, and
-  /// computes ω² = uᵀKu / uᵀMu with K including self-gravity.
+  /// A mode with its ω². `mode_of` makes one step of inverse iteration from an approximate eigenvector y of `apply`. It
+  /// then computes ω² = uᵀ(K + K_g)u / uᵀMu.
   struct Mode {
     double omega_squared;
     Vector u;
@@ -102,11 +104,11 @@ class ParitySector {
   void scatter_add(const Cell& cell, const Eigen::VectorXd& local, Eigen::VectorXd& u) const;
   void solve_penalized(Eigen::VectorXd& f) const;  ///< f ← B⁻¹f
   /// T f without self-gravity (`solve_elastic`) and with self-gravity (`solve`). n_corrections is the number of
-  /// corrections of G u.
+  /// corrections of G u. `tolerance` is the relative tolerance of the conjugate gradients in the energy norm.
   Eigen::VectorXd solve_elastic(Eigen::VectorXd f, int n_corrections) const;
   mechanics::Status solve(const Eigen::VectorXd& f, int n_corrections, double tolerance, Eigen::VectorXd& u) const;
   void find_attraction();
-  /// K_g u without the force of the springs.
+  /// The second term of K_g u, the attraction. B contains the first term.
   Eigen::VectorXd apply_gravity(const Eigen::VectorXd& u) const {
     return -(attraction_.transpose() * (attraction_ * u));
   }
@@ -115,7 +117,7 @@ class ParitySector {
 
   const RestProblem& problem_;
   Parity parity_;
-  std::size_t n_unknowns_ = 0, first_interface_ = 0;
+  std::size_t n_unknowns_ = 0, first_interface_ = 0;  ///< first_interface_: the first unknown between cells
   std::vector<Cell> cells_;
   std::vector<unsigned int> entry_of_unknown_;  ///< 3·node + component
   Eigen::VectorXd mass_, root_mass_;

@@ -78,6 +78,7 @@ RestStiffness::PointCoefficients RestStiffness::coefficients(unsigned int cell) 
 /// The n³×n³ matrix Σ_de Σ_q c_de ∂_dφ_a ∂_eφ_b.
 Eigen::MatrixXd RestStiffness::contract(const std::array<Eigen::VectorXd, 9>& c) const {
   const int n = n_, n2 = n * n;
+  // The index in products_ for one direction: 2 if ∂_d differentiates in this direction, plus 1 if ∂_e does.
   const auto pattern = [](int de, int direction) { return 2 * (de / 3 == direction) + (de % 3 == direction); };
   std::array<Eigen::MatrixXd, 4> plane;  // by the third direction's pattern: [(a₀b₀) (a₁b₁), q₂]
   for (auto& m : plane) m.setZero(n2 * n2, n);

@@ -1,5 +1,5 @@
 #pragma once
-/// The stiffness K of the ball about rest x = X, cell by cell. The stored energy has the second variation below. If a
+/// The stiffness K of the ball about rest x = X, cell by cell. It is the second variation of the stored energy. If a
 /// multiplier carries a stress at rest, C(H) includes the second variation of the constraint (materials/rest_moduli.h).
 ///
 ///   C_iJkL = ∂C(H)_iJ/∂H_kL + κ δ_iJ δ_kL,      K_(a,i)(b,k) = ∫ ∂_Jφ_a C_iJkL ∂_Lφ_b dX,
@@ -7,9 +7,9 @@
 /// C(H) is the tangent of the law for the displacement gradient H. The last term of C_iJkL is due to the volumetric
 /// stabilisation (kernels/stored_energy.h).
 ///
-/// Let c^ik_de = w det(∂X/∂ξ) (∂ξ_d/∂X_J) C_iJkL (∂ξ_e/∂X_L) at the Gauss points with the weights w. ∂_dφ_a is a
-/// product of one-dimensional functions. Therefore the sum K^ik_ab = Σ_de Σ_q c^ik_de ∂_dφ_a ∂_eφ_b is computed one
-/// direction after the other. This takes O(n⁷) operations for a cell of n³ nodes.
+/// Let c^ik_de = w det(∂X/∂ξ) (∂ξ_d/∂X_J) C_iJkL (∂ξ_e/∂X_L) at the Gauss points with the weights w. The derivative
+/// ∂_dφ_a is a product of one-dimensional functions. Therefore the sum K^ik_ab = Σ_de Σ_q c^ik_de ∂_dφ_a ∂_eφ_b is
+/// computed one direction after the other. This takes O(n⁷) operations for a cell of n³ nodes.
 
 #include <Eigen/Core>
 #include <array>
@@ -46,8 +46,8 @@ class RestStiffness {
   RestElasticity elasticity_;
   int n_;
   Eigen::MatrixXd values_, derivatives_;  ///< ℓ_i and ℓ_i' at the Gauss points, [point, node]
-  /// Products of two functions of one direction at the points of this direction: [2·(first is a derivative) + (second
-  /// is a derivative)](point, pair).
+  /// Products of two one-dimensional functions at the Gauss points of one direction: [2 s + t](point, pair of nodes).
+  /// The numbers s and t are 1 if the first and the second function is a derivative ℓ_i', and otherwise 0.
   std::array<Eigen::MatrixXd, 4> products_;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double n_octants = 8;
 
-/// Y_nm with cos(mφ) or sin(mφ), orthonormal on the sphere, and its gradient on the sphere.
+/// The real Y_nm with the factor cos(mφ) or sin(mφ), orthonormal on the sphere, and its gradient on the sphere.
 struct Harmonic {
   double value;
   Eigen::Vector3d gradient;

@@ -5,9 +5,9 @@
 ///
 ///   Y e,   ∇Y/√N   (spheroidal),        e×∇Y/√N   (toroidal).
 ///
-/// A mode of degree n contains only the fields of its kind and degree. A mode is not zero on the free surface, because
-/// a mode without displacement and traction on the surface would vanish everywhere. The computation uses only harmonics
-/// with the parity of the motion. Therefore an octant is sufficient.
+/// On the surface, a mode of degree n contains only the fields of its kind and degree. Its surface displacement is not
+/// zero, because a mode without displacement and traction on the surface would vanish everywhere. The computation uses
+/// only harmonics with the parity of the motion. Therefore an octant is sufficient.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -42,7 +42,7 @@ class SurfaceHarmonics {
 
   int max_degree() const { return max_degree_; }
 
-  /// Returns the kind and degree with the largest share.
+  /// Returns the kind and the degree with the largest share in the surface displacement of u, and this share.
   ModeClass classify(const Vector& u) const;
 
   /// The indices of the fields Y_nm e of degree n. For n > 0, the field ∇Y_nm/√N of the same harmonic has the next

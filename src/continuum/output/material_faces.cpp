@@ -11,8 +11,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// The coordinate plane, 1 to 3, that contains these nodes of a cell on its positive side. Cells on the negative side
-/// give no plane, so that each face is found once.
+/// The number 1 to 3 of the coordinate plane that contains these nodes of a cell. The result is empty if there is none,
+/// or if the cell is on the negative side of the plane. Each face in a plane is therefore found once.
 std::optional<int> coordinate_plane(const Eigen::Matrix3Xd& X, const std::vector<int>& nodes) {
   constexpr double round_off = 1e-10;
   for (int d = 0; d < 3; ++d) {
@@ -22,7 +22,8 @@ std::optional<int> coordinate_plane(const Eigen::Matrix3Xd& X, const std::vector
   return std::nullopt;
 }
 
-/// Total number of squares of all lattices on the whole ball: enough for round outlines, and few enough for one page.
+/// The wanted number of squares of all lattices on the whole ball. With this number, outlines look round and the report
+/// remains small.
 constexpr double wanted_squares = 1700;
 constexpr int largest_m = 6;
 

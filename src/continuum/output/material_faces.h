@@ -4,8 +4,8 @@
 ///
 ///   x(ξ_a, ξ_b) = Σ_ij ℓ_i(ξ_a) ℓ_j(ξ_b) x_ij,   ξ_a = a/m,  a, b = 0 … m
 ///
-/// with the nodes x_ij of the face, their Lagrange polynomials ℓ_i and m intervals per direction. The rows have
-/// internal units and cover the computed sector only; the rest of the body follows by reflection.
+/// with the nodal positions x_ij of the face, the Lagrange polynomials ℓ_i of the nodes and m intervals per direction.
+/// The rows have internal units and cover the computed sector only. The rest of the body follows by reflection.
 
 #include <Eigen/Core>
 #include <array>
@@ -24,16 +24,17 @@ class MaterialFaces {
   static constexpr auto columns = mechanics::shape_columns;
   static constexpr std::size_t first_length = mechanics::first_length_of_shapes;
 
-  std::size_t n_points() const { return n_faces_ * (m_ + 1) * (m_ + 1); }  ///< number on all ranks
-  /// Returns a row for each lattice point of the faces of all ranks. The order of the rows does not depend on the
-  /// number of ranks. The result is complete on rank 0 and empty on other ranks. Collective.
+  std::size_t n_points() const { return n_faces_ * (m_ + 1) * (m_ + 1); }  ///< number of lattice points on all ranks
+  /// Returns a row with these columns for each lattice point of the faces of all ranks, at the position `position` of
+  /// the ball. The order of the rows does not depend on the number of ranks. The result is complete on rank 0 and empty
+  /// on other ranks. Collective.
   std::vector<std::vector<double>> rows(const Vector& position) const;
 
  private:
   struct Face {
     CellFace place;
-    int plane;
-    std::size_t key;  ///< number among the faces of all ranks
+    int plane;        ///< 0: free surface; 1 … 3: coordinate plane
+    std::size_t key;  ///< orders the faces of all ranks
   };
   static constexpr std::size_t n_columns = columns.size();
   void find_faces();
@@ -42,9 +43,9 @@ class MaterialFaces {
   std::vector<double> own_rows(const Vector& position) const;
 
   const BallSpace& space_;
-  std::vector<Face> faces_;  ///< faces of this rank
-  std::size_t n_faces_ = 0;  ///< number on all ranks
-  int m_ = 1;
+  std::vector<Face> faces_;          ///< faces of this rank
+  std::size_t n_faces_ = 0;          ///< number on all ranks
+  int m_ = 1;                        ///< m, the intervals of the lattice per direction
   std::vector<double> interpolate_;  ///< row-major [a][i]: ℓ_i(a/m)
 };
 

@@ -42,7 +42,7 @@ void reflect(std::vector<double>& values, int n_components, const Sector& sector
     }
 }
 
-/// φ at the nodes of all cells, empty without self-gravity. Collective.
+/// φ at the nodes of all cells of this rank, cell by cell. The result is empty without self-gravity. Collective.
 std::vector<double> potential_at_nodes(const BallBody& ball, const Vector& position) {
   if (!ball.gravity()) return {};
   std::vector<Eigen::Vector3d> points;
@@ -62,7 +62,8 @@ double mean_potential(const BallBody& ball, const Vector& position) {
   return 5.0 / 3 * n_images * ball.gravity()->energy(position) / ball.volume();
 }
 
-/// Appends the fields at the nodes of a cell to `fields`. If `multiplier` is null, λ_h is 0.
+/// Appends the fields at the nodes of a cell to `fields`, except the potential, which must already be set. If
+/// `multiplier` is null, λ_h is 0. Fails if det F ≤ 0 at a node.
 mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
                            const Vector* multiplier, double mean_potential, unsigned int cell,
                            mechanics::BodyFields& fields) {
@@ -84,7 +85,7 @@ mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, c
   return {};
 }
 
-/// Sets `fields` at all points. `multiplier` is null for a ball without constraint.
+/// Sets `fields` at the points of `nodal_blocks`. `multiplier` is null for a ball without constraint.
 mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
                              const Vector* multiplier, mechanics::BodyFields& fields) {
   fields = {};
@@ -104,15 +105,15 @@ mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law,
   return {};
 }
 
-/// Appends the numbers of the points of a cell. For a mirror image the order of the layers is reversed, so that the
-/// cell is right-handed.
+/// Appends the numbers of the points of a cell. After an odd number of reflections (`mirrored`), the order of the
+/// layers is reversed, so that the cell is right-handed.
 void add_block(int n, std::int64_t first_point, bool mirrored, std::vector<std::int64_t>& points) {
   for (int k = 0; k < n; ++k)
     for (int ij = 0; ij < n * n; ++ij) points.push_back(first_point + (mirrored ? n - 1 - k : k) * n * n + ij);
 }
 
-/// Interpolates values at the nodes of a cell to equidistant points along one direction, as one factor of a tensor
-/// product. Neighbours in this direction are `stride` points apart.
+/// Interpolates values at the nodes of a cell to equidistant points along one direction. Three calls, one for each
+/// direction, interpolate the cell. Neighbours in the direction are `stride` points apart.
 void interpolate_along(const std::vector<double>& to_equidistant, int n, std::size_t stride, int n_components,
                        std::span<double> cell) {
   std::vector<double> line(n);

@@ -4,10 +4,10 @@
 ///
 ///   F = (∂x/∂ξ)(∂X/∂ξ)⁻¹,   σ = (P(F) − (λ_h − ρ(φ − φ̄)) F⁻ᵀ)Fᵀ / det F
 ///
-/// P is the stress of the law without volumetric stabilisation and viscosity, and λ_h is the multiplier of the motion
-/// (0 without constraint). With self-gravity, φ is the potential, and the constant φ̄ follows from ρφ̄V = (5/3)Ê with
-/// the volume V. The term with φ removes the gauge of Ê from the pressure (gravity/surface_gravity.h), and is 0 without
-/// self-gravity. All fields have internal units (lengths r, stresses ρc²).
+/// P is the stress of the law without volumetric stabilisation and viscosity. λ_h is the multiplier of the motion, or 0
+/// without constraint. With self-gravity, φ is the potential, and the constant φ̄ follows from ρφ̄V = (5/3)Ê with the
+/// volume V. The term with φ removes the gauge of Ê from the pressure (gravity/surface_gravity.h), and is 0 without
+/// self-gravity. All fields have internal units (entries/units.h).
 
 #include <vector>
 
@@ -17,7 +17,8 @@
 
 namespace pseudorigid::continuum {
 
-/// A block of points for each cell and each mirror image of a cell, with the degree of the elements.
+/// A block of points for each cell of this rank and for each mirror image of such a cell. The degree of the blocks is
+/// the degree of the elements.
 mechanics::PointBlocks nodal_blocks(const BallSpace& space);
 
 /// X at the points of the blocks, three numbers per point.
@@ -32,7 +33,8 @@ mechanics::Status nodal_fields(const CompressibleBall& ball, const materials::An
                                const mechanics::State<CompressibleBall>& state, CompressibleBall::Workspace& workspace,
                                mechanics::BodyFields& fields);
 
-/// Interpolates values from the Gauss–Lobatto nodes of each cell to the same number of equidistant points.
+/// Interpolates values from the Gauss–Lobatto nodes of each cell to the same number of equidistant points. `values`
+/// contains three numbers for each node.
 void make_equidistant(const BallSpace& space, std::vector<double>& values);
 void make_equidistant(const BallSpace& space, mechanics::BodyFields& fields);
 

@@ -11,7 +11,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Σ m_n |x_n − A X_n|² over the sector, for all ranks. Collective.
+/// Σ m_n |x_n − A X_n|² over the sector, summed over all ranks. Collective.
 double squared_distance_from_affine(const BallBody& ball, const Vector& x, const Eigen::Matrix3d& A) {
   const Vector affine = ball.affine_field(A);
   double sum = 0;
@@ -40,8 +40,9 @@ Eigen::Matrix3d to_eigen(const CellIntegrals::Matrix& t) {
   return m;
 }
 
-/// (1/m̄)∫p dV of the pressure p. The constraint force of λ_h, tested with the dilation x, gives ∫λ_h F⁻ᵀ:∇x dV = 3∫λ_h
-/// dV. With self-gravity, p = λ_h − ρ(φ − φ̄), with ρφ̄V = (5/3)Ê and ∫ρφ dV = 2Ê (gravity/surface_gravity.h).
+/// (1/m̄)∫p dV of the pressure p, with m̄ = ⅓ tr E₀. The scalar product of the reaction of λ_h with x is
+/// ∫λ_h F⁻ᵀ:∇x dV = 3∫λ_h dV. With self-gravity, p = λ_h − ρ(φ − φ̄), with ρφ̄V = (5/3)Ê and ∫ρφ dV = 2Ê
+/// (gravity/surface_gravity.h).
 double mean_multiplier(const ElasticBall& ball, const Vector& x, const Vector& lambda) {
   Vector reaction = ball.make_vector();
   ball.add_reaction(x, lambda, reaction);
@@ -50,7 +51,7 @@ double mean_multiplier(const ElasticBall& ball, const Vector& x, const Vector& l
   return ball.space().mesh().sector().n_images() * ((reaction * x) / 3 - of_gravity) / m_bar;
 }
 
-/// All observables except the multiplier.
+/// Sets all requested observables except the multiplier.
 mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
                                  const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
   const int n_images = ball.space().mesh().sector().n_images();

@@ -1,6 +1,7 @@
 #pragma once
-/// Observables of the whole finite-element ball at one state (the columns of continuum.csv), in internal units. Q_M, J,
-/// Z and the nonaffine quantities are computed relative to the centre of mass.
+/// Observables of the whole finite-element ball at one state (the columns of continuum.csv), in internal units. The
+/// mass moment Q_M, the angular momentum J, the circulation Z and the non-affine quantities are relative to the centre
+/// of mass.
 
 #include "continuum/body/compressible_ball.h"
 #include "continuum/body/elastic_ball.h"
@@ -10,14 +11,16 @@ namespace pseudorigid::continuum {
 
 using BallState = mechanics::VectorState<Vector>;
 
-/// Sets the observables that `request` contains. Fails if the deformation is not admissible or the multiplier cannot be
-/// computed. Collective.
+/// Sets the observables that `request` contains. Always sets the centre of mass, its velocity, Q_M and its time
+/// derivative, the mean of F, the volume ratio and the contact. Fails if the deformation is not admissible, or if the
+/// multiplier is requested and cannot be computed. Collective.
 mechanics::Status observe(const ElasticBall& ball, const BallState& state, ElasticBall::Workspace& workspace,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& observables);
 mechanics::Status observe(const CompressibleBall& ball, const BallState& state, CompressibleBall::Workspace& workspace,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& observables);
 
-/// Kinetic and potential energy, NaN if the deformation is not admissible. Collective.
+/// The kinetic and the potential energy of the whole ball. Both are NaN if the deformation is not admissible.
+/// Collective.
 Eigen::Vector2d energies(const BallBody& ball, const BallState& state);
 
 }  // namespace pseudorigid::continuum

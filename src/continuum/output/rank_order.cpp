@@ -21,7 +21,7 @@ RankOrder::RankOrder(const BallSpace& space) : communicator_(space.communicator(
   const std::size_t nodes_per_cell = space.nodes_per_cell();
   std::vector<std::size_t> node_keys(space.n_nodes(), not_seen), cell_keys;
   std::vector<dealii::types::global_dof_index> nodes(nodes_per_cell);
-  // The first cell of an own node may belong to another rank, so the loop includes ghost cells.
+  // The first cell of a node of this rank may belong to another rank, so the loop includes ghost cells.
   for (const auto& cell : dofs.active_cell_iterators()) {
     if (cell->is_artificial()) continue;
     const std::size_t number = space.mesh().global_number(cell);

@@ -1,6 +1,6 @@
 #pragma once
-/// An order of the entries of distributed vectors that does not depend on the ranks. Nodes are ordered by the first of
-/// their cells, and cells by their place in the hierarchy of the mesh. A run with any number of ranks can read vectors
+/// An order of the entries of distributed vectors that does not depend on the ranks. Cells are ordered by their place
+/// in the hierarchy of the mesh, and nodes by the first of their cells. A run with any number of ranks can read vectors
 /// in this order.
 
 #include <cstddef>
@@ -30,7 +30,7 @@ class RankOrder {
 
  private:
   struct Order {
-    std::size_t n_entries = 0, block = 1;            ///< entries of the whole vector; entries of a block
+    std::size_t n_entries = 0, block = 1;            ///< entries of the whole vector and of a block
     std::vector<std::size_t> own;                    ///< place of each block of this rank in the whole vector
     std::vector<std::vector<std::size_t>> of_ranks;  ///< the lists `own` of all ranks, on rank 0
   };
@@ -43,7 +43,7 @@ class RankOrder {
 };
 
 /// The layout of a method's memory: the kind and the local size of each part. The function `visit_memory` of the method
-/// passes the parts to this object. Plain numbers are equal on all ranks, and vectors are distributed over the ranks.
+/// calls this object with each part. Plain numbers are equal on all ranks, and vectors are distributed over the ranks.
 class MemoryLayout {
  public:
   explicit MemoryLayout(const RankOrder& order) : order_(&order) {}

@@ -13,14 +13,15 @@ namespace {
 
 using Tangents = Eigen::Matrix<double, 3, 2>;
 
-/// The two columns of ∂/∂ξ that are tangent to a face with the normal direction d.
+/// The two columns of the gradient ∂/∂ξ that are tangent to a face ξ_d = const.
 Tangents tangents(const Eigen::Matrix3d& gradient, int d) {
   Tangents t;
   t << gradient.col((d + 1) % 3), gradient.col((d + 2) % 3);
   return t;
 }
 
-/// The ratio λ₁²λ₂, computed from the trace and the determinant of C₀⁻¹c.
+/// The ratio λ₁²λ₂, computed from the trace and the determinant of C₀⁻¹c. `before` and `after` contain the tangents
+/// before and after the deformation.
 double stretch_ratio(const Tangents& before, const Tangents& after) {
   const Eigen::Matrix2d A = (before.transpose() * before).inverse() * (after.transpose() * after);
   const double half_trace = A.trace() / 2, product = A.determinant();

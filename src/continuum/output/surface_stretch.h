@@ -18,7 +18,8 @@
 
 namespace pseudorigid::continuum {
 
-/// The least λ₁/λ_n over the nodes of the free surface, with its reference position X. Collective.
+/// The least λ₁/λ_n over the nodes of the free surface of all ranks, with the reference position X of its node.
+/// Collective.
 LeastPlace least_surface_stretch(const BallSpace& space, const Vector& x);
 
 }  // namespace pseudorigid::continuum

@@ -12,7 +12,8 @@
 
 namespace pseudorigid::continuum {
 
-/// An MPI type for one entry of type T. The counts in calls of MPI are then numbers of entries.
+/// An MPI type for one entry of type T. With this type, the counts in MPI calls are numbers of entries and not of
+/// bytes.
 template <class T>
 requires std::is_trivially_copyable_v<T>
 class MpiType {
@@ -99,8 +100,8 @@ std::vector<T> gather_from_others(MPI_Comm communicator, const std::vector<T>& v
   return all;
 }
 
-/// Returns to each rank its vector from rank 0, as the inverse of `gather`. Arguments on other ranks are ignored.
-/// Collective.
+/// The inverse of `gather`: returns to each rank its vector from the argument on rank 0. Arguments on other ranks are
+/// ignored. Collective.
 template <class T>
 std::vector<T> scatter(MPI_Comm communicator, const std::vector<std::vector<T>>& of_ranks) {
   if (n_ranks(communicator) == 1) return of_ranks.at(0);

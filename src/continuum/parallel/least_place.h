@@ -1,7 +1,7 @@
 #pragma once
-/// A least value with its place. If the values at several places agree to 1e-6, the place with the largest x counts,
-/// then y, then z. At symmetric places, such as mirror images, the result therefore does not depend on round-off or on
-/// the number of ranks.
+/// A least value with its place. If the values at several places agree to a relative 1e-6, the place with the largest x
+/// is chosen. If x is also equal, y decides, and then z. At symmetric places, such as mirror images, the result
+/// therefore does not depend on round-off or on the number of ranks.
 
 #include <algorithm>
 #include <array>
@@ -14,8 +14,8 @@ struct LeastPlace {
   double value = std::numeric_limits<double>::infinity();
   std::array<double, 3> where{};
 
-  /// Replaces the value and the place if `other` is less. If both agree to 1e-6, the value becomes the lesser one, and
-  /// the place the first one in the order above. NaN counts as less than every number.
+  /// Replaces the value and the place if `other` is less. If the two values agree to a relative 1e-6, keeps the smaller
+  /// value, and the place that comes first in the order above. NaN counts as less than every number.
   void take(double other, const std::array<double, 3>& there) {
     if (std::isnan(value)) return;
     const double tie = 1e-6 * std::abs(other);

@@ -9,14 +9,14 @@ namespace {
 
 MessageCounts counts;
 
-/// Persistent requests to send, with the size of their message in bytes. The size is negative if the message stays in
-/// this process.
+/// Persistent requests to send, with the size of their message in bytes. The size is negative if the message does not
+/// go to another process.
 std::map<MPI_Request, double>& persistent_sends() {
   static std::map<MPI_Request, double> sends;
   return sends;
 }
 
-/// Size of a message in bytes. It is negative if the message does not go to another process.
+/// Size of a message in bytes. The result is −1 if the message does not go to another process.
 double bytes_to(int destination, int n, MPI_Datatype type, MPI_Comm communicator) {
   int own = 0, size = 0;
   PMPI_Comm_rank(communicator, &own);
@@ -48,8 +48,8 @@ MessageCounts message_counts() { return counts; }
 
 namespace counted = pseudorigid::continuum;
 
-// The names and types of the parameters are those of mpi.h. A macro defines each function, because all have the same
-// form.
+// The types of the parameters are those of mpi.h. A macro defines the functions MPI_Send … MPI_Irsend, because they
+// have the same form.
 extern "C" {
 
 #define PSEUDORIGID_COUNT_SEND(name)                                                                              \

@@ -1,8 +1,8 @@
 #pragma once
 /// Counts of the messages that this process has sent through MPI since its start, from all libraries. The program
-/// defines its own versions of MPI functions that send. A version counts the call, and then calls the function of the
-/// library under its second name PMPI_… (profiling interface, MPI 3.1, chapter 14). Messages to the process itself and
-/// reductions over one process do not count.
+/// defines its own versions of MPI functions that send. Each version counts the call, and then calls the function of
+/// the library under its second name PMPI_… (profiling interface, MPI 3.1, chapter 14). Messages to the process itself
+/// and reductions over one process do not count.
 
 namespace pseudorigid::continuum {
 

@@ -1,6 +1,6 @@
 #pragma once
-/// PETSc and SLEPc, which also start MPI. They are started when they are first needed, because a run without them
-/// starts 0.3 s sooner.
+/// The start of PETSc and SLEPc, which also start MPI. The program starts them when it first needs them, because a run
+/// without them starts 0.3 s sooner.
 
 namespace pseudorigid::continuum {
 

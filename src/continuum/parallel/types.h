@@ -43,7 +43,8 @@ template <>
 struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
   using Vector = pseudorigid::continuum::Vector;
   static constexpr bool dense = false;
-  /// A compensated sum would cost more than it gains, because runs of the ball are short.
+  /// The integrators do not use compensated sums for this type. Such sums would cost more than they gain, because runs
+  /// of the ball are short.
   static constexpr bool compensated = false;
   static void axpy(double a, const Vector& x, Vector& y) {
     const double* from = x.begin();
