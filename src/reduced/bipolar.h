@@ -58,9 +58,9 @@ inline double overlap(const Bipolar& b, int i, const Bipolar& before, int j) {
   return b.T.row(i).dot(before.T.row(j)) + b.S.row(i).dot(before.S.row(j));
 }
 
-/// Rotates coincident axes to the frames nearest to `before`. If two entries of A are equal to round-off, their rows in
-/// T and in S may be rotated by a common angle without a change of TᵀAS. If three entries are equal, the pairs are
-/// rotated in turn, and a few sweeps are necessary.
+/// Rotates the frames of coincident axes to the frames nearest to `before`. If two entries of A are equal to round-off,
+/// their rows in T and in S may be rotated by a common angle without a change of TᵀAS. If three entries are equal, the
+/// pairs are rotated in turn, and a few sweeps are necessary.
 inline void turn_coincident_axes(Bipolar& b, const Bipolar& before) {
   constexpr int n_sweeps = 8;
   constexpr double round_off = 4e-15;

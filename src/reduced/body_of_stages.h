@@ -36,7 +36,7 @@ struct AccountsOfStages {
   double viscosity = 0, drag = 0;
   bool driven = false;
   /// T, P̄ and the pressure of the loads that depend on time, at the eight stages. `driving_rate` has the derivatives
-  /// of T, P̄ and the pressure with respect to time.
+  /// of these quantities with respect to time.
   struct Driving {
     std::array<mechanics::OfStages, 9> quadratic{}, nominal_traction{};
     mechanics::OfStages pressure{};
@@ -47,8 +47,8 @@ struct AccountsOfStages {
 /// by loads.
 enum class BodyEntries { matrix, diagonal, with_accounts };
 
-/// Solves the stages of a Gauss step of the body. `accounts` is required for BodyEntries::with_accounts, else it may be
-/// null.
+/// Solves for the stages of a Gauss step of the body, and sets stages.converged. `accounts` is required for
+/// BodyEntries::with_accounts, and otherwise may be null.
 void solve_stages_of_body(const BodyOfStages& body, BodyEntries entries, const AccountsOfStages* accounts,
                           mechanics::GaussStages& stages);
 

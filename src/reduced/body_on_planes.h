@@ -2,12 +2,13 @@
 /// The pseudo-rigid body x = c + Q X in contact with rigid planes. The contact energy V_c(Q, c)
 /// (loads/ellipsoid_contact.h) couples the centre of mass c to Q,
 ///
-///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ + Λ Q⁻ᵀ,   M c̈ = M (b − T c − ζ ċ) − ∂V_c/∂c − ∂R/∂ċ,
+///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ + Λ Q⁻ᵀ,   M c̈ = M (b − T c) − ∂V_c/∂c − ∂R/∂ċ,
 ///
-/// with the mass M, the loads b and T and the drag ζ (center_of_mass.h), the multiplier Λ, and Rayleigh's function R of
-/// the dissipation. The term f_Q is the force on Q without planes. As in dissipative_body.h, the velocities of two
-/// further coordinates s and s' are energies: the dissipated energy D, and the energy W that loads have given. The
-/// vectors are q = [Q | c | (s, s', 0)ᵀ] and v = [Q̇ | ċ | (D, W, 0)ᵀ].
+/// with the mass M, the loads b and T (center_of_mass.h) and the multiplier Λ. Rayleigh's function R contains the
+/// viscosity, the drag and the damping of the planes. The term f_Q is the force on Q without planes and dissipation.
+/// Loads that depend on time add −∂V_t/∂Q and −∂V_t/∂c with their energy V_t(Q, c, t). As in dissipative_body.h, the
+/// velocities of two further coordinates s and s' are energies: the dissipated energy D, and the energy W that loads
+/// have given. The vectors are q = [Q | c | (s, s', 0)ᵀ] and v = [Q̇ | ċ | (D, W, 0)ᵀ].
 
 #include "loads/ellipsoid_contact.h"
 #include "loads/list.h"
@@ -25,8 +26,9 @@ class BodyOnPlanes {
   using Multiplier = typename Body::Multiplier;
   struct Workspace {
     typename Body::Workspace body{};
-    /// If this pointer is not null, springs on the whole surface replace the contact. The springs have the stiffness of
-    /// all planes together and are unstressed in this position. No contact is stiffer than these springs.
+    /// If this pointer is not null, springs on the whole surface replace the contact. They pull each point of the
+    /// surface towards its position in the configuration `*held_at`, with the stiffness Planes::stiffness_of_all. The
+    /// total stiffness is then an upper bound for the stiffness with contact.
     const Vector* held_at = nullptr;
   };
   static constexpr int n_constraints = Body::n_constraints;
@@ -134,15 +136,16 @@ class BodyOnPlanes {
                                        const Eigen::Vector3d& c) const {
     return {plane, body_.reference().shape, Q, c};
   }
-  /// Adds −k∮u to the force on c and −k∮u Xᵀ to the force on Q. The arguments Q and c are differences from the held
-  /// position, so that u = c + Q X is the displacement. The integrals are over the unit sphere of ξ, with X = S ξ.
+  /// Adds −k∮u to the force on c and −k∮u Xᵀ to the force on Q, with k = stiffness_of_all(). The arguments Q and c are
+  /// differences from the configuration *held_at, so that u = c + Q X is the displacement. The integrals are over the
+  /// unit sphere of ξ, with X = S ξ.
   void hold(const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, loads::AffineForce& F) const {
     const double k = constant_.planes.stiffness_of_all(), area = 4 * std::numbers::pi;
     const Eigen::Matrix3d& S = body_.reference().shape;
     F.on_center -= k * area * c;
     F.on_Q -= k * area / 3 * Q * S * S.transpose();
   }
-  /// F ← F − ∂R/∂(Q̇, ċ) with Rayleigh's function R; returns the dissipated power.
+  /// F ← F − ∂R/∂(Q̇, ċ) with Rayleigh's function R. Returns the dissipated power.
   double add_dissipation(const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, const Eigen::Matrix3d& Qdot,
                          const Eigen::Vector3d& cdot, loads::AffineForce& F) const {
     if (!constant_.dissipative()) return 0;
@@ -153,7 +156,7 @@ class BodyOnPlanes {
     for (const loads::Plane& plane : constant_.planes) power += contact_with(plane, Q, c).add_damping(Qdot, cdot, F);
     return power;
   }
-  /// F ← F − ∂V_t/∂(Q, c); returns ∂V_t/∂t.
+  /// F ← F − ∂V_t/∂(Q, c). Returns ∂V_t/∂t.
   double add_driving(double t, const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, loads::AffineForce& F) const {
     const loads::Forcing now = loads::driving(loads_, t);
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();

@@ -78,8 +78,8 @@ struct CenterPath::Integration {
     workspace.emplace(field, tolerance);
   }
 
-  /// The motion at t, or NaN if the method fails. The method chooses its steps until a step passes t. The motion is
-  /// then integrated from the start of this step to t.
+  /// Returns the motion at t, or NaN if the method fails. The method chooses its steps until a step passes t. The
+  /// motion is then integrated from the start of this step to t.
   CenterOfMass::Motion at(double t) {
     if (t < before.t) begin();
     while (next.t <= t) {

@@ -31,8 +31,8 @@ struct CenterOfMass {
     double work = 0;  ///< w
   };
 
-  /// Requires that no load depends on time. With an unstable T, the motion can exceed the largest number at a late time
-  /// t. The result is then not finite.
+  /// Returns the motion at the time t. Requires that no load depends on time. With an unstable T, the motion can exceed
+  /// the largest number at a late time. The result is then not finite.
   Motion at(double t) const;
 
   /// Energies per mass.

@@ -118,7 +118,7 @@ class DissipativeBody {
   }
 
  private:
-  /// f ← f − ∂V_t/∂Q; returns ∂V_t/∂t.
+  /// f ← f − ∂V_t/∂Q. Returns ∂V_t/∂t.
   double add_driving(double t, const Eigen::Matrix3d& Q, Eigen::Matrix3d& f) const {
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
     ExternalPotential(loads::driving(driving_, t)).add_gradient(body_.reference(), Q, gradient);

@@ -69,7 +69,7 @@ struct EightMatrices {
 
 [[gnu::always_inline]] inline BodyLanes absolute(BodyLanes a) { return a.v < 0.0 ? -a.v : a.v; }
 
-/// ln J for J > 0, as in materials::log_near_one: the series is used if J is near 1 in all lanes.
+/// Returns ln J for J > 0, as materials::log_near_one does. The series is used if J is near 1 in all lanes.
 [[gnu::always_inline]] inline BodyLanes log_near_one(BodyLanes J) {
   const BodyLanes delta = J - 1.0;
   if (!(greatest(absolute(delta)) <= 0x1p-11)) return log(J);
@@ -147,7 +147,7 @@ class EightBodies {
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const { set(by_inverse_inertia(tensor(f)), a); }
 
-  /// ln det Q for each body. It is NaN for det Q ≤ 0, and no iteration accepts NaN as converged.
+  /// Sets g to ln det Q of each body, or to NaN if det Q ≤ 0. No iteration accepts NaN as converged.
   mechanics::Status constraint(const Vector& Q, Multiplier& g) const {
     const BodyLanes J = materials::determinant(tensor(Q));
     g.x = J.v > 0.0 ? log_near_one(J).v : BodyLanes(std::numeric_limits<double>::quiet_NaN()).v;
@@ -174,7 +174,8 @@ class EightBodies {
                materials::dot(cof1, by_inverse_inertia(cof0));
     return {};
   }
-  /// Twice the tolerance of a single body, because the residual is the largest of eight residuals at round-off.
+  /// Returns twice the tolerance of a single body, because the residual is the largest of eight residuals, each at
+  /// round-off.
   double constraint_tolerance() const { return 8e-16; }
 
   Vector make_vector() const { return {}; }

@@ -54,9 +54,10 @@ inline Eigen::Vector3d axes_of_ratios(double a2_to_a1, double a3_to_a1) {
   return Eigen::Vector3d(1, a2_to_a1, a3_to_a1) / std::cbrt(a2_to_a1 * a3_to_a1);
 }
 
-/// Sets m to a steady motion of a body whose axes have these ratios. motion(a, m) sets m to the motion with the
+/// Sets m to a steady motion of a body whose axes have the ratios of `axes`. motion(a, m) sets m to the motion with the
 /// semi-axes a. On SL(3), a = axes. On GL⁺(3), a = size · axes with the size nearest to 1 at which the multiplier is 0.
-/// The function `motion` must set m.lambda even if it fails because the square of a velocity is negative.
+/// Fails if there is no such size between 1/18 and 18. The function `motion` must set m.lambda even if it fails because
+/// the square of a velocity is negative.
 template <SmoothPotential V, class MotionOfAxes>
 mechanics::Status motion_of_shape(const IsotropicBody<V>& body, const Eigen::Vector3d& axes, const MotionOfAxes& motion,
                                   SteadyMotion& m) {
@@ -92,7 +93,8 @@ TypeSSquares type_s_squares(const IsotropicBody<V>& body, const Eigen::Vector3d&
   return {D(1, 0), D(0, 1) + lambda / (a[0] * a[1]), lambda};
 }
 
-/// The motion of type S with ω ≥ |Λ|. In its dual motion ω and Λ are exchanged.
+/// Sets m to the motion of type S with ω ≥ |Λ|. Fails if (ω + Λ)² or (ω − Λ)² is negative. In the dual motion ω and Λ
+/// are exchanged.
 template <SmoothPotential V>
 mechanics::Status type_s_motion(const IsotropicBody<V>& body, const Eigen::Vector3d& a, SteadyMotion& m) {
   const auto [sum, product, lambda] = type_s_squares(body, a);
@@ -110,7 +112,8 @@ mechanics::Status type_s_motion(const IsotropicBody<V>& body, const Eigen::Vecto
   return {};
 }
 
-/// The spheroid a = (a₁, a₁, a₃) that rotates about axis 3 without circulation.
+/// Sets m to the motion of the spheroid a = (a₁, a₁, a₃) that rotates about axis 3 without circulation. Fails if Ω² is
+/// negative.
 template <SmoothPotential V>
 mechanics::Status spheroid_motion(const IsotropicBody<V>& body, double a1, double a3, SteadyMotion& m) {
   m.A = Eigen::Vector3d(a1, a1, a3).asDiagonal();
@@ -125,8 +128,8 @@ mechanics::Status spheroid_motion(const IsotropicBody<V>& body, double a1, doubl
   return {};
 }
 
-/// The motion of types I–III with ω and Λ in the plane of axes 2 and 3, for the root with |p| ≤ 1 and for ω₂, ω₃ ≥ 0.
-/// The dual motion belongs to the other root.
+/// Sets m to the motion of types I–III with ω and Λ in the plane of axes 2 and 3, for the root with |p| ≤ 1 and for ω₂,
+/// ω₃ ≥ 0. Fails if p is not real or if ω₂² or ω₃² is negative. The dual motion belongs to the other root.
 template <SmoothPotential V>
 mechanics::Status planar_motion(const IsotropicBody<V>& body, const Eigen::Vector3d& a, SteadyMotion& m) {
   const double half = (4 * a[0] * a[0] - a[1] * a[1] - a[2] * a[2]) / (2 * a[1] * a[2]);  // p + 1/p = 2 half
@@ -155,8 +158,9 @@ mechanics::Status planar_motion(const IsotropicBody<V>& body, const Eigen::Vecto
   return {};
 }
 
-/// The body with the ratio a₂/a₁ that rotates about axis 3 without circulation (Jacobi's ellipsoid for a fluid). The
-/// ratio a₃/a₁ is the largest one with 2ωΛ = 0 and ω² ≥ 0. The dual motion is Dedekind's ellipsoid.
+/// Sets m to the motion of the body with the ratio a₂/a₁ that rotates about axis 3 without circulation (Jacobi's
+/// ellipsoid for a fluid). The ratio a₃/a₁ is the largest one between 10⁻⁴ and 1 with 2ωΛ = 0 and ω² ≥ 0. Fails if
+/// there is no such ratio. The dual motion is Dedekind's ellipsoid.
 template <SmoothPotential V>
 mechanics::Status jacobi_motion(const IsotropicBody<V>& body, double a2_to_a1, SteadyMotion& m) {
   constexpr double factor = 1.1, least_ratio = 1e-4;

@@ -55,8 +55,8 @@ struct FamilyCurve {
 
 namespace detail {
 
-/// Appends the special points between the parameters a and b to result.special. motion(p, m) sets m to the motion with
-/// parameter p and returns a Status.
+/// Appends the folds and changes of stability between the parameters a and b to result.special. The function motion(p,
+/// m) sets m to the motion with parameter p and returns a Status.
 template <SmoothPotential V, class MotionOfParameter>
 void locate_special_equilibria(const IsotropicBody<V>& body, const MotionOfParameter& motion, const FamilyCurve& family,
                                double a, double b, EquilibriumFamily& result) {
@@ -94,8 +94,8 @@ void locate_special_equilibria(const IsotropicBody<V>& body, const MotionOfParam
 
 }  // namespace detail
 
-/// The family of the motions with the parameters of `range`. motion(p, m) sets m to the motion with parameter p and
-/// returns a Status. Special points are found between adjacent parameters if both have a motion.
+/// Returns the family of the motions with the parameters of `range`. motion(p, m) sets m to the motion with parameter p
+/// and returns a Status. Folds and changes of stability are found between adjacent parameters if both have a motion.
 template <SmoothPotential V, class MotionOfParameter>
 EquilibriumFamily equilibrium_family(const IsotropicBody<V>& body, const ParameterRange& range,
                                      const FamilyCurve& family, const MotionOfParameter& motion) {
@@ -149,8 +149,8 @@ EquilibriumFamily dedekind(const IsotropicBody<V>& body, const ParameterRange& a
   return equilibrium_family(body, a2_to_a1, {{quantities::omega_3, 0}, quantities::Lambda_3}, motion);
 }
 
-/// The family of the motions of type S with ω ≥ |Λ|. If `dual` is true, it is the family of the dual motions, in which
-/// ω and Λ are exchanged.
+/// Returns the family of the motions of type S with ω ≥ |Λ|. If `dual` is true, returns the family of the dual motions,
+/// in which ω and Λ are exchanged.
 template <SmoothPotential V>
 EquilibriumFamily type_s(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1, double a3_to_a1,
                          bool dual = false) {
@@ -164,8 +164,8 @@ EquilibriumFamily type_s(const IsotropicBody<V>& body, const ParameterRange& a2_
   return equilibrium_family(body, a2_to_a1, {{quantities::axis_ratio_31, a3_to_a1}, quantities::omega_3}, motion);
 }
 
-/// The family of the motions with ω and Λ in the plane of axes 2 and 3, for the root |p| ≤ 1 of ellipsoidal_motions.h.
-/// If `dual` is true, it is the family for the other root.
+/// Returns the family of the motions with ω and Λ in the plane of axes 2 and 3, for the root |p| ≤ 1 of
+/// ellipsoidal_motions.h. If `dual` is true, returns the family for the other root.
 template <SmoothPotential V>
 EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1, double a3_to_a1,
                          bool dual = false) {
@@ -180,8 +180,8 @@ EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_
 }
 
 /// Spheroids with given angular velocities (spins). The first motion is found from the sphere at rest, and each other
-/// motion from the last motion found. The spin changes in a few steps. There are no spheroids beyond the largest spin,
-/// the fold.
+/// motion from the last motion found. Between two motions the spin changes in eight steps. There are no spheroids
+/// beyond the largest spin, which is a fold of the family.
 template <SmoothPotential V>
 EquilibriumFamily spheroids_of_spin(const IsotropicBody<V>& body, const ParameterRange& Omega) {
   constexpr int n_steps = 8;  // for small steps, Newton's iteration does not change to another branch

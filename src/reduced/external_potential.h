@@ -25,7 +25,7 @@ class ExternalPotential {
   }
 
   bool present() const { return depends_on_direction() || pressure_ != 0; }
-  /// True if V changes under rotations of the body.
+  /// True if V can change under rotations of the body: T or P̄ is not 0.
   bool depends_on_direction() const { return quadratic_ || nominal_traction_; }
 
   double energy(const ReferenceBody& body, const Eigen::Matrix3d& Q) const {

@@ -15,7 +15,7 @@ using mechanics::detail::in_all_lanes;
 using mechanics::detail::load_lanes;
 using mechanics::detail::root_of_lanes;
 
-/// The matrix of the nine entries from p on, which are ordered by columns.
+/// Returns the matrix with the nine entries p[0], …, p[8], which are ordered by columns.
 [[gnu::always_inline]] inline Tensor matrix(const StageLanes* p) {
   return {{{p[0], p[3], p[6]}, {p[1], p[4], p[7]}, {p[2], p[5], p[8]}}};
 }
@@ -23,7 +23,7 @@ using mechanics::detail::root_of_lanes;
 #pragma GCC unroll 9
   for (int k = 0; k < 9; ++k) p[k] = A(k % 3, k / 3);
 }
-/// A matrix that is the same in all lanes.
+/// Returns a matrix that is the same in all lanes.
 [[gnu::always_inline]] inline Tensor matrix(const Numbers9& x) {
   StageLanes p[9];
 #pragma GCC unroll 9
@@ -93,7 +93,8 @@ struct ElasticField {
   }
 };
 
-/// A separate function for the stress of a law. Each law is then compiled once, and not once for each field.
+/// Pointer to a function that sets P to the stress of a law and returns reserve_of. With such a function, each law is
+/// compiled once, and not once for each field.
 using Stress = StageLanes (*)(const materials::AnyLaw& law, const Tensor& Q, StageLanes J, Tensor& P);
 template <class Law>
 StageLanes stress_of(const materials::AnyLaw& any, const Tensor& Q, StageLanes J, Tensor& P) {
@@ -130,7 +131,8 @@ StageLanes stress_of(const materials::AnyLaw& any, const Tensor& Q, StageLanes J
   return materials::product(force, S_transposed);
 }
 
-/// The field of a body with any inertia and any loads, and with dissipation if `entries` is with_accounts.
+/// The field of a body with any inertia and any loads, and with dissipation and loads that depend on time if `entries`
+/// is with_accounts.
 template <BodyEntries entries, bool incompressible>
 struct GeneralField {
   static constexpr int n = entries == BodyEntries::diagonal ? 3 : entries == BodyEntries::matrix ? 9 : 12;

@@ -1,5 +1,6 @@
 #pragma once
-/// The stages of a Gauss step of a pseudo-rigid body, in lanes; compiled with the kernels of motion_kernels.h.
+/// Solves for the stages of a Gauss step of a pseudo-rigid body in lanes. The table of motion_kernels.h has a pointer
+/// to this function.
 
 #include "reduced/body_of_stages.h"
 

@@ -1,7 +1,8 @@
 #pragma once
 /// Self-gravity of the homogeneous ellipsoid F B (B the unit ball) over any scalar type, in particular SIMD lanes. All
 /// lanes must take the same branch. The algorithm therefore uses neither principal axes nor branches for a single lane.
-/// gravity/ellipsoid_gravity.h is for a single body. With the potential V(F), the mass M and k = (3/5) G M²,
+/// The corresponding algorithm for a single body is in gravity/ellipsoid_gravity.h. With the potential V(F), the mass M
+/// and k = (3/5) G M²,
 ///
 ///   ∂V/∂F = (k/3) D F,   D = (3/2) ∫₀^∞ (C + s)⁻¹ det(C + s)^(−1/2) ds,   C = FFᵀ.
 ///
@@ -113,14 +114,14 @@ template <int l, class T>
 
 }  // namespace gravity_in_lanes
 
-/// ∂V/∂F for the strength k. `root(x)` is √x, and `largest(x)` is the largest lane of x as a number. The size of F must
-/// be between 10⁻²⁰ and 10²⁰. A singular F gives numbers that are not finite.
+/// Returns ∂V/∂F for the strength k. `root(x)` is √x, and `largest(x)` is the largest lane of x as a number. The norm
+/// of F must be between 10⁻²⁰ and 10²⁰. A singular F gives numbers that are not finite.
 template <class T, class Root, class Largest>
 materials::Tensor<T> ellipsoid_force(double strength, const materials::Tensor<T>& F, const Root& root,
                                      const Largest& largest) {
   using namespace gravity_in_lanes;
   constexpr int max_duplications = 20;
-  /// Bound of ΣZ² below which the series is accurate to round-off.
+  /// Bound of tr Z² below which the series is accurate to round-off.
   constexpr double close = 0.5 * (3 * gravity::detail::series_spread) * (3 * gravity::detail::series_spread);
   const materials::Tensor<T> cof_F = materials::cofactor(F);
   const auto row = [&](int i, int j) { return F(i, 0) * F(j, 0) + F(i, 1) * F(j, 1) + F(i, 2) * F(j, 2); };
@@ -130,7 +131,7 @@ materials::Tensor<T> ellipsoid_force(double strength, const materials::Tensor<T>
   T r3 = materials::determinant(F, cof_F), r1 = root(3.0 * I);
   double weight = 1;  // 2ⁿ
   for (int n = 0;; ++n) {
-    // ΣZ² = (I² − 2 II)/A² − 3
+    // tr Z² = (I² − 2 II)/A² − 3
     const T spread = (I * I - 2.0 * II) * 9.0 / (I * I) - 3.0;
     if (n == max_duplications || !(largest(spread) > close)) break;
     const auto [first, r2] = invariants_of_root(r1, n == 0 ? 3 : 1, I, II, r3, root);

@@ -14,9 +14,9 @@
 ///   (H, Ḣ) = (ζ̂A, −(ω×ζ)^A)   and   (Aζ̂, −A(Λ×ζ)^),   ζ ∈ R³,
 ///
 /// with known rates (0, ±i|ω|, ±i|Λ|) that contain no information on the motion. The remainder is the space of fixed
-/// momenta J and Z modulo the group that keeps J and Z. The dimension of the remainder is 8 for a generic motion. It is
-/// 10 for a sphere at rest and for a spheroid that rotates about its axis, whose symmetry about the axis does not move
-/// the body.
+/// momenta J and Z modulo the group that keeps J and Z. The dimension of the remainder is 8 for a generic motion. The
+/// dimension is 10 for a sphere at rest and for a spheroid that rotates about its axis, because some combinations of
+/// rotations do not move these bodies.
 
 #include <Eigen/Core>
 #include <utility>

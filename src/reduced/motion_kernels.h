@@ -21,7 +21,8 @@ struct MotionKernels {
 /// function.
 std::span<const mechanics::KernelBuild<MotionKernels>> builds_of_motion_kernels();
 
-/// The table that this process uses.
+/// Returns the table that this process uses. Throws NoKernels if no table can be chosen
+/// (mechanics/core/kernel_builds.h).
 const MotionKernels& motion_kernels();
 
 }  // namespace pseudorigid::reduced

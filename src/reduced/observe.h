@@ -18,8 +18,9 @@
 
 namespace pseudorigid::reduced {
 
-/// Sets the quantities of `o` that `request` contains. `System` is a PseudoRigidBody or one of its other forms. Fails
-/// if the multiplier is needed and cannot be computed.
+/// Sets Q, Q̇, det Q and the contact, if there is any, and the quantities of `o` that `request` contains. The bipolar
+/// observables are set by observe_bipolar. `System` is a PseudoRigidBody or one of its other forms. Fails if the
+/// multiplier is needed and cannot be computed.
 template <class System>
 mechanics::Status observe(const System& system, const mechanics::State<System>& state,
                           typename System::Workspace& workspace, const mechanics::ObservableRequest& request,
@@ -62,7 +63,7 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
 
 /// Sets the bipolar observables of `o`. o.multiplier must contain the result of `observe`. `before` is the
 /// decomposition at the previous sample, if there is one. The function replaces `before` by the decomposition at this
-/// sample.
+/// sample. Fails if the force or the motion near the state cannot be computed.
 template <class System>
 mechanics::Status observe_bipolar(const System& system, const mechanics::State<System>& state,
                                   typename System::Workspace& workspace, std::optional<Bipolar>& before,

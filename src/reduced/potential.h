@@ -50,7 +50,8 @@ class Potential {
     if (G != 0) gravity_ = gravity::EllipsoidGravity{0.6 * G * body.mass * body.mass};
   }
 
-  /// Limits of the material law (materials/law_limits.h).
+  /// `admits` is true if Q is within the limit of the material law, and `limit` names this limit
+  /// (materials/law_limits.h).
   bool admits(const Tensor& Q) const { return !limited_ || materials::admits(law_, Q); }
   std::string_view limit() const { return materials::limit_of(law_); }
 
@@ -86,7 +87,7 @@ class Potential {
     return D;
   }
 
-  /// True if V changes under rotations of space because of a load.
+  /// True if V can change under rotations of space because of a load (external_potential.h).
   bool depends_on_direction() const { return external_.depends_on_direction(); }
 
   const materials::AnyLaw& law() const { return law_; }

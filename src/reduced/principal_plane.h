@@ -101,8 +101,9 @@ namespace detail {
 PlaneVector newton_step(const PlaneMatrix& DF, const PlaneVector& F, double round_off);
 
 /// Newton's iteration for F = 0. equations(u, F, DF) sets F and its derivative DF. The iteration ends if |F| is small
-/// and no longer halves, or after a fixed number of steps. It succeeds if the least |F| is at the round-off of terms of
-/// size `scale`, and u is then set to this iterate. The step length is limited, so that the axes cannot overflow.
+/// and no longer halves, if a number is not finite, or after 60 steps. Then u is set to the iterate with the least |F|.
+/// The iteration succeeds if this |F| is at the round-off of terms of size `scale`. The step length is limited, so that
+/// the axes cannot overflow.
 template <class Equations>
 mechanics::Status plane_newton(const Equations& equations, double scale, PlaneVector& u) {
   constexpr int max_iterations = 60;
@@ -141,8 +142,9 @@ struct Target {
   double value;
 };
 
-/// Finds the steady motion near `motion` with the two values of `targets`. At a fold or a bifurcation, the two values
-/// may not determine one motion. The iteration then fails or finds a neighbouring motion.
+/// Finds the steady motion near `motion` with the two values of `targets`. Fails if det A is not positive or if
+/// Newton's iteration does not converge. At a fold or a bifurcation, the two values may not determine one motion. The
+/// iteration then fails or finds a neighbouring motion.
 template <SmoothPotential V>
 mechanics::Status find_steady_motion(const IsotropicBody<V>& body, const std::array<Target, 2>& targets,
                                      SteadyMotion& motion) {

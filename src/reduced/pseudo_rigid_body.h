@@ -101,7 +101,8 @@ class PseudoRigidBody {
     if constexpr (incompressible) g = materials::log_near_one(J);
     return {};
   }
-  /// ln det(Q + Q_rounding) with an error of about 1e-19.
+  /// Sets g to ln det(Q + Q_rounding) with an error of about 1e-19. Fails if the determinant is not positive and
+  /// finite.
   mechanics::Status constraint(const Vector& Q, const Vector& Q_rounding, Multiplier& g) const requires incompressible {
     materials::Tensor<long double> q;
     for (int i = 0; i < 3; ++i)
@@ -173,7 +174,7 @@ class PseudoRigidBody {
 
   /// Rotations of space, Q ↦ Q + ε ê_i Q (momentum J_i), and of the reference ball, Q ↦ Q − ε Q ê_i (momentum Z_i). The
   /// rotations of the reference ball are symmetries if E₀ ∝ Id and the law is isotropic. If a load depends on
-  /// direction, the number is 0. Some rotations may still be symmetries, but methods do not need them.
+  /// direction, n_symmetries is 0. Some rotations may still be symmetries, but methods do not need these symmetries.
   int n_symmetries() const { return depends_on_direction() ? 0 : isotropic_ ? 6 : 3; }
   void symmetry(int i, const Vector& Q, const Vector& v, Vector& dQ, Vector& dv) const {
     const Eigen::Matrix3d turn = mechanics::cross_matrix(Eigen::Vector3d::Unit(i % 3));

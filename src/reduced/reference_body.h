@@ -15,7 +15,7 @@ struct ReferenceBody {
   Eigen::Matrix3d E0;
   double volume;
   double mass = volume;                                 ///< ρ = 1
-  Eigen::Matrix3d shape = Eigen::Matrix3d::Identity();  ///< S; other bodies: of the ellipsoid with the same E₀ and M
+  Eigen::Matrix3d shape = Eigen::Matrix3d::Identity();  ///< S of B, or of the ellipsoid with E₀ and M of B
 
   /// The ball of the internal units: r = ρ = 1.
   static ReferenceBody unit_ball() {

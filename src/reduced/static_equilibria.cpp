@@ -13,8 +13,8 @@
 namespace pseudorigid::reduced {
 namespace {
 
-/// A compressible body with a smaller volume ratio counts as collapsed. Laws that admit such ratios have critical
-/// points at det Q = 0, which are not deformations.
+/// A compressible body with a volume ratio of at most this bound counts as collapsed. Laws that admit such small ratios
+/// have critical points at det Q = 0, which are not deformations.
 constexpr double collapsed = 1e-8;
 
 Eigen::VectorXd column_of(const Eigen::Matrix3d& A) { return A.reshaped(); }

@@ -44,9 +44,9 @@ class StaticLandscape {
 
   static Eigen::Matrix3d matrix(const Vector& q) { return q.reshaped(3, 3); }
 
-  /// True if a search finds no point of the surface |ln S| = s > 0 at which V does not increase with s. Here Q = R₁ S
-  /// R₂ with rotations R₁, R₂ and a diagonal S. The search makes 64 random descents of the slope dV/ds over the
-  /// directions of ln S and both rotations.
+  /// True if a random search suggests that V increases with s at all points of the surface |ln S| = s > 0. Here Q = R₁
+  /// S R₂ with rotations R₁, R₂ and a diagonal S. The search makes 64 random descents of the slope dV/ds over the
+  /// directions of ln S and both rotations. The result is false if a slope is not positive.
   bool rises_at(double s) const;
 
  private:
@@ -59,7 +59,7 @@ class StaticLandscape {
   bool incompressible_;
 };
 
-/// Returns true if the list `points` certainly lacks equilibria, by Morse's count (mechanics/equilibria/morse_count.h).
+/// Returns true if the list `points` lacks equilibria according to Morse's count (mechanics/equilibria/morse_count.h).
 /// The count needs a bounded part of SL(3) or GL⁺(3) that contains all points, and at whose boundary V increases
 /// outwards. The part is |ln S| ≤ s, with the singular values S of Q; `rises_at` tests two values of s. Such a part
 /// contracts to SO(3), whose Betti numbers over Z/2 are 1, 1, 1, 1. It therefore contains at least one equilibrium of
@@ -69,9 +69,9 @@ class StaticLandscape {
 /// both boundaries. For example, points are degenerate if rotations do not change V.
 bool misses_equilibria(const StaticLandscape& landscape, const std::vector<mechanics::CriticalPoint>& points);
 
-/// A search with n_starts random starts Q = R₁ diag(exp s) R₂, with rotations R₁, R₂ and |s_i| < 1.5. On SL(3) the mean
-/// of s is subtracted. The search begins at Q = Id. If there is a dead traction, the next starts are the four rotations
-/// at which an almost rigid body is in equilibrium.
+/// Returns a search with n_starts starting points. The first one is Q = Id. If there is a dead traction, the next ones
+/// are the four rotations at which an almost rigid body is in equilibrium. The others are random: Q = R₁ diag(exp s) R₂
+/// with rotations R₁, R₂ and |s_i| < 1.5. On SL(3) the mean of s is subtracted.
 mechanics::CriticalPointSearch static_search(bool incompressible, const Eigen::Matrix3d& nominal_traction,
                                              int n_starts);
 

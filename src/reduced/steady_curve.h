@@ -8,9 +8,9 @@
 
 namespace pseudorigid::reduced {
 
-/// `first` is the null direction of the first seven rows of DF. `second` is the direction of their smallest singular
-/// value, and `second_singular_value` is this value divided by the largest singular value. At a crossing with another
-/// curve, both directions are null.
+/// `first` is the null direction of the first seven rows of DF. `second` is the right singular vector of the smallest
+/// singular value of these rows. `second_singular_value` is this value divided by the largest singular value. At a
+/// crossing with another curve, both directions are null.
 struct NullDirections {
   PlaneVector first, second;
   double second_singular_value;

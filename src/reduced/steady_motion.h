@@ -11,7 +11,7 @@
 ///
 ///   R = ω̂²A − 2ω̂AΛ̂ + AΛ̂² + ∂V(A)/m̄ − λA⁻ᵀ = 0,   ln det A = 0     (on GL⁺(3), λ = 0 replaces the second equation)
 ///
-/// Rotations U of space and V of the reference ball, A ↦ UᵀAV, ω ↦ Uᵀω, Λ ↦ VᵀΛ, make A = diag(a₁, a₂, a₃). The
+/// Rotations U of space and W of the reference ball, A ↦ UᵀAW, ω ↦ Uᵀω, Λ ↦ WᵀΛ, make A = diag(a₁, a₂, a₃). The
 /// transposed motion Q(t)ᵀ, (A, ω, Λ) ↦ (Aᵀ, Λ, ω), is also steady (Dedekind's duality). The momenta J and Z of the
 /// transposed motion are −Z and −J of Q(t).
 

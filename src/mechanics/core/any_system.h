@@ -25,7 +25,8 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// Functions of a system that methods call. The functions of the constraints do nothing if there are no constraints.
+/// Functions of a system that methods call. If there are no constraints, `acceleration`, `project` and the functions of
+/// the constraints change nothing.
 struct SystemInterface {
   using Vector = Eigen::VectorXd;
   virtual ~SystemInterface() = default;
@@ -135,7 +136,8 @@ class HeldSystem final : public SystemInterface {
 
 }  // namespace detail
 
-/// The members of a ConstrainedSystem and of its second-order field.
+/// Any system with n constraints, without its energies. The class has the members of a ConstrainedSystem and of its
+/// second-order field.
 template <int n>
 class AnyConstrainedSystem {
   static_assert(n == 0 || n == dynamic_constraints);

@@ -3,7 +3,7 @@
 /// type gives its value and all n partial derivatives, exact to round-off. Nested scalars give second derivatives.
 ///
 /// In Eigen's type all n variables have one scalar type, so a metric is an ordinary matrix of this scalar. Boost.Math's
-/// autodiff has a different type for each variable. With one pass per variable it took twice the time.
+/// autodiff has a different type for each variable. Boost's autodiff with one pass per variable took twice the time.
 ///
 /// Arithmetic on these scalars returns expressions that refer to their operands. A function must therefore declare the
 /// scalar itself as its return type (T, not auto).

@@ -5,7 +5,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// The axial vector of A, with the components ε_ijk A_jk.
+/// The axial vector of A, with the components ε_ijk A_jk. The axial vector of cross_matrix(w) is −2w.
 inline Eigen::Vector3d axial_vector(const Eigen::Matrix3d& A) {
   return {A(1, 2) - A(2, 1), A(2, 0) - A(0, 2), A(0, 1) - A(1, 0)};
 }

@@ -1,6 +1,7 @@
 #pragma once
-/// Fields over a body at one time, for pictures. They are given at points of the ball, in internal units. All
-/// quantities in a picture are computed from these fields, in the same way for every model (io/body_picture.h).
+/// Fields over a body at one time, for pictures. Their values are given at points of the reference body, in internal
+/// units. All quantities in a picture are computed from these fields, in the same way for every model
+/// (io/body_picture.h).
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -29,7 +30,7 @@ struct BodyFields {
   std::vector<double> energy;                            ///< stored energy W per reference volume
   std::vector<double> potential;                         ///< potential of self-gravity per mass; empty if not known
   Eigen::Vector3d center = Eigen::Vector3d::Zero();      ///< centre of mass x_c
-  Eigen::Matrix3d moment = Eigen::Matrix3d::Identity();  ///< ∫ρ (x − x_c) Xᵀ dV, which determines the rotation
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Identity();  ///< ∫ρ (x − x_c) Xᵀ dV, which determines the mean rotation
 
   void add(const Eigen::Vector3d& X_of_point, const Eigen::Vector3d& x_of_point, const Eigen::Vector3d& v_of_point,
            const Eigen::Matrix3d& F_of_point, const Eigen::Matrix3d& stress_of_point, double energy_of_point) {

@@ -1,7 +1,8 @@
 #pragma once
 /// A zero of a continuous function between two points at which the function has opposite signs. Each step is an inverse
 /// quadratic interpolation if this is safe, otherwise a bisection (Chandrupatla, Adv. Eng. Software 28 (1997) 145). The
-/// iteration ends at an exact zero, or if the width of the bracket is less than 2 · `resolution` relative to the zero.
+/// iteration ends at an exact zero, or if the width of the bracket is less than 2 · `resolution` times the size of the
+/// zero.
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns a zero of f. Returns an empty optional if f(a) and f(b) have the same sign, or if f is not finite inside the
-/// bracket. A jump across zero counts as a zero.
+/// Returns a zero of f, or the last point after 200 evaluations. Returns an empty optional if f(a) and f(b) do not have
+/// opposite signs, or if f is not finite at a point inside the bracket. A jump across zero counts as a zero.
 template <class Function>
 std::optional<double> bracketed_root(const Function& f, double a, double b,
                                      double resolution = std::numeric_limits<double>::epsilon()) {

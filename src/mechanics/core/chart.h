@@ -7,7 +7,7 @@
 ///   μ(v)_i = g_ij vʲ                                                                               (5.4)
 ///   K = ½ g_ij q̇ⁱq̇ʲ,   F = −dU + F_ext(t, q, q̇) + μ D(q̇)                                           (5.5), (5.122)
 ///
-/// In (5.3) D is the covariant derivative. Automatic differentiation gives the derivatives of g and of U.
+/// In (5.3), D/dt denotes the covariant derivative. Automatic differentiation gives the derivatives of g and of U.
 
 #include <Eigen/Dense>
 #include <array>
@@ -38,11 +38,11 @@ using ChartMatrix = Eigen::Matrix<double, C::dimension, C::dimension>;
 template <class C>
 concept HasPotential = requires(const C chart, const ChartVector<C> q) {
   chart.potential(q);
-};  // U, over any scalar
+};  // U(q), a template over the scalar type of q
 template <class C>
 concept HasDissipation = requires(const C chart, const ChartVector<C> q) {
   chart.dissipation(q, q);
-};  // D(v) ∈ TQ, ⟨D(v), v⟩ < 0
+};  // D(v) ∈ TQ, ⟨D(v), v⟩ < 0 for v ≠ 0
 template <class C>
 concept HasExternalForce = requires(const C chart, const ChartVector<C> q) {
   chart.external_force(0.0, q, q);
@@ -121,7 +121,7 @@ ChartVector<C> apply_mass(const C& chart, const ChartVector<C>& q, const ChartVe
   return chart.metric(q) * v;
 }
 
-/// Sets v = μ⁻¹(p). Fails if p is not finite, or if the metric is singular or not positive to round-off, for example at
+/// Sets v = μ⁻¹(p). Fails if p is not finite, or if the metric is not positive definite up to round-off, for example at
 /// a pole of the chart.
 template <int n>
 Status apply_inverse_mass(const Eigen::Matrix<double, n, n>& g, const Eigen::Matrix<double, n, 1>& p,
@@ -136,7 +136,8 @@ Status apply_inverse_mass(const Eigen::Matrix<double, n, n>& g, const Eigen::Mat
   return {};
 }
 
-/// Sets the Christoffel symbols Gamma[k](i, j) = Γᵏ_ij. Fails if the metric is singular.
+/// Sets the Christoffel symbols Gamma[k](i, j) = Γᵏ_ij. Fails if the metric is not positive definite, or if a
+/// derivative is not finite.
 template <Chart C>
 Status christoffel_symbols(const C& chart, const ChartVector<C>& q, std::array<ChartMatrix<C>, C::dimension>& Gamma) {
   const MetricJet<C> jet = metric_jet(chart, q);

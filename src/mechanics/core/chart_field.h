@@ -4,8 +4,8 @@
 ///   μ(Dq̇/dt) = F(q̇)                                                                              (5.7)
 ///   q̈ᵏ = −Γᵏ_ij q̇ⁱq̇ʲ + (μ⁻¹F)ᵏ                                                                    (5.19)
 ///
-/// As a vector field on TQ this is E = S + C_v(μ⁻¹F), with the geodesic flow S and the vertical lift C_v (5.22). One
-/// solve with g gives both terms: Σ_k g_lk q̈ᵏ = F_l − Γ_l,ij q̇ⁱq̇ʲ.
+/// On TQ, this law is the vector field E = S + C_v(μ⁻¹F), with the geodesic flow S and the vertical lift C_v (5.22).
+/// One solve with g gives both terms: Σ_k g_lk q̈ᵏ = F_l − Γ_l,ij q̇ⁱq̇ʲ.
 
 #include <utility>
 
@@ -15,8 +15,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns F_l − Γ_l,ij q̇ⁱq̇ʲ without external force, so the force does not depend on time. Also sets g to the metric
-/// at q.
+/// Returns F_l − Γ_l,ij q̇ⁱq̇ʲ without the external force. The result therefore does not depend on time. Also sets g to
+/// the metric at q.
 template <class T, Chart C>
 Coordinates<T, C::dimension> covariant_force(const C& chart, const Coordinates<T, C::dimension>& q,
                                              const Coordinates<T, C::dimension>& v,
@@ -36,15 +36,15 @@ class ChartField {
 
   explicit ChartField(C chart) : chart_(std::move(chart)) {}
 
-  /// a = q̈ of the motion through (q, v).
+  /// Sets a = q̈ of the motion through (q, v). Fails if the metric is not positive definite or the force is not finite.
   Status acceleration(double t, const Vector& q, const Vector& v, Workspace&, Vector& a) const {
     const MetricJet<C> jet = metric_jet(chart_, q);
     const Vector rhs = force(t, q, v, jet.g) - christoffel_of_first_kind(jet, v, v);
     return apply_inverse_mass(jet.g, rhs, a);
   }
 
-  /// Members for stages in lanes (stage_by_stage.h). They exist if the chart has functions
-  /// `solve_stages_in_lanes_of(chart, stages)` and `cost_of_iteration_of(chart)`.
+  /// Members for stages in lanes (stage_by_stage.h). They call `solve_stages_in_lanes_of(chart, stages)` and
+  /// `cost_of_iteration_of(chart)`. Each member exists if its function is defined for the type of the chart.
   bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const C& c) {
     solve_stages_in_lanes_of(c, stages);
   }

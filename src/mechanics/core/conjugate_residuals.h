@@ -7,14 +7,14 @@
 ///   x ← x + (y_k·r_k) z_k,   r_{k+1} = r_k − (y_k·r_k) y_k,   |r_{k+1}|² = |r_k|² − (y_k·r_k)².
 ///
 /// If the sums include all j < k, the residual is the smallest in the Krylov space. If A M⁻¹ were symmetric and
-/// positive definite, m = 1 would suffice. A M⁻¹ is nearly so if A is symmetric and M is close to A, and then a small m
-/// suffices. As r_k is orthogonal to the y_j,
+/// positive definite, m = 1 would suffice. If A is symmetric and M is close to A, A M⁻¹ nearly has these properties,
+/// and a small m suffices. As r_k is orthogonal to the y_j,
 ///
 ///   |w − Σ (y_j·w) y_j|² = w·w − Σ (y_j·w)²,   y_k·r_k = w·r_k/|…|,
 ///
-/// so an iteration needs only one sum over the processes. This is the classical Gram–Schmidt process, which is accurate
-/// enough for a small number of vectors. The method computes |r|² by differences, with an error of 1e-16 |r₀|². The
-/// tolerance should therefore be at least 1e-7 |r₀|.
+/// so an iteration needs only one sum over the processes. The orthogonalisation is the classical Gram–Schmidt process,
+/// which is accurate enough for a small number of vectors. The method computes |r|² by differences, with an error of
+/// 1e-16 |r₀|². The tolerance should therefore be at least 1e-7 |r₀|.
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +34,10 @@ class ConjugateResiduals {
     bool converged = false;  ///< |r| is at most the tolerance
   };
 
-  /// Sets x to the solution of A x = r, and r to the remaining residual. `multiply(z, y)` sets y ← A z, and
-  /// `precondition(r, z)` sets z ← M⁻¹ r. `norm` is the Euclidean norm of the initial r.
+  /// Solves A x = r from the guess x = 0, and sets r to the remaining residual. The iteration ends if |r| is at most
+  /// `tolerance`, after `max_iterations`, or if a new direction is round-off or not finite. x is then the last iterate.
+  /// `multiply(z, y)` sets y ← A z, and `precondition(r, z)` sets z ← M⁻¹ r. `norm` is the Euclidean norm of the
+  /// initial r.
   template <class Multiply, class Precondition>
   Result solve(Multiply&& multiply, Precondition&& precondition, double norm, double tolerance, int max_iterations,
                Vector& r, Vector& x) {
@@ -69,14 +71,17 @@ class ConjugateResiduals {
 
   /// Number m of vectors y_j in the sums. With m = 1, the Gram systems of elements of degree 6 do not converge. For
   /// 1100 … 410,000 unknowns, the numbers of iterations with m = 2 … 6 and with all vectors agree within 2 %. For the
-  /// largest system, the products with all vectors took a tenth of the time of a step. Six vectors leave a reserve.
+  /// largest system, the scalar products with all vectors took a tenth of the time of a step. Six vectors leave a
+  /// reserve.
   static constexpr int n_kept = 6;
-  /// If this number of iterations is not enough, M is not close to A. The method then restarts and keeps more vectors.
+  /// If n_with_few iterations are not enough, M is not close to A. The method then restarts and keeps n_kept_if_slow
+  /// vectors.
   static constexpr int n_with_few = 40, n_kept_if_slow = 40;
 
  private:
   /// Makes y_k orthonormal to the previous y_j, and changes z_k such that A z_k = y_k. Returns the length of y_k after
-  /// orthogonalisation and before normalisation, or 0 if only round-off remains.
+  /// orthogonalisation and before normalisation, or 0 if only round-off remains or a number is not finite. Sets
+  /// of_residual_ to w·r_k.
   double orthogonalise(int k, const Vector& r) {
     const std::size_t n = std::min(k, n_slots_ - 1);
     Vector &y = y_[k % n_slots_], &z = z_[k % n_slots_];

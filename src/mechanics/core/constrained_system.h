@@ -46,8 +46,8 @@ concept ConstrainedSystem = requires(const S s, double t, const typename S::Vect
 template <class S>
 inline constexpr bool unconstrained = S::n_constraints == 0;
 
-/// True if a force is so costly that pilot runs and estimates of the frequency are costly too. This holds for
-/// distributed vectors. A member `has_costly_force` of the system overrides this rule.
+/// True if a force is so costly that pilot runs and estimates of the frequency are costly too. By default this holds
+/// for distributed vectors. A member `has_costly_force` of the system overrides this default.
 template <class S>
 inline constexpr bool has_costly_force = [] {
   if constexpr (requires { S::has_costly_force; }) return S::has_costly_force;
@@ -82,8 +82,8 @@ template <class S>
 using State = VectorState<typename S::Vector>;
 
 /// Sets lambda to the multiplier λ of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v). Iterative
-/// refinement makes λ exact to round-off. Observables use this λ. They must not use the multipliers of a step, which do
-/// not belong to one time. Fails if the force or the Gram solve fails. Does nothing if the system has no constraints.
+/// refinement makes λ exact to round-off. Observables use this λ, and not the multipliers of a step, which do not
+/// belong to one time. Fails if the force or the Gram solve fails. Does nothing if the system has no constraints.
 template <ConstrainedSystem S>
 Status multiplier_of_motion(const S& system, const State<S>& state, typename S::Workspace& workspace,
                             typename S::Multiplier& lambda) {

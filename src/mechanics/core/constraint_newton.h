@@ -25,13 +25,13 @@ inline constexpr int max_constraint_iterations = 30;
 
 /// Factor on the noise. The noise is the largest of a few changes, but a residual may contain the sum of several
 /// errors. The factor was chosen from 4.3·10⁷ residuals that had stopped decreasing, for bodies with semi-axes 10⁻⁴ …
-/// 10⁴. Among them, 99.97 % were below 3 times the noise. Three were above 16 times the noise, at most 18.7 times; the
+/// 10⁴. Among them, 99.97 % were below 3 times the noise. Three residuals were 16 to 18.7 times the noise. The
 /// iteration continues for such residuals.
 inline constexpr double noise_reserve = 16;
 
 /// Judges each residual: the iteration is done, must go on, or is stuck. A residual that did not halve counts as zero
 /// if it is at most `round_off` or noise_reserve · noise(). Since noise() costs several evaluations of the constraint,
-/// it is called only in this case.
+/// it is called only for a residual above `round_off` that did not halve.
 struct ConvergenceMonitor {
   double tolerance, round_off, previous = HUGE_VAL;
   int iteration = 0;
@@ -70,8 +70,8 @@ struct ConstraintTemporaries {
   long n_gram_iterations = 0;
 };
 
-/// Sets w.reaction to M⁻¹G(q₀)ᵀ λ. The system may have a faster function for this, which uses quantities at q₀ from its
-/// workspace.
+/// Sets w.reaction to M⁻¹G(q₀)ᵀ λ. A system may have faster functions for this purpose. They are `reaction_of_one` for
+/// a single constraint, and otherwise an `add_reaction` that uses quantities at q₀ from the workspace.
 template <ConstrainedSystem S>
 void set_reaction(const S& system, const typename S::Vector& q0, const typename S::Multiplier& lambda,
                   [[maybe_unused]] typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {
@@ -98,6 +98,7 @@ void set_reaction(const S& system, const typename S::Vector& q0, const typename 
 }
 
 /// Solves G(q₁) M⁻¹ G(q₀)ᵀ δ = −w.residual, and sets w.delta = δ and w.reaction = M⁻¹G(q₀)ᵀ δ. Changes w.residual.
+/// Fails if the Gram solve fails.
 template <ConstrainedSystem S>
 Status react(const S& system, const typename S::Vector& q1, const typename S::Vector& q0,
              typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {
@@ -124,16 +125,18 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   return Status::failure(std::move(sentence));
 }
 
-/// Sets the residual at which an inexact solver of Gram systems may stop. For 0, the solver uses its default.
+/// Permits an inexact solver of Gram systems to stop at a third of the residual `enough`. For 0, the solver uses its
+/// default. For other systems the function does nothing.
 template <ConstrainedSystem S>
 void seek_residual(typename S::Workspace& system_workspace, double enough) {
   constexpr double linear_part = 1.0 / 3;  // the remaining tolerance is for the nonlinear part
   if constexpr (requires { system_workspace.residual_sought; }) system_workspace.residual_sought = linear_part * enough;
 }
 
-/// Runs Newton's iteration. `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. With
-/// tolerance 0 the iteration continues to round-off. If a residual is at most `foregone`, the iteration ends after its
-/// correction, without evaluating the new residual.
+/// Runs Newton's iteration. `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. Fails if
+/// `evaluate` or a Gram solve fails, or if the iteration is stuck. With tolerance 0 the iteration continues to
+/// round-off. If a residual is at most `foregone`, the iteration ends after its correction, without evaluating the new
+/// residual.
 template <ConstrainedSystem S, class Evaluate, class Apply, class Noise>
 Status meet_constraint(const S& system, const char* what, double tolerance, const typename S::Vector& q1,
                        const typename S::Vector& q0, typename S::Workspace& system_workspace,

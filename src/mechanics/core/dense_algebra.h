@@ -13,7 +13,7 @@ struct SymmetricSpectrum {
 };
 SymmetricSpectrum symmetric_spectrum(const Eigen::MatrixXd& A);
 
-/// Spectrum of a matrix, A X = X diag(values) with X = `vectors`.
+/// Spectrum of a matrix, A X = X diag(values) with X = `vectors`. The numbers are valid only if `converged` is true.
 struct Spectrum {
   Eigen::VectorXcd values;
   Eigen::MatrixXcd vectors;
@@ -28,7 +28,7 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& B, double absent);
 /// one count as zero.
 Eigen::MatrixXd span_of(const Eigen::MatrixXd& N, double absent);
 
-/// A⁻¹B by elimination with full pivoting.
+/// Returns A⁻¹B by elimination with full pivoting. A must be regular.
 Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
 }  // namespace pseudorigid::mechanics

@@ -8,9 +8,9 @@
 ///
 ///   G M⁻¹Gᵀ δ = −g(q),   q ← q + M⁻¹G(q)ᵀδ,     then     G M⁻¹Gᵀ δ = −G v,   v ← v + M⁻¹G(q)ᵀδ.
 ///
-/// If a system has a faster acceleration or projection, it has members `acceleration(t, q, v, w, a)` or `project(q, v,
-/// w)`. If the number of constraints is known at compile time, Gram solves are direct. Other Gram solves may be
-/// inexact. They are refined until the accelerations satisfy the constraint.
+/// A system may have its own faster members `acceleration(t, q, v, w, a)` and `project(q, v, w)`. The field then calls
+/// these members. If the number of constraints is known at compile time, Gram solves are direct. Other Gram solves may
+/// be inexact, and are repeated until the acceleration satisfies the constraint.
 
 #include <cmath>
 
@@ -91,8 +91,8 @@ class ExplicitMultiplier {
     }
   }
 
-  /// Members for the stages of a Gauss step (stage_by_stage.h). They exist if the system has members of these names,
-  /// and call the members of the system.
+  /// Members for the stages of a Gauss step (stage_by_stage.h). Each member exists if the system has a member of the
+  /// same name, and calls this member.
   bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const S& s) {
     s.solve_stages_in_lanes(stages);
   }

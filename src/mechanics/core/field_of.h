@@ -1,6 +1,7 @@
 #pragma once
 /// The form of a system that a method integrates. Methods with steps of fixed size use the constrained form. Adaptive
-/// methods use a second-order field. A constrained system has such a field by its explicit multiplier.
+/// methods use a second-order field. The explicit multiplier makes a constrained system a second-order field
+/// (explicit_multiplier.h).
 
 #include <type_traits>
 

@@ -15,7 +15,7 @@ using Real = long double;
 using OfStages = std::array<Real, n_stages>;
 using Matrix = std::array<OfStages, n_stages>;
 
-/// P_0(x), …, P_8(x)
+/// Returns P_0(x), …, P_8(x).
 constexpr std::array<Real, n_stages + 1> legendre(Real x) {
   const Real y = 2 * x - 1;
   std::array<Real, n_stages + 1> P{1, y};
@@ -25,12 +25,12 @@ constexpr std::array<Real, n_stages + 1> legendre(Real x) {
 
 namespace detail {
 
-/// dP_8/dy at y = 2x − 1 within the interval, |y| < 1.
+/// Returns dP_8/dy at y = 2x − 1 for |y| < 1. P contains P_0(x), …, P_8(x).
 constexpr Real slope(Real y, const std::array<Real, n_stages + 1>& P) {
   return n_stages * (y * P[n_stages] - P[n_stages - 1]) / (y * y - 1);
 }
 
-/// By Newton's iteration; symmetric about ½.
+/// Computes the nodes c_i by Newton's iteration. They are symmetric about ½.
 constexpr OfStages make_nodes() {
   constexpr Real guess[n_stages / 2]{0.96L, 0.797L, 0.526L, 0.183L};
   OfStages c{};
@@ -82,11 +82,12 @@ constexpr Matrix make_square(const Matrix& a) {
 inline constexpr OfStages c = detail::make_nodes();
 inline constexpr OfStages b = detail::make_weights(c);
 inline constexpr Matrix a = detail::make_integrals(c, b);
-/// A², for positions: q_i = q + h c_i v + h² Σ_j (A²)_ij a_j.
+/// The square of the matrix A = (a_ij). With the accelerations a_j, the positions of the stages are q_i = q + h c_i v +
+/// h² Σ_j (A²)_ij a_j.
 inline constexpr Matrix a_squared = detail::make_square(a);
 
 namespace detail {
-/// b_j (2k+1) P_k(c_j)
+/// The matrix with the entries e_jk = b_j (2k+1) P_k(c_j). Row j has the coefficients of ℓ_j in the basis P_k.
 constexpr Matrix make_expansions() {
   Matrix e{};
   for (int j = 0; j < n_stages; ++j) {
@@ -98,7 +99,7 @@ constexpr Matrix make_expansions() {
 inline constexpr Matrix expansions = make_expansions();
 }  // namespace detail
 
-/// ℓ_j(x) for all j.
+/// Returns ℓ_j(x) for all j.
 constexpr OfStages lagrange(Real x) {
   const auto at_x = legendre(x);
   OfStages l{};

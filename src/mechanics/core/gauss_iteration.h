@@ -1,24 +1,26 @@
 #pragma once
-/// The iteration on the stages of a Gauss step, for the sources that are compiled for several sets of instructions: the
-/// eight stages are the lanes of vectors,
+/// The iteration on the stages of a Gauss step. Sources that are compiled for several instruction sets include this
+/// header (kernel_builds.h). The eight stages are the lanes of vectors. With the accelerations a_j of the stages and
+/// the coefficients of gauss_coefficients.h, an iteration is
 ///
 ///   v_i = v + h Σ_j a_ij a_j,   q_i = q + h c_i v + h² Σ_j (A²)_ij a_j,   a_i ← a(t + c_i h, q_i, v_i).
 ///
-/// For a field of q alone an iteration contracts by O(h²). Each increment δ_k is θ times the one before, and the error
-/// left after it is about θ δ_k. The iteration ends when this error is below the given tolerance or below an eighth of
-/// the round-off of the accelerations. It also ends when increments at the level of round-off no longer fall.
+/// If a does not depend on v, an iteration multiplies the error by O(h²). Let δ_k be the increment of the accelerations
+/// in iteration k, and θ = δ_k/δ_{k−1}. The error after this iteration is about θ δ_k. The iteration ends when this
+/// error is below the given tolerance or below an eighth of the round-off of the accelerations. It also ends if an
+/// increment near round-off is not smaller than the previous one.
 ///
-/// This error is a smooth function of the state, so it adds up over the steps, unlike rounding errors. If no tolerance
-/// is given, the iteration therefore ends only when the error is below round-off / 4096. Over 10⁷ steps that is as much
-/// as random rounding errors.
+/// Unlike rounding errors, this error is a smooth function of the state, so the errors of many steps add up. If no
+/// tolerance is given, the iteration therefore ends only when the error is below round-off / 4096. The sum of these
+/// errors over 10⁷ steps is about as large as the sum of random rounding errors.
 ///
 /// A field in lanes is a struct
 ///
-///     static constexpr int n;                                   entries
+///     static constexpr int n;                                   number of entries of q
 ///     template <class T> T operator()(int first_lane, const T* q, const T* v, T* a) const;
 ///
-/// over vectors T of as many lanes as a register has. Its value must be positive for an admissible state. It is checked
-/// when the stages have been found.
+/// for vectors T with as many lanes as a register. The operator sets a, and returns numbers that are positive in the
+/// lanes with an admissible state. The sign of these numbers is checked only at the end of the iteration.
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +40,8 @@ inline constexpr int n_lane_groups = gauss::n_stages / native_lanes;
   return x;
 }
 [[gnu::always_inline]] inline void store_lanes(StageLanes x, double* p) { std::memcpy(p, &x.v, sizeof x.v); }
-/// s in every lane. Unlike 0 + s, which differs from s = −0, it is one instruction.
+/// Returns s in every lane. The difference s − 0 is exact for s = −0 and compiles to one instruction. The sum 0 + s
+/// would change −0 to 0.
 [[gnu::always_inline]] inline StageLanes in_all_lanes(double s) { return StageLanes(s - StageLanes::Native{}); }
 /// Puts x into a register. Otherwise the compiler loads a coefficient again for each use, and loads are the bottleneck.
 [[gnu::always_inline]] inline void put_into_register([[maybe_unused]] StageLanes& x) {
@@ -53,8 +56,8 @@ inline constexpr int n_lane_groups = gauss::n_stages / native_lanes;
   std::memcpy(&x.v, &bits, sizeof bits);
   return x;
 }
-/// The greater lane by lane, if neither is a NaN. Written without the compiler's comparison, which takes two
-/// instructions.
+/// Returns the greater number in each lane, if neither is NaN. The intrinsics are one instruction; a comparison in C++
+/// compiles to two.
 [[gnu::always_inline]] inline StageLanes greater_lanes(StageLanes a, StageLanes b) {
 #if defined(__AVX512F__)
   return StageLanes(StageLanes::Native(_mm512_maskz_max_pd(0xff, a.v, b.v)));
@@ -91,7 +94,7 @@ template <class Native>
 #endif
 }
 
-/// The first lanes of Σ_j x_j column_j, of n_columns = 8, added to `sum`.
+/// Adds the first n_groups groups of lanes of Σ_j x_j column_j to `sum`. The index j runs over the eight stages.
 template <int n_groups, class Columns>
 [[gnu::always_inline]] inline void add_columns(const OfStages& x, const Columns& columns, StageLanes (&sum)[n_groups]) {
 #pragma GCC unroll 8
@@ -102,7 +105,7 @@ template <int n_groups, class Columns>
   }
 }
 
-/// out ← Σ_j x_j column_j; the lanes after the first groups are 0.
+/// Sets `out` to Σ_j x_j column_j in the first n_groups groups of lanes, and to 0 in the other lanes.
 template <int n_groups = n_lane_groups, class Columns>
 [[gnu::always_inline]] inline void combine_columns(const OfStages& x, const Columns& columns, OfStages& out) {
   StageLanes sum[n_groups];
@@ -114,7 +117,7 @@ template <int n_groups = n_lane_groups, class Columns>
     store_lanes(g < n_groups ? sum[g % n_groups] : in_all_lanes(0), out.data() + g * native_lanes);
 }
 
-/// When the iteration ends.
+/// Decides after each iteration whether the iteration goes on, is done, or is stuck.
 class GaussMonitor {
  public:
   enum Verdict { go_on, done, stuck };
@@ -125,9 +128,9 @@ class GaussMonitor {
       q = std::max(q, std::abs(s.q[k]));
       v = std::max(v, std::abs(s.v[k]));
     }
-    // An acceleration of this size moves neither q nor v by its round-off.
+    // Round-off of an acceleration of this size moves neither q nor v by more than the round-off of q and v.
     unseen_ = std::min(v / std::abs(s.h), q / (s.h * s.h));
-    // Round-off of forces in balance, ω²q of each: at hω ≤ 4 it is less.
+    // Bound of the round-off of forces that cancel. Each force has the size ω²q with a frequency ω, and hω ≤ 4.
     noise_ = 0x1p-44 * q / (s.outer_h * s.outer_h);
     set_scale(scale);
   }
@@ -138,10 +141,10 @@ class GaussMonitor {
     constexpr double epsilon = 0x1p-53;
     constexpr int max_iterations = 60;
     if (!std::isfinite(increment)) return stuck;
-    const bool first = n_iterations_ == 0;  // of which nothing is known
+    const bool first = n_iterations_ == 0;  // θ is not yet known
     if (first) before_ = twice_before_ = increment;
-    // θδ ≤ x as δ² ≤ x δ_before: the verdict would have to wait for a quotient. Near round-off the last factor is that
-    // of noise, and the one before it is nearer to the truth.
+    // The test θδ ≤ x is written as δ² ≤ x δ_before, because the processor would have to wait for a quotient. Near
+    // round-off the last factor θ consists of noise. The third test therefore uses the factor before the last one.
     const double unseen = (to_round_off_ ? 0x1p-12 : 0.125) * epsilon * scale_;
     if (increment <= (to_round_off_ ? 0x1p-12 : 0.5) * epsilon * scale_ ||
         increment * std::min(increment, before_) <= std::max(unseen, tolerance_) * before_ ||
@@ -149,7 +152,7 @@ class GaussMonitor {
       return done;
     const bool grows = increment >= before_;
     if (grows && !first && increment <= std::max(0x1p-30 * scale_, noise_)) return done;
-    // The increment may grow once or twice.
+    // The first iteration counts as growth. The increment may then grow twice.
     if (grows && ++n_grown_ > 3) return stuck;
     if (++n_iterations_ > max_iterations) return stuck;
     twice_before_ = before_;
@@ -164,18 +167,20 @@ class GaussMonitor {
   int n_iterations_ = 0, n_grown_ = 0;
 };
 
-/// The parts of q_i − q and v_i − v that stay, and the stages that are guessed.
+/// The parts of q_i − q and v_i − v that do not change during the iteration, for each entry.
 struct StageStarts {
   OfStages *q, *v;
 };
-/// Apart from the iteration, for any number of entries: it is not compiled again for each field. A template only
-/// because there is one for each kind of vector.
+/// Sets `start`, and sets s.a to the guess of the stages if s.last is given. The function takes any number of entries
+/// and is therefore compiled once, not once for each field. The unused parameter `Vector` gives each instruction set
+/// its own function.
 template <class Vector = StageLanes>
 [[gnu::noinline]] void begin_stages(GaussStages& s, StageStarts start) {
   const int n = s.n;
   const GaussTables& tables = *s.tables;
-  // Rounded coefficients define another method, whose energy drifts. If the stages are iterated to round-off, the
-  // rounding errors of the coefficients are added, times the guess: these errors are so small that the guess suffices.
+  // Rounded coefficients define a different method, whose energy drifts. If the stages are iterated to round-off,
+  // `start` therefore contains the rounding errors of the coefficients. These errors are so small that they are
+  // multiplied by the guess instead of the final stages.
   const bool to_round_off = s.tolerance == 0;
   if (s.last)
     for (int k = 0; k < n; ++k) combine_columns(s.last[k], tables.guess, s.a[k]);
@@ -197,8 +202,9 @@ template <class Vector = StageLanes>
   }
 }
 
-/// q_i and v_i of n_together entries, which share the coefficients. Their increments are summed apart from q and v,
-/// which are so much larger that the rounding errors of the coefficients would be lost in the sum.
+/// Computes q_i and v_i of the entries k, …, k + n_together − 1, which share the loaded coefficients. The increments
+/// are summed first, and q and v are added last. Otherwise the rounding errors of the coefficients would be lost,
+/// because q and v are much larger.
 template <int n_together>
 [[gnu::always_inline]] inline void states_of_entries(const GaussStages& s, int k, StageStarts start, OfStages* q,
                                                      OfStages* v) {
@@ -242,7 +248,8 @@ template <int n_together>
     }
 }
 
-/// The states of all entries. With two lanes the registers hold the sums of one entry.
+/// Computes q_i and v_i of all entries, two entries at a time. If a vector has only two lanes, the registers have room
+/// for the sums of only one entry.
 template <class Vector = StageLanes>
 [[gnu::noinline]] void states_of_stages(const GaussStages& s, StageStarts start, OfStages* q, OfStages* v) {
   int k = 0;
@@ -251,7 +258,8 @@ template <class Vector = StageLanes>
   for (; k < s.n; ++k) states_of_entries<1>(s, k, start, q, v);
 }
 
-/// Groups of lanes with the sums that are not those of rounding errors.
+/// Number of groups of lanes that contain the sums before velocity_low (GaussSum), which are not sums of rounding
+/// errors.
 inline constexpr int n_groups_without_low = (velocity_low + native_lanes - 1) / native_lanes;
 
 /// Computes s.sums, which contain the increments of q and v in the step. Sets s.tail to the largest Legendre
@@ -273,7 +281,8 @@ template <class Vector = StageLanes>
   s.converged = std::isfinite(size);
 }
 
-/// The iteration for a field in lanes.
+/// Runs the iteration for a field in lanes. Sets s.converged to false if the iteration is stuck, if a stage is not
+/// admissible, or if an increment is not finite.
 template <class Field>
 void iterate_in_lanes(const Field& field, GaussStages& s) {
   constexpr int n = Field::n;
@@ -285,7 +294,7 @@ void iterate_in_lanes(const Field& field, GaussStages& s) {
   for (bool first = true;; first = false) {
     states_of_stages(s, start, q, v);
     StageLanes change = in_all_lanes(0), reserve = in_all_lanes(HUGE_VAL);
-#pragma GCC unroll 1  // the code of the field once
+#pragma GCC unroll 1  // so that the code of the field is compiled only once
     for (int g = 0; g < n_lane_groups; ++g) {
       StageLanes q_i[n], v_i[n], a_i[n];
 #pragma GCC unroll 12
@@ -317,7 +326,8 @@ void iterate_in_lanes(const Field& field, GaussStages& s) {
   finish_stages(s, monitor.noise());
 }
 
-/// The same for a field whose stages are evaluated one after the other.
+/// Runs the iteration for a field that is evaluated by a virtual function. Sets s.converged to false also if the field
+/// fails.
 inline void iterate_by_calls(const GaussField& field, GaussStages& s) {
   const StageStarts start{s.scratch, s.scratch + s.n};
   OfStages *const q = start.v + s.n, *const v = q + s.n, *const a = v + s.n;

@@ -1,6 +1,6 @@
 #pragma once
-/// The iteration on the stages of a Gauss step as it is compiled for one set of instructions, for fields that are
-/// called stage after stage.
+/// The iteration of gauss_iteration.h for fields that are evaluated by a virtual function (GaussField), as compiled for
+/// one instruction set.
 
 #include <span>
 
@@ -13,7 +13,7 @@ struct GaussKernels {
   void (*solve)(const GaussField& field, GaussStages& stages);
 };
 
-/// Defined by the build, the best first.
+/// One table for each instruction set, the fastest first. A source file that CMake generates defines this function.
 std::span<const KernelBuild<GaussKernels>> builds_of_gauss_kernels();
 
 }  // namespace pseudorigid::mechanics

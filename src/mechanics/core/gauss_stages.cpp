@@ -10,13 +10,13 @@ void split(gauss::Real x, double& high, double& low) {
   low = static_cast<double>(x - high);
 }
 
-/// ℓ_j(1 + r c_i) by rows
+/// Returns the matrix with the entries ℓ_j(1 + r c_i) in row i and column j.
 constexpr gauss::Matrix ahead(gauss::Real r) {
   gauss::Matrix l{};
   for (std::size_t i = 0; i < gauss::n_stages; ++i) l[i] = gauss::lagrange(1 + r * gauss::c[i]);
   return l;
 }
-/// The matrix for steps of the same length, which are the most frequent ones.
+/// The matrix for two successive steps of the same length, which is the most frequent case.
 constexpr gauss::Matrix equally_ahead = ahead(1);
 
 }  // namespace

@@ -15,9 +15,9 @@ namespace pseudorigid::mechanics {
 /// Lanes of the sums at the end of a step. With the stages a_j of an entry, the size h and the coefficients b_j and
 /// c_j, the step is
 ///   v += Σ h b_j a_j,   q += h v + Σ h² b_j (1 − c_j) a_j.
-/// `velocity` and `position` are the two sums. `…_low` are the same sums with the rounding errors of the coefficients.
-/// They may be 0 unless the stages are iterated to round-off. `legendre_…` are the Legendre coefficients of orders 6
-/// and 7 of the polynomial through the stages.
+/// `velocity` and `position` are the two sums. The sums `…_low` have the rounding errors of the coefficients in place
+/// of the coefficients. These two sums may be 0 unless the stages are iterated to round-off. `legendre_…` are the
+/// Legendre coefficients of orders 6 and 7 of the polynomial through the stages.
 enum GaussSum : std::size_t { velocity, position, legendre_6, legendre_7, velocity_low, position_low };
 
 /// One number for each stage.
@@ -46,9 +46,10 @@ struct GaussStages {
   const double* v = nullptr;
   const GaussTables* tables = nullptr;
   const OfStages* last = nullptr;  ///< stages of the last step, which give the guess. If null, `a` is the guess.
-  /// Bound of the error of the accelerations at which the iteration ends. If 0, it is round-off / 4096.
+  /// Bound of the error of the accelerations at which the iteration ends. If it is 0, the bound is the round-off of the
+  /// accelerations divided by 4096.
   double tolerance = 0;
-  double outer_h = 0;  ///< length of the step that contains this part
+  double outer_h = 0;  ///< length of the whole step, of which this step may be a part
 
   OfStages* a = nullptr;        ///< the stages, which are accelerations
   OfStages* sums = nullptr;     ///< the sums of GaussSum for each entry
@@ -58,8 +59,8 @@ struct GaussStages {
   bool converged = false;
   long n_iterations = 0;  ///< a solution adds its number of iterations
   /// `tail` is the largest |Legendre coefficient| of order 6 or 7, divided by the larger of `scale` and the round-off
-  /// of the accelerations. `scale` is the largest acceleration of the first iteration; before, it is that of the last
-  /// step.
+  /// of the accelerations. On entry `scale` is the largest acceleration in the last step. The first iteration sets
+  /// `scale` to the largest acceleration.
   double tail = 0, scale = 0;
 };
 
@@ -72,7 +73,8 @@ struct GaussField {
   ~GaussField() = default;
 };
 
-/// Solves for the stages of any field, by calls of `field.evaluate`.
+/// Solves for the stages of any field by calls of `field.evaluate`. Sets stages.converged. Throws NoKernels if no build
+/// of the iteration can be chosen (kernel_builds.h).
 void solve_gauss_stages(const GaussField& field, GaussStages& stages);
 
 }  // namespace pseudorigid::mechanics

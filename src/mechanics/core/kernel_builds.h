@@ -31,13 +31,14 @@ struct KernelChoice {
 };
 
 /// Returns the index of the first build that runs on this processor. If `wanted` is not empty, returns the index of the
-/// build with this name. Throws NoKernels if there is no such build or if the processor cannot run it.
+/// build with this name. Throws NoKernels if no build has this name, or if this processor cannot run the required
+/// build.
 std::size_t choose_build(const std::vector<KernelChoice>& builds, std::string_view wanted);
 
 /// Returns the value of the environment variable PSEUDORIGID_INSTRUCTIONS, or an empty text if the variable is not set.
 std::string_view wanted_instructions();
 
-/// Returns the build that this process uses. Throws NoKernels.
+/// Returns the build that this process uses. Throws NoKernels if no build can be chosen.
 template <class Table>
 const KernelBuild<Table>& choose_build(std::span<const KernelBuild<Table>> builds) {
   std::vector<KernelChoice> choices;

@@ -56,7 +56,7 @@ struct VectorTypes<8> {
   typedef unsigned long long Bits __attribute__((vector_size(64)));
 };
 
-/// The vector (a, b) of two numbers or of two vectors.
+/// Returns the vector (a, b), joined from two numbers or from two vectors.
 [[gnu::always_inline]] inline VectorTypes<2>::Real join(double a, double b) { return VectorTypes<2>::Real{a, b}; }
 template <class Half>
 [[gnu::always_inline]] inline auto join(Half a, Half b) {
@@ -66,7 +66,7 @@ template <class Half>
     return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/// The vector (piece(first), piece(first + 1), …) of n pieces.
+/// Returns the vector (piece(first), piece(first + 1), …), joined from n pieces. A piece is a number or a vector.
 template <int n, class Piece>
 [[gnu::always_inline]] inline auto collect(const Piece& piece, int first = 0) {
   if constexpr (n == 1)
@@ -88,8 +88,8 @@ struct Lanes {
   Lanes(Native native) : v(native) {}
   Lanes(double s) : v(Native{} + s) {}
 
-  /// Returns the vector with value(l) in lane l. The vector is built in registers; to set single lanes would need
-  /// memory.
+  /// Returns the vector with value(l) in lane l. The vector is built in registers. Setting single lanes would need
+  /// accesses to memory.
   template <class Value>
   [[gnu::always_inline]] static Lanes of(const Value& value) {
     return lanes_detail::collect<n_lanes>(value);
@@ -133,7 +133,7 @@ struct Lanes {
     return (2 * z + 2 * z * z2 * series) + e * 0.69314718055994530942;
   }
 
-  /// ln(1 + x) without cancellation for small x. A term of first order corrects the rounding error of 1 + x.
+  /// ln(1 + x) for x > −1, without cancellation for small x. A first-order term corrects the rounding error of 1 + x.
   friend Lanes log1p(Lanes x) {
     const Native u = 1.0 + x.v;
     return log(Lanes(u)).v - ((u - 1.0) - x.v) / u;

@@ -10,8 +10,8 @@
 
 namespace pseudorigid::mechanics {
 
-// The sine and the cosine have no branch, so the compiler computes the common terms of both only once. They are correct
-// for |x| ≤ 2²⁰.
+// `sin` and `cos` are correct only for |x| ≤ 2²⁰. They have no branch. If code needs the sine and the cosine of x, the
+// compiler therefore computes their common terms only once.
 [[gnu::always_inline]] inline Lanes<native_lanes> sin(Lanes<native_lanes> x) { return sine_cosine_of_moderate(x).sine; }
 [[gnu::always_inline]] inline Lanes<native_lanes> cos(Lanes<native_lanes> x) {
   return sine_cosine_of_moderate(x).cosine;

@@ -4,7 +4,8 @@
 ///   x = kπ/2 + r,   |r| ≤ π/4
 ///
 /// with an integer k. π/2 is the sum of three parts, and k times the first two parts is exact. The polynomials for sin
-/// r and cos r are from fdlibm (Sun Microsystems 1993). If |x| > 2²⁰ in a lane, the C++ library computes all lanes.
+/// r and cos r are from fdlibm (Sun Microsystems 1993). If |x| > 2²⁰ or x is NaN in a lane, sine_cosine computes all
+/// lanes by the C++ library.
 
 #include <cmath>
 #include <cstring>

@@ -1,6 +1,7 @@
 #pragma once
-/// Linear damping: forces −C(q) v with C symmetric and positive semidefinite, such as viscosity and drag. An implicit
-/// step of size 2s has a residual r at the velocity v. The step ends with the velocity v + u, for which
+/// Linear damping: forces −C(q) v with C symmetric and positive semidefinite, such as viscosity and drag. Let r be the
+/// residual of an implicit step of size 2s at the velocity v. The step ends with the velocity v + u. The correction u
+/// and the multiplier μ satisfy
 ///
 ///   (M + s C(q)) u + G(q)ᵀμ = M r,   G(q) u = 0.
 ///
@@ -24,7 +25,7 @@ template <class S>
 concept LinearlyDamped = ConstrainedSystem<S> && requires(const S s, const typename S::Vector v, typename S::Vector f) {
   s.add_damping(v, v, f);  // (q, v, f)
   s.apply_mass(v, f);      // f = M v
-  s.add_taken(0.0, f);     // (energy, v): adds to the dissipated energy, which is stored in v
+  s.add_taken(0.0, f);     // (energy, v): adds `energy` to the dissipated energy, which v contains
 };
 
 /// Temporaries of `solve_damping`. They are empty if the system has no linear damping or if `used` is false.
@@ -68,9 +69,10 @@ Status project_onto_tangent_space(const S& system, double tolerance, const typen
 
 }  // namespace detail
 
-/// Computes w.solution from w.residual. The iteration ends if the remaining residual is at most `enough` or is
-/// round-off. It fails if a projection fails, if it converges too slowly, or if the operator is not positive. A long
-/// step backwards in time has an operator that is not positive.
+/// Sets w.solution to u for the residual r = w.residual. On return w.residual is the remaining residual. The iteration
+/// ends when the remaining residual is at most `enough` or is round-off. It fails if a projection fails, if 2000
+/// iterations are not enough, or if the operator is not positive. A long step backwards in time has an operator that is
+/// not positive.
 template <LinearlyDamped S>
 Status solve_damping(const S& system, double s, const typename S::Vector& q, double enough,
                      typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,

@@ -7,8 +7,8 @@
 ///
 /// The components are computed by Gram–Schmidt with reorthogonalisation ("twice is enough": Giraud, Langou, Rozložník,
 /// Comput. Math. Appl. 50 (2005) 1069). The dimension of an orbit may be less than the number of symmetries, for
-/// example if axes coincide or a point is on its axis of rotation. Tangent vectors that depend on earlier ones are then
-/// omitted.
+/// example if axes coincide or a point is on its axis of rotation. Tangent vectors that depend linearly on earlier ones
+/// are then omitted.
 
 #include <cmath>
 #include <cstddef>
@@ -63,7 +63,7 @@ class OrbitComplement {
     Vector q, v;
   };
   /// Relative length of a remainder that counts as 0. Such a remainder changes the square of the length of ΔX by the
-  /// fraction 10⁻¹². The directions of the basis have errors of at most ε/10⁻⁶.
+  /// fraction 10⁻¹². The directions of the basis have errors of at most ε/10⁻⁶, with the round-off ε.
   static constexpr double dependent = 1e-6;
 
   static double norm(const Vector& a, const Vector& alpha) { return std::sqrt(dot(a, a) + dot(alpha, alpha)); }

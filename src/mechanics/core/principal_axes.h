@@ -1,10 +1,10 @@
 #pragma once
 /// Principal axes of the ellipsoid to which F maps the unit ball. F = U diag(a) Vᵀ, so C = FFᵀ = U diag(a²) Uᵀ.
 ///
-/// The method consists of one-sided Jacobi rotations (Hestenes 1958; Demmel, Veselić 1992). They rotate U until the
-/// rows A_i of A = UᵀF are orthogonal. Then A = diag(a)Vᵀ and a_i = |A_i|. All axes have the relative error cond(F)·ε
-/// with the round-off ε. The eigenvalues of C would give small axes with the error cond(F)²·ε. If the rows of F are
-/// already orthogonal, U = Id. Three devices make the method fast.
+/// The method consists of one-sided Jacobi rotations (Hestenes 1958; Demmel, Veselić 1992). The rotations change U
+/// until the rows A_i of A = UᵀF are orthogonal. Then A = diag(a)Vᵀ and a_i = |A_i|. All axes have the relative error
+/// cond(F)·ε with the round-off ε. The eigenvalues of C would give small axes with the error cond(F)²·ε. If the rows of
+/// F are already orthogonal, U = Id. Three devices make the method fast.
 ///
 /// First, the iteration starts from the eigenvectors of C in closed form. With B = C − m Id, m = ⅓ tr C, |B|² = 6p² and
 ///
@@ -37,7 +37,7 @@ struct PrincipalAxes {
 namespace detail::axes {
 
 /// Returns the product MN, computed entry by entry. Eigen would load pairs of doubles right after they were stored
-/// singly. The processor waits for such loads, which takes a quarter of the time.
+/// singly. The processor waits for such loads. The waiting takes a quarter of the time of principal_axes.
 inline Eigen::Matrix3d product(const Eigen::Matrix3d& M, const Eigen::Matrix3d& N) {
   Eigen::Matrix3d P;
   for (int j = 0; j < 3; ++j)
@@ -87,7 +87,7 @@ struct PlaneRotation {
 };
 
 /// Returns the rotation by the smaller angle that diagonalizes the matrix (α γ; γ β). With δ = β − α and h = √(δ² +
-/// 4γ²), its tangent is ±2γ/(h + |δ|) with the sign of δ, and cos² = (h + |δ|)/(2h).
+/// 4γ²), the angle has the tangent ±2γ/(h + |δ|) with the sign of δ. The square of its cosine is (h + |δ|)/(2h).
 inline PlaneRotation diagonalizing(double alpha, double beta, double gamma) {
   constexpr double tiny = 1e-150;  // avoids 0/0 for δ = γ = 0
   const double delta = beta - alpha, size = std::abs(delta) + tiny, h = std::sqrt(size * size + 4 * gamma * gamma);
@@ -133,7 +133,7 @@ inline Eigen::Matrix3d eigenvectors(const Symmetric& C) {
   return U;
 }
 
-/// The rotation (Id − W)⁻¹(Id + W) with the skew matrix W of w = θ/2.
+/// Returns the rotation (Id − W)⁻¹(Id + W) with the antisymmetric matrix W of the map x ↦ x × θ/2.
 inline Eigen::Matrix3d cayley(const Eigen::Vector3d& theta) {
   const Eigen::Vector3d w(theta[0] / 2, theta[1] / 2, theta[2] / 2);
   const double f = 2 / (1 + dot(w, w)), d = f - 1;
@@ -146,7 +146,8 @@ inline Eigen::Matrix3d cayley(const Eigen::Vector3d& theta) {
   return R;
 }
 
-/// One sweep of plane rotations, applied to the columns of W and of U.
+/// Makes one sweep of plane rotations of the columns of W, and applies the same rotations to the columns of U. A pair
+/// of columns of W is skipped if the cosine of its angle is at most `tolerance`.
 inline void sweep(Eigen::Matrix3d& W, Eigen::Matrix3d& U, double tolerance) {
   for (const auto& [i, j] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
     Eigen::Vector3d u = W.col(i), v = W.col(j), u_of_U = U.col(i), v_of_U = U.col(j);
@@ -162,7 +163,7 @@ inline void sweep(Eigen::Matrix3d& W, Eigen::Matrix3d& U, double tolerance) {
 }  // namespace detail::axes
 
 /// Returns the principal axes of F. The nonzero entries must be between 10⁻²⁰ and 10²⁰ in size, because the method uses
-/// their eighth powers. If F is not finite, the axes are not finite.
+/// their eighth powers. If F is not finite, at least one length in `a` is not finite.
 inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
   constexpr double round_off = 2 * std::numeric_limits<double>::epsilon(), its_root = 1e-8, small = 0.1;
   constexpr int max_turns = 20;

@@ -3,8 +3,8 @@
 /// r' = −q̇ satisfies
 ///
 ///   r'' = a(−s, r, −r').
+///
 /// A force that dissipates energy forwards in time adds energy backwards in time.
-/// Energy that a force dissipates forwards in time is added backwards in time.
 
 #include <utility>
 

@@ -5,8 +5,8 @@
 ///   B(v, v) = (D²φ(q̇, q̇))^⊥,   v = Dφ q̇                                                            (5.28)
 ///   R = μ[B(v, v) − (μ⁻¹F)^⊥]                                                                       (5.29)
 ///
-/// with the mass operator μ. The component w^⊥ = w − Dφ (DφᵀM Dφ)⁻¹ DφᵀM w is orthogonal to TN. R equals the reaction
-/// Gᵀλ that the multiplier gives for the same motion.
+/// with the mass operator μ. The component w^⊥ = w − Dφ (DφᵀM Dφ)⁻¹ DφᵀM w of a vector w is orthogonal to TN. R equals
+/// the reaction Gᵀλ that the multiplier gives for the same motion.
 
 #include <Eigen/Core>
 
@@ -14,7 +14,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns the reaction R. `tangents` has the columns of Dφ, `second` is D²φ(q̇, q̇), and `mass` is the diagonal of M.
+/// Returns the reaction R. `tangents` has the columns of Dφ. `second` is D²φ(q̇, q̇), `mass` is the diagonal of M, and
+/// `force` is F. The columns of Dφ must be linearly independent.
 template <int n, int d>
 Eigen::Matrix<double, n, 1> reaction_by_second_fundamental_form(const Eigen::Matrix<double, n, d>& tangents,
                                                                 const Eigen::Matrix<double, n, 1>& second,

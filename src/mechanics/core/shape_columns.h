@@ -1,7 +1,8 @@
 #pragma once
-/// Columns of shapes.csv, the same for every model with material surfaces. A row is a point of a material surface. It
-/// has the number of the face, the plane, the reference position X and the position x. Plane 0 is the surface; 1, 2, 3
-/// is the coordinate plane with this normal. The points of a face are consecutive rows.
+/// Columns of shapes.csv, the same for every model with material surfaces. A row is a point of a material surface. The
+/// row contains the number of the face, the plane, the reference position X and the position x. The plane is 0 for the
+/// surface of the body, and k for the coordinate plane with the normal e_k, k = 1, 2, 3. The points of a face are
+/// consecutive rows.
 
 #include <array>
 #include <cstddef>

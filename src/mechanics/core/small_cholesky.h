@@ -1,5 +1,5 @@
 #pragma once
-/// The factorisation g = LLᵀ of a symmetric, positive matrix of a few rows, and x = g⁻¹b by Ly = b, Lᵀx = y:
+/// The factorisation g = LLᵀ of a symmetric, positive definite matrix with a few rows, and x = g⁻¹b by Ly = b, Lᵀx = y:
 ///
 ///   d_j = g_jj − Σ_{k<j} L_jk²,   L_jj = √d_j,   L_ij = (g_ij − Σ_{k<j} L_ik L_jk) / L_jj   for i > j
 ///
@@ -15,7 +15,8 @@ namespace pseudorigid::mechanics {
 template <int n>
 class SmallCholesky {
  public:
-  /// Reads the lower half of `g`. If g is not positive, `regular` returns false, and `solve` must not be called.
+  /// Reads the lower half of `g`. If g is not positive definite, `regular` returns false, and `solve` must not be
+  /// called.
   explicit SmallCholesky(const Eigen::Matrix<double, n, n>& g) : L_(g) {
     double least = HUGE_VAL, greatest = 0;
     for (int j = 0; j < n; ++j) {
@@ -33,7 +34,7 @@ class SmallCholesky {
     regular_ = least > std::numeric_limits<double>::epsilon() * greatest;
   }
 
-  /// True if all d_j are positive and the least is above round-off of the greatest.
+  /// True if all d_j are positive and the least d_j is larger than ε times the greatest, with the round-off ε.
   bool regular() const { return regular_; }
 
   Eigen::Matrix<double, n, 1> solve(Eigen::Matrix<double, n, 1> x) const {
@@ -49,7 +50,7 @@ class SmallCholesky {
   }
 
  private:
-  Eigen::Matrix<double, n, n> L_;  // its upper half is that of g
+  Eigen::Matrix<double, n, n> L_;  // L in the lower half; the upper half is not used
   bool regular_ = false;
 };
 

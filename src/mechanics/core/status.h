@@ -1,5 +1,5 @@
 #pragma once
-/// Failures as values. A force, a constraint or a step returns a Status instead of an exception or a NaN.
+/// Failures as values. A force, a constraint or a step returns a Status and does not throw an exception.
 
 #include <cstdio>
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns x as text with six digits, for sentences. Fixed notation would write hundreds of digits for a large number,
-/// and 0.000000 for a small number.
+/// Returns x as text with six significant digits, for sentences. Fixed notation would write hundreds of digits for a
+/// large number, and 0.000000 for a small number.
 [[gnu::cold, gnu::noinline]] inline std::string six_digits(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", x);

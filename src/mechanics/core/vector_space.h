@@ -1,8 +1,8 @@
 #pragma once
-/// Operations of methods on vectors of any type. Every vector can be copied and has y ← y + a x, x ← a x and |x|_∞.
-/// Estimates of frequencies also use xᵀy. Iterative solvers also use sums of several vectors, and several scalar
-/// products with one sum over the processes. For a distributed vector VectorSpace is specialised; its max_norm, dot and
-/// dots are collective.
+/// Operations that methods apply to vectors of any type. Every vector can be copied and has y ← y + a x, x ← a x and
+/// |x|_∞. Estimates of frequencies also use the scalar product xᵀy. Iterative solvers also use sums of several vectors,
+/// and several scalar products with one sum over the processes. For a distributed vector VectorSpace is specialised;
+/// its max_norm, dot and dots are collective.
 ///
 /// A long sum of small increments also stores its round-off c (compensated summation, Kahan 1965; Hairer, Lubich,
 /// Wanner, Geometric Numerical Integration, VIII.5). With t = a x + c,
@@ -82,7 +82,8 @@ template <class V>
 double dot(const V& x, const V& y) {
   return VectorSpace<V>::dot(x, y);
 }
-/// y ← y + a x. If the sums of this type are compensated, c stores the round-off; initially c is zero.
+/// y ← y + a x. If the sums of this type are compensated, c stores the round-off. c must be zero at the start of the
+/// sum.
 template <class V>
 void add(double a, const V& x, V& y, V& c) {
   if constexpr (VectorSpace<V>::compensated)

@@ -1,6 +1,6 @@
 #pragma once
 /// The potential landscape of a system in a chart. It has no constraint. The mass is M = g(q), automatic
-/// differentiation gives the Hessian of U, and the damping is C = −∂F/∂v at v = 0.
+/// differentiation gives the Hessian of U, and the damping is C = −∂F/∂v at v = 0 and t = 0, by differences.
 
 #include <utility>
 
@@ -59,7 +59,7 @@ class ChartLandscape {
 
  private:
   const C& chart() const { return field_.chart(); }
-  /// Copies entry by entry. For a single entry g++ 12 warns that a copy by Eigen reads beyond it.
+  /// Copies entry by entry. g++ 12 warns that an Eigen copy of a single entry reads beyond this entry.
   static void copy(const auto& from, auto& to) {
     to.resize(from.rows(), from.cols());
     for (Eigen::Index i = 0; i < from.size(); ++i) to.data()[i] = from.data()[i];

@@ -11,14 +11,15 @@
 namespace pseudorigid::mechanics {
 namespace {
 
-/// Eigenvalues of H below this fraction of the largest count as zero, since Hessians by differences have errors of
-/// about 1e-12.
+/// Eigenvalues of H with absolute values of at most this fraction of the largest count as zero, since Hessians by
+/// differences have errors of about 1e-12.
 constexpr double zero_curvature = 1e-8;
-/// Eigenvalues of H below this absolute bound also count as zero, since they can be round-off of terms of order 1 that
-/// cancel. The relative bound is not enough: without any force, the largest eigenvalue can be 1e-170.
+/// Eigenvalues of H with absolute values of at most this bound also count as zero, since they can be round-off of terms
+/// of order 1 that cancel. The relative bound is not enough: without any force, the largest eigenvalue can be 1e-170.
 constexpr double round_off_curvature = 1e-14;
-/// Rates count as neither stable nor unstable if their real part is below this fraction of the largest rate. With
-/// little damping, an error of a zero eigenvalue of H causes rates whose size is the square root of this error.
+/// A rate counts as neither stable nor unstable if the absolute value of its real part is at most this fraction of the
+/// largest rate. With little damping, an error of a zero eigenvalue of H causes rates whose size is the square root of
+/// this error.
 constexpr double zero_rate = 1e-6;
 
 /// Returns a basis T of ker G with TᵀMT = Id.
@@ -33,7 +34,8 @@ Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G
   return factor.matrixU().solve(Z);
 }
 
-/// Sets rates and directions without damping: z² = −κ for each eigenvalue κ of H. z is 0 if κ counts as zero.
+/// Sets the rates and directions without damping: z² = −κ for each eigenvalue κ of H. If κ counts as zero, z is 0. Then
+/// n_unstable and n_stable are both the Morse index, which must be set.
 void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.values.size();
   p.rates.resize(2 * n);
@@ -47,7 +49,7 @@ void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::Ma
   p.n_unstable = p.n_stable = p.morse_index;
 }
 
-/// Sets rates and directions of ÿ + Dẏ + Hy = 0 with δq = T y.
+/// Sets the rates and directions of ÿ + Dẏ + Hy = 0 with δq = T y, and the numbers of stable and unstable rates.
 void linearise(const Eigen::MatrixXd& H, const Eigen::MatrixXd& D, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.rows();
   Eigen::MatrixXd A(2 * n, 2 * n);  // the matrix of (y, ẏ)

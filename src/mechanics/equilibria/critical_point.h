@@ -31,7 +31,8 @@ struct CriticalPoint {
 };
 
 /// Sets p to the description of the critical point (q, λ). `added_damping` is the matrix C of a force −C v in addition
-/// to the system's own damping. Fails if M or the second derivatives are singular or not finite at the point.
+/// to the system's own damping. Fails if the Hessian or the damping cannot be computed, or if a matrix on the tangent
+/// space is not finite, for example for a singular M.
 Status describe_critical_point(const AnyLandscape& landscape, const Eigen::VectorXd& q, const Eigen::VectorXd& lambda,
                                const Eigen::MatrixXd& added_damping, CriticalPoint& p);
 

@@ -52,12 +52,14 @@ class CriticalPointFinder {
   }
 
   static constexpr int max_iterations = 200, max_halvings = 20;
-  static constexpr double converged = 1e-12;  // bound of |r|, relative to the gradient and the Hessian at the start
-  /// Two solutions count as one point up to this relative difference. Most solutions of one point differ less.
+  static constexpr double converged = 1e-12;  // bound of |r|, relative to `scale` of initial_multiplier
+  /// Two solutions with a smaller relative difference count as one point. Newton's solutions of the same point usually
+  /// differ by much less.
   static constexpr double same_place = 1e-6;
   static constexpr double singular = 1e-10;  // bound of zero pivots in Newton's matrix, relative to the largest pivot
 
-  /// Moves q to a critical point and sets λ to its multiplier. Returns false if the iteration does not converge from q.
+  /// Moves q to a critical point and sets λ to its multiplier. Returns false if the iteration does not converge from q
+  /// or if a derivative fails.
   bool newton(Vector& q, Vector& lambda) const {
     const Eigen::Index n = q.size();
     Vector r;
@@ -107,8 +109,8 @@ class CriticalPointFinder {
     return r.allFinite();
   }
 
-  /// Sets λ such that |∇V − Gᵀλ| is smallest, and sets `scale` to the size of the gradient or the Hessian, whichever is
-  /// larger. Returns false if a derivative fails.
+  /// Sets λ such that |∇V − Gᵀλ| is smallest, and sets `scale` to the norm of the gradient or of the Hessian, whichever
+  /// is larger. Returns false if a derivative fails or is not finite.
   bool initial_multiplier(const Vector& q, Vector& lambda, double& scale) const {
     Vector dV;
     Matrix G;

@@ -22,8 +22,8 @@ namespace pseudorigid::mechanics {
 struct CriticalPointSearch {
   Eigen::VectorXd center{};  // the first starting point; empty: the origin
   double radius = 1;         // half width of the box of starting points, for coordinates that are not periodic
-  /// Returns a starting point from uniform random numbers in [0, 1). Empty: starting points are random points of the
-  /// box.
+  /// Returns a starting point other than the first one, from uniform random numbers in [0, 1). If `start` is empty,
+  /// these points are random points of the box. In a periodic coordinate, the box contains the whole period.
   std::function<Eigen::VectorXd(const std::function<double()>& uniform)> start{};
   int n_starts = 200;
   std::uint64_t seed = 1;
@@ -42,13 +42,14 @@ struct CriticalPoints {
   bool misses_points = false;  ///< points were known to be missing when the search ended
 };
 
-/// Searches for critical points and sets `found`. Fails if the stability of a point cannot be computed
-/// (critical_point.h). n_converged is the number of starting points from which the iteration converged.
+/// Searches for critical points and sets `found`. Fails if the centre of the search has the wrong number of
+/// coordinates, or if the stability of a point cannot be computed (critical_point.h). The member n_converged is the
+/// number of starting points from which the iteration converged.
 Status find_critical_points(const AnyLandscape& landscape, const CriticalPointSearch& search, CriticalPoints& found);
 
 /// Searches for critical points, with n_unstable and n_stable as in Oliva 5.8.3. If the system has no dissipation,
 /// n_unstable and n_stable are counted with the additional force −M v. The rates and directions are those without this
-/// force.
+/// force. Fails in the same cases as find_critical_points.
 Status find_equilibria(const AnyLandscape& landscape, bool dissipative, CriticalPointSearch search,
                        CriticalPoints& found);
 

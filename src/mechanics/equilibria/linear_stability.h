@@ -11,12 +11,12 @@
 /// N, whose rates are known and do not depend on the equilibrium. The remaining space contains the motions with fixed
 /// momenta, modulo the group that preserves these momenta (Marsden–Weinstein):
 ///
-///   N^W / (N ∩ N^W),   N^W = {x: nᵀWx = 0 for n in N},
+///   N^W / (N ∩ N^W),   N^W = {x: nᵀWx = 0 for n in N}.
 ///
 /// On this space S and W are again well defined. A symmetry causes a double rate zero, which round-off would split into
-/// two small rates. The space does not contain these rates.
+/// two small rates. The motions with these rates are not in this space.
 ///
-/// Time is scaled by √max(|K|, |G|²), a bound of the frequencies, so all thresholds are relative.
+/// Time is scaled by √max(|K|, |G|²), which is about the largest frequency, so all thresholds are relative.
 
 #include <Eigen/Core>
 #include <complex>
@@ -37,8 +37,8 @@ struct ReducedLinearSystem {
   double scale = 1;
 };
 
-/// A rate s of the motion, y ~ exp(st), and the sign of its energy ½x̄ᵀSx: −1, 0 or +1. If s is not imaginary, the sign
-/// is 0.
+/// A rate s of the motion, y ~ exp(st), and the sign of its energy ½x̄ᵀSx: −1, 0 or +1. The sign is 0 if the energy is
+/// round-off, as for each s that is not imaginary.
 struct Rate {
   std::complex<double> s;
   int energy_sign = 0;
@@ -59,8 +59,8 @@ inline constexpr double zero_growth = 1e-6;
 /// as zero.
 inline constexpr double zero_variation = 1e-12;
 
-/// Returns S and W on N^W / (N ∩ N^W), represented on the orthogonal complement of N ∩ N^W in N^W. Directions of N, and
-/// momenta, count as zero below `absent` times the largest.
+/// Returns S and W on N^W / (N ∩ N^W), represented on the orthogonal complement of N ∩ N^W in N^W. Singular values
+/// count as zero if they are at most `absent` times the largest singular value of the same matrix.
 ReducedLinearSystem reduce(Eigen::MatrixXd K, Eigen::MatrixXd G, const SymmetryDirections& symmetries, double absent);
 
 /// Sets the rates, the second variation and the stability in `result`. Fails if the system is not finite or if the

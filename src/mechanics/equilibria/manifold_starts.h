@@ -1,7 +1,7 @@
 #pragma once
-/// Initial states of motions on the unstable and the stable manifold of a critical point q*. They are q = q* + x, q̇ =
-/// y with small (x, y) in an eigenspace of the linearised field. The eigenspace for a rate z with the direction δ is
-/// spanned by the pairs (Re δ, Re zδ) and (Im δ, Im zδ). Up to terms of second order the states are on the manifold
+/// Initial states of motions on the unstable and the stable manifold of a critical point q*. The states are q = q* + x,
+/// q̇ = y with small (x, y) in an eigenspace of the linearised field. The eigenspace for a rate z with the direction δ
+/// is spanned by the pairs (Re δ, Re zδ) and (Im δ, Im zδ). Up to terms of second order the states are on the manifold
 /// (Oliva, Geometric Mechanics, 5.8.3).
 ///
 /// If a point has several unstable directions, all motions with equal initial sizes would leave along the fastest one.
@@ -49,7 +49,7 @@ inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unst
   return basis;
 }
 
-/// Returns the states at ε and −ε times each vector of the basis.
+/// Returns the displacements (x, y) that are ε and −ε times each vector of the basis.
 inline std::vector<PhaseVector> both_ways(const std::vector<PhaseVector>& basis, double epsilon) {
   std::vector<PhaseVector> starts;
   for (const PhaseVector& e : basis)
@@ -57,7 +57,8 @@ inline std::vector<PhaseVector> both_ways(const std::vector<PhaseVector>& basis,
   return starts;
 }
 
-/// Returns n states around the point: at equal angles if the basis has two vectors, otherwise in random directions.
+/// Returns n displacements (x, y), with the sizes defined at the top of this file. Their directions are at equal angles
+/// if the basis has two vectors, otherwise random. The basis must not be empty.
 inline std::vector<PhaseVector> all_around(const std::vector<PhaseVector>& basis, int n, double epsilon) {
   constexpr double least = 1e-12;  // least size for a fast direction, above the round-off of q*
   std::vector<double> sizes;

@@ -1,8 +1,9 @@
 #pragma once
-/// Groups of modes of a ball at rest with the same frequency. In a sphere a mode of one kind (spheroidal or toroidal)
-/// and degree n occurs 2n + 1 times. The 2n + 1 lowest modes of one kind and degree are the copies of the fundamental.
-/// The next 2n + 1 modes are the copies of its first overtone, and so on. The caller determines kind and degree of each
-/// mode. The group of a mode depends only on kind, degree and the order of ω², without a threshold.
+/// Groups of the vibration modes of a ball at rest that have the same frequency. In a sphere a mode of one kind
+/// (spheroidal or toroidal) and degree n occurs 2n + 1 times. The 2n + 1 lowest modes of one kind and degree are the
+/// copies of the fundamental. The next 2n + 1 modes are the copies of its first overtone, and so on. The caller
+/// determines kind and degree of each mode. The group of a mode depends only on kind, degree and the order of ω²,
+/// without a threshold.
 
 #include <cstddef>
 #include <vector>
@@ -21,7 +22,7 @@ struct ClassifiedMode {
 struct ModeGroup {
   bool spheroidal;
   int degree, overtone;            ///< overtone 0: the fundamental
-  std::vector<std::size_t> modes;  ///< indices of the copies in the list, by increasing ω²
+  std::vector<std::size_t> modes;  ///< indices in the list by increasing ω²; an entry with several copies is repeated
   double omega;                    ///< mean ω of the copies
   double least, largest;           ///< least and largest ω of the copies
 

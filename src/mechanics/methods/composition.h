@@ -5,7 +5,7 @@
 ///   Ψ_h = Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h},   γ_i = γ_{s+1−i},   Σγ_i = 1.
 ///
 /// The composed method is symmetric. If Φ is symplectic, the composed method is symplectic too. The coefficients
-/// declare the order of the composed method. Each composed method has its own member chosen_by_auto. It is true if
+/// declare the order of the composed method. Each composed method has its own member chosen_by_auto, which is true if
 /// Method = auto may choose the method.
 
 #include <array>
@@ -63,8 +63,8 @@ struct Composition {
   template <class S>
   static constexpr bool fits = Base::template fits<S>;
 
-  /// Fails for dissipative systems. Some substeps go backwards in time, and dissipation would add energy in these
-  /// substeps.
+  /// Fails for dissipative systems, and for systems that the base method does not accept. Some substeps go backwards in
+  /// time, and dissipation would add energy in these substeps.
   template <class S>
   static Status accepts(const S& system) {
     if (dissipative(system))

@@ -12,10 +12,10 @@
 ///   |e|² = |e_q|²/(1 + |q|)² + |e_v|²/(1 + |v|)²  (Euclidean norms: a rotation of space does not change the steps),
 ///   error = |e_5|² / √(|e_5|² + |e_3|²/100) ≤ tolerance.
 ///
-/// Thus `tolerance` bounds the local error of one step, relative to 1 + |q| and 1 + |v|. The global error is
+/// Thus `tolerance` bounds the estimated local error of one step, relative to 1 + |q| and 1 + |v|. The global error is
 /// proportional to the tolerance, with a factor that depends on the motion. The size of the next step is h · min(6,
 /// max(1/3, 0.9 (tolerance/error)^{1/8})). A trial with error > tolerance is rejected. The next trial has 0.2 to 0.9 of
-/// its size, and the size does not grow after this trial.
+/// its size. After a rejection, the next accepted trial does not increase the size.
 ///
 /// If the force fails or is not finite in a trial, the next trial has a quarter of the size. If the size falls below
 /// round-off, the motion ends with a failure. The increments of q and v are summed with compensation (vector_space.h).
@@ -133,7 +133,7 @@ struct DormandPrince8 {
   }
 
   /// Sets `out` to the state at the time t, by the polynomial of order 7 in θ = (t − t_n)/h. Fails if t is not within
-  /// the last step.
+  /// the last step, or if an additional stage or the projection fails.
   template <SecondOrderField F>
   static Status interpolate(const F& field, double t, State<F>& out, Workspace<F>& w) {
     const double theta = (t - w.t_start) / w.h_last;
@@ -158,7 +158,8 @@ struct DormandPrince8 {
     return field.acceleration(t, q, v, w.system, a);
   }
 
-  /// Computes the acceleration at the state and the size of the first step, unless both are known.
+  /// Computes the acceleration at the state and the size of the first step, unless both are known. Fails if the
+  /// tolerance is below round-off, or if the acceleration fails or is not finite.
   template <class F>
   static Status start(const F& field, double t_limit, const State<F>& state, Workspace<F>& w) {
     if (w.acceleration_known && w.h != 0) return {};
@@ -173,9 +174,10 @@ struct DormandPrince8 {
     return {};
   }
 
-  /// Returns the size of the first step by Hairer, Nørsett, Wanner, II.4. With this size, h⁸ times the larger norm of
-  /// (v, a) and (a, ȧ) is a hundredth of the tolerance. Norms are relative to 1 + |q| and 1 + |v|. The size is at most
-  /// 100 times a first guess and at most the distance to t_limit.
+  /// Returns the size of the first step by Hairer, Nørsett, Wanner, II.4. With this size, h⁸ times the larger of the
+  /// norms of (v, a) and (a, ȧ) is a hundredth of the tolerance. Norms are relative to 1 + |q| and 1 + |v|. The size is
+  /// at most 100 times a first guess and at most the distance to t_limit. If the acceleration fails at the first guess,
+  /// the size is a hundredth of the guess.
   template <class F>
   static double first_step(const F& field, double t_limit, const State<F>& state, Workspace<F>& w) {
     const auto norm = [&](const auto& x, const auto& y) {

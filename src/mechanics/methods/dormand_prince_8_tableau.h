@@ -1,5 +1,5 @@
 #pragma once
-/// Coefficients of the explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince. They are for the
+/// Coefficients of the explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince. They apply to the
 /// first-order equations of q and v with the acceleration a(t, q, v). The numbers are from Hairer, Nørsett, Wanner,
 /// Solving Ordinary Differential Equations I, II.5–II.6, and from the authors' code DOP853. With the accelerations A_j
 /// of the stages,
@@ -7,8 +7,8 @@
 ///   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j,   ā = a·a,
 ///
 /// with the matrix a = (a_ij). The same product gives b̄ = b a for the new state and ē = e a for the error estimates.
-/// For the dense output it gives d̄ = d a. Row 12 of a is b. Rows 13 to 15 are the additional stages of the dense
-/// output.
+/// For the dense output the product gives d̄ = d a. Row 12 of a is b. Rows 13 to 15 are the additional stages of the
+/// dense output.
 
 #include <array>
 
@@ -93,7 +93,8 @@ inline constexpr Row<long double> e5_exact{0.1312004499419488073250102996e-1L,
                                            0.8192320648511571246570742613e-1L,
                                            -0.2235530786388629525884427845e-1L};
 
-/// Coefficients F₃ … F₆ of the dense output of order 7 in θ = (t − t_n)/h. F₀ … F₂ belong to Hermite's interpolation.
+/// Weights of the accelerations in the coefficients F₃ … F₆ of the dense output of order 7 in θ = (t − t_n)/h. F₀ … F₂
+/// belong to Hermite's interpolation.
 inline constexpr Rows<4> d_exact{
     {{-0.84289382761090128651353491142e1L, 0, 0, 0, 0, 0.56671495351937776962531783590L,
       -0.30689499459498916912797304727e1L, 0.23846676565120698287728149680e1L, 0.21170345824450282767155149946e1L,

@@ -214,7 +214,8 @@ struct EnergyMomentum {
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   /// The ratio |P|/|ΔX| below which the motion counts as a relative equilibrium.
   static constexpr double relative_equilibrium = 1e-7;
-  /// Largest |hθ| for which a correction of pure round-off is harmless, as it hardly changes the increments.
+  /// Largest |hθ| for which a correction of pure round-off is harmless. Such a correction hardly changes the
+  /// increments.
   static constexpr double harmless = 1e-4;
 
   static Status does_not_converge(double increment) {
@@ -338,9 +339,9 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Sets θ from the part of the energy error that exceeds ν. The energy error is ΔF − (∇F(X_m) + ΠD)·ΔX plus a bounded
-  /// part of the error of earlier steps. The covectors ∇F(X_m) and ΠD vanish along the orbit, so their products with ΔX
-  /// and with P are equal.
+  /// Sets θ from the part of the energy error that exceeds ν. Sets θ = 0 near a relative equilibrium. The energy error
+  /// is ΔF − (∇F(X_m) + ΠD)·ΔX plus a bounded part of the error of earlier steps. The covectors ∇F(X_m) and ΠD vanish
+  /// along the orbit, so their products with ΔX and with P are equal.
   template <ConservativeSystem S>
   static Status set_theta(const S& system, double h, double P, EnergyMomentumWorkspace<S>& w) {
     w.theta = 0;

@@ -9,7 +9,8 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// Judges each increment: the iteration is done, must go on, or is stuck.
+/// Decides after each increment whether the iteration is done, goes on, or is stuck. `stalled` detects a decrease that
+/// round-off has stopped.
 struct FixedPointMonitor {
   static constexpr int max_iterations = 150;
   double previous = HUGE_VAL, least = HUGE_VAL;

@@ -1,7 +1,7 @@
 #pragma once
 /// Gauss collocation with 8 stages, of order 16, for q̈ = a(t, q, q̇). It is described in Hairer, Lubich, Wanner,
 /// Geometric Numerical Integration, II.1 and IV.2. Stages in the lanes of vectors are an idea of Antoñana, Alberdi,
-/// Makazaga and Murua.
+/// Makazaga and Murua. With the accelerations a_j of the stages and the matrix A of the coefficients a_ij,
 ///
 ///   a_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij a_j,   q_i = q + h c_i v + h² Σ_j (A²)_ij a_j
 ///   v_{n+1} = v + h Σ_j b_j a_j,    q_{n+1} = q + h v + h² Σ_j b_j (1 − c_j) a_j
@@ -65,7 +65,8 @@ struct Gauss16Workspace {
   double tolerance = coarsest_tolerance;
   static constexpr double coarsest_tolerance = 1e-2;
   int most_halvings = 40;  ///< largest number of halvings of a step. If 0, a step that does not converge fails.
-  /// Bound of the error of the accelerations at which the iteration on the stages ends. If 0, it is round-off / 4096.
+  /// Bound of the error of the accelerations at which the iteration on the stages ends. If it is 0, the bound is the
+  /// round-off of the accelerations divided by 4096.
   double iteration_tolerance = 0;
   Vector q_rounding, v_rounding;  // rounding errors of q and v
   Vector change;
@@ -101,20 +102,20 @@ struct Gauss16 {
       "systems. Momenta are kept to round-off if Step is given, else to a part of Tolerance";
   static constexpr int order = 16;
   static constexpr int n_stages = gauss::n_stages;
-  /// Cost of a step, as a number of forces, in the search for the step.
+  /// Cost of a step in the search for the step. The unit is the cost of one force.
   template <class S>
   static double forces_of_step(const S& system) {
     constexpr double n_iterations = 7;  // the number is 4 to 9, and depends on the tolerance and the system
     return n_iterations * cost_of_iteration(field_of(system));
   }
 
-  /// Permitted error e of the accelerations, for a tolerance of the configuration and a run of length T. Runs of SL(3),
-  /// a rigid body and the double pendulum were measured, with T = 100 and 3000. The energy fell at a rate of 1e-3 to
-  /// 5e-2 times e|v|, with the velocity v. The error of the configuration was at most 0.03 e T². For this e, it is less
-  /// than a sixth of the tolerance.
+  /// Permitted error e of the accelerations, for a tolerance of the configuration and a run of length T. Runs of a body
+  /// on SL(3), a rigid body and the double pendulum were measured, with T = 100 and 3000. The energy fell at a rate of
+  /// 1e-3 to 5e-2 times e|v|, with the velocity v. The error of the configuration was at most 0.03 e T². For the
+  /// returned e, this error is less than a sixth of the tolerance.
   static double iteration_tolerance(double tolerance, double end) { return 5 * tolerance / (end * end); }
 
-  /// Method = auto considers the method for systems that evaluate their stages in lanes.
+  /// Method = auto considers the method only for systems that evaluate their stages in lanes.
   static constexpr bool for_stages_in_lanes = true;
   static constexpr bool symplectic = false, symmetric = true;
   static constexpr bool adaptive = false, chosen_by_auto = true;
@@ -123,7 +124,8 @@ struct Gauss16 {
 
   template <class S>
   using Workspace = Gauss16Workspace<S>;
-  /// Large systems do not benefit from a method that stores eight accelerations and needs sixty forces for a step.
+  /// True for systems with dense vectors and cheap forces. Large systems do not benefit from a method that stores eight
+  /// accelerations and needs sixty forces for a step.
   template <class S>
   static constexpr bool fits = [] {
     if constexpr (!ConstrainedSystem<S> && !SecondOrderField<S>)
@@ -137,12 +139,12 @@ struct Gauss16 {
     return {};
   }
 
-  /// Makes one step. Projects the state after every 32 steps.
+  /// Makes one step. Projects the state if 32 steps have been made since the last projection.
   template <class S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
-    // The next step starts with one halving less than the last step. Each step of a violent phase then does not
-    // begin with its whole length.
-    constexpr int most_expected = 2;  // small, because all parts of the next step have this depth
+    // A step starts with one halving less than the last step, but with at least 0 and at most 2 halvings. In a violent
+    // phase, the first trial of a step is then shorter than the whole step.
+    constexpr int most_expected = 2;  // small, because all parts of the step have at least this depth
     const int n_expected = std::clamp(w.n_halvings - 1, 0, most_expected);
     w.n_halvings = 0;
     if (Status status = advance_in_parts(system, {h, h, 0}, n_expected, state, w); !status) return status;
@@ -210,7 +212,8 @@ struct Gauss16 {
             .scale = w.scale};
   }
 
-  /// Makes the step if its stages are found, and sets `found`. Returns a failure of the force.
+  /// Makes the step if its stages are found and its estimated error is permitted, and then sets `found` to true.
+  /// Returns a failure only if the force fails.
   template <class S>
   static Status step(const S& system, double outer_h, double h, State<S>& state, Workspace<S>& w, bool& found) {
     ++w.counters.n_substeps;
@@ -263,8 +266,8 @@ struct Gauss16 {
   /// the error ρ^16. The factor 1e3 was fitted on SL(3).
   static double error_of(const GaussStages& s) { return 1e3 * s.tail * s.tail * std::sqrt(s.tail); }
 
-  /// Returns the failure of the force at a stage or at the state. If the force does not fail, returns that the stages
-  /// cannot be found.
+  /// Returns the failure of the force at a stage or at the state. If the force does not fail, returns a failure with
+  /// the reason that the stages cannot be found.
   template <class S>
   [[gnu::cold, gnu::noinline]] static Status why_not_found(const S& system, Status of_stages, const Part& part,
                                                            const State<S>& state, Workspace<S>& w) {

@@ -16,6 +16,8 @@
 ///
 ///     stability_limit                      largest hω of a step h, with the largest frequency ω of small motions
 ///     resonance_limit                      optional, a smaller bound on hω for the steps that a search tries
+///     forces_of_step(system)               optional, cost of a step in forces; the default is n_stages
+///     for_stages_in_lanes                  optional, if Method = auto needs a system with stages in lanes
 ///     advance(system, h, state, workspace) → Status            makes one step; the velocity may lack its projection
 ///     project_velocity(system, state, workspace) → Status      makes the velocity valid, needed at samples
 ///
@@ -102,7 +104,7 @@ constexpr void for_each_method(Visitor&& visitor) {
   std::apply([&](auto... method) { (visitor(method), ...); }, MethodTable{});
 }
 
-/// Calls visitor(Method{}) with the method `id`, and returns the visitor's result.
+/// Calls visitor(Method{}) for the method `id`, and returns the visitor's result.
 template <class Visitor, std::size_t place = 0>
 constexpr decltype(auto) with_method(MethodId id, Visitor&& visitor) {
   using Method = std::tuple_element_t<place, MethodTable>;

@@ -1,10 +1,11 @@
 #pragma once
 /// Correction of the round-off of the momenta p_i = ⟨M v, ξ_i(q)⟩, for a method that conserves them. The field ξ_i(q)
 /// is the velocity field of the i-th symmetry. Each step changes the momenta by about 10⁻¹⁸, and these errors would
-/// accumulate. If the error of one momentum exceeds its own round-off, the correction changes the velocity along the
-/// orbit of the symmetries. In the metric of the kinetic energy this is the smallest change that restores the momenta:
+/// accumulate. If the error of a momentum exceeds the round-off of this momentum, the correction changes the velocity
+/// along the orbit of the symmetries. In the metric of the kinetic energy this is the smallest change that restores the
+/// momenta:
 ///
-///   v ← v + Σ α_i ξ_i(q),   Σ_j ⟨M ξ_i, ξ_j⟩ α_j = p_i(0) − p_i.
+///   v ← v + Σ α_i ξ_i(q),   Σ_j ⟨M ξ_i, ξ_j⟩ α_j = p_i(0) − p_i,
 ///
 /// with the momenta p_i(0) of the first state. The change is tangent to the constraints, because the symmetries
 /// preserve the constraints.

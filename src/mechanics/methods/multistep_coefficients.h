@@ -68,7 +68,7 @@ constexpr std::array<long double, n> solve(std::array<std::array<long double, n>
 
 constexpr long double power(long double x, int n) { return n == 0 ? 1 : x * power(x, n - 1); }
 
-/// Coefficients of ρ for the given a_i, the lowest power first.
+/// Returns the coefficients of ρ for the given a_i, the lowest power first.
 template <int k>
 constexpr std::array<long double, k + 1> first_polynomial(const std::array<long double, k / 2 - 1>& a) {
   std::array<long double, k + 1> rho{1, -2, 1};
@@ -77,7 +77,7 @@ constexpr std::array<long double, k + 1> first_polynomial(const std::array<long 
   return rho;
 }
 
-/// β_0, …, β_{k/2−1}, with indices counted from the middle.
+/// Returns β_0, …, β_{k/2−1} for given coefficients of ρ, with indices counted from the middle.
 template <int k>
 constexpr std::array<long double, k / 2> second_polynomial(const std::array<long double, k + 1>& rho) {
   constexpr int m = k / 2;

@@ -5,7 +5,7 @@
 ///
 /// Each starting method is a type Start<S> for a system S. An object exists as long as the run and has these functions:
 ///
-///   begin(system, w)                       starts at the state, also after a change of h; w has the remainder of q
+///   begin(system, w)                       prepares steps from a new state or with a new h
 ///   acceleration(system, state, w, a)      a ← M⁻¹(f + Gᵀλ) at the state
 ///   step(system, h, state, w)              makes one step of size h
 ///   project(system, state, w)              makes the velocity valid if the steps do not

@@ -22,7 +22,7 @@
 ///   v_{n+1} = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}, v_{n+1}) + Gᵀμ_n].
 /// A fixed-point iteration on the force solves this equation together with the projection. The step remains symmetric
 /// and of order 2; a linear drag −cv gives Cayley's factor (1 − hc/2)/(1 + hc/2). If this iteration is slow, a linear
-/// system is solved instead (linear_damping.h). This is possible if the force depends on v by a term −C(q)v with a
+/// system is solved instead (linear_damping.h). Such a system exists if the force depends on v by a term −C(q)v with a
 /// symmetric C. Then damping does not limit the step: an oscillator ẍ = −ω²x − cẋ is stable up to hω = 2 for every c.
 /// If the iteration is already slow in the first step, the first half step is implicit as well. Otherwise an overdamped
 /// body would start with a fast transient.
@@ -149,7 +149,8 @@ struct Rattle {
     return {};
   }
 
-  /// Makes one substep. Omits the final velocity projection, except if a force depends on the velocity.
+  /// Makes one substep. Omits the final velocity projection, except if a force depends on the velocity. After a failure
+  /// the state is not valid.
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if (Status status = kick(system, h, state, w); !status) return status;
@@ -169,7 +170,8 @@ struct Rattle {
     return {};
   }
 
-  /// v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v, repeated until |G v| ≤ tolerance. This completes the step of RATTLE.
+  /// v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v, repeated until G v is at most the tolerance or is round-off. The projection
+  /// completes a step of RATTLE.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {
@@ -203,7 +205,8 @@ struct Rattle {
   }
 
  private:
-  /// Makes the first half step. If a force depends on the velocity, w.settling.half is v_n afterwards.
+  /// Makes the first half step. If a force depends on the velocity, w.settling.half is v_n afterwards. The very first
+  /// half step is implicit if the system is linearly damped and stiff.
   template <ConstrainedSystem S>
   static Status kick(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if (velocity_dependent(system)) w.settling.half = state.v;
@@ -234,7 +237,8 @@ struct Rattle {
     return 0.5 * s * (dot(state.v, w.force) - dot(start, w.force));
   }
 
-  /// Sets v to the solution of v = w.settling.half + (h/2) M⁻¹[f(v) + Gᵀμ].
+  /// Sets v to the solution of v = w.settling.half + (h/2) M⁻¹[f(v) + Gᵀμ] with G v = 0. For linear damping, a linear
+  /// system replaces the fixed-point iteration if the iteration is slow.
   template <ConstrainedSystem S>
   static Status settle_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (LinearlyDamped<S>) {

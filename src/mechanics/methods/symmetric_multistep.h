@@ -22,8 +22,9 @@
 ///
 /// For small systems the errors of energy and momenta oscillate within bounds of size h^order. For the ball, the energy
 /// error is of the same order but grows as the motion spreads to modes of high frequency (step_search.h). Order 4 was
-/// measured at 0.8 of the stability limit, in a release from a deformation of 0.3. The relative energy error is 2e-5 at
-/// t = 100 r/c and 1e-2 at 1430 r/c. The error of Q at 100 r/c is 1e-5; RATTLE with the same step has 7e-3.
+/// measured at 0.8 of the stability limit, in a release from a deformation of 0.3. The unit of time is r/c, with the
+/// radius r and the speed c of shear waves. The relative energy error is 2e-5 at t = 100 r/c and 1e-2 at 1430 r/c. The
+/// error of Q at 100 r/c is 1e-5; RATTLE with the same step has 7e-3.
 ///
 /// A round-off error ε of the constraint causes an error ε/h² of the multipliers. The history multiplies this error by
 /// the coefficients β̂ (up to 5 for order 8, 62 for order 12). The resulting error of the motion grows as the square
@@ -50,7 +51,7 @@ namespace pseudorigid::mechanics {
 template <ConstrainedSystem S, int k, template <class> class Start>
 struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_slots = k - 1;
-  /// Number of multipliers from which the next one is extrapolated.
+  /// Largest number of multipliers from which the next one is extrapolated.
   static constexpr int n_extrapolated = S::n_constraints == dynamic_constraints ? 5 : 6;
 
   explicit SymmetricMultistepWorkspace(const S& system)
@@ -111,7 +112,7 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Makes one step. Only `project_velocity` sets a valid velocity, except in the first steps by the other method.
+  /// Makes one step. The velocity is valid only after a call of `project_velocity`.
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     if (!same_step(h, w.h)) {
@@ -175,8 +176,9 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Sets w.acceleration to M⁻¹f at the state. If the system computes f + Gᵀλ at little cost, sets it to M⁻¹(f + Gᵀλ)
-  /// with the extrapolated λ. At the end of the start-up no λ is known and λ = 0, so a known M⁻¹f is valid.
+  /// Sets w.acceleration to M⁻¹f at the state. If the system computes f + Gᵀλ at little cost, sets w.acceleration to
+  /// M⁻¹(f + Gᵀλ) with the extrapolated λ. At the end of the start-up no λ is known and λ = 0, so a known M⁻¹f is
+  /// valid.
   template <class S>
   static Status ensure_predicted_acceleration(const S& system, const State<S>& state, Workspace<S>& w) {
     if constexpr (FindsForceWithReaction<S>) {
@@ -194,8 +196,8 @@ struct SymmetricMultistep {
   }
 
   /// Computes d_{n+1} and q_{n+1} with a_n from the extrapolated multiplier, and then corrects all three until
-  /// g(q_{n+1}) = 0. All calls are inlined, because calls kept the temporaries of small systems in memory. This took a
-  /// sixth of the time of a step for a body on SL(3).
+  /// g(q_{n+1}) = 0. All calls are inlined, because calls kept the temporaries of small systems in memory. The accesses
+  /// to these temporaries took a sixth of the time of a step for a body on SL(3).
   template <class S>
   PSEUDORIGID_FLATTEN static Status make_step(const S& system, State<S>& state, Workspace<S>& w) {
     constexpr bool dense = VectorSpace<typename S::Vector>::dense;

@@ -20,7 +20,7 @@ struct SampleTimes {
   long n_samples = 1;
   double operator[](long k) const { return end * (static_cast<double>(k) / static_cast<double>(n_samples)); }
   double interval() const { return end / static_cast<double>(n_samples); }
-  /// Least number of equal steps that fill an interval and are not longer than `step`.
+  /// Least number of equal steps that fill an interval and are not longer than `step` up to round-off.
   long steps_per_interval(double step) const {
     const double n = std::ceil(interval() / step * (1 - 1e-12));
     constexpr double most = 9e18;  // below the largest long; a run cannot make so many steps
@@ -39,10 +39,13 @@ struct RunResult {
   double t = 0;        ///< time reached
 };
 
-/// Functions of the caller during the loop. `sample` also runs at k = 0, with the initial velocity:
+/// Functions of the caller during the loop. If the loop begins at the start of the run, `sample` is also called for k =
+/// 0, with the initial velocity.
 ///   sample(k, state, workspace) → Status: called at sample k, with the projected velocity;
 ///   steps_per_interval(k, state, workspace) → long: steps from sample k to k+1, not called for adaptive methods;
-///   step_done(cursor, state, workspace) → bool: after each step and the samples up to its time; false interrupts.
+///   step_done(cursor, state, workspace) → bool: called after each step; false interrupts the loop.
+/// For steps of fixed size, `sample` is called after step_done. For adaptive methods, `sample` is called before
+/// step_done, for all samples up to the time of the step.
 template <class H, class S, class W>
 concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cursor cursor) {
   { hooks.sample(k, state, w) } -> std::same_as<Status>;
@@ -50,8 +53,8 @@ concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cur
   { hooks.step_done(cursor, state, w) } -> std::same_as<bool>;
 };
 
-/// Runs from `cursor` (the start or a checkpoint) to the last sample, and advances `cursor` and `state`. Returns the
-/// outcome and the time reached. After a failed step `state` is not valid.
+/// Runs from `cursor` (the start or a checkpoint) to the last sample, to an interruption or to a failure. Advances
+/// `cursor` and `state`, and returns the outcome and the time reached. After a failed step `state` is not valid.
 template <class Method, class S, TimeLoopHooks<S, typename Method::template Workspace<S>> Hooks>
 requires(!Method::adaptive) RunResult
     run_time_loop(const S& system, const SampleTimes& times, State<S>& state, Cursor& cursor,
@@ -81,8 +84,8 @@ requires(!Method::adaptive) RunResult
   return {Outcome::finished, "", state.t};
 }
 
-/// Runs a method that chooses the sizes of its steps. The steps do not end at the samples, so the state at a sample is
-/// interpolated. The last step ends at T.
+/// Makes the same run with a method that chooses the sizes of its steps. The steps do not end at the samples, so the
+/// state at a sample is interpolated. The last step ends at T.
 template <class Method, class F, TimeLoopHooks<F, typename Method::template Workspace<F>> Hooks>
 requires(Method::adaptive) RunResult
     run_time_loop(const F& field, const SampleTimes& times, State<F>& state, Cursor& cursor,

@@ -6,7 +6,7 @@
 ///
 /// The stability limit of a method is a bound of hω. If forces dissipate, the largest damping rate γ is
 ///
-///   γ = max over G u = 0 of  uᵀC u / uᵀM u,      C u = −D_v f u,
+///   γ = max over G u = 0 of  uᵀC u / uᵀM u,      C u = −D_v f u.
 ///
 /// The damping rate γ limits the step of a method that iterates on the damping. Both ω and γ are computed by Lanczos'
 /// iteration for M⁻¹K or M⁻¹C in the inner product of M. The projection
@@ -59,8 +59,8 @@ struct MassPair {
   double norm() const { return std::sqrt(std::max(0.0, dot(u, w))); }
 };
 
-/// Fills x with fixed pseudo-random numbers in (−1, 1), so that x has a component along every mode. A system with
-/// distributed vectors has its own function, whose numbers do not depend on the number of ranks.
+/// Fills x with pseudo-random numbers in [−1, 1), the same at every call, so that x has a component along every mode. A
+/// system with distributed vectors has its own function, whose numbers do not depend on the number of ranks.
 template <class S>
 void fill_irregular(const S& system, typename S::Vector& x) {
   if constexpr (requires { system.fill_irregular(x); }) return system.fill_irregular(x);
@@ -176,8 +176,8 @@ struct RitzValue {
 };
 RitzValue largest_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta);
 
-/// Number of independent displacements tangent to the constraints, or the largest int for distributed vectors. After
-/// this number of steps the iteration is complete. Further vectors would consist of round-off, which can grow without
+/// Number of independent displacements tangent to the constraints, or the largest int for distributed vectors. Lanczos'
+/// iteration is complete after this number of steps. Further vectors would consist of round-off, which can grow without
 /// bound.
 template <ConstrainedSystem S>
 int most_directions(const S& system) {
@@ -191,7 +191,8 @@ int most_directions(const S& system) {
 
 /// Computes the largest eigenvalue with at most `n_iterations` steps of Lanczos, and sets `value` to the sum of the
 /// eigenvalue and its residual. If this sum is negative, `value` is 0. The iteration ends earlier if the residual is at
-/// most `accuracy` times the eigenvalue.
+/// most `accuracy` times the eigenvalue, or if the next vector would be round-off. Fails if the force or a Gram solve
+/// fails.
 template <ConstrainedSystem S>
 Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_iterations, double accuracy,
                           double& value) {

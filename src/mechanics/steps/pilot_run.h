@@ -50,7 +50,8 @@ inline constexpr long max_pilot_forces = 4'000'000;
 /// changed by 4 %.
 inline constexpr double pilot_constraint = 5e-3;
 
-/// Result of a pilot run: the configurations at the samples, the largest velocity, and the number of forces.
+/// Result of a pilot run: the configurations (or energies) at the samples, the largest component of the velocity at the
+/// samples, and the number of forces.
 struct PilotRun {
   Status status;
   double t = 0;  ///< time reached
@@ -82,7 +83,8 @@ struct AdaptiveMethod {
 
 inline double pilot_window(const StepRequest& request) { return std::min(request.window, request.end); }
 
-/// Hooks of the time loop that record a pilot run. The recorded configuration is Q_of(state).
+/// Hooks of the time loop that record a pilot run. The recorded configuration is Q_of(state). The run is interrupted if
+/// it needs max_pilot_forces forces or if give_up returns true.
 template <class S, class QOf>
 struct PilotHooks {
   const QOf& Q_of;
@@ -130,9 +132,10 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
   return std::move(hooks.run);
 }
 
-/// Longest step of a pilot run with perturbations: the limit of RATTLE, but at least the window divided by 4096. An
-/// adaptive step does not react to perturbations far below its tolerance. Without this bound, the steps of a body at
-/// rest would exceed the stability limit, and the method itself would amplify the perturbations.
+/// Longest step of a pilot run with perturbations: the limit of RATTLE, but at least the window divided by 4096. If the
+/// limit is not known, there is no bound. An adaptive step does not react to perturbations far below its tolerance.
+/// Without this bound, the steps of a body at rest would exceed the stability limit, and the method itself would
+/// amplify the perturbations.
 inline double longest_kicked_step(const StepRequest& request) {
   constexpr double most_steps = 4096;
   if (request.rattle_limit == 0) return HUGE_VAL;  // not known
@@ -153,7 +156,7 @@ template <class Method, class S, class QOf, class EnergiesOf>
 FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                   const QOf& Q_of, const EnergiesOf& energies_of) {
   const auto prepare = [&request](auto& workspace) {
-    // If steps were halved, the steps of both pilot runs could become equal. Their difference would then be
+    // If steps were halved, the steps of both pilot runs could become equal. The difference of the runs would then be
     // meaningless.
     if constexpr (requires { workspace.most_halvings; }) {
       workspace.most_halvings = 0;
@@ -204,8 +207,8 @@ inline double largest_difference(const PilotRun& a, const PilotRun& b) {
 }
 
 /// Error at the time `end` from the random walk of round-off over n_substeps substeps. Every substep rounds the
-/// velocity. If sums are compensated, only the increments of the velocity have round-off. It is then smaller by the
-/// factor hω, with the size h of a substep and the largest frequency ω.
+/// velocity. If sums are compensated, only the increments of the velocity have round-off. The random walk is then
+/// smaller by the factor min(1, hω), with the size h of a substep and the largest frequency ω.
 inline double round_off_walk(bool compensated, double speed, double end, double n_substeps, double h_omega) {
   const double part = compensated ? std::min(1.0, h_omega) : 1.0;
   return 0.5 * std::numeric_limits<double>::epsilon() * (1 + part * std::sqrt(n_substeps) * std::max(1.0, speed * end));
@@ -215,7 +218,7 @@ inline double round_off_walk(bool compensated, double speed, double end, double 
 struct Trial {
   enum class Verdict { accepted, dearer, failed } verdict = Verdict::failed;
   MethodId method = id_of<Rattle>;
-  double limit = 0, step = 0;  ///< step with all its substeps, or the bound of the step of an adaptive method
+  double limit = 0, step = 0;  ///< permitted and chosen step with all substeps; adaptive: bound of the step
   double local_tolerance = 0;  ///< for adaptive methods only
   double error = 0, n_forces_of_run = 0;
   bool at_round_off = false;

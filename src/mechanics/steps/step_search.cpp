@@ -11,8 +11,9 @@ constexpr int max_step_halvings = 12;
 /// Largest number of forces in a run; more would take hours.
 constexpr double max_run_forces = 1e11;
 
-/// Division of a window into n_samples intervals of n_steps steps, none longer than h. The number of samples is chosen
-/// such that the total number of steps is smallest.
+/// Division of a window into n_samples intervals of n_steps steps, none longer than h. The constructor chooses the
+/// number of samples from 16 to 32 such that the total number of steps is smallest. If a window needs at most 32 steps,
+/// each step ends at a sample.
 struct Grid {
   long n_samples, n_steps;
   Grid(double window, double h) {
@@ -30,10 +31,11 @@ struct Grid {
 /// True if the method has one force per step and an order above that of RATTLE.
 bool is_multistep(const FixedStepMethod& method) { return method.n_stages == 1 && method.order > 2; }
 
-/// Returns the change of the energy over the whole run, extrapolated from the pilot run. The change is relative to the
-/// energy of the motion above the least potential energy. The oscillating part is the largest change in the pilot run.
-/// The lasting part is the difference of the means over both halves, which is assumed to grow like t^(3/2). If the
-/// largest change is round-off, returns 0.
+/// Returns the change of the energy over the whole run, extrapolated from the pilot run, which covers the fraction
+/// `part` of the run. The change is relative to the energy of the motion above the least potential energy. The
+/// oscillating part is the largest change in the pilot run. The lasting part is the difference of the means over both
+/// halves, which is assumed to grow like t^(3/2). Returns 0 if the largest change is round-off, or if the motion has no
+/// energy above the least potential energy.
 double change_of_energy(const PilotRun& run, double part) {
   const double of_halves = 0.8 - 0.2 * std::sqrt(2.0);  // difference of the means of t^(3/2) over both halves of [0, 1]
   const double start = run.q.front().sum();
@@ -193,7 +195,7 @@ bool StepSearch::accept(const FixedStepMethod& method, Trial& trial, double step
 }
 
 double StepSearch::round_off(const FixedStepMethod& method, double speed, double h) const {
-  // The frequency of a first-order field is not known.
+  // If the system has no constrained form, its frequency is not known and rattle_limit is infinite.
   const double h_omega = std::isfinite(request_.rattle_limit)
                              ? Rattle::stability_limit * h / (method.n_stages * request_.rattle_limit)
                              : 1;

@@ -6,11 +6,12 @@
 ///
 ///   e(h) = max_k |Q_h(t_k) − Q_{h/2}(t_k)| · 2^p/(2^p − 1) · T/w.
 ///
-/// The factor T/w assumes that the error grows linearly after the window. This holds for symmetric methods on regular
-/// motions (Hairer, Lubich, Wanner, Geometric Numerical Integration, X.3). The window should contain several periods of
-/// the slowest important motion. On a chaotic motion only w = T is safe. In a test with 1500 short scenes, all runs met
-/// their tolerances. A release from the stretches 1.29, 1.29, 0.60, which is not in the test, had an error of 1.12
-/// times its tolerance. Its motion magnifies a change of its initial state 2000 times in 6.4 r/c.
+/// The factor T/w assumes that the error grows linearly after the window. The assumption holds for symmetric methods on
+/// regular motions (Hairer, Lubich, Wanner, Geometric Numerical Integration, X.3). The window should contain several
+/// periods of the slowest important motion. On a chaotic motion only w = T is safe. In a test with 1500 short scenes,
+/// all runs met their tolerances. A release from the stretches 1.29, 1.29, 0.60, which is not in the test, had an error
+/// of 1.12 times its tolerance. This motion magnifies a change of the initial state 2000 times in the time 6.4 r/c,
+/// with the radius r and the speed c of shear waves.
 ///
 /// The search starts at the stability limit and halves the step. It ends if e is at most the target or the error e₀ of
 /// round-off (below). It also ends if a difference of at most 0.1 falls at a halving by a factor of at least 2^p/√2.
@@ -45,13 +46,13 @@
 ///
 /// because a change that grows like t^(3/2) is 44 δ at the end of the run. In small motions the energy oscillates, and
 /// δ is small. In 123 runs of releases and spins of the ball, the change at the end was 0.09 to 42 times D + 44 δ, with
-/// the median 0.9. (Stretches were 1.001 to 1.3, degrees 2 to 4 of elements and 3 to 9 of polynomials, with and without
-/// the constraint, t = 20 to 1000.) In 12 runs the change was more than 5 times D + 44 δ, because violent motions
-/// become more violent with time. In the worst case a compressible ball is compressed to a fifth. The power 3/2 was
-/// chosen after these measurements. The target and the reserve of the models permit a factor of 5. A larger excess
-/// comes from the parasitic roots of the method, ±i for order 4, which resonate with sums of frequencies. Sums of two
-/// frequencies resonate from hω = 0.79 on, and sums of three from 0.52 on. The error of these resonances falls faster
-/// than h^p.
+/// the median 0.9. The runs had stretches of 1.001 to 1.3 and lengths of 20 to 1000 r/c, with and without the
+/// constraint. The finite elements had degrees 2 to 4, and the polynomials had degrees 3 to 9. In 12 runs the change
+/// was more than 5 times D + 44 δ, because violent motions become more violent with time. In the worst case a
+/// compressible ball is compressed to a fifth. The power 3/2 was chosen after these measurements. The target and the
+/// reserve of the models (app/run/field_model.h) together permit a factor of 5. A larger excess comes from the
+/// parasitic roots of the method, ±i for order 4, which resonate with sums of frequencies. Sums of two frequencies
+/// resonate from hω = 0.79 on, and sums of three from 0.52 on. The error of these resonances falls faster than h^p.
 ///
 /// The random walk of round-off in the velocity causes an error of the configuration of about
 ///
@@ -73,8 +74,8 @@ class StepSearch {
   StepSearch(const StepRequest& request, bool compensated)
       : request_(request), compensated_(compensated), window_(pilot_window(request)) {}
 
-  /// Finds the step of one method and returns the result. The search ends early with the verdict `dearer` if the run
-  /// would need `n_forces_to_beat` forces or more.
+  /// Finds the step of one method and returns the result. The error of the energy may then shorten this step. The
+  /// search ends early with the verdict `dearer` if the run would need `n_forces_to_beat` forces or more.
   Trial try_method(const FixedStepMethod& method, double n_forces_to_beat) {
     Trial trial = meet_tolerance(method, n_forces_to_beat);
     if (trial.verdict == Trial::Verdict::accepted && trial.n_forces_of_run < n_forces_to_beat)

@@ -20,7 +20,7 @@ namespace detail {
 namespace {
 
 /// The search stops for a method that needs this many times the least cost of a later method of higher order. If forces
-/// are costly, it compares with all later methods.
+/// are costly, the search compares the method with all later methods.
 constexpr double clearly_dearer = 4;
 /// If forces are costly, a method is tried only if its least cost is below this fraction of the least cost so far.
 /// Otherwise its pilot runs would cost more than the method can save.
@@ -111,7 +111,8 @@ class MethodChoice {
   static double likely_forces(const StepSearch& search, const FixedStepMethod& method) {
     return search.least_forces(method) * (method.order == 2 ? 2 : 1);
   }
-  /// Cost of the adaptive method in the comparison; infinite if there is none or if its error exceeds the tolerance.
+  /// Cost of the adaptive method in the comparison; infinite if there is none, or if round-off prevents the method from
+  /// meeting the tolerance.
   double adaptive_cost() const {
     return adaptive_ && !adaptive_->at_round_off ? price_of_invariants * adaptive_->n_forces_of_run : HUGE_VAL;
   }

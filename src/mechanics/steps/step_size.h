@@ -76,8 +76,9 @@ StepChoice choose_among(const std::vector<FixedStepMethod>& fixed, const std::ve
 
 /// True for the requested method. Without a request, true for each method that Method = auto may choose and that
 /// accepts the system. If a force is costly, an adaptive method is a candidate only for dissipative systems. Methods
-/// with fixed steps of high order do not accept these systems. If the system is stiff, RATTLE is the only candidate,
-/// because RATTLE solves a linear system for the velocity.
+/// with fixed steps of high order do not accept these systems. A method that is for stages in lanes is a candidate only
+/// if the system evaluates its stages in lanes. If the system is stiff, RATTLE is the only candidate, because RATTLE
+/// solves a linear system for the velocity.
 template <class Method, class S>
 bool is_candidate(const S& system, const StepRequest& request) {
   if (request.method) return *request.method == id_of<Method>;
