@@ -94,7 +94,6 @@ class RefusedLoveNumbers(RefusedInputTest):
         self.refuses({"Continuum/Degree": 1, "Love numbers/Degrees": "auto"}, "Continuum/Degree", "from 2")
         self.refuses({"Output/Graphics": "vtu"}, "Output/Graphics", "table")
         self.refuses({"Models": "reduced", "Body/Semi-axes": "1, 1, 2"}, "Body/Semi-axes", "ball")
-        self.refuses({"Sweep/Parameters": "p: 1, 2", "Material/Shear modulus": "$(p)"}, "Analysis", "sweep")
 
 
 if __name__ == "__main__":
