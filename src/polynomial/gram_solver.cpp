@@ -159,7 +159,8 @@ mechanics::SolveReport GramSolver::solve(const Eigen::VectorXd& q1, const Eigen:
   };
   if (!ensure_factor(q0)) return dependent();
   if (iterate(S, r, enough, lambda, n_iterations)) return {{}, n_iterations};
-  // If the factor was computed at this q₀, the matrix is singular. Otherwise the factor is too old and is renewed.
+  // If the factor was computed at this q₀, S is almost singular. Otherwise the factor may be too old and is computed
+  // again.
   if (factored_at_ == q0.head(space_->n_unknowns())) return dependent();
   spent_ = 2 * factorization_cost();
   if (!ensure_factor(q0) || !iterate(S, r, enough, lambda, n_iterations)) return dependent();

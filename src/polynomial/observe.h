@@ -11,8 +11,8 @@ namespace pseudorigid::polynomial {
 
 using BodyState = mechanics::VectorState<Eigen::VectorXd>;
 
-/// Sets the observables that `request` contains. Fails if the deformation is not admissible or the multiplier cannot be
-/// computed.
+/// Sets the observables that `request` contains. The state, the mean of F, the volume ratio and the contact are set in
+/// any case. Fails if the deformation is not admissible, or if the multiplier is requested and cannot be computed.
 mechanics::Status observe(const IncompressibleBody& body, const BodyState& state,
                           IncompressibleBody::Workspace& workspace, const mechanics::ObservableRequest& request,
                           mechanics::ContinuumObservables& observables);
