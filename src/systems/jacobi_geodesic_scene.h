@@ -58,10 +58,10 @@ struct PlaneKepler : EuclideanPlane {
   }
 };
 
-/// Computes the motion from given initial data at any later time. The steps do not depend on the requested times. A
-/// resumed run therefore repeats the same motion. The last steps are stored, because a section requests times before
-/// the present one for its crossings. If a time is before the stored steps, the motion is computed again from its
-/// start.
+/// Computes the motion from given initial data at any later time. Fails if a step of the motion fails. The steps do not
+/// depend on the requested times. A resumed run therefore repeats the same motion. The last steps are stored, because a
+/// Poincaré section requests times before the present one for its crossings. If a time is before the stored steps, the
+/// motion is computed again from its start.
 template <class Field>
 class MotionFollower {
  public:
@@ -106,7 +106,7 @@ class MotionFollower {
   Field field_;
   State start_;
   Step ahead_;              ///< state and workspace before the next step
-  std::deque<Step> steps_;  ///< the last steps
+  std::deque<Step> steps_;  ///< the last `n_kept` steps, in the order of time
 };
 
 struct JacobiGeodesicScene {

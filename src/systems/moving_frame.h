@@ -111,7 +111,7 @@ struct FrameParameters {
 /// The forces, and the pose of the frame at each stage of a Gauss step.
 struct FrameOfStages {
   const FrameForces& forces;
-  bool moving;  ///< whether q is the position in the frame
+  bool moving;  ///< true if q is the position in the moving frame, false if it is the position in space
   std::array<mechanics::OfStages, FramePose::n_entries> pose;
 };
 inline FrameOfStages stages_in_frame(const FrameParameters& p, const mechanics::GaussStages& stages, bool moving) {

@@ -1,6 +1,6 @@
 #pragma once
-/// A heavy particle of unit mass on a rough torus (Oliva, Geometric Mechanics, 5.8.8), with strong dissipation. For R =
-/// 3 and r = 1, the equations are
+/// A heavy particle of unit mass on a rough torus (Oliva, Geometric Mechanics, 5.8.8), with strong dissipation. For
+/// R = 3 and r = 1, the equations are
 ///
 ///   q = (sin w, (3 + cos w) sin u, (3 + cos w) cos u),   metric dw² + (3 + cos w)² du²,
 ///   D(v) = −c(q) (v + β ⟨v, e⟩ e),   c(q) = c (1 + a cos w + b cos u),   e = cos γ e_w + sin γ e_u,
