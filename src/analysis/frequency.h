@@ -45,7 +45,7 @@ struct FrequencyFit {
   std::vector<Line> lines;
   std::string reason;       ///< for example "the signal is constant"; empty if there are lines
   double mean = 0;          ///< mean of the samples
-  double residual_rms = 0;  ///< in the unit of the signal
+  double residual_rms = 0;  ///< root mean square of the residual, in the unit of the signal
   double cycles = 0;        ///< number of periods of the dominant line in the record
 
   explicit operator bool() const { return !lines.empty(); }

@@ -55,9 +55,9 @@ struct Deformation {
   std::pair<int, int> liveliest_component() const;
 };
 
-/// The fit of the frequency to the samples of a component of C. The fit does not contain a frequency if the times are
-/// not equally spaced or the body does not deform. It does not contain one if the loads rise either, because the slow
-/// change of the shape is then larger than its oscillation.
+/// The fit of the frequency to the samples of a component of C. The fit does not contain a frequency in three cases:
+/// the times are not equally spaced, the body does not deform, or the loads rise. If the loads rise, the slow change of
+/// the shape is larger than its oscillation.
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms,
                            bool loads_rise = false);
 

@@ -98,8 +98,8 @@ struct BodyObservables {
   Eigen::Vector3d velocity = Eigen::Vector3d::Constant(not_observed);  ///< velocity v of the centre of mass
   double kinetic = not_observed, elastic = not_observed, gravitational = not_observed, external = not_observed,
          dissipated = not_observed;
-  Eigen::Vector3d angular_momentum = Eigen::Vector3d::Constant(not_observed);  ///< J, about the centre of mass
-  Eigen::Vector3d circulation = Eigen::Vector3d::Constant(not_observed);       ///< Z
+  Eigen::Vector3d angular_momentum = Eigen::Vector3d::Constant(not_observed);  ///< J about the centre of mass
+  Eigen::Vector3d circulation = Eigen::Vector3d::Constant(not_observed);       ///< Z about the centre of mass
   double volume_ratio = not_observed;                                          ///< current volume / reference volume
   double multiplier = not_observed;  ///< λ of Oliva (5.120) per m̄; for non-affine motions (1/m̄)∫p dV
   /// a₁ ≥ a₂ ≥ a₃, the singular values of Q S with the reference shape S. For a ball, S = r Id.
@@ -200,7 +200,7 @@ inline constexpr BodyColumn<ReducedObservables> reduced_columns[] = {
 /// Observables that only bodies with non-affine motions have.
 struct ContinuumObservables : BodyObservables {
   Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean deformation gradient F̄ = ∫F dV / Vol
-  double nonaffine_kinetic_fraction = not_observed;             ///< η_K = K_nonaffine / K  (0/0 = 0)
+  double nonaffine_kinetic_fraction = not_observed;             ///< η_K = K_nonaffine / K, with 0/0 = 0
   double nonaffine_displacement = not_observed;                 ///< e_x = |x − Q_M X| / |x|, norms weighted with ρ
   double volumetric = not_observed;        ///< energy of the volumetric stabilisation, a part of `elastic`
   double min_jacobian = not_observed;      ///< least det F over the quadrature points

@@ -30,7 +30,7 @@ class FieldsAtPoints {
 
  private:
   std::vector<Eigen::Vector3d> points_;
-  std::vector<std::vector<Jet>> functions_;  ///< functions at each point
+  std::vector<std::vector<Jet>> functions_;  ///< values and gradients of all functions at each point
 };
 
 }  // namespace pseudorigid::polynomial

@@ -33,7 +33,7 @@ std::vector<double> pressure_rows(const PolynomialSpace& space, const std::vecto
   return rows;
 }
 
-/// Gradients of the functions of a block: [k][point of the octant][function].
+/// The derivatives ∂/∂X_k of the functions of a block, at [k][point of the octant][function].
 std::vector<double> gradients_by_point(const PolynomialSpace& space, const Block& block) {
   const PointTables& tables = space.gradients();
   const int stride = tables.stride(), width = filled_up(block.n());

@@ -37,7 +37,7 @@ class GramMatrix {
   void for_each_part(const Eigen::VectorXd& q, Visitor&& visitor) const;
 
   const PolynomialSpace* space_;
-  std::vector<double> weighted_pressures_;        ///< [function][point]: w ψ
+  std::vector<double> weighted_pressures_;        ///< w ψ at the quadrature points, [function][point]
   std::array<std::vector<double>, 8> gradients_;  ///< gradients for each parity, [k][point of the octant][function]
 };
 

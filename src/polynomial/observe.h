@@ -1,7 +1,7 @@
 #pragma once
 /// Observables of polynomial bodies at one state. The finite-element ball has the same observables
-/// (continuum/output/observe.h). The observables are for the whole body, in internal units. Q_M, J, Z and the
-/// non-affine quantities are computed relative to the centre of mass.
+/// (continuum/output/observe.h). The observables are for the whole body, in internal units. The mass moment Q_M, the
+/// momenta J and Z, and the non-affine quantities are computed relative to the centre of mass.
 
 #include "observables/body_observables.h"
 #include "polynomial/compressible_body.h"

@@ -95,8 +95,8 @@ class PointTables {
   struct Factors {
     std::vector<int> places;                             ///< indices of the coefficients of a block in [level][group]
     std::array<std::vector<double>, 2> radial;           ///< [level][radius][group]: R′ and R/r, or R
-    std::array<std::vector<double>, 3> angular;          ///< [group][direction], padded to `width_`
-    std::array<std::vector<double>, 3> from_directions;  ///< [direction][group]
+    std::array<std::vector<double>, 3> angular;          ///< Y_lm and derivatives: [group][direction], padded
+    std::array<std::vector<double>, 3> from_directions;  ///< the same: [direction][group]
     int n_groups = 0, n_filled = 0, n_levels = 0;
     std::array<std::vector<double>, 3> rows;  ///< [field]: [function][point]; empty if direct sums are not cheaper
     int linear = -1, linear_field = 0;  ///< indices of the linear function and of the nonzero component of its gradient
@@ -130,7 +130,7 @@ class PointTables {
   Fields fields_;
   int degree_, n_radii_, n_directions_, width_, stride_, n_images_;
   std::vector<int> shift_;
-  std::vector<double> frames_;  ///< [field][term][direction], for gradients
+  std::vector<double> frames_;  ///< D_kt of set_frames, [field k][term t][direction]
   std::array<Factors, 8> factors_;
 };
 

@@ -42,7 +42,7 @@ struct BodySetup {
   std::array<bool, 3> reflect{};  ///< true for each axis whose coordinate plane is a symmetry plane of the motion
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();
   materials::AnyLaw law = materials::CiarletGeymonat{1, 0};
-  double volumetric_stiffness = 0;  ///< κ
+  double volumetric_stiffness = 0;  ///< stiffness κ of the volumetric stabilisation
   loads::Loads loads{};
   /// Numbers of points per direction of an octant, for gravity on the surface, in the volume, and for contact on the
   /// surface. If a number is empty, the body uses a default.

@@ -26,8 +26,8 @@ using PointValues = Eigen::MatrixX3d;
 
 class PolynomialSpace {
  public:
-  /// `degree` is 1 … 13. `reflect` contains the symmetry planes ξ_i = 0 of the motion. `n_points` is the number q of
-  /// quadrature points in each direction of an octant. If `n_points` is empty, q is least_points(degree).
+  /// `degree` is 1 … 13. `reflect[i]` is true if ξ_i = 0 is a symmetry plane of the motion. `n_points` is the number q
+  /// of quadrature points in each direction of an octant. If `n_points` is empty, q is least_points(degree).
   PolynomialSpace(int degree, const std::array<bool, 3>& reflect,
                   const Eigen::Vector3d& semi_axes = Eigen::Vector3d::Ones(), std::optional<int> n_points = {});
   /// ⌈(N + 3)/2⌉ points per direction. Integrals of polynomials of degree 2N + 3 are then exact (octant_quadrature.h).
@@ -108,7 +108,7 @@ class PolynomialSpace {
   std::vector<int> free_axes_;
   int n_images_, n_unknowns_ = 0, n_pressures_ = 0;
   std::vector<BallPolynomial> functions_;
-  std::vector<std::vector<int>> places_, pressure_places_;  ///< [component][function]
+  std::vector<std::vector<int>> places_, pressure_places_;  ///< indices of coefficients, [component][function]
   std::vector<Block> blocks_, pressure_blocks_;
   PointTables gradients_, values_, pressures_;
   std::vector<std::array<double, 3>> points_;

@@ -18,7 +18,7 @@ using mechanics::detail::PilotRun;
 /// Least window in units r/c, and as a part of the run. The lowest mode of the ball has the period 2.36.
 constexpr double least_window = 3, part_of_run = 1.0 / 16;
 constexpr double caution = 6;
-constexpr double caution_of_volume = 60;  // if points are added
+constexpr double caution_of_volume = 60;  // factor for the volume if points are added
 constexpr int most_points_more = 8;
 
 template <class Body>

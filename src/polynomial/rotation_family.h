@@ -37,7 +37,7 @@ struct NoRotation {
 
 struct RotationFamily {
   std::vector<RotationMember> members;
-  std::vector<SpecialRotation> special;  ///< between two members in ascending order of the parameter
+  std::vector<SpecialRotation> special;  ///< special points, sorted by parameter between two members
   std::vector<NoRotation> missing;
 };
 
@@ -78,8 +78,8 @@ class RotationFinder {
   SteadyRotations rotations_;
   RotationSpectrum spectrum_;
   std::function<bool()> give_up_{};
-  std::map<double, SteadyRotation> known_;    ///< by value of the condition
-  std::map<double, RotationMember> members_;  ///< by parameter
+  std::map<double, SteadyRotation> known_;    ///< known figures, by the value of their condition
+  std::map<double, RotationMember> members_;  ///< known members, by their parameter
 };
 
 }  // namespace pseudorigid::polynomial

@@ -86,7 +86,7 @@ class SteadyRotations {
 
   bool incompressible_, is_fluid_;
   std::shared_ptr<const CompressibleBody> body_;  ///< all forces without reactions, in the octant
-  Eigen::MatrixXd U_, V_;                         ///< x = U y, λ = V μ
+  Eigen::MatrixXd U_, V_;                         ///< bases of the figures: x = U y, λ = V μ
 };
 
 /// `setup` with only the loads that a steady rotation can have: gravity, and the pressure on a compressible body.

@@ -23,8 +23,8 @@ struct BodySpring {
 
 struct BodyLoads {
   double mass = 1;
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();   // G
-  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // g
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();   // centre of mass G in the body
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // acceleration of gravity g in space
   std::vector<BodySpring> springs{};
 
   /// Calls act(ξ, f) for every force f on a body point ξ. The function place(ξ) returns x(ξ). Fails if a spring with a

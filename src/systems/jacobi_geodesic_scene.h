@@ -171,7 +171,8 @@ struct JacobiGeodesicScene {
       for (double& x : position) x *= scales.length;
   }
 
-  /// The arc length s̃ of the Jacobi metric replaces the time of the scene. The unit of time is therefore length²/time.
+  /// The arc length s̃ of the Jacobi metric replaces the time of the scene, and has the dimension length²/time. Its unit
+  /// is the unit of length times the initial speed.
   Scales scales() const { return {length(), 1, length() * speed()}; }
 
   std::optional<Refusal> refuses() const {
@@ -222,7 +223,7 @@ struct JacobiGeodesicScene {
     Chart chart;
     double h;
     MotionFollower<Motion> motion;
-    std::vector<double> units;  ///< units of the columns in the scales of the model, which has its own unit of time
+    std::vector<double> units;  ///< factors that convert the columns from the units of the model
 
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
                           std::vector<double>& row) {

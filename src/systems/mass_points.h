@@ -9,7 +9,10 @@
 /// External:  uniform field V = −Σ m_i⟨g, q_i⟩,  confinement ½k Σ|q_i − c|²,  fixed centre −Σ μ m_i/|q_i − c|,
 ///            linear drag f_i = −γ v_i
 ///
-/// The confinement has its own stiffness k. Dashpots and drag dissipate the power P = Σ d⟨v_i − v_j, n⟩² + γ Σ|v_i|².
+/// The springs and the confinement have different stiffnesses k. Dashpots and drag dissipate the power
+///
+///   P = Σ d⟨v_i − v_j, n⟩² + γ Σ|v_i|².
+///
 /// The energy E therefore satisfies dE/dt = −P.
 
 #include <Eigen/Dense>
@@ -37,18 +40,18 @@ class MassPoints : public mechanics::Unconstrained {
   };
   struct Dashpot {
     int i = 0, j = 1;
-    double damping = 0;  // d
+    double damping = 0;  // damping d
   };
   struct Parameters {
     Eigen::VectorXd masses;
-    double gravitational_constant = 0;  // G
+    double gravitational_constant = 0;  // gravitational constant G
     std::vector<Spring> springs{};
     std::vector<Dashpot> dashpots{};
-    Eigen::Vector3d field = Eigen::Vector3d::Zero();   // g
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();  // c
-    double confinement = 0;                            // k
-    double central_attraction = 0;                     // μ
-    double drag = 0;                                   // γ
+    Eigen::Vector3d field = Eigen::Vector3d::Zero();   // acceleration g of the uniform field
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();  // centre c of confinement and attraction
+    double confinement = 0;                            // stiffness k of the confinement
+    double central_attraction = 0;                     // strength μ of the fixed centre
+    double drag = 0;                                   // drag coefficient γ
   };
 
   explicit MassPoints(Parameters parameters) : p_(std::move(parameters)) {

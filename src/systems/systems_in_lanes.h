@@ -27,7 +27,7 @@ struct Ellipsoid;
 struct Paraboloid;
 struct HyperbolicHalfPlane;
 struct BodyLoads;
-struct FrameOfStages;  // moving_frame.h
+struct FrameOfStages;  // defined in moving_frame.h
 class MassPoints;
 
 /// The data of Euler's equation on quaternions (euler_top.h). If `loads` is null, the torque N is zero.
@@ -40,7 +40,7 @@ struct TopOfStages {
 ///   q̈ = b + λq,  b = −g e_z − c q̇/m,  λ|q|² = −|q̇|² − ⟨q, b⟩.
 struct SphericalPendulumOfStages {
   static constexpr int n = 3;
-  double g = 1, drag = 0;  // c/m
+  double g = 1, drag = 0;  // acceleration g of gravity, and c/m
 
   template <class T>
   T operator()(int, const T* q, const T* v, T* a) const {

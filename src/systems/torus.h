@@ -25,8 +25,8 @@ namespace pseudorigid::systems {
 
 struct Torus : TorusSurface {
   double gravity = 1, c = 1, tilt = 0;
-  double c_w = 0, c_u = 0;            // a, b
-  double grain = 0, grain_angle = 0;  // β, γ
+  double c_w = 0, c_u = 0;            // variation a, b of the friction
+  double grain = 0, grain_angle = 0;  // strength β and angle γ of the grain
 
   template <class T>
   T potential(const SurfacePoint<T>& q) const {
