@@ -27,7 +27,7 @@ struct Workshop {
   const ComparisonOptions& options;
   Comparison out;
 
-  /// Whether both tables have the columns. If not, `what` is added to `out.not_compared`.
+  /// Whether both tables have the columns. If not, `what` and the first missing column are added to `out.not_compared`.
   bool available(std::string_view what, const Columns& columns) {
     return has(r, out.model, what, columns) && has(c, out.reference, what, columns);
   }
@@ -88,8 +88,8 @@ std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable
 FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference) {
   const double a = model.frequency.dominant().frequency, b = reference.frequency.dominant().frequency;
   const ErrorBar &of_a = model.frequency_error, &of_b = reference.frequency_error;
-  // The largest value of (a ± δa)/(b ± δb) has the denominator b − δb. It is replaced by b/2 if δb exceeds b/2,
-  // because the ratio is then not determined.
+  // With the errors δa and δb, the largest value of (a ± δa)/(b ± δb) has the denominator b − δb. This denominator is
+  // at least b/2 here. If δb exceeds b/2, the ratio is not determined anyway.
   const double least =
       b - std::min(of_b.fit + of_b.time.value_or(0) + of_b.space.value_or(0) + of_b.quadrature.value_or(0), b / 2);
   const auto of_parts = [&](double da, double db) { return (da + db * a / b) / least; };
@@ -103,7 +103,8 @@ FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference
   return ratio;
 }
 
-/// Adds phase_difference, and its values after 1, 2, 5, 10 … periods of the reference.
+/// Adds phase_difference, and its values after 1, 2, 5, 10 … periods of the reference. Adds nothing if a model does not
+/// have a phase (phase.h).
 void compare_phases(Workshop& w, const std::vector<double>& r, const std::vector<double>& c) {
   Comparison& out = w.out;
   const double interval = (out.time.back() - out.time.front()) / double(out.time.size() - 1);
@@ -146,7 +147,7 @@ void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   compare_phases(w, r.component(i, j), c.component(i, j));
 }
 
-/// Whether the body spins. The test uses J/m̄ and Z/m̄, which are the axial vectors of Q̇Qᵀ and QᵀQ̇.
+/// Whether the body spins (spin_threshold). J/m̄ and Z/m̄ are the axial vectors of Q̇Qᵀ − QQ̇ᵀ and QᵀQ̇ − Q̇ᵀQ.
 bool spins(const io::Table& table) {
   const auto Q = read<Matrix3d>(table, Q_columns), Qdot = read<Matrix3d>(table, Qdot_columns);
   double spin = 0, bound = 0;
@@ -174,7 +175,7 @@ void compare_states(Workshop& w) {
   };
   out.error.time = of_both(&RunErrors::time);
   out.error.quadrature = of_both(&RunErrors::quadrature);
-  // If the ball does not move, the divisors are the resolution times |Q| or |C|.
+  // If neither ball moves, the divisors are the resolution times |Q| or |C|.
   const double departure = std::max({out.model.departure, out.reference.departure, resolution * r.Q[0].norm()});
   const double amplitude =
       std::max({out.model.strain_amplitude, out.reference.strain_amplitude, resolution * r.C[0].norm()});
@@ -204,7 +205,7 @@ void compare_energies(Workshop& w) {
   set_energy_drift(w.c, reference, w.options.facts.tolerance, w.out.reference);
 }
 
-/// Compares the dissipated energies if both tables have them.
+/// Compares the dissipated energies if both tables have them and one of them is positive.
 void compare_dissipation(Workshop& w) {
   if (!w.r.has_column("dissipated") || !w.c.has_column("dissipated")) return;
   const std::vector<double> r = w.r.column("dissipated"), c = w.c.column("dissipated");
@@ -212,8 +213,8 @@ void compare_dissipation(Workshop& w) {
     w.add("dissipated_difference", reference, each(std::minus{}, c, r));
 }
 
-/// Compares the extreme principal stretches in the body. For a pseudo-rigid body, these are the principal stretches of
-/// Q.
+/// Compares the extreme principal stretches in the body, if both tables have them. For a pseudo-rigid body, these are
+/// the principal stretches of Q.
 void compare_stretches(Workshop& w) {
   for (const auto& [name, of_mean] : {std::pair{"max_stretch", "stretch1"}, std::pair{"min_stretch", "stretch3"}}) {
     const std::string of_model = w.r.has_column(name) ? name : of_mean;

@@ -13,23 +13,27 @@
 ///                               body do not change C.
 ///   phase_difference            (θ_r − θ_c) / 2π,  with the phases θ (phase.h) of the component of C whose frequency is
 ///                               fitted: by how many periods model r is ahead. It begins between −½ and ½. It exists
-///                               if the frequencies have a ratio.
+///                               if the frequencies have a ratio and both phases exist.
 ///   a1_difference …             (a_c − a_r) / a_r
 ///   volume_ratio_difference     vol_c − vol_r, both relative to the reference volume
 ///   kinetic_difference,
 ///   elastic_difference,
-///   energy_difference           (E_c − E_r) / E₀,  E₀ = max_t (kinetic + elastic) of the model with more energy. If
-///                               there is no gravity, load or growth by error, E₀ is the initial mechanical energy. If
-///                               nothing moves, E₀ is the largest of the other energies (energy_reference).
-///   dissipated_difference       (D_c − D_r) / max_t D,  with the dissipated energy D of the model that dissipates more
+///   energy_difference           (E_c − E_r) / E₀,  with the reference value E₀ of energy_reference (motion.h). It is
+///                               usually max_t (kinetic + elastic) of the model with more energy. If nothing moves,
+///                               E₀ is the largest of the other energies.
+///   dissipated_difference       (D_c − D_r) / max_t D,  with the dissipated energy D of the model that dissipates more.
+///                               It exists if a model dissipates energy.
 ///   max_stretch_difference,
 ///   min_stretch_difference      (λ_c − λ_r) / λ_r,  with the largest or least principal stretch λ anywhere in the body
 ///   angular_momentum_difference,
 ///   circulation_difference      |J_c − J_r| / J₀,  with J₀ = max_t |J_r| (Z instead of J for circulations). If J₀ is
-///                               round-off, it is replaced by m̄|Q||Q̇| at the time of the largest |Q̇|. This product
-///                               bounds |J| and |Z| up to a factor √2.
+///                               round-off, it is replaced by a bound (momentum_reference of motion.h), or by
+///                               max_t |J_c| if the bound is 0.
 ///   multiplier_difference       (λ_c − λ_r) / max_t |λ|,  with the multiplier λ of the model with the larger |λ|
 ///   nonaffine_kinetic_fraction, nonaffine_displacement                  columns of the reference
+///
+/// If neither body moves, the divisors of the second and third series are the resolution (SceneFacts) times |Q_r(0)|
+/// and |C_r(0)|.
 ///
 /// The frequency is the frequency of one component of C, because rotations of the body do not change C. Both models use
 /// the component with the largest variance in model r, or in the reference if model r keeps its shape. Errors in space
@@ -70,7 +74,7 @@ struct Series {
 
 struct FrequencyRatio {
   double value = 0;  ///< ω_r / ω_c
-  ErrorBar error;    ///< largest error of the ratio by the errors of both frequencies
+  ErrorBar error;    ///< bound for the error of the ratio due to the errors of both frequencies
 };
 
 struct Comparison {
@@ -80,19 +84,20 @@ struct Comparison {
   bool has_state = false;
   std::string signal;         ///< component of C with the fitted frequency, for example "C33"
   std::string signal_reason;  ///< reason for the choice of this component
-  /// Bound of |δQ|/|Q|, the largest part of q_difference that the discretisations may cause. `space` is the error of
-  /// the reference. `time` is 3 e / min_t |Q_r|, with the sum e of the estimated time errors of both models.
-  /// `quadrature` is the same expression with the errors of the quadrature rules.
+  /// Bound for |δQ|/|Q|, the largest part of q_difference that the discretisations may cause. `space` is the error of
+  /// the reference. `time` is 3 e / min_t |Q_r|. Here e is the sum of the time errors of both models, each the largest
+  /// error of an entry of Q. The factor 3 bounds the norm of a matrix by its largest entry. `quadrature` is the same
+  /// expression with the errors of the quadrature rules.
   ErrorBar error;
-  std::optional<FrequencyRatio> ratio;  ///< empty without two frequencies, or if one of the lines belongs to a load
-  std::optional<double> exact_ratio;    ///< empty if the body spins or the scene does not have an exact ratio
-  /// Number n of periods of the reference → phase_difference after n periods, for n = 1, 2, 5, 10, 20, 50 …
+  std::optional<FrequencyRatio> ratio;  ///< empty if a model has no frequency, or follows a load
+  std::optional<double> exact_ratio;    ///< empty if the scene has none, if the body spins, or if Q̇ is not known
+  /// n → phase_difference after n periods of the reference, for n = 1, 2, 5, 10, 20, 50 … within the run.
   std::map<int, double> phase_after_periods;
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine
                                                           ///< fraction of the kinetic energy K
   std::optional<double> min_jacobian, max_volume_error;  ///< extremes over the samples of the reference
   std::optional<double> volume_error;        ///< largest root mean square of ln det F over the samples of the reference
-  std::optional<double> surface_limit_time;  ///< after this time the results of the reference depend on its mesh
+  std::optional<double> surface_limit_time;  ///< as in ComparisonOptions; later results depend on the mesh
   std::vector<std::string> not_compared;  ///< quantities that a file lacks: "semi-axes (no column a1 in continuum.csv)"
 
   const Series* find(std::string_view name) const;
@@ -105,7 +110,8 @@ struct Comparison {
 };
 
 /// Compares the samples of two models. Throws UserError if a table is empty, the sample times differ or a value is not
-/// finite. If a table lacks a group of columns, the comparison omits this group and lists it in `not_compared`.
+/// finite. If a table lacks the columns of a quantity, the comparison omits the quantity and usually lists it in
+/// `not_compared`. Dissipated energies and stretches are optional and are not listed.
 Comparison compare(const ModelRunTable& model, const ModelRunTable& reference, const ComparisonOptions& options = {});
 
 }  // namespace pseudorigid::analysis

@@ -16,7 +16,8 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-/// Adds the parts of an error and their sum to `json`. Values that are not known are null.
+/// Adds the parts of an error and their sum to `json`, with the part `fit` only if `is_fitted` is true. Values that are
+/// not known are null.
 void add_errors(Json& json, const std::string& prefix, const ErrorBar& bar, bool is_fitted) {
   if (is_fitted) json[prefix + "fit_error"] = bar.fit;
   json[prefix + "time_error"] = to_json(bar.time);
@@ -101,8 +102,8 @@ std::string unknown_frequency(const ModelSummary& m) {
   return fmt::format("no frequency can be given for the {} ball ({})", m.adjective, m.frequency.reason);
 }
 
-/// The sentence about two frequencies if their error is not known. Instead of an error bar, it has the words "As far as
-/// the fits tell".
+/// The sentence about two frequencies for the case that the error of their ratio is not known. Instead of an error bar,
+/// the sentence has the words "As far as the fits tell".
 std::string fitted_frequencies(const Comparison& c) {
   const double excess = c.ratio->value - 1;
   const std::string apart =
@@ -117,7 +118,8 @@ std::string known_frequencies(const Comparison& c, double uncertainty) {
   const double excess = c.ratio->value - 1;
   constexpr double round_off = 1e-12, says_little = 0.05;
   const double known_to = std::max({std::abs(excess), uncertainty, round_off});
-  // The error of the fit is a standard error and counts three times, once in `uncertainty`. Other errors are bounds.
+  // The error of the fit is a standard error and counts three times: once in `uncertainty` and twice here. The other
+  // errors are bounds and count once.
   if (std::abs(excess) > 2 * c.ratio->error.fit + uncertainty + round_off)
     return fmt::format("The {} ball pulsates {} % {} than the {} ball", c.model.adjective,
                        percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower", c.reference.adjective);

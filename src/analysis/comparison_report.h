@@ -14,15 +14,17 @@ namespace pseudorigid::analysis {
 /// The table comparison.csv, with the time and every series.
 io::Table comparison_table(const Comparison& comparison);
 
-/// The content of comparison.json. For each series, it contains the maximum, the time of the maximum, the RMS and the
-/// reference value. It also contains frequencies, drifts and missing quantities.
+/// The content of comparison.json. For each series, the file contains the maximum, the time of the maximum, the RMS and
+/// the reference value. The file also contains the summary sentence, the frequencies, the drifts and the missing
+/// quantities.
 nlohmann::ordered_json comparison_json(const Comparison& comparison);
 
 /// Writes the table and the JSON into `folder`, as `<name>.csv` and `<name>.json`.
 void write_comparison(const std::filesystem::path& folder, const std::string& name, const Comparison& comparison);
 
-/// Comparisons of several models with the same reference. `overview` is text for the terminal with one line for each
-/// model, and `overview_json` contains the same comparisons. The list must not be empty.
+/// Comparisons of several models with the same reference. `overview` returns text for the terminal with one line for
+/// each model. `overview_json` returns the summary sentence, the model difference and the frequency ratio of each
+/// model. The list must not be empty.
 std::string overview(const std::vector<Comparison>& comparisons);
 nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons);
 
@@ -30,8 +32,9 @@ nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons)
 std::string summary_sentence(const Comparison& comparison);
 
 /// Returns, for example, "model difference 0.0123 +- 0.0004 (discretisation error, estimated: time 2e-06, space
-/// 0.0004)". The difference is the largest q_difference, relative to |Q|. A remark is added if the error is larger than
-/// the difference. Requires `has_state`.
+/// 0.0004)". The difference is the largest q_difference. A remark is added if the error is at least as large as the
+/// difference. If a part of the error is not known, the text names this part instead of the error. Requires
+/// `has_state`.
 std::string model_difference(const Comparison& comparison);
 
 /// Returns, for example, "ratio of the frequencies 1.186319 +- 3e-05 (fit 2e-07, time 2e-05, space 1e-05)". Requires

@@ -1,6 +1,6 @@
 #pragma once
-/// The error of a number from a run, as a sum of parts. If a part is not known, the output names this part, and does
-/// not contain an error bar.
+/// The error of a number from a run, as a sum of parts. If a part is not known, the output names this part instead of
+/// an error bar.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,7 +16,7 @@ namespace pseudorigid::analysis {
 
 struct ErrorBar {
   double fit = 0;                         ///< error of a least-squares fit to the samples; 0 without a fit
-  std::optional<double> time{}, space{};  ///< error of the discretisation in time or space
+  std::optional<double> time{}, space{};  ///< error in time or in space; empty if it is not known
   std::optional<double> quadrature =
       0;  ///< error of the quadrature of a polynomial body; for other bodies it is a part of `space`
 
@@ -48,8 +48,8 @@ inline std::string unknown_parts(const ErrorBar& bar) {
   return fmt::format("errors in {} and {} not known", fmt::join(names, ", "), last);
 }
 
-/// Returns, for example, "fit 3e-03, time 2e-06, space not known". The text contains the quadrature only if its error
-/// is not zero.
+/// Returns, for example, "fit 3e-03, time 2e-06, space not known". The text omits the fit and the quadrature if their
+/// errors are 0.
 inline std::string parts_in_words(const ErrorBar& bar) {
   const auto part = [](const char* name, const std::optional<double>& value) {
     return value ? fmt::format("{} {}", name, printed_error(*value)) : fmt::format("{} not known", name);
@@ -60,7 +60,8 @@ inline std::string parts_in_words(const ErrorBar& bar) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// The text after a number, for example " +- 0.003" or " (error in space not known)".
+/// The text after a number, for example " +- 0.003" or, if a part of the error is not known, " (error in space not
+/// known)".
 inline std::string in_short(const ErrorBar& bar) {
   const auto total = bar.total();
   return total ? " +- " + printed_error(*total) : fmt::format(" ({})", unknown_parts(bar));

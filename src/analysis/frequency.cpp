@@ -16,8 +16,8 @@ namespace {
 using Eigen::Index, Eigen::VectorXd;
 using std::numbers::pi;
 
-/// The frequency near a low peak with the least residual. Below six cycles, the mirror image of the line and the drift
-/// displace the peak of a windowed periodogram.
+/// The frequency near a low peak with the least residual. In a record of less than six cycles, the drift and the mirror
+/// image of the line at −Ω displace the peak of the periodogram.
 double scan_low_frequencies(LineModel model, double peak) {
   double best = peak, least = std::numeric_limits<double>::infinity();
   for (double omega = std::max(peak - 1.5 * pi, 0.5 * pi); omega <= peak + 1.5 * pi; omega += 0.25 * pi) {
@@ -56,7 +56,7 @@ bool add_line(LineModel& model, double omega, Neighbours neighbours) {
   return true;
 }
 
-/// Finds the first line and adds it to the model. Returns the reason if there is none, otherwise an empty text.
+/// Finds the first line and adds it to the model. Returns an empty text, or the reason why there is no first line.
 std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degree) {
   const std::vector<double> peaks = periodogram_peaks(model.residual());
   if (peaks.empty()) return "no line stands out of the noise";
@@ -69,8 +69,8 @@ std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degre
   model.refine(LineModel::Accuracy::rough);
   const double cycles = std::abs(model.bases[0]) / pi;
   if (!(cycles >= 1)) return "the record is shorter than one period";
-  // A slow trend looks like one or two cycles. The residual of the line must therefore be smaller than the residual
-  // of a polynomial with the same number of parameters.
+  // A slow trend looks like one or two cycles. Below three cycles, the residual of the line must therefore be smaller
+  // than the residual of a polynomial with the same number of parameters.
   if (cycles < polynomial_cycles && LineModel(y, drift_degree + 3).rss() <= model.rss())
     return "the signal drifts without an oscillation that stands out";
   return {};
@@ -114,7 +114,8 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   trial.refine(LineModel::Accuracy::rough);
   Assessment outcome = assess(trial, size);
   if (!(outcome.first_error < state.first_error)) return false;
-  // Close lines can imitate a modulated amplitude, but then the residual has peaks. For two true lines, it has none.
+  // Close lines can imitate a modulated amplitude, but then the residual has peaks. The residual of two true lines does
+  // not have peaks.
   if (round.neighbours == Neighbours::admitted && !outcome.peaks.empty()) return false;
   std::swap(model.bases, trial.bases);
   std::swap(model.waves, trial.waves);
@@ -124,7 +125,8 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
 }
 
 /// Adds lines until the residual is round-off, the first frequency has the required precision, or no further line
-/// reduces its error. Then refines all frequencies. Returns the quality of the model.
+/// reduces its error. Then refines all frequencies, unless this doubles the error of the first frequency. Returns the
+/// quality of the model.
 Assessment complete_lines(LineModel& model, double size, const FrequencyOptions& options) {
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * size;
   const std::size_t all = std::size_t(options.max_lines);

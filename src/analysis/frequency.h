@@ -1,21 +1,22 @@
 #pragma once
 /// Frequencies of a uniformly sampled signal, found by a nonlinear least-squares fit of the model
 ///
-///   y(t) ≈ Σ_{k≤d} d_k P_k(s) + Σ_l [a_l cos(ω_l t) + b_l sin(ω_l t)],   s ∈ [−1, 1] over the record,  P_k Legendre
+///   y(t) ≈ Σ_{k≤d} d_k P_k(s) + Σ_l [a_l cos(ω_l t) + b_l sin(ω_l t)],   s ∈ [−1, 1] over the record
 ///
-/// with the Legendre polynomials P_k. The coefficients d_k, a_l, b_l are eliminated (variable projection: G. Golub, V.
-/// Pereyra, SIAM J. Numer. Anal. 10 (1973); Kaufman's form). Gauss–Newton steps determine the frequencies. A step that
-/// increases the residual is not accepted.
+/// with the Legendre polynomials P_k up to the degree d. The coefficients d_k, a_l, b_l are eliminated (variable
+/// projection: G. Golub, V. Pereyra, SIAM J. Numer. Anal. 10 (1973); Kaufman's form). Gauss–Newton steps determine the
+/// frequencies. A step that increases the residual is not accepted.
 ///
 /// A line is one frequency ω_l with its amplitude and phase. A line is added if the Hann-windowed periodogram of the
-/// residual has a peak. Lines are added while this reduces the standard error of the first frequency ω₀. A peak near a
-/// multiple kω₀ is constrained to ω = kω₀. All harmonics of an anharmonic motion then determine its fundamental
-/// frequency. The constraint is removed if the residual contradicts it.
+/// residual has a peak. Lines are added while this reduces the standard error of the first frequency ω₀. A line at a
+/// peak near a multiple kω₀ is constrained to ω = kω₀. All harmonics of an anharmonic motion then determine its
+/// fundamental frequency. The constraint is removed if the residual has a further peak close to kω₀.
 ///
-/// The fit has the following limits. The record must contain at least one period. Two lines are at least two resolution
-/// widths 2π/T apart, with the length T of the record. Closer lines are admitted only if they explain the whole
-/// residual, because a modulated or damped line also looks like several close lines. Frequencies are below the Nyquist
-/// frequency. The fit cannot detect that a frequency is an alias of a higher frequency.
+/// The fit has the following limits. The record must contain at least one period. A new line is at least two resolution
+/// widths 2π/T from other lines, with the length T of the record. A closer line is admitted only if it explains the
+/// whole residual, because a modulated or damped line also looks like several close lines. A line at a multiple of ω₀
+/// may be closer too. Frequencies are below the Nyquist frequency. The fit cannot detect that a frequency is an alias
+/// of a higher frequency.
 
 #include <optional>
 #include <span>
@@ -32,8 +33,8 @@ struct Line {
   double phase = 0;
 };
 
-/// The lines of a fit, or the reason why no line was found. The first line was found at the highest peak of the
-/// periodogram. The other lines are sorted by decreasing amplitude.
+/// The lines of a fit, or the reason why the fit does not have lines. The first line was found at the highest peak of
+/// the periodogram. The other lines are sorted by decreasing amplitude.
 ///
 /// The standard errors of the frequencies are σ times the roots of the diagonal of S⁻¹, with the projected Gauss–Newton
 /// matrix S (line_model.h). If the residual is noise, σ is its standard deviation, but at least the round-off of the
@@ -42,9 +43,9 @@ struct Line {
 /// this size can cause.
 struct FrequencyFit {
   std::vector<Line> lines;
-  std::string reason;       ///< for example "the signal is constant"; empty if lines were found
+  std::string reason;       ///< for example "the signal is constant"; empty if there are lines
   double mean = 0;          ///< mean of the samples
-  double residual_rms = 0;  ///< in the unit of the signal
+  double residual_rms = 0;  ///< root mean square of the residual, in the unit of the signal
   double cycles = 0;        ///< number of periods of the dominant line in the record
 
   explicit operator bool() const { return !lines.empty(); }
@@ -58,15 +59,16 @@ struct FrequencyOptions {
   double round_off = 1e-12;  ///< a signal with a smaller relative variation counts as constant
 };
 
-/// The strongest line that is not the dominant one, not a multiple of it and not a slow drift, if its amplitude is at
-/// least half of the dominant amplitude. Two frequencies then share the motion, and one alone does not describe it.
-/// With gravity, this happens if the frequencies of two modes come close (avoided crossing).
+/// The strongest line other than the dominant line, its multiples and slow drifts, if it has at least half of the
+/// dominant amplitude; otherwise empty. If there is such a line, two frequencies share the motion, and one alone does
+/// not describe it. With gravity, this happens if the frequencies of two modes come close (avoided crossing).
 std::optional<Line> second_line(const FrequencyFit& fit);
 
 /// Whether a line describes a slow drift: its frequency is within three standard errors of 0.
 inline bool is_drift(const Line& line) { return line.frequency <= 3 * line.uncertainty; }
 
-/// Fits the lines to the samples `values`, which have the constant positive time step `interval`.
+/// Fits the lines to the samples `values`, which have the constant positive time step `interval`. If no frequency can
+/// be determined, the result has the reason instead of lines.
 FrequencyFit fit_frequency(std::span<const double> values, double interval, const FrequencyOptions& options = {});
 
 }  // namespace pseudorigid::analysis

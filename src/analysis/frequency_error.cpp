@@ -18,7 +18,8 @@ double error_of_phase(const FrequencyFit& fit, const Deformation& deformation, s
   return of_growing_phase * columns * e / (fit.dominant().amplitude * record_length(fit));
 }
 
-/// The dominant line of the same entry of C on the other discretisation. The result is empty if there is no such line.
+/// The dominant line of the same entry of C on the other discretisation. The result is empty if there is no other
+/// discretisation, if its record is shorter, or if its fit does not have lines.
 std::optional<Line> other_line(std::pair<int, int> entry, const std::vector<double>& time, const RunErrors& errors) {
   if (!errors.other || errors.other->samples.n_rows() < time.size()) return std::nullopt;
   ModelSummary summary;

@@ -16,9 +16,9 @@
 ///           1.03 ε/(A T).
 ///   quadrature  The same expression, with the quadrature error of a polynomial body instead of e.
 ///   space   The difference from the frequency on another discretisation, times a factor. The factor assumes that the
-///           error decreases with the resolution at the slowest measured rate (space_error.h). The error in time
-///           cancels, because both runs have the same time steps. For a model without a discretisation in space, this
-///           part is 0.
+///           error decreases with the resolution at the least rate of space_error.h. The error in time cancels, because
+///           both runs have the same time steps. For a model without a discretisation in space, this part is 0. If there
+///           is no other discretisation, or its samples do not give a frequency, this part is not known.
 
 #include <vector>
 
@@ -28,13 +28,13 @@
 namespace pseudorigid::analysis {
 
 /// The error of the dominant frequency of `fit`. The samples of `fit` are the entry (i, j) of C at the given times. If
-/// the fit has no lines, the errors are not known.
+/// the fit does not have lines, the errors in time and space are not known.
 ErrorBar frequency_error(const FrequencyFit& fit, const Deformation& deformation, std::pair<int, int> entry,
                          const std::vector<double>& time, const RunErrors& errors);
 
-/// The angular frequency Ω among `load_frequencies` of the load that causes the fitted line. The condition is ω = Ω or
-/// ω = 2Ω within a quarter of a cycle over the record. The body then follows the load, and ω is not a property of the
-/// body. The result is empty if there is no such load.
+/// The angular frequency Ω > 0 of the load that causes the dominant line ω of the fit. `load_frequencies` contains ±Ω
+/// for each load. The condition is ω = Ω or ω = 2Ω within a quarter of a cycle over the record. The body then follows
+/// the load, and ω is not a property of the body. The result is empty if there is no such load.
 std::optional<double> load_of_line(const FrequencyFit& fit, const std::vector<double>& load_frequencies);
 
 }  // namespace pseudorigid::analysis

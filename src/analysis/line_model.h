@@ -31,9 +31,10 @@ class LineModel {
   void project();
 
   enum class Accuracy { rough, full };
-  /// Makes Gauss–Newton steps for the free frequencies. A step is halved until the residual decreases. With rough
-  /// accuracy, the function ends after a step that reduces the squared residual by less than a tenth. This accuracy is
-  /// sufficient to find further lines.
+  /// Makes at most 20 Gauss–Newton steps for the free frequencies. A step is halved, at most 8 times, until the
+  /// residual does not increase. The function ends if a step does not reduce the residual or, with full accuracy, is
+  /// negligible. With rough accuracy, it ends after a step that reduces the squared residual by less than a tenth. This
+  /// accuracy is sufficient to find further lines.
   void refine(Accuracy accuracy);
 
   double omega(const Wave& w) const { return w.multiple * bases[w.base]; }

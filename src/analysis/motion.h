@@ -15,8 +15,8 @@
 namespace pseudorigid::analysis {
 
 /// One run of a model: the name of the model, the adjective of its ball (for example "elastic"), the samples and their
-/// errors. `n_failed_intervals` counts how often an interval between samples was integrated again because a step
-/// failed.
+/// errors. `n_failed_intervals` counts how often an interval between samples was integrated again with shorter steps
+/// because a step failed.
 struct ModelRunTable {
   std::string name, adjective;
   const io::Table& table;
@@ -33,8 +33,8 @@ struct ModelSummary {
   std::optional<double> load{};  ///< angular frequency of the load that causes the dominant line; empty if no load does
   double departure = 0;          ///< max_t |Q − Q(0)|
   double strain_amplitude = 0;   ///< √2 rms_t |C − C̄|, with the mean C̄ over time
-  bool turns = false;            ///< true if Q changes
-  bool deforms = false;          ///< true if C changes
+  bool turns = false;            ///< true if Q changes by more than round-off
+  bool deforms = false;          ///< true if C changes by more than round-off
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
   double energy_bound = 0;  ///< largest change of the energy without a warning, relative to the reference value
   std::optional<double> energy_beyond_since{};  ///< first time at which the energy has changed by more than this bound
@@ -51,26 +51,27 @@ struct Deformation {
   Deformation(const io::Table& table, double resolution, ModelSummary& summary);
 
   std::vector<double> component(int i, int j) const;
-  /// The row and column of the component of C with the largest variance.
+  /// The indices (i, j), i ≤ j, of the component of C with the largest variance.
   std::pair<int, int> liveliest_component() const;
 };
 
-/// The fit of the frequency to the samples of a component of C. The fit contains no frequency if the times are not
-/// equally spaced or the body does not deform.
-/// It also contains none if the loads rise: the slow change of the shape is then larger than its oscillation.
+/// The fit of the frequency to the samples of a component of C. The fit does not contain a frequency in three cases:
+/// the times are not equally spaced, the body does not deform, or the loads rise. If the loads rise, the slow change of
+/// the shape is larger than its oscillation.
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms,
                            bool loads_rise = false);
 
-/// Reference value for the energies of one or more models. It is the larger of max_t (kinetic + elastic) and the
-/// largest dissipated energy, unless this value is round-off. The value is round-off if it is less than 1e-12 of the
-/// gravitational and external energies. It is also round-off if it is less than 1e-24 of the unit of energy `unit`. In
-/// these cases, the reference is the largest of the gravitational and external energies, or `unit` if these are zero.
+/// Reference value for the energies of one or more models. Over all models, it is the larger of max_t (kinetic +
+/// elastic) and the largest dissipated energy, unless this value is round-off. The value is round-off if it is less
+/// than 1e-12 of the gravitational and external energies. It is also round-off if it is less than 1e-24 of the unit of
+/// energy `unit`. In these cases, the reference is the largest of the gravitational and external energies, or `unit` if
+/// these are zero.
 double energy_reference(std::initializer_list<const io::Table*> models, double unit);
 
 /// Sets the drift of the energy relative to the reference value, its bound, and the first time beyond the bound. Let
 /// the error of Q be τ|Q|, and let D = max|Q − Q(0)| be the departure of an oscillation, which is twice its amplitude.
-/// The relative change of the energy is then 4τ|Q|/D. If the step follows from τ (`tolerance`), the bound is this value
-/// with |Q| = √3, but at most 1 %. Otherwise the bound is 1 %.
+/// The relative change of the energy is then 4τ|Q|/D. If τ (`tolerance`) is given and the body moves, the bound is this
+/// value with |Q| = √3, but at most 1 %. Otherwise the bound is 1 %.
 void set_energy_drift(const io::Table& table, double reference, std::optional<double> tolerance, ModelSummary& summary);
 
 /// Returns, for example, "two frequencies share the motion of the elastic ball, omega = 4.93 and, with 0.8 of its
@@ -96,8 +97,8 @@ std::string drift_in_words(double drift);
 /// Q̇ or K, the reference is the largest norm.
 double momentum_reference(const io::Table& table, const std::vector<Eigen::Vector3d>& momenta);
 
-/// The body spins if |J|/m̄ or |Z|/m̄ exceeds this fraction of |Q||Q̇|. Here J is the angular momentum, Z the
-/// circulation, and m̄ the factor in K = ½m̄|Q̇|². Smaller values are round-off.
+/// An angular momentum J or a circulation Z below this fraction of m̄|Q||Q̇| is round-off. Here m̄ is the factor in the
+/// kinetic energy K = ½m̄|Q̇|². The body spins if J or Z is larger.
 inline constexpr double spin_threshold = 1e-9;
 
 /// The label of a column, and the least, greatest and last value of this column in a run.
@@ -126,7 +127,7 @@ struct SceneFacts {
   /// step.
   std::optional<double> tolerance{};
   std::vector<double> load_frequencies{};  ///< angular frequencies of loads that depend on time
-  bool loads_rise = false;                 ///< true if Loads/Rise time is given
+  bool loads_rise = false;                 ///< true if Loads/Rise time is positive
 };
 
 /// Summary of the run of a model of the ball. The summary omits quantities whose columns the table lacks. The table
@@ -137,7 +138,7 @@ MotionSummary summarize_motion(const ModelRunTable& run, const SceneFacts& facts
 /// have at least one sample.
 MotionSummary summarize_system(const ModelRunTable& run);
 
-/// Text for the terminal: one quantity per line, at most 20 lines.
+/// Text for the terminal: one quantity per line, with at most 12 ranges of columns.
 std::string terminal_table(const MotionSummary& summary);
 
 }  // namespace pseudorigid::analysis

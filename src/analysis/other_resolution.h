@@ -4,7 +4,7 @@
 
 namespace pseudorigid::analysis {
 
-/// Samples of the same motion on another discretisation in space, at the same times. The columns are time and Q11 to
+/// Samples of the same scene on another discretisation in space, at the same times. The columns are the time and Q11 to
 /// Q33.
 struct OtherResolution {
   io::Table samples;

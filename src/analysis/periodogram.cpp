@@ -34,8 +34,8 @@ double lower_quartile(std::vector<double> values) {
   return *quarter;
 }
 
-/// The vertex of the parabola through the logarithms of m at k − 1, k, k + 1. If it does not have a maximum, the result
-/// is k.
+/// The position of the maximum of the parabola through the logarithms of m at k − 1, k, k + 1. If the parabola does not
+/// have a maximum, the result is k.
 double vertex(const std::vector<double>& m, std::size_t k) {
   const double left = std::log(m[k - 1]), middle = std::log(m[k]), right = std::log(m[k + 1]);
   const double curvature = left - 2 * middle + right;

@@ -1,6 +1,6 @@
 #pragma once
-/// Peaks of the Hann-windowed periodogram |Σ w_k y_k exp(−iθk)| with the window w. They are the initial values of the
-/// frequency fit.
+/// Peaks of the Hann-windowed periodogram |Σ_k w_k y_k exp(−iθk)| of the samples y_k, with the window w_k and the angle
+/// θ per sample. The peaks are the initial values of the frequency fit.
 
 #include <Eigen/Core>
 #include <vector>

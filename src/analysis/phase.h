@@ -5,8 +5,9 @@
 ///
 /// with the given frequency ω, by least squares over one period. The phase at t_n is θ_n = arg(a − ib), and the
 /// amplitude is A_n = √(a² + b²), so that y ≈ d + A_n cos(θ_n + ω(t − t_n)). In the first and the last half period of
-/// the record, the phase continues that of the nearest whole period with ω. It also continues with ω while A_n is below
-/// a hundredth of the largest amplitude. θ is continuous: it increases by about 2π in a period.
+/// the record, no window is centred at t_n. There, θ_n is extrapolated from the nearest fit with the rate ω. While A_n
+/// is below a hundredth of the largest amplitude, θ_n also grows at the rate ω. The phase does not jump by 2π: it
+/// increases by about 2π in each period.
 
 #include <span>
 #include <vector>
@@ -17,7 +18,8 @@ namespace pseudorigid::analysis {
 inline constexpr double least_samples_per_period = 4;
 
 /// The phases θ_n, in radians, at the samples `values`, which have the constant positive time step `interval`. The
-/// result is empty if the record is shorter than a period or has fewer than `least_samples_per_period`.
+/// result is empty if the record is shorter than a period, or if a period has fewer than `least_samples_per_period`
+/// samples.
 std::vector<double> phase(std::span<const double> values, double interval, double frequency);
 
 }  // namespace pseudorigid::analysis

@@ -17,8 +17,8 @@ inline const Columns Q_columns{"Q11", "Q12", "Q13", "Q21", "Q22", "Q23", "Q31", 
 inline const Columns Qdot_columns{"Qdot11", "Qdot12", "Qdot13", "Qdot21", "Qdot22",
                                   "Qdot23", "Qdot31", "Qdot32", "Qdot33"};
 
-/// Reads columns of a table, which must have samples. Returns an Eigen object for each sample. The entries of the
-/// object are the values of the columns, row by row.
+/// Reads the columns `names` of a table, which must have samples. Returns an Eigen object for each sample. The entries
+/// of the object, row by row, are the values of the columns.
 template <class Value>
 std::vector<Value> read(const io::Table& table, const Columns& names) {
   std::vector<Value> samples(table.n_rows());

@@ -1,6 +1,6 @@
 #pragma once
-/// Estimate of the discretisation error from the differences d of successive runs in a series. In the model of the
-/// estimate, the error e of a run with resolution N is
+/// Estimate of the discretisation error from the differences d of successive runs in a series of increasing resolution.
+/// In the model of the estimate, the error e of a run with resolution N is
 ///
 ///   e(N) = C N⁻ᵖ,
 ///
@@ -27,8 +27,8 @@ namespace pseudorigid::analysis {
 /// The assumed rate, and the bounds of the rate of finite elements. Measured rates are between the bounds or larger
 /// (docs/benchmarks.md, "Error in space").
 inline constexpr double assumed_space_rate = 3, least_space_rate = 2.5, largest_space_rate = 6;
-/// Lower bound of the rate p for polynomial bodies, whose resolution N is their degree. The error of a run is also
-/// computed with this rate if there is only the companion run. Releases of incompressible balls have rates above 2. A
+/// Lower bound of the rate p for polynomial bodies, whose resolution N is their degree. If the companion run is the
+/// only other run, the error is computed with this rate. Releases of incompressible balls have rates above 2. A
 /// compressible ball whose pressure front meets at the centre has the rate 1.3, for which the estimate is too small.
 inline constexpr double least_polynomial_rate = 1.5;
 
@@ -47,7 +47,8 @@ class SpaceErrorLadder {
   double resolution_of(std::size_t i) const { return runs_[i].N; }
   double difference_of(std::size_t i) const { return runs_[i].d; }
 
-  /// The rate p from the last three runs. If there are fewer than three runs, it is the assumed rate.
+  /// The rate p from the last three runs, between its bounds. If there are fewer than three runs, it is the assumed
+  /// rate.
   double rate() const;
   /// The error e of the last run. It is infinite if there are fewer than two runs.
   double error() const;

@@ -41,8 +41,8 @@ inline double compressible_spheroidal_equation(int n, double x, double ratio) {
   return T11 * T43 - T13 * T41;
 }
 
-/// The root of f above 0.5 with the number `overtone`. The lowest root has the number 0. All frequencies of the sphere
-/// satisfy x > 0.5.
+/// The root of f above 0.5 with the number `overtone`, counted from 0 for the lowest root. All frequencies of the
+/// sphere satisfy x > 0.5.
 template <class Function>
 double sphere_root(const Function& f, int overtone) {
   constexpr double first = 0.5, step = 0.01;  // the distance of two roots of one degree is larger than this step
@@ -64,7 +64,8 @@ inline double sphere_frequency(bool spheroidal, int n, int overtone, double gamm
       [=](double x) { return spheroidal ? incompressible_spheroidal_equation(n, x, gamma) : toroidal_equation(n, x); },
       overtone);
 }
-/// The frequency x = ωr/c of the compressible sphere. The degree is n ≥ 0 for spheroidal and n ≥ 1 for toroidal modes.
+/// The frequency x = ωr/c of the compressible sphere. `ratio` is c/c_p. The degree is n ≥ 0 for spheroidal and n ≥ 1
+/// for toroidal modes.
 inline double compressible_sphere_frequency(bool spheroidal, int n, int overtone, double ratio) {
   if (!spheroidal) return sphere_frequency(false, n, overtone);
   return sphere_root([=](double x) { return compressible_spheroidal_equation(n, x, ratio); }, overtone);

@@ -1,11 +1,12 @@
 #pragma once
-/// Contact of a surface with rigid planes (plane.h), as sums over the quadrature points of the reference surface. With
-/// the position x of a point, its penetration d, its pressure p and its quadrature weight w, the sums are
+/// Contact of a surface with rigid planes (plane.h), as sums over the quadrature points of the reference surface. A
+/// point has the position x, the penetration d, the pressure p = k d and the quadrature weight w. The plane has the
+/// normal n and the stiffness k. The sums over the points with d > 0 are
 ///
-///   V = Σ w k d²/2,   force along n  N = Σ w p,   area Σ w,   moment Σ w p x     (sums over points with d > 0).
+///   energy V = Σ w k d²/2,   force along n  N = Σ w p,   area Σ w,   moment Σ w p x.
 ///
-/// Each model computes these sums for the computed sector of the body. The set of planes is symmetric under the
-/// reflections of the body, so reflections give the sums for the whole body.
+/// A model may compute these sums only for a sector of the body between symmetry planes. The set of planes then has the
+/// same symmetry, so reflections give the sums for the whole body.
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,7 @@
 
 namespace pseudorigid::loads {
 
-/// Contact of a surface with one plane, without the damping force.
+/// Contact of a surface with one plane, without the damping force. `area` is an area of the reference surface.
 struct PlaneContact {
   double energy = 0, force = 0, area = 0;
   double height = std::numeric_limits<double>::infinity();  ///< least n·x − z₀
@@ -45,8 +46,8 @@ struct PlaneContact {
 };
 
 /// Contact in the columns of the output. `energy` is the sum over all planes, and `height` is the least height. The
-/// other members belong to the plane with the largest force. Without contact, `normal` belongs to the nearest plane,
-/// and the others are 0.
+/// other members are for the plane with the largest force. Without contact, `normal` is the normal of the nearest
+/// plane, and `force`, `radius` and `point` are 0.
 struct Contact {
   double energy = 0, force = 0;
   double height = std::numeric_limits<double>::infinity();  ///< least height over all planes
@@ -57,8 +58,9 @@ struct Contact {
   double penetration() const { return std::max(0.0, -height); }
 };
 
-/// Returns the contact of the whole body from the contact of its computed sector. For a reflection R, the contact of
-/// plane j with an image point R x is the contact of the reflected plane R j with x.
+/// Returns the contact of the whole body from the contact of its computed sector. `reflect[i]` is true if the body is
+/// symmetric under the reflection of x_i. For such a reflection R, plane j touches the image R x of a point x as the
+/// mirror image of plane j touches x.
 inline std::vector<PlaneContact> of_whole_body(const Planes& planes, const std::vector<PlaneContact>& computed,
                                                const std::array<bool, 3>& reflect) {
   std::vector<PlaneContact> whole(planes.size());

@@ -1,5 +1,5 @@
 #pragma once
-/// Linear drag, with the force −cρẋ per volume.
+/// Linear drag, with the force −cρẋ per reference volume and the density ρ.
 
 #include "loads/load.h"
 

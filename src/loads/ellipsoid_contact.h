@@ -1,21 +1,22 @@
 #pragma once
-/// Contact of an ellipsoid x = c + Q S ξ, |ξ| = 1, with a plane (plane.h), in closed form. The matrix S is the
-/// reference shape, Q the affine deformation and c the centre. dA is the area element of the sphere |ξ| = 1. With
+/// Contact of an ellipsoid x = c + Q S ξ, |ξ| = 1, with a plane in closed form. The matrix S is the reference shape, Q
+/// the affine deformation and c the centre. plane.h defines n, z₀, k and β of the plane. dA is the area element of the
+/// sphere |ξ| = 1. With
 ///
 ///   g = SᵀQᵀn,   G = |g|,   h = z₀ − n·c,   u = −g·ξ/G,   d(ξ) = h + G u,
 ///
-/// the penetration of a point is d. The largest penetration is δ = h + G. If the whole body is beyond the plane, the
-/// least penetration is μ = h − G; otherwise μ = 0. The points with u > −h/G are in contact. The integral over the
-/// angle about g gives dA = 2π du, and
+/// the penetration of the point ξ is d(ξ). The largest penetration is δ = h + G. If the whole body is beyond the plane,
+/// the least penetration is μ = h − G; otherwise μ = 0. The points with u > −h/G are in contact. The integral over the
+/// angle about g gives dA = 2π du. The energy V and its derivatives are
 ///
 ///   V = πk (δ³ − μ³)/(3G),
 ///   ∂V/∂h = N = πk (δ² − μ²)/G,                 the force along n,
 ///   ∂V/∂G = πk [(δ² + μ²)/G − (δ³ − μ³)/(3G²)],
-///   −∂V/∂c = N n,   −∂V/∂Q = −∂V/∂G n (S g/G)ᵀ,
+///   −∂V/∂c = N n,   −∂V/∂Q = −∂V/∂G n (S g/G)ᵀ.
 ///
-/// The contact area is 2πδ/G, at most 4π. For a rigid unit ball and small δ the contact area is a disk of radius √(2δ),
-/// like the intersection of the ball and the plane. At the first contact the second derivative of N = πkδ²/G jumps. The
-/// damping force with the coefficient β needs the moments
+/// The contact area on the sphere |ξ| = 1 is 2πδ/G, at most 4π. For a rigid unit ball and small δ it is a disk of
+/// radius √(2δ), like the intersection of the ball and the plane. At the first contact the second derivative of
+/// N = πkδ²/G jumps. The damping force with the coefficient β needs the moments
 ///
 ///   I_j = 2π ∫ d u^j du,   ∫d dA = I₀,   ∫d ξ dA = −I₁ ĝ,   ∫d ξξᵀ dA = I₂ ĝĝᵀ + ½(I₀ − I₂)(Id − ĝĝᵀ),   ĝ = g/G.
 
@@ -79,7 +80,7 @@ class EllipsoidContact {
               by_G() / G_ * plane_.normal * (S_ * (dg - direction_ * dG)).transpose();
   }
 
-  /// Adds the damping force of the velocities (Qdot, cdot) to f. Returns the dissipated power.
+  /// Adds the damping force for the velocities Qdot and cdot to f. Returns the power that it dissipates.
   double add_damping(const Eigen::Matrix3d& Qdot, const Eigen::Vector3d& cdot, AffineForce& f) const {
     if (!touches() || plane_.damping == 0) return 0;
     const double factor = plane_.stiffness * plane_.damping;
@@ -102,8 +103,8 @@ class EllipsoidContact {
   double by_G() const {
     return strength() / G_ * (square(deepest_) + square(least_) - (cube(deepest_) - cube(least_)) / (3 * G_));
   }
-  /// Returns (I₀, I₁, I₂), computed from the integrals ∫d t^j dt of t = 1 − u from 0 to T. These integrals have no
-  /// cancellation for small penetrations.
+  /// Returns (I₀, I₁, I₂), computed from the integrals ∫d t^j dt over 0 ≤ t ≤ T with t = 1 − u and T = min(2, δ/G).
+  /// These integrals do not have a cancellation for small penetrations.
   Eigen::Vector3d moments() const {
     const double T = std::min(2.0, deepest_ / G_);
     Eigen::Vector3d of_t;

@@ -1,7 +1,7 @@
 #pragma once
 /// All loads on an elastic body, as numbers, vectors and matrices. Each load (list.h) sets some members. Forces per
-/// mass are linear in x and ẋ, and surface tractions derive from stresses without divergence. Therefore both models of
-/// the body can represent them, and the work on motions x = x_c + QX is the same in both models:
+/// mass are affine in x and ẋ, and surface tractions derive from stresses without divergence. Therefore both models of
+/// the body can represent the loads. On motions x = x_c + QX, the work of the loads is the same in both models:
 ///
 ///   per mass       b − T x − c ẋ              energy ½ xᵀTx − b·x per mass; the drag dissipates c|ẋ|²
 ///   on the surface the nominal stress P̄ − p cof F, which is a dead traction P̄N per reference area and the follower
@@ -29,8 +29,8 @@ struct Forcing {
   double viscosity = 0, drag = 0;                              ///< viscosity η and drag coefficient c
   Planes planes{};                                             ///< planes that the body may touch
 
-  /// Calls visit(member of a, member of b) for every member. If the lists below lack a new member, the function does
-  /// not compile.
+  /// Calls visit(member of a, member of b) for every member except `by_name`. If the lists below lack a new member, the
+  /// function does not compile.
   template <class A, class B, class Visit>
   static void visit_pairs(A& a, B& b, Visit&& visit) {
     auto& [name_a, G_a, T_a, b_a, P_a, p_a, eta_a, c_a, planes_a] = a;
@@ -65,9 +65,9 @@ struct Forcing {
     return any;
   }
 
-  /// The energy without self-gravity and contact, of a body with the moments ∫ρ x xᵀ and ∫ρ x, the integral ∫F dX and
-  /// the volume V. If the members are derivatives of a forcing with respect to time, the result is the power that the
-  /// body receives from the change of the forcing.
+  /// The potential energy of the loads other than self-gravity and contact. The arguments are the moments ∫ρ x xᵀ dX
+  /// and ∫ρ x dX of the body, the integral ∫F dX and the current volume V. If the members are the time derivatives of a
+  /// forcing, the result is the power that the body receives from the change of the forcing.
   double potential(const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const {
     const double energy = 0.5 * quadratic.cwiseProduct(second_moment).sum() - acceleration.dot(first_moment) -

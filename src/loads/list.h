@@ -1,5 +1,5 @@
 #pragma once
-/// The list of loads, and functions of all loads. To add a load, write a header and add one line to the list.
+/// The list of loads, and functions that combine them. To add a load, write a header and add one line to the list.
 
 #include <tuple>
 #include <type_traits>
@@ -89,7 +89,8 @@ inline bool any_present(const Loads& loads) {
   return any;
 }
 
-/// Sum of the forcings of the loads that are constant or become constant after their rise, at their full strength.
+/// Sum of the forcings of all loads that are constant, or become constant after the rise of the loads (rise.h), at full
+/// strength.
 inline Forcing full_forcing(const Loads& loads) {
   Forcing sum;
   loads.for_each([&]<class L>(const L& load) {
@@ -103,7 +104,8 @@ inline Forcing constant_forcing(const Loads& loads) {
   return loads.get<Rise>().is_present() ? Rise::constant(sum) : sum;
 }
 
-/// Sum of the forcings that depend on time, and (driving_rate) the derivative of this sum with respect to time.
+/// `driving` is the sum of the forcings that depend on time, at the time t. `driving_rate` is the derivative of this
+/// sum with respect to time. If the loads rise, both include the loads that rise (rise.h).
 inline Forcing driving(const Loads& loads, double t) {
   Forcing sum;
   loads.for_each([&]<class L>(const L& load) {
@@ -125,8 +127,8 @@ inline Forcing driving_rate(const Loads& loads, double t) {
   rate = Rise::times(rise.factor(t), rate);
   return rate += Rise::times(rise.factor_rate(t), sum);
 }
-/// Whether a load that satisfies the condition `has` depends on time and is present. `has` is called with the forcing
-/// of largest size over all times.
+/// Whether a forcing that depends on time satisfies the condition `has`. The forcings are the sum of the loads that
+/// rise, at full strength, and the largest forcing of each load that depends on time.
 template <class Condition>
 bool depend_on_time(const Loads& loads, const Condition& has) {
   bool any = loads.get<Rise>().is_present() && has(Rise::rising(full_forcing(loads)));
@@ -149,8 +151,8 @@ inline std::vector<double> angular_frequencies(const Loads& loads) {
   return frequencies;
 }
 
-/// Returns the loads that affect a body of constant volume. Other loads, such as a pressure, are set to absent, because
-/// the constraint balances them.
+/// Returns the loads that affect a body of constant volume, and the rise of the loads. Other loads, such as a pressure,
+/// are set to absent, because the constraint balances them.
 inline Loads at_constant_volume(Loads loads) {
   loads.for_each([]<class L>(L& load) {
     if constexpr (!std::is_same_v<L, Rise>)

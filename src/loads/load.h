@@ -5,21 +5,23 @@
 /// absent. The members of a load are
 ///
 ///   visit_entries(self, visit)    calls visit(member, kind, About) for each entry, as in scene/entries.h. The kind
-///                                 decides which reflections the load admits. A matrix must not have entries off the
-///                                 diagonal in the row and column of the normal. A vector must not have a component
-///                                 along the normal. The unit in About converts the value to internal units.
+///                                 decides whether the load admits the reflection of an axis i. A matrix must not have
+///                                 entries off the diagonal in row i and column i. A vector must not have the component
+///                                 i. The unit in About converts the value to internal units.
 ///   forcing()                     the load as a Forcing (forcing.h); zero if the load is absent
 ///   no_equilibria                 empty if the families of equilibria include this load; otherwise a sentence with the
 ///                                 reason why no relative equilibrium is known
 ///   needed(body), skipped         lines of `pseudorigid check` if the load is present and if it is absent; empty: none
+///   breaks_plane(i)               optional, replaces the rules for entries: empty if the load admits the reflection of
+///                                 axis i, otherwise the reason (scene/sector.cpp)
+///   has_static_equilibria         optional, false if no equilibrium at rest is sought under the load
 ///
-/// A load that changes others, such as their rise, has no forcing of its own and is_present() in addition.
+/// A load that only changes other loads, such as Rise, has a forcing() that is zero. It has is_present() in addition.
 ///
 /// A load that depends on time has forcing(t) and its derivative forcing_rate(t) instead of forcing(). It also has
 /// largest_forcing(), the forcing of largest size over all times. A periodic load also has angular_frequency(), so that
-/// the program does not mistake the forced motion for a pulsation of the body. The program computes all other
-/// consequences from the forcing: dissipation, the effect on the centre of mass, the energy and its rate, and the scale
-/// of time.
+/// the program does not mistake the forced motion for a pulsation of the body. The program computes everything else
+/// from the forcing, for example the energy and its rate, the dissipation and the scale of time.
 
 #include <concepts>
 #include <string>
@@ -31,10 +33,10 @@
 
 namespace pseudorigid::loads {
 
-/// Properties of the body for the line of `pseudorigid check` about a load.
+/// Properties of the body that a load needs for its line in the output of `pseudorigid check`.
 struct BodyFacts {
   bool incompressible;
-  double volume_by_inertia;  ///< Vol/m̄, which converts a pressure to the column `multiplier`
+  double volume_by_inertia;  ///< Vol/m̄, m̄ = tr E₀/3; converts a pressure to the column `multiplier`
 };
 
 /// A visitor that ignores the entries, used to check the interface.
@@ -62,7 +64,7 @@ concept Load = std::default_initializable<L> &&
   { load.forcing() } -> std::same_as<Forcing>;
 });
 
-/// Returns the forcing of largest size over all times.
+/// Returns the forcing of a load. If it depends on time, the result is the forcing of largest size over all times.
 template <Load L>
 Forcing largest_forcing(const L& load) {
   if constexpr (DependsOnTime<L>)

@@ -6,7 +6,7 @@
 ///
 /// without friction. The energy k d²/2 of the contact is a penalty for d > 0, and k → ∞ enforces n·x ≥ z₀. The
 /// coefficient β of Hunt and Crossley (1975) is 0 for a conservative contact. The damping dissipates the power k β d ḋ²
-/// per area.
+/// per area. At fast separation, ḋ < −1/β, the plane attracts the body.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -46,9 +46,10 @@ struct Planes : std::vector<Plane> {
       if (plane.damping != 0) return true;
     return false;
   }
-  /// Returns a bound of the stiffness along any direction of a point of the surface that touches all planes at once. A
-  /// point can touch several planes with the same normal, but not two that face each other, so the larger sum counts
-  /// for each normal. The bound is the smaller of the Frobenius norm and the largest row sum of Σ k n nᵀ.
+  /// Returns an upper bound for the contact stiffness of a point of the surface, in any direction and with any number
+  /// of planes. The stiffnesses of planes with the same normal n add up. A point cannot touch two planes that face each
+  /// other, so the larger sum counts for n and −n. The bound is the smaller of the Frobenius norm of Σ k n nᵀ and its
+  /// largest sum of absolute values in a row.
   double stiffness_of_all() const {
     constexpr double parallel = 1 - 1e-12;
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();

@@ -1,7 +1,7 @@
 #pragma once
-/// A follower pressure −p n per current area, with the energy p V. In a body of constant volume the constraint balances
-/// the pressure, and the motion does not change. The pressure λ_h inside the body is then larger by p everywhere, and
-/// the multiplier per m̄ is larger by p Vol/m̄.
+/// A follower pressure: the traction −p n per current area with the current normal n, and the energy p V with the
+/// current volume V. In a body of constant volume the constraint balances the pressure, and the motion does not change.
+/// The pressure inside the body is then larger by p everywhere. The multiplier per m̄ = tr E₀/3 is larger by p V/m̄.
 
 #include <cstdio>
 

@@ -46,8 +46,8 @@ struct RigidPlanes {
   /// The search for equilibria does not include bodies at rest on a plane.
   static constexpr bool has_static_equilibria = false;
 
-  /// The planes with unit normals. A row without a partner in the other entry, and a normal of length 0, are omitted;
-  /// scene/contact.h refuses them.
+  /// The planes with unit normals. A row without a partner in the other entry, and a normal of length 0, are omitted
+  /// here. scene/contact.h rejects scenes with such rows.
   Forcing forcing() const {
     Forcing sum;
     for (std::size_t i = 0; i + 2 < std::min(normals.size(), points.size()); i += 3) {
@@ -61,8 +61,7 @@ struct RigidPlanes {
     return sum;
   }
 
-  /// Returns a sentence about the first plane whose mirror image in x_i = 0 is not among the planes; empty if there is
-  /// no such plane.
+  /// Returns a clause about the first plane whose mirror image in x_i = 0 is missing; empty if no image is missing.
   std::optional<std::string> breaks_plane(int i) const {
     const Planes planes = forcing().planes;
     for (std::size_t j = 0; j < planes.size(); ++j) {

@@ -1,5 +1,6 @@
 #pragma once
-/// The loads with a potential energy rise from 0 to their full strength until the time T, by the factor
+/// The tides, the acceleration, the traction and the pressure rise from 0 to their full strength until the time T, by
+/// the factor
 ///
 ///   s(t) = x³ (10 − 15x + 6x²) with x = t/T until T,   s(t) = 1 from then on.
 ///
@@ -45,7 +46,7 @@ struct Rise {
     const double x = part(t);
     return 30 * x * x * (1 - x) * (1 - x) / time;
   }
-  /// The part of the forcing that rises.
+  /// The part of the forcing that rises, at full strength.
   static Forcing rising(const Forcing& f) {
     return {.quadratic = f.quadratic,
             .acceleration = f.acceleration,
@@ -60,7 +61,7 @@ struct Rise {
     f.pressure = 0;
     return f;
   }
-  /// The forcing, which must have a potential energy, times a factor.
+  /// The loads of `f` that can rise, times a factor. Other members of the result are 0.
   static Forcing times(double factor, const Forcing& f) {
     return {.quadratic = factor * f.quadratic,
             .acceleration = factor * f.acceleration,

@@ -6,14 +6,15 @@
 ///   P = ∂W/∂F = μ(F − F⁻ᵀ) + (λ/2)(J² − 1) F⁻ᵀ = μF + s cof F,   s(J) = [(λ/2)(J² − 1) − μ]/J
 ///   DP(F)[H] = μH + s′(J)(cof F : H) cof F + s D(cof)(F)[H],   s′ = [(λ/2)(J² + 1) + μ]/J²
 ///
-/// The book prints λ/2 in place of λ/4. The printed law is the same law with 2λ, `ciarlet-geymonat (as printed)` in the
-/// table.
+/// Oliva prints λ/2 in place of λ/4. The printed law is this law with 2λ instead of λ. Its name in law_table.h is
+/// `ciarlet-geymonat (as printed)`.
 ///
-/// On GL⁺(3), the neo-Hookean law of this program is the same function: W = (μ/2)(I − 3 − 2 ln J) plus the bulk term
-/// (λ/4)(III − 1 − ln III). On SL(3) the neo-Hookean law has no bulk term: λ = 0. Both laws are stress-free at Id.
+/// For compressible bodies, F ∈ GL⁺(3), the neo-Hookean law of this program is the same function. It is usually written
+/// as W = (μ/2)(I − 3 − 2 ln J) plus the bulk term (λ/4)(III − 1 − ln III). For incompressible bodies, F ∈ SL(3), the
+/// neo-Hookean law does not have the bulk term: λ = 0. Both laws are stress-free at Id.
 ///
-/// Energies of small strains are computed from H = F − Id without cancellation. With II(H) = tr cof H and δ = J − 1 =
-/// tr H + II(H) + det H,
+/// The energy is computed from H = F − Id, so that there is no cancellation for small strains. With II(H) = tr cof H
+/// and δ = J − 1 = tr H + II(H) + det H,
 ///   I − 3 − ln III = |H|² − 2(II(H) + det H) + 2(δ − ln(1 + δ)).
 
 #include "materials/law_limits.h"
@@ -26,7 +27,7 @@ namespace pseudorigid::materials {
 
 struct CiarletGeymonat {
   double mu, lambda;
-  static constexpr double surface_limit = biot_ratio;  ///< the law is neo-Hookean if the volume is preserved
+  static constexpr double surface_limit = biot_ratio;  ///< because the law is neo-Hookean if J = 1
   bool operator==(const CiarletGeymonat&) const = default;
 
   /// Energy W(F) per reference volume; F must have J > 0.

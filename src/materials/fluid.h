@@ -1,5 +1,6 @@
 #pragma once
-/// A law without stored energy: W = 0, P = 0. An incompressible body of this law is Dirichlet's ideal fluid.
+/// A law without stored energy: W = 0 and P = 0. With this law, an incompressible body is an ideal fluid. In affine
+/// motion, it is Dirichlet's fluid ellipsoid.
 
 #include "materials/tensor.h"
 

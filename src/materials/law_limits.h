@@ -1,13 +1,14 @@
 #pragma once
-/// Optional limits of a law, in addition to energy, stress and tangent.
+/// Optional declarations of a law, in addition to energy, stress and tangent.
 ///
-/// A law may not admit all deformations with J > 0 (no law admits J ≤ 0). Such a law declares
+/// If a law does not admit all deformations F with J = det F > 0, it declares
 ///
 ///     template <class T> T reserve(const Tensor<T>& F) const;   positive if F is admitted
 ///     static constexpr std::string_view limit;                  the reason for the user, one clause
 ///
 /// The surface of an incompressible body may wrinkle (continuum/output/surface_stretch.h). A law may declare the ratio
-/// λ₁/λ_n at which a half-space wrinkles; λ₁ is the stretch along the surface, λ_n the stretch along its normal:
+/// λ₁/λ_n at which a half-space wrinkles. λ₁ is the smaller stretch within the surface, and λ_n is the stretch along
+/// its normal:
 ///
 ///     static constexpr double surface_limit;
 
@@ -18,7 +19,7 @@
 
 namespace pseudorigid::materials {
 
-/// Biot's limit of neo-Hookean and Mooney–Rivlin half-spaces, the root of x³ + x² + 3x = 1 (Biot 1963).
+/// Biot's limit of λ₁/λ_n for neo-Hookean and Mooney–Rivlin half-spaces, the root of x³ + x² + 3x = 1 (Biot 1963).
 inline constexpr double biot_ratio = 0.29559774252208477;
 
 template <class Law>
@@ -29,8 +30,8 @@ inline constexpr bool is_limited = [] {
   return has_reserve;
 }();
 
-/// True if a law admits F, provided J > 0. A class that adds other energies to a law may itself have members admits(F)
-/// and limit().
+/// True if a law admits F, provided that J > 0. `law` can also be a class that adds other energies to a law and has its
+/// own members admits(F) and limit().
 template <class Law>
 [[gnu::always_inline]] inline bool admits(const Law& law, const Tensor<double>& F) {
   if constexpr (is_limited<Law>)
@@ -41,7 +42,7 @@ template <class Law>
     return true;
 }
 
-/// The reason for which the law does not admit some F; empty if the law admits all F.
+/// The reason why the law does not admit some F with J > 0; empty if the law admits all of them.
 template <class Law>
 constexpr std::string_view limit_of(const Law& law) {
   if constexpr (is_limited<Law>)
@@ -52,7 +53,7 @@ constexpr std::string_view limit_of(const Law& law) {
     return {};
 }
 
-/// Returns the limit as a sentence for the user.
+/// The message to the user if a deformation is beyond the limit of the law.
 [[gnu::cold, gnu::noinline]] inline std::string beyond_limit(std::string_view limit) {
   std::string sentence = "the law of the material admits no such deformation: ";
   sentence += limit;

@@ -1,7 +1,8 @@
 #pragma once
-/// Table of the material laws by name, and their entries in parameter files. A new law needs a header with energy,
-/// stress, tangent and operator== over any scalar (law_limits.h has the optional declarations). In this file, add its
-/// type to AnyLaw, its own numbers to LawParameters and law_entries, and a line to law_table.
+/// Table of the material laws by name, and their entries in parameter files. A new law needs a header with operator==,
+/// and with energy, stress and tangent for any scalar type. law_limits.h and stress_coefficients.h describe the
+/// optional declarations. In this file, add its type to AnyLaw, its own numbers to LawParameters and law_entries, and a
+/// line to law_table.
 
 #include <concepts>
 #include <iterator>
@@ -83,12 +84,14 @@ static_assert(sizeof(LawParameters) == sizeof(double) * (1 + std::size(law_entri
 
 struct NamedLaw {
   std::string_view name;
-  /// Text for readers of parameter files: W in the symbols that the documentation of Material/Law defines
-  /// (scene/choices.h), with the bulk term B, and further facts.
+  /// Documentation of the law in parameter files: the formula for W, and remarks. The documentation of Material/Law
+  /// defines the symbols, such as the bulk term B (scene/choices.h).
   std::string_view energy;
-  /// Makes the law. `bulk` is the modulus of the bulk term, 0 if the volume is preserved.
+  /// Makes the law. `bulk` is the modulus λ of the bulk term, which is 0 for an incompressible body. Some laws ignore
+  /// `bulk` and always use the λ of the parameters.
   AnyLaw (*of)(const LawParameters&, double bulk);
-  /// Warnings to the user if the law is chosen for an incompressible and for a compressible body; empty: none.
+  /// Warnings to the user about the choice of this law for an incompressible and for a compressible body; empty if
+  /// there is none.
   std::string_view warning_incompressible = "", warning_compressible = warning_incompressible;
 
   AnyLaw make(const LawParameters& p, bool incompressible = true) const {
@@ -96,8 +99,8 @@ struct NamedLaw {
   }
 };
 
-/// The table of laws. For incompressible bodies, ciarlet-geymonat keeps its bulk term, because there the term only
-/// shifts the multiplier.
+/// The table of laws. For incompressible bodies, ciarlet-geymonat keeps its bulk term, because the term and its stress
+/// are 0 at J = 1.
 inline constexpr NamedLaw law_table[] = {
     {.name = "neo-hookean",
      .energy = "(mu/2) (I - 3 - 2 ln J) + B.",

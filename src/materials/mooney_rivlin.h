@@ -12,8 +12,8 @@
 ///   DP(F)[H] = DP_CG(F)[H] + bμ(ḋ F + d H − H D − F Ḋ),   Ḋ = HᵀF + FᵀH, ḋ = 2 F:H
 ///
 /// The law is stress-free at Id. The shear modulus at Id is μ, and the first Lamé modulus is λ + 2bμ, because the term
-/// in II also resists changes of volume. On SL(3) the bulk term is constant and omitted (λ = 0). For b = 0 the law is
-/// the neo-Hookean law.
+/// in II also resists changes of volume. For incompressible bodies, F ∈ SL(3), the bulk term is constant and therefore
+/// omitted: λ = 0. For b = 0 the law is the neo-Hookean law.
 
 #include "materials/ciarlet_geymonat.h"
 

@@ -1,6 +1,7 @@
 #pragma once
-/// Fields of a picture that depend on the law: the Cauchy stress σ = (P(F) Fᵀ − p Id)/det F with the pressure p, and
-/// the energy density W(F).
+/// Fields of a picture that depend on the law: the Cauchy stress σ = (P(F) Fᵀ − p Id)/det F and the energy density
+/// W(F). P is the stress of the law, and p is the Kirchhoff pressure by which the constraint of an incompressible body
+/// reacts.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -14,7 +15,8 @@
 
 namespace pseudorigid::materials {
 
-/// Appends a point to the fields. Fails if det F ≤ 0 or if det F is not finite.
+/// Appends the values at the material point X, with the position x and the velocity v, to the fields. Fails if det
+/// F ≤ 0 or if it is not finite.
 inline mechanics::Status add_point(const AnyLaw& law, const Eigen::Vector3d& X, const Eigen::Vector3d& x,
                                    const Eigen::Vector3d& v, const Eigen::Matrix3d& F, double pressure,
                                    mechanics::BodyFields& fields) {

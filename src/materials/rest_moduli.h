@@ -29,7 +29,7 @@ inline Tensor<double> tangent_at_rest(const AnyLaw& law, bool incompressible, co
   return C;
 }
 
-/// Lamé's moduli at rest. For an incompressible body only μ has a meaning, since λ only shifts the multiplier.
+/// Lamé's moduli at rest. For an incompressible body only μ has a meaning, because λ multiplies tr H, which is 0.
 struct RestModuli {
   double shear, lame;
 };

@@ -6,9 +6,9 @@
 ///   P = ∂W/∂F = F((λ/2) d Id + μD)
 ///   DP(F)[H] = H((λ/2) d Id + μD) + F((λ/2) ḋ Id + μḊ),   Ḋ = HᵀF + FᵀH, ḋ = 2 F:H
 ///
-/// The law is stress-free at Id, with Lamé's moduli λ, μ. W is a polynomial and does not prevent J ≤ 0. In compression
-/// the law softens below the stretch 1/√3 along one axis, and loses stability. The motion depends on λ on SL(3) too,
-/// because I − 3 is not constant there.
+/// The law is stress-free at Id, with Lamé's moduli λ, μ. W is a polynomial and does not prevent J ≤ 0. If the body is
+/// compressed along one axis to a stretch below 1/√3, its resistance decreases and the law loses stability.
+/// Incompressible motions also depend on λ, because I − 3 is not constant on SL(3).
 
 #include "materials/strain.h"
 

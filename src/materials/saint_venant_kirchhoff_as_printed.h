@@ -5,9 +5,9 @@
 ///   P = ∂W/∂F = 2(λd + μ) F
 ///   DP(F)[H] = 2(λd + μ) H + 4λ(F:H) F
 ///
-/// In contrast to the standard law (saint_venant_kirchhoff.h), Id has the stress 2μ Id. On SL(3) this stress is a
-/// pressure, which the constraint balances, and the shear modulus at rest is 2μ. On GL⁺(3) this stress makes the body
-/// contract.
+/// In contrast to the standard law (saint_venant_kirchhoff.h), the stress at Id is not zero but 2μ Id. In an
+/// incompressible body, F ∈ SL(3), the constraint balances this tension, and the shear modulus at rest is 2μ. A
+/// compressible body contracts, because nothing balances the tension.
 
 #include "materials/strain.h"
 

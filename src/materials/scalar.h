@@ -1,5 +1,6 @@
 #pragma once
-/// Functions of scalars for the material laws. They are for double and complex; SIMD types have their own functions.
+/// Functions of scalars for the material laws, for real and complex numbers. A SIMD type has its own log1p
+/// (mechanics/core/lanes.h).
 
 #include <cmath>
 #include <complex>
@@ -21,8 +22,8 @@ T x_minus_log1p_series(const T& x) {
 }
 }  // namespace detail
 
-/// x − ln(1+x) ≈ x²/2, without cancellation for small x. For a SIMD type without its own function, the result is the
-/// direct difference of both terms, with the absolute error |x| ε.
+/// x − ln(1+x) ≈ x²/2. For real and complex x, there is no cancellation for small x. For SIMD types, the result is the
+/// direct difference of both terms, with the absolute error |x| ε and the round-off ε.
 template <class T>
 T x_minus_log1p(const T& x) {
   return x - log1p(x);
@@ -32,21 +33,22 @@ inline std::complex<double> x_minus_log1p(std::complex<double> z) {
   return std::abs(z) <= 0.25 ? detail::x_minus_log1p_series(z) : z - log1p(z);
 }
 
-/// Returns J, or exactly 1 if J differs from 1 only by round-off. A factor 1 ± ε would change a number with mantissa m
-/// ∈ [1, 2) by m or m/2 units of its last place, rounded to a whole number of units. This rounding depends on the
-/// leading digits, so it does not average out over a motion. As a result a symmetric stress would exert a torque.
-/// Without this function, angular momentum and circulation on SL(3) drift by 6e-13 in 10⁶ periods.
+/// Returns J, or exactly 1 if J differs from 1 only by round-off, at most 16 ε with ε = 2⁻⁵². A factor 1 ± ε would
+/// change a number with mantissa m ∈ [1, 2) by m or m/2 units of its last place. This change is rounded to a whole
+/// number of units. The rounding depends on the leading digits, so it does not average out over a motion. As a result a
+/// symmetric stress would exert a torque. Without this function, the angular momentum and the circulation of an
+/// incompressible body drift by 6e-13 in 10⁶ periods.
 inline double settled_at_one(double J) { return std::abs(J - 1) <= 0x1p-48 ? 1.0 : J; }
-/// Returns other scalars unchanged, such as complex numbers and SIMD lanes. For derivatives by complex step, a jump
-/// would make the derivatives wrong.
+/// For other scalars, such as complex numbers and SIMD lanes, the function returns J unchanged. A jump to 1 would make
+/// derivatives by complex step wrong.
 template <class T>
 [[gnu::always_inline]] inline const T& settled_at_one(const T& J) {
   return J;
 }
 
-/// ln J, computed fast for J near 1, as the iterations of the constraint det Q = 1 need it. With the exact δ = J − 1,
-/// the sum is δ − δ²/2 + δ³/3 − δ⁴/4 + δ⁵/5. The remainder δ⁶/6 is below the round-off of the sum for |δ| ≤ 2⁻¹¹. If J
-/// has extended precision, a small logarithm is as accurate as δ.
+/// ln J, which is fast for J near 1, as in the iterations for the constraint det Q = 1. For |δ| ≤ 2⁻¹¹ with the exact δ
+/// = J − 1, the result is δ − δ²/2 + δ³/3 − δ⁴/4 + δ⁵/5. The remainder δ⁶/6 is then below the round-off of the sum. For
+/// other J, the result is std::log. If J has extended precision, a small logarithm is as accurate as δ.
 template <class T>
 double log_near_one(T J) {
   const double delta = static_cast<double>(J - 1);

@@ -16,7 +16,7 @@ template <class T>
   return {{{F(0, 0) - 1.0, F(0, 1), F(0, 2)}, {F(1, 0), F(1, 1) - 1.0, F(1, 2)}, {F(2, 0), F(2, 1), F(2, 2) - 1.0}}};
 }
 
-/// Returns the symmetric tensor with the entries entry(i, j). Only six of them are computed.
+/// Returns the symmetric tensor with the entries entry(i, j). Only the six entries with i ≤ j are computed.
 template <class Entry>
 [[gnu::always_inline]] inline auto symmetric_tensor(Entry entry) {
   const auto a = entry(0, 1), b = entry(0, 2), c = entry(1, 2);

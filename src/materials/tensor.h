@@ -1,8 +1,10 @@
 #pragma once
-/// 3×3 tensors over any scalar: double, complex (derivatives by complex step), or a SIMD vector of cells.
+/// 3×3 tensors over any scalar: double, complex (derivatives by complex step), or a SIMD vector with a tensor entry of
+/// one cell in each lane.
 ///
-/// All operations are inlined and written entry by entry, so the compiler keeps small tensors in registers. With loops
-/// it does not, because compilers unroll loops too late. The use of registers halves the time of a force.
+/// All operations are inlined and written entry by entry, so that the compiler keeps the tensors in registers. With
+/// loops, the compiler would not do so, because it unrolls loops too late. The use of registers halves the time of a
+/// force evaluation.
 
 namespace pseudorigid::materials {
 

@@ -1,16 +1,17 @@
 #pragma once
 /// Observables of a ball at one state, and the columns of the CSV files that show them. Observables are for the whole
-/// ball, also if only a sector is computed. A column is declared in this file, below its observable: name, group, unit,
+/// ball, even if only a sector is computed. The columns are declared in this file, each with its name, group, unit,
 /// meaning and computation. Headers, rows, units and documentation are generated from these columns (io/trajectory.h).
 ///
 ///   K = ½ ∫ρ|ẋ|² dV,   J = ∫ρ (x−x_c)×(ẋ−ẋ_c) dV,   Z = ∫ρ X×(Fᵀẋ) dV
 ///
-/// For the pseudo-rigid ball, J_i = m̄ ε_ijk Q_jA Q̇_kA and Z_A = m̄ ε_ABC (QᵀQ̇)_CB. A rigid rotation with angular
-/// velocity ω at Q = Id has J = Z = 2m̄ω. All observables are in internal units (length r, mass ρr³, time r/c).
+/// with the centre of mass x_c and the velocity ẋ_c. For the pseudo-rigid ball and m̄ = tr E₀/3, J_i = m̄ ε_ijk Q_jA Q̇_kA
+/// and Z_A = m̄ ε_ABC (QᵀQ̇)_CB. A rigid rotation with angular velocity ω at Q = Id has J = Z = 2m̄ω. All observables are
+/// in internal units (entries/units.h).
 ///
 /// To add an observable, add a member, and set it in the models that have it (reduced/observe.h,
-/// polynomial/observe.cpp, continuum/output/observe.cpp). An observable that is not set stays NaN, which ends a run at
-/// its first sample.
+/// polynomial/observe.cpp, continuum/output/observe.cpp). An observable that is not set stays NaN. If its column is
+/// requested, the run then ends at its first sample.
 
 #include <Eigen/Core>
 #include <array>
@@ -40,8 +41,8 @@ struct ObservableRequest : Quantities {
   std::vector<OverPoints> over_points{};
 };
 
-/// Returns one value for each entry of request.over_points. least(value) returns the least value of a function of F
-/// over the points of a body.
+/// Returns one value for each entry of request.over_points. `least` is a function of the caller: least(value) returns
+/// the least value(F) over the points of the body.
 template <class Least>
 std::vector<double> observe_over_points(const ObservableRequest& request, const Least& least) {
   std::vector<double> values;
@@ -71,9 +72,9 @@ struct BodyColumn {
 };
 
 /// Contact with rigid planes. The members from `energy` to `point` are for the current state (loads/contact.h), and are
-/// 0 if the body does not touch a plane. The others summarise the run so far (app/run/contact_watch.h): begin of the
-/// first contact, end of the last contact, largest force, and coefficient of restitution. They are 0 before the first
-/// contact.
+/// 0 if the body does not touch a plane. The other members summarise the run so far (app/run/contact_watch.h). They are
+/// the beginning of the first contact, the end of the last contact, the largest force and the coefficient of
+/// restitution. Before the first contact they are 0.
 struct ContactObservables {
   double energy = 0, force = 0, penetration = 0, radius = 0;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
@@ -91,18 +92,19 @@ struct ContactObservables {
 };
 
 struct BodyObservables {
-  Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);       ///< Q (reduced) or the mass moment Q_M (continuum)
+  Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);       ///< Q; for non-affine motions the mass moment Q_M
   Eigen::Matrix3d Qdot = Eigen::Matrix3d::Constant(not_observed);    ///< time derivative of Q
   Eigen::Vector3d center = Eigen::Vector3d::Constant(not_observed);  ///< centre of mass x
   Eigen::Vector3d velocity = Eigen::Vector3d::Constant(not_observed);  ///< velocity v of the centre of mass
   double kinetic = not_observed, elastic = not_observed, gravitational = not_observed, external = not_observed,
          dissipated = not_observed;
-  Eigen::Vector3d angular_momentum = Eigen::Vector3d::Constant(not_observed);  ///< J, about the centre of mass
-  Eigen::Vector3d circulation = Eigen::Vector3d::Constant(not_observed);       ///< Z
+  Eigen::Vector3d angular_momentum = Eigen::Vector3d::Constant(not_observed);  ///< J about the centre of mass
+  Eigen::Vector3d circulation = Eigen::Vector3d::Constant(not_observed);       ///< Z about the centre of mass
   double volume_ratio = not_observed;                                          ///< current volume / reference volume
-  double multiplier = not_observed;  ///< λ of (5.120) per m̄; continuum: (1/m̄)∫λ_h dV
-  Eigen::Vector3d semi_axes = Eigen::Vector3d::Constant(not_observed);  ///< a₁ ≥ a₂ ≥ a₃, singular values of Q times r
-  std::vector<double> over_points{};                                    ///< one value for each entry of the request
+  double multiplier = not_observed;  ///< λ of Oliva (5.120) per m̄; for non-affine motions (1/m̄)∫p dV
+  /// a₁ ≥ a₂ ≥ a₃, the singular values of Q S with the reference shape S. For a ball, S = r Id.
+  Eigen::Vector3d semi_axes = Eigen::Vector3d::Constant(not_observed);
+  std::vector<double> over_points{};  ///< one value for each entry of the request
   ContactObservables contact{};
 
   double energy() const { return kinetic + elastic + gravitational + external + dissipated + contact.energy; }
@@ -198,9 +200,9 @@ inline constexpr BodyColumn<ReducedObservables> reduced_columns[] = {
 /// Observables that only bodies with non-affine motions have.
 struct ContinuumObservables : BodyObservables {
   Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean deformation gradient F̄ = ∫F dV / Vol
-  double nonaffine_kinetic_fraction = not_observed;             ///< η_K = K_nonaffine / K  (0/0 = 0)
+  double nonaffine_kinetic_fraction = not_observed;             ///< η_K = K_nonaffine / K, with 0/0 = 0
   double nonaffine_displacement = not_observed;                 ///< e_x = |x − Q_M X| / |x|, norms weighted with ρ
-  double volumetric = not_observed;        ///< part of `elastic` that the volumetric stabilisation stores
+  double volumetric = not_observed;        ///< energy of the volumetric stabilisation, a part of `elastic`
   double min_jacobian = not_observed;      ///< least det F over the quadrature points
   double volume_error = not_observed;      ///< (∫(ln det F)² dV / Vol)^½
   double max_volume_error = not_observed;  ///< largest |ln det F| over the quadrature points

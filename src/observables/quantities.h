@@ -1,6 +1,6 @@
 #pragma once
 /// The groups of observables, which are also the groups of columns in the CSV files. A quantity that is not requested
-/// is not evaluated. A new group needs a member and a line of quantity_groups.
+/// is not evaluated. A new group needs a member of Quantities and a line of quantity_groups.
 
 #include <cstddef>
 #include <iterator>
@@ -12,10 +12,10 @@ namespace pseudorigid::mechanics {
 struct Quantities {
   bool state = true, energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
   bool pressure = false, bipolar = false, stretches = false;
-  /// A group without a keyword, for models with non-affine motions. The group is written with the energies if the
-  /// volumetric stabilisation is on.
+  /// A group without a word in parameter files, for models with non-affine motions. The group is written if the
+  /// energies are requested and the volumetric stabilisation is on.
   bool volumetric = false;
-  /// A group without a keyword, which is written if the scene has planes.
+  /// A group without a word in parameter files, which is written if the scene has rigid planes.
   bool contact = false;
 };
 

@@ -93,7 +93,7 @@ std::vector<std::vector<Jet>> solid_harmonics(int N, const std::array<double, 3>
 
 std::vector<Jet> evaluate_ball_polynomials(int N, const std::array<double, 3>& xi) {
   const auto solid = solid_harmonics(N, xi);
-  std::vector<std::vector<Jet>> radial;  // [l][s]
+  std::vector<std::vector<Jet>> radial;  // P_s for each l, at [l][s]
   for (int l = 0; l <= N; ++l)
     radial.push_back(jacobi_polynomials((N - l) / 2, l + 0.5, 2 * variables(xi).r2 + constant(-1)));
 

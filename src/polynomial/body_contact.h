@@ -38,7 +38,7 @@ class BodyContact {
   /// f ← f + damping force; returns the power that this force dissipates.
   double add_damping(const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& f) const;
   /// f ← f − ∂/∂u of ½k∮|u|² for a displacement u, with k = Planes::stiffness_of_all(). This is the force of springs
-  /// that hold every point of the surface.
+  /// that pull every point of the surface back by its displacement.
   void add_holding_force(const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
 
  private:

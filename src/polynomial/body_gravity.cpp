@@ -104,7 +104,8 @@ gravity::SurfacePoints BodyGravity::with_images(const gravity::SurfacePoints& po
   return all;
 }
 
-/// f ← f − factor · ∂E/∂q, for a function E with this derivative with respect to points and area vectors.
+/// f ← f − factor · ∂E/∂q, for a function E of the points and area vectors. `derivative` is the derivative of E with
+/// respect to the points and area vectors.
 void BodyGravity::spread(double factor, const SurfaceJets& x, const gravity::SurfaceDerivative& derivative,
                          Eigen::VectorXd& f) const {
   const auto& [by_x, by_N] = derivative;

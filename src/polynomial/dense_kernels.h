@@ -33,7 +33,8 @@ struct DenseKernels {
   /// c_kg ← c_kg + Σ_j A_kjg u_jg
   void (*contract_radially)(const double* A, int n_levels, int n_radii, int n, const double* u, double* c);
 
-  /// Fields y_f at the points (radius j, direction s) from the terms z_t, the derivatives along e_r, e_θ and e_φ:
+  /// Computes the fields y_f at the points with radius j and direction s. The terms z_t are the derivatives along e_r,
+  /// e_θ and e_φ:
   ///   y_f[j n_directions + s] = Σ_t D_ft(s) z_t[j width + s].
   /// Each direction s has a 3 × 3 matrix, whose entries D_ft(s) are stored at (3f + t) width + s.
   void (*fields_of_terms)(const double* D, int n_radii, int n_directions, int width, const double* z, double* const* y);
@@ -50,8 +51,8 @@ struct DenseKernels {
 
   /// In the following functions, the entry (i, j) of a 3×3 tensor at point p of n points is stored at (3i + j) n + p.
 
-  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/8)(J − 1/J)². Returns the smallest
-  /// value of det F and of the reserve of the law (materials/law_limits.h) at the points.
+  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/8)(J − 1/J)². Returns the least value at
+  /// the points of det F and, if the law has one, of its reserve (materials/law_limits.h).
   double (*stress)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, double* T);
   /// T ← w DP(F)[H] + w D²U(F)[H]
   void (*stress_rate)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F,

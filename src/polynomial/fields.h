@@ -7,8 +7,8 @@
 /// without constraint). With self-gravity, φ is the potential, and the constant φ̄ follows from ρφ̄V = (5/3)Ê with the
 /// volume V. The force of Ê acts on the surface, and gravity acts in the interior (gravity/surface_gravity.h).
 /// Therefore λ contains ρ(φ − φ̄) in addition to the Kirchhoff pressure. Without self-gravity, this term is 0. The
-/// points may be anywhere in the body, because polynomials do not depend on the computed sector. All quantities are in
-/// internal units.
+/// points may also be outside the computed sector, because the polynomials are known in the whole body. All quantities
+/// are in internal units.
 
 #include <Eigen/Core>
 #include <vector>
@@ -23,14 +23,14 @@ class FieldsAtPoints {
   /// `points` are points ξ of the unit ball, X = S ξ.
   FieldsAtPoints(const PolynomialSpace& space, const std::vector<Eigen::Vector3d>& points);
 
-  /// Sets `fields` to the fields at the points. `lambda` is empty for a body without constraint. Fails if det F ≤ 0 at
-  /// a point.
+  /// Sets `fields` to the fields at the points. `lambda` is empty for a body without constraint. Fails if det F is not
+  /// positive and finite at a point.
   mechanics::Status fields(const PolynomialBody& body, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                            const Eigen::VectorXd& lambda, mechanics::BodyFields& fields) const;
 
  private:
   std::vector<Eigen::Vector3d> points_;
-  std::vector<std::vector<Jet>> functions_;  ///< functions at each point
+  std::vector<std::vector<Jet>> functions_;  ///< values and gradients of all functions at each point
 };
 
 }  // namespace pseudorigid::polynomial

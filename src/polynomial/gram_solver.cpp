@@ -33,7 +33,7 @@ std::vector<double> pressure_rows(const PolynomialSpace& space, const std::vecto
   return rows;
 }
 
-/// Gradients of the functions of a block: [k][point of the octant][function].
+/// The derivatives ∂/∂X_k of the functions of a block, at [k][point of the octant][function].
 std::vector<double> gradients_by_point(const PolynomialSpace& space, const Block& block) {
   const PointTables& tables = space.gradients();
   const int stride = tables.stride(), width = filled_up(block.n());
@@ -159,7 +159,8 @@ mechanics::SolveReport GramSolver::solve(const Eigen::VectorXd& q1, const Eigen:
   };
   if (!ensure_factor(q0)) return dependent();
   if (iterate(S, r, enough, lambda, n_iterations)) return {{}, n_iterations};
-  // If the factor was computed at this q₀, the matrix is singular. Otherwise the factor is too old and is renewed.
+  // If the factor was computed at this q₀, S is almost singular. Otherwise the factor may be too old and is computed
+  // again.
   if (factored_at_ == q0.head(space_->n_unknowns())) return dependent();
   spent_ = 2 * factorization_cost();
   if (!ensure_factor(q0) || !iterate(S, r, enough, lambda, n_iterations)) return dependent();

@@ -7,7 +7,7 @@
 /// preconditioner is the Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an earlier position q_f. Products with S are
 /// computed without a matrix.
 ///
-/// S_f is computed at the present position and factored again in two cases. In the first case, an iteration does not
+/// S_f is computed at the present position q₀ and factored again in two cases. In the first case, an iteration does not
 /// converge. In the second case, the iterations that a new factor could have saved have cost more than a factorisation.
 /// Therefore the cost is at most about twice the optimum.
 
@@ -37,7 +37,7 @@ class GramMatrix {
   void for_each_part(const Eigen::VectorXd& q, Visitor&& visitor) const;
 
   const PolynomialSpace* space_;
-  std::vector<double> weighted_pressures_;        ///< [function][point]: w ψ
+  std::vector<double> weighted_pressures_;        ///< w ψ at the quadrature points, [function][point]
   std::array<std::vector<double>, 8> gradients_;  ///< gradients for each parity, [k][point of the octant][function]
 };
 
@@ -45,8 +45,8 @@ class GramSolver {
  public:
   explicit GramSolver(const PolynomialSpace& space);
 
-  /// Computes λ with |r − Sλ| ≤ max(10⁻⁴ |r|, `enough`) in the Euclidean norm. Fails if the iteration does not converge
-  /// with a factor at q₀. S is then almost singular.
+  /// Computes λ with |r − Sλ| ≤ max(10⁻⁴ |r|, `enough`) in the Euclidean norm. Fails if the matrix cannot be factored,
+  /// or if the iteration does not converge with a factor at q₀. S is then almost singular.
   mechanics::SolveReport solve(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0, const Eigen::VectorXd& r,
                                double enough, Eigen::VectorXd& lambda);
 

@@ -22,7 +22,7 @@ class IncompressibleBody : public PolynomialBody {
   struct Workspace {
     GramSolver gram;
     /// Euclidean norm of the residual that is sufficient for the caller of solve_gram. The caller bounds the maximum
-    /// norm, which is at most the Euclidean norm. If 0, the solver uses its default.
+    /// norm, which is at most the Euclidean norm. If 0, only the relative bound of GramSolver::solve applies.
     double residual_sought = 0;
     const Vector* held_at = nullptr;  ///< see PolynomialBody::applied_force
 

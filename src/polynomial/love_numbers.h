@@ -1,7 +1,7 @@
 #pragma once
-/// Love numbers (gravity/love_numbers.h) of a polynomial ball with the density ρ and the gravity g at its surface. The
-/// tide V = Y_nm does the work f·w = ρ∮V (w·n) dS on a displacement w, with the outward normal n. The static response u
-/// solves K u = f on ker G (rest_problem.h), and
+/// Love numbers (gravity/love_numbers.h) of an incompressible polynomial ball with the density ρ and the gravity g at
+/// its surface. The tide V = Y_nm does the work f·w = ρ∮V (w·n) dS on a displacement w, with the outward normal n. The
+/// static response u solves K u = f on ker G (rest_problem.h), and
 ///
 ///   h_n = g ∮(u·n) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS.
 ///
@@ -14,8 +14,9 @@
 
 namespace pseudorigid::polynomial {
 
-/// Sets `numbers` to the Love numbers of `degrees`, for a ball with self-gravity. `setup.reflect` is not used. Fails if
-/// the ball is not in a stable equilibrium at rest.
+/// Sets `numbers` to the Love numbers of `degrees`, for a ball with self-gravity. For degrees n > N + 1 they are 0,
+/// because P_N does not contain the displacement of the surface. `setup.reflect` is not used. Fails if the ball is not
+/// in a stable equilibrium at rest.
 mechanics::Status love_numbers(BodySetup setup, const std::vector<int>& degrees,
                                std::vector<gravity::LoveNumbers>& numbers);
 

@@ -6,7 +6,8 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Number of intervals of a patch. A quarter of a circle has 12, which look like a smooth curve.
+/// Number of intervals along a side of a patch. A quarter circle on the surface crosses two patches. Its 12 intervals
+/// look like a smooth curve.
 constexpr int m = 6;
 
 }  // namespace

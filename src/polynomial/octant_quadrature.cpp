@@ -27,7 +27,7 @@ HalfGaussRule half_gauss_rule(int q) {
   HalfGaussRule rule;
   for (int i = q; i >= 1; --i) {
     double x = std::cos(std::numbers::pi * (i - 0.25) / (n + 0.5));
-    constexpr int n_newton = 8;  // from this start, four steps reach round-off at any n
+    constexpr int n_newton = 8;  // from this initial value, four steps reach round-off at any n
     for (int k = 0; k < n_newton; ++k) {
       const auto [P, dP] = legendre(n, x);
       x -= P / dP;

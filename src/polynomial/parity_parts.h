@@ -1,8 +1,8 @@
 #pragma once
-/// The parity of a motion of the whole ball. Bit i is set if the motion is odd under the reflection of axis i. The
-/// component u_j of a motion then has the parity of the motion with bit j changed. The constraints have the parity of
-/// the motion. At a state with the symmetry of an octant, the stiffness maps motions of each of the eight parities to
-/// motions of the same parity.
+/// The parity of a motion u of the whole ball. With the reflection R_i of axis i, bit i is set if the motion is odd:
+/// u(R_i X) = −R_i u(X). Otherwise u(R_i X) = R_i u(X). The component u_j of a motion therefore has the parity of the
+/// motion with bit j changed. The constraints have the parity of the motion. At a state with the symmetry of an octant,
+/// the stiffness maps motions of each of the eight parities to motions of the same parity.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace pseudorigid::polynomial {
 
 inline constexpr int n_parities = 8;
 
-/// Indices of the coefficients of motions, for each parity of the motion.
+/// For each parity, the indices of the coefficients of all motions with this parity.
 inline std::array<std::vector<int>, n_parities> unknowns_by_parity(const PolynomialSpace& space) {
   std::array<std::vector<int>, n_parities> places;
   for (const Block& block : space.blocks())
@@ -30,8 +30,9 @@ inline std::array<std::vector<int>, n_parities> pressures_by_parity(const Polyno
   return places;
 }
 
-/// The matrix K with K u = −`force_rate(u)`, symmetrised. Each call of force_rate is for a sum of motions, one of each
-/// parity. The image of each motion has the parity of the motion. Therefore the images can be separated.
+/// The matrix K with K u = −`force_rate(u)` on the whole ball, symmetrised. Each call of force_rate is for a sum of
+/// motions, one of each parity. The image of each motion has the parity of the motion. Therefore the images can be
+/// separated.
 template <class ForceRate>
 Eigen::MatrixXd stiffness_by_parity(const PolynomialSpace& space, const ForceRate& force_rate) {
   const auto places = unknowns_by_parity(space);

@@ -22,9 +22,10 @@
 /// largest part of F, so F then has fewer rounding errors. For a body of degree 1, each entry of F has only the
 /// rounding error of one product.
 ///
-/// A field is a function, or its derivative along a direction that is reflected with the point (e_r, e_θ, e_φ). The
-/// derivative ∂/∂ξ_k has an additional change of sign at an image under a reflection of ξ_k. The signs of ∂/∂ξ_k at the
-/// images are therefore the signs of another parity, which differs in the bits of `shift`.
+/// The fields of a table are functions or their derivatives. A derivative along e_r, e_θ or e_φ has the same signs at
+/// the images as the function, because these directions are reflected with the point. The derivative ∂/∂ξ_k has an
+/// additional change of sign at an image under a reflection of ξ_k. The signs of ∂/∂ξ_k at the images are therefore the
+/// signs of another parity, which differs in the bits of `shift`.
 
 #include <Eigen/Core>
 #include <array>
@@ -52,7 +53,8 @@ struct Block {
 /// ∂/∂X_k. `surface` has the function and its derivatives along e_θ and e_φ on the surface.
 enum class Fields { value, gradient, surface };
 
-/// The points r_j ω_s of the octant, with the index j n_directions + s. Copies of the last point fill the last block.
+/// The points r_j ω_s of the octant, with the index j n_directions + s. Tables repeat the last point up to a multiple
+/// of `point_block` (dense_kernels.h).
 struct PointGrid {
   std::vector<double> radii;
   std::vector<SurfacePoint> directions;
@@ -79,12 +81,13 @@ class PointTables {
   /// Number of multiplications for one evaluation of a block.
   double n_multiplications(const Block& block) const;
 
-  /// Computes y from the coefficients c of the blocks. Field f of component i is stored from (i n_fields + f) n_points
-  /// on.
+  /// Computes the fields y at all points from the coefficients c of the blocks. Field f of component i is stored from
+  /// y[(i n_fields + f) n_points] on.
   void evaluate(const std::vector<Block>& blocks, int n_components, const double* c, double* y) const;
   /// c ← c + the result of the transposed map for y. Overwrites y.
   void add_transposed(const std::vector<Block>& blocks, int n_components, double* y, double* c) const;
-  /// Field number `field` of one function of a block at the points of the octant. The result has stride() entries.
+  /// The field with the number `field` of one function of a block, at the points of the octant. `function` is the index
+  /// in the block. The result has stride() entries.
   std::vector<double> row(const Block& block, int function, int field) const;
 
  private:
@@ -92,8 +95,8 @@ class PointTables {
   struct Factors {
     std::vector<int> places;                             ///< indices of the coefficients of a block in [level][group]
     std::array<std::vector<double>, 2> radial;           ///< [level][radius][group]: R′ and R/r, or R
-    std::array<std::vector<double>, 3> angular;          ///< [group][direction], padded to `width_`
-    std::array<std::vector<double>, 3> from_directions;  ///< [direction][group]
+    std::array<std::vector<double>, 3> angular;          ///< Y_lm and derivatives: [group][direction], padded
+    std::array<std::vector<double>, 3> from_directions;  ///< the same: [direction][group]
     int n_groups = 0, n_filled = 0, n_levels = 0;
     std::array<std::vector<double>, 3> rows;  ///< [field]: [function][point]; empty if direct sums are not cheaper
     int linear = -1, linear_field = 0;  ///< indices of the linear function and of the nonzero component of its gradient
@@ -127,7 +130,7 @@ class PointTables {
   Fields fields_;
   int degree_, n_radii_, n_directions_, width_, stride_, n_images_;
   std::vector<int> shift_;
-  std::vector<double> frames_;  ///< [field][term][direction], for gradients
+  std::vector<double> frames_;  ///< D_kt of set_frames, [field k][term t][direction]
   std::array<Factors, 8> factors_;
 };
 

@@ -18,7 +18,7 @@ Eigen::Matrix3d tensor_at(const double* field, int n, int p) {
   return F;
 }
 
-/// The axes whose rotations do not change the symmetry planes.
+/// The axes about which rotations of space keep the symmetry planes.
 std::vector<int> free_turns(const std::array<bool, 3>& reflect) {
   std::vector<int> axes;
   for (int i = 0; i < 3; ++i) {

@@ -39,14 +39,16 @@ namespace pseudorigid::polynomial {
 /// Degree, sector, reference shape, material and loads of a body, and numbers of quadrature points.
 struct BodySetup {
   int degree = 3;
-  std::array<bool, 3> reflect{};  ///< the symmetry planes of the motion
+  std::array<bool, 3> reflect{};  ///< true for each axis whose coordinate plane is a symmetry plane of the motion
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();
   materials::AnyLaw law = materials::CiarletGeymonat{1, 0};
-  double volumetric_stiffness = 0;  ///< κ
+  double volumetric_stiffness = 0;  ///< stiffness κ of the volumetric stabilisation
   loads::Loads loads{};
-  std::optional<int> n_gravity_points{};  ///< number of gravity points per direction of an octant of the surface
-  std::optional<int> n_points{};          ///< number of points in the body, per direction of an octant
-  std::optional<int> n_contact_points{};  ///< number of contact points per direction of an octant of the surface
+  /// Numbers of points per direction of an octant, for gravity on the surface, in the volume, and for contact on the
+  /// surface. If a number is empty, the body uses a default.
+  std::optional<int> n_gravity_points{};
+  std::optional<int> n_points{};
+  std::optional<int> n_contact_points{};
 };
 
 struct PotentialEnergies {
@@ -73,7 +75,8 @@ class PolynomialBody {
   /// The total potential energy at t = 0. It is infinite if q is not an admissible deformation.
   double potential_energy(const Vector& q) const;
   PotentialEnergies potential_energies(double t, const Vector& q) const;
-  /// Number of axes whose rotations do not change the symmetry planes. It is 0 if a load depends on direction or time.
+  /// Number of axes about which rotations of space are symmetries, because these rotations keep the symmetry planes.
+  /// The number is 0 if a load depends on direction or time.
   int n_symmetries() const { return static_cast<int>(turns_.size()); }
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
 
@@ -99,8 +102,8 @@ class PolynomialBody {
   double dissipated(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns()] : 0; }
   double given(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns() + 1] : 0; }
 
-  /// Returns a failure with its reason if q is not an admissible deformation of this body. If det F ≤ 0, the reason
-  /// contains the place.
+  /// Returns a failure with its reason if q is not an admissible deformation of this body. If det F is not positive or
+  /// not finite at a point, the reason contains the place.
   mechanics::Status admissible(const Vector& q) const;
   /// The least det F over the quadrature points as text, such as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
   std::string least_jacobian_in_words(const Vector& q) const;
@@ -109,8 +112,9 @@ class PolynomialBody {
 
  protected:
   /// Sets f to all forces without the reactions. If `held_at` is not null, springs on the whole surface replace the
-  /// contact. The springs hold every point of the surface at this position with the stiffness of the planes. The
-  /// resulting stiffness is a bound for the stiffness with contact.
+  /// contact. They pull each point of the surface towards its position in the configuration `*held_at`, with the
+  /// stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the stiffness with contact.
+  /// Fails if q is not an admissible deformation.
   mechanics::Status applied_force(double t, const Vector& q, const Vector& v, const Vector* held_at, Vector& f) const;
   [[gnu::cold, gnu::noinline]] mechanics::Status inadmissible(const Vector& q) const;
 

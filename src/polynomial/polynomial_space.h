@@ -26,8 +26,8 @@ using PointValues = Eigen::MatrixX3d;
 
 class PolynomialSpace {
  public:
-  /// `degree` is 1 … 13. `reflect` contains the symmetry planes ξ_i = 0 of the motion. `n_points` is the number q of
-  /// quadrature points in each direction of an octant. If `n_points` is empty, q is least_points(degree).
+  /// `degree` is 1 … 13. `reflect[i]` is true if ξ_i = 0 is a symmetry plane of the motion. `n_points` is the number q
+  /// of quadrature points in each direction of an octant. If `n_points` is empty, q is least_points(degree).
   PolynomialSpace(int degree, const std::array<bool, 3>& reflect,
                   const Eigen::Vector3d& semi_axes = Eigen::Vector3d::Ones(), std::optional<int> n_points = {});
   /// ⌈(N + 3)/2⌉ points per direction. Integrals of polynomials of degree 2N + 3 are then exact (octant_quadrature.h).
@@ -38,7 +38,7 @@ class PolynomialSpace {
   int n_points_in_direction() const { return grid_.n_radii(); }
   const std::array<bool, 3>& reflect() const { return reflect_; }
   const Eigen::Vector3d& semi_axes() const { return semi_axes_; }
-  /// Number of mirror images of the computed sector in the body: 1 for the whole body, 8 for an octant.
+  /// Number of copies of the computed sector in the body: 1 if the sector is the whole body, 8 if it is an octant.
   int n_mirrors() const { return 8 / n_images_; }
   /// Number of images of the octant in the computed sector, including the octant itself.
   int n_images() const { return n_images_; }
@@ -56,7 +56,7 @@ class PolynomialSpace {
   const PointTables& gradients() const { return gradients_; }
   const PointTables& pressures() const { return pressures_; }
   int n_points() const { return gradients_.n_points(); }
-  /// Quadrature weights of the points for integrals over the whole body. The weights of padding are 0.
+  /// Quadrature weights of the points for integrals over the whole body. The weights of padding points are 0.
   const std::vector<double>& weights() const { return weights_; }
   /// ξ of the quadrature points.
   const std::vector<std::array<double, 3>>& points() const { return points_; }
@@ -66,6 +66,7 @@ class PolynomialSpace {
   const Eigen::Vector3d& inertia() const { return inertia_; }
 
   /// Sets the coefficients of x = c + A X. Entries of A and c that do not have the symmetry of the sector are omitted.
+  /// Coefficients of higher degree do not change.
   void set_affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c, Eigen::Ref<Eigen::VectorXd> x) const;
   /// The affine motion c + A X that is nearest to x in the mean square. With the mass M, A = (∫ρ x Xᵀ) E₀⁻¹ and c =
   /// (∫ρx)/M.
@@ -88,10 +89,10 @@ class PolynomialSpace {
   Eigen::Matrix3d gradient(const std::vector<Jet>& functions, const Eigen::Ref<const Eigen::VectorXd>& x) const;
   /// The field x at the quadrature points.
   PointValues values_at_points(const Eigen::Ref<const Eigen::VectorXd>& x) const;
-  /// Tables of the position and of its derivatives along e_θ and e_φ, with respect to ξ. The points are the surface
-  /// points of the octant, q in each direction.
+  /// Tables of the position and of its derivatives along e_θ and e_φ, with respect to ξ. The points are
+  /// octant_surface_points(q) and their images in the computed sector.
   PointTables surface_tables(int q) const;
-  /// Tables of the position alone at the surface points of the octant.
+  /// Tables of the position alone at the same points.
   PointTables surface_values(int q) const;
 
  private:
@@ -107,7 +108,7 @@ class PolynomialSpace {
   std::vector<int> free_axes_;
   int n_images_, n_unknowns_ = 0, n_pressures_ = 0;
   std::vector<BallPolynomial> functions_;
-  std::vector<std::vector<int>> places_, pressure_places_;  ///< [component][function]
+  std::vector<std::vector<int>> places_, pressure_places_;  ///< indices of coefficients, [component][function]
   std::vector<Block> blocks_, pressure_blocks_;
   PointTables gradients_, values_, pressures_;
   std::vector<std::array<double, 3>> points_;

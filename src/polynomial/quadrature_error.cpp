@@ -18,7 +18,7 @@ using mechanics::detail::PilotRun;
 /// Least window in units r/c, and as a part of the run. The lowest mode of the ball has the period 2.36.
 constexpr double least_window = 3, part_of_run = 1.0 / 16;
 constexpr double caution = 6;
-constexpr double caution_of_volume = 60;  // if points are added
+constexpr double caution_of_volume = 60;  // factor for the volume if points are added
 constexpr int most_points_more = 8;
 
 template <class Body>
@@ -84,7 +84,8 @@ class QuadratureSearch {
   }
 
   /// Chooses the number of steps from the stability limit, and makes the pilot run own_. If this run fails, the motion
-  /// may have become stiffer, and the step is halved. Returns false if no pilot run succeeds.
+  /// may have become stiffer, and the step is halved. If all halvings fail, the window is shortened. Returns false if
+  /// no pilot run succeeds.
   bool find_step(const Body& body) {
     constexpr double reserve = 0.8;
     constexpr int most_halvings = 3;

@@ -1,23 +1,24 @@
 #pragma once
 /// Error of Q due to the quadrature of a polynomial body, and the number of points that a tolerance requires. The
 /// motion of a body depends on the quadrature rule. Two pilot runs with different rules cover a window w of a run of
-/// length T. The pilot runs use RATTLE with the same long steps, so that the errors of the steps cancel. With the
-/// results Q and Q' of the two runs at the times t_k, the estimate of the error is
+/// length T. The pilot runs use RATTLE with the same long steps, so that the errors of the steps cancel. One estimate
+/// is for the rule in the volume. With self-gravity, a second estimate is for the rule on the surface, and the error is
+/// the sum of both. With the results Q and Q' of the two runs at the times t_k, an estimate is
 ///
 ///   e = 6 max_k |Q(t_k) − Q'(t_k)| (T/w)^(3/2).
 ///
 /// Every rule is exact for affine states, and the body is affine at first. Therefore the window is at least 3 r/c,
-/// which is more than a period of the lowest mode, and at least a sixteenth of the run. Shorter runs are covered
+/// which is more than a period of the lowest mode. It is also at least a sixteenth of the run. Shorter runs are covered
 /// completely. After the window, the errors of the phases grow as t, but inside the window this growth has hardly
-/// begun. This explains the power 3/2, as in the pilot runs for a step (mechanics/steps/step_search.h). If points are
-/// added, w = T and the factor for the volume is 60 instead of 6, because the long steps hide more of the difference.
-/// The error was at most 0.75 e in the motions from which the factors were chosen. docs/theory.md has the motions that
-/// test the factors.
+/// begun. This explains the power 3/2, as in the pilot runs that choose a step (mechanics/steps/step_search.h). If
+/// points are added, w = T. The factor for the volume is then 60 instead of 6, because the long steps hide more of the
+/// difference. The error was at most 0.75 e in the motions from which the factors were chosen. docs/theory.md has the
+/// motions that test the factors.
 ///
 /// For the volume, the rule of Q' has one point more in each direction of an octant. For self-gravity, the rule of Q'
-/// has two points less on the surface, so that its sums take about a quarter of the time. If the rule of Q has fewer
-/// than 4 points on the surface, the rule of Q' has two points more. If the error decreases at least with the fourth
-/// power of the number of points, the difference is at least as large as the error.
+/// has two points less in each direction of an octant of the surface. Its sums therefore take about a quarter of the
+/// time. If the rule of Q has fewer than 4 points in each direction, the rule of Q' has two points more. If the error
+/// decreases at least with the fourth power of the number of points, the difference is at least as large as the error.
 ///
 /// The estimate does not include instability. If the motion magnifies errors after the window, the error is larger than
 /// e.
@@ -38,7 +39,7 @@ struct QuadratureRequest {
   double end = 0;                   ///< T, measured from the state
   double stable_step = 0;           ///< stability limit of RATTLE; 0 if it is not known
   double tolerance = 1e-6;          ///< tolerance of Q
-  bool adds_points = false;         ///< true: points are added until e is half of the tolerance or stops decreasing
+  bool adds_points = false;         ///< true: adds points until e is half of the tolerance
   std::function<bool()> give_up{};  ///< called after every step of a pilot run; true ends the pilot run
 };
 
@@ -46,10 +47,11 @@ struct QuadratureChoice {
   int n_points = 0;               ///< number of points in each direction of an octant
   std::optional<double> error{};  ///< e; empty if the pilot runs fail
   std::string reason{};           ///< reason of the failure, or empty
-  long n_force = 0;               ///< number of forces in all pilot runs
+  long n_force = 0;               ///< number of force evaluations in all pilot runs
 };
 
-/// Estimates the error of the quadrature of `body`, and adds points if this is requested. `setup` must be the setup of
+/// Estimates the error of the quadrature of `body`, and adds points in the volume if this is requested. The function
+/// adds at most 8 points in each direction, and stops if the last point did not halve e. `setup` must be the setup of
 /// `body`.
 template <class Body>
 QuadratureChoice choose_quadrature(const BodySetup& setup, const Body& body, const BodyState& state,

@@ -3,9 +3,9 @@
 ///
 ///   K u = ω² u on ker G     (rest_problem.h).
 ///
-/// Each of the eight parities has such a problem. It is solved on an orthonormal basis of the motions in ker G that are
-/// orthogonal to the six rigid motions. The result has all other frequencies of the body, also those of unstable
-/// motions.
+/// Each of the eight parities has such a problem. The problem is solved on an orthonormal basis of the motions in ker G
+/// that are orthogonal to the six rigid motions. The result therefore has all frequencies except those of rigid
+/// motions, and includes unstable motions.
 ///
 /// The kind and the degree n of a mode are computed from its shape. P_N is invariant under rotations. With the joint
 /// rotations J_e (turns.h), the operator −Σ_e J_e² has the eigenvalues n(n + 1). Its eigenvectors divide the motions of
@@ -22,11 +22,11 @@ namespace pseudorigid::polynomial {
 /// and grows at the rate −ω.
 struct RestFrequency {
   double omega;           ///< mean over the 2n + 1 modes
-  double least, largest;  ///< over the 2n + 1 modes
+  double least, largest;  ///< least and largest ω of the 2n + 1 modes
   bool spheroidal;
   int degree;
   int overtone;           ///< 0 for the lowest frequency of this kind and degree
-  double share;           ///< share of the degree in a mode, the least over the modes
+  double share;           ///< share of the degree n in a mode, the least of all modes
   Eigen::VectorXd shape;  ///< coefficients of one of the modes on the whole body, of norm 1
 };
 

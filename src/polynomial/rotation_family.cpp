@@ -22,7 +22,7 @@ RotationFinder::RotationFinder(const BodySetup& setup, bool incompressible, Fami
       rotations_(setup, incompressible, family_.figure),
       spectrum_(setup, incompressible, family_.figure) {}
 
-/// Finds a member if no other member is known yet.
+/// Finds the figure with this parameter if no other figure is known yet.
 mechanics::Status RotationFinder::first(double parameter, SteadyRotation& rotation) const {
   const FigureCondition condition = family_.condition(parameter);
   if (family_.figure == Figure::ellipsoid) {
@@ -116,7 +116,7 @@ RotationFamily RotationFinder::family(const std::vector<double>& parameters, std
     if (status) {
       if (previous) locate_special(result.members.back().parameter, p, result.special);
       result.members.push_back(at);
-      // The motions that were computed between members are not needed again.
+      // The figures that were computed between members are not needed again.
       known_ = {{family_.condition(p).value, at.rotation}};
       members_ = {{p, std::move(at)}};
     } else {

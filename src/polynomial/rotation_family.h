@@ -2,8 +2,8 @@
 /// A family of steady rotations (steady_rotation.h) over a range of its parameter. The family includes the stability of
 /// its members (rotation_spectrum.h) and the special points (mechanics/equilibria/special_points.h). At a fold, the
 /// spin has an extremum. At an index point, the energy at fixed momenta gains or loses a negative direction in a class
-/// of motions. A branch may start at an index point, and dissipation may make the figure unstable. At an instability, a
-/// growth rate in a class of motions appears or disappears.
+/// of motions. A branch may start at an index point, and beyond this point dissipation may make the figure unstable. At
+/// an instability, a growth rate in a class of motions appears or disappears.
 ///
 /// Each member is found by continuation from the nearest known member. The first spheroid is found from the ball at
 /// rest, and the first ellipsoid from a figure that the caller provides.
@@ -37,7 +37,7 @@ struct NoRotation {
 
 struct RotationFamily {
   std::vector<RotationMember> members;
-  std::vector<SpecialRotation> special;  ///< between two members in ascending order of the parameter
+  std::vector<SpecialRotation> special;  ///< special points, sorted by parameter between two members
   std::vector<NoRotation> missing;
 };
 
@@ -58,10 +58,12 @@ class RotationFinder {
  public:
   RotationFinder(const BodySetup& setup, bool incompressible, FamilyOfRotations family);
 
-  /// Finds the members with these parameters. `give_up` is called before each figure. If it returns true, the family
-  /// ends.
+  /// Finds the members with these parameters, in this order, and the special points between two members that follow
+  /// each other. Other parameters are listed in `missing`. `give_up` is called before each figure. If it returns true,
+  /// the family ends.
   RotationFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {});
-  /// Finds the member with this parameter. Fails if there is none.
+  /// Finds the member with this parameter. Fails if there is none, or if the `give_up` of the last call of `family`
+  /// returns true.
   mechanics::Status member(double parameter, RotationMember& member);
 
   const RotationSpectrum& spectrum() const { return spectrum_; }
@@ -76,8 +78,8 @@ class RotationFinder {
   SteadyRotations rotations_;
   RotationSpectrum spectrum_;
   std::function<bool()> give_up_{};
-  std::map<double, SteadyRotation> known_;    ///< by value of the condition
-  std::map<double, RotationMember> members_;  ///< by parameter
+  std::map<double, SteadyRotation> known_;    ///< known figures, by the value of their condition
+  std::map<double, RotationMember> members_;  ///< known members, by their parameter
 };
 
 }  // namespace pseudorigid::polynomial

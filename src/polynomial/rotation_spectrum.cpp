@@ -31,7 +31,7 @@ std::array<std::vector<int>, n_parities> coefficients_by_parity(const Polynomial
 
 Eigen::MatrixXd columns(const Eigen::MatrixXd& A, const std::vector<Eigen::Index>& kept) { return A(Eigen::all, kept); }
 
-/// The rows of A whose norm exceeds `round_off`. A class has only the constraints with its own symmetry.
+/// The rows of A whose norm exceeds `round_off`. Constraints without the symmetry of a class have rows of round-off.
 Eigen::MatrixXd rows_beyond(double round_off, const Eigen::MatrixXd& A) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < A.rows(); ++i)
@@ -52,8 +52,8 @@ RotationSpectrum::RotationSpectrum(const BodySetup& setup, bool incompressible, 
     for (const bool odd_under_half_turn : {false, true}) add_parts(odd_in_z, odd_under_half_turn, figure);
 }
 
-/// Adds a class to parts_. On a spheroid, the class is divided by m. The joint rotation of a field about axis 3,
-/// u ↦ ê₃×u − ∂_φ u, has the square −m².
+/// Adds the class with these symmetries to parts_. On a spheroid, the class is divided by m. The joint rotation of a
+/// field about axis 3, u ↦ ê₃×u − ∂_φ u, has the square −m².
 void RotationSpectrum::add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure) {
   const auto by_parity = coefficients_by_parity(space());
   const Parity first = (odd_in_z ? 4U : 0U) | (odd_under_half_turn ? 1U : 0U);
@@ -119,7 +119,8 @@ Eigen::VectorXd RotationSpectrum::whole_multiplier(const Eigen::VectorXd& lambda
   return all;
 }
 
-/// Directions and rates of the rotations of space, (ζ×x, −(ω×ζ)×x) with ω = Ω ê₃, and of the rotations of the ball.
+/// Directions and rates of the rotations of space and of the ball. A rotation of space about the axis ζ = ê₁, ê₂ or ê₃
+/// has the direction ζ×x and the rate −(ω×ζ)×x with ω = Ω ê₃. The rotations of the ball have the rate 0.
 mechanics::SymmetryDirections RotationSpectrum::turns(const Eigen::VectorXd& x, double spin) const {
   mechanics::SymmetryDirections N{Eigen::MatrixXd(x.size(), 6), Eigen::MatrixXd::Zero(x.size(), 6)};
   for (int axis = 0; axis < 3; ++axis) {
@@ -141,8 +142,8 @@ Eigen::MatrixXd RotationSpectrum::stiffness(const SteadyRotation& rotation) cons
   });
 }
 
-/// Directions and rates of the symmetries of a class, in the basis T of its motions. They are the rotations with a
-/// component in the class, and the motions A w of a fluid.
+/// The symmetries of a class: the rotations that have a component in the class, and the motions A w of a fluid
+/// (rotation_spectrum.h). The result has their directions and rates in the basis T of the motions of the class.
 mechanics::SymmetryDirections RotationSpectrum::symmetries(const Part& part, const Eigen::MatrixXd& T,
                                                            const Eigen::Matrix3d& A,
                                                            const mechanics::SymmetryDirections& turns) const {

@@ -6,8 +6,8 @@
 ///
 /// with the potential V, the constraints g_b, their multipliers λ_b, G = Dg, and the projection P of steady_rotation.h.
 /// The rates are computed by mechanics/equilibria/linear_stability.h. The motions are those of the whole body, without
-/// symmetry. They belong to classes that are not coupled. A class is even or odd under the reflection of axis 3, and
-/// even or odd under the half turn about axis 3. On a spheroid, the classes also have an azimuthal number m, with
+/// symmetry. The motions belong to classes that are not coupled. A class is even or odd under the reflection of axis 3,
+/// and even or odd under the half turn about axis 3. On a spheroid, the classes also have an azimuthal number m, with
 /// cylindrical components u ~ e^{imφ}. Each class is a dense eigenvalue problem. Together the classes give the rates of
 /// all motions except the following.
 ///
@@ -49,7 +49,8 @@ class RotationSpectrum {
   /// Coefficients of x for the whole body. The argument x contains the coefficients for the octant.
   Eigen::VectorXd whole(const Eigen::VectorXd& x) const;
 
-  /// Computes the stability of all classes. The order of the classes is the same for every figure.
+  /// Computes the stability of all classes, in the same order for every figure. Fails if an eigenvalue problem cannot
+  /// be solved.
   mechanics::Status analyse(const SteadyRotation& rotation, std::vector<ClassStability>& classes) const;
 
  private:
@@ -57,7 +58,7 @@ class RotationSpectrum {
   struct Part {
     MotionClass motions;
     Eigen::MatrixXd fields;
-    Eigen::MatrixXd exchanges;  ///< a basis of the motions w of a fluid; empty for a solid
+    Eigen::MatrixXd exchanges;  ///< a basis of the motions w in the class; empty for a solid
   };
   void add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure);
   Eigen::MatrixXd exchanges(const Eigen::MatrixXd& fields) const;

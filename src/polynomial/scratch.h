@@ -1,5 +1,5 @@
 #pragma once
-/// Arrays for the duration of a function. Later calls use the memory of the arrays again. A step of a small body
+/// Arrays for the duration of a function. Later arrays of the same thread use the memory again. A step of a small body
 /// therefore does not allocate memory.
 
 #include <cstddef>

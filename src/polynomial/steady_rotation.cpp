@@ -21,7 +21,7 @@ int number_of(const std::vector<BallPolynomial>& functions, int n, int l, int m)
   return static_cast<int>(found - functions.begin());
 }
 
-/// The matrix U. Its columns are the fields whose sums are the figures.
+/// The matrix U. Its columns are the fields whose linear combinations are the figures.
 Eigen::MatrixXd figure_fields(const PolynomialSpace& space, Figure figure, int degree) {
   const std::vector<BallPolynomial> functions = ball_polynomials(space.degree());
   std::vector<Eigen::VectorXd> fields;
@@ -47,7 +47,7 @@ Eigen::MatrixXd figure_fields(const PolynomialSpace& space, Figure figure, int d
   return U;
 }
 
-/// The matrix V. Its columns are the pressures that act on the fields of U.
+/// The matrix V. Its columns are the pressures with the symmetry of the figures, up to `degree`.
 Eigen::MatrixXd figure_pressures(const PolynomialSpace& space, Figure figure, int degree) {
   const std::vector<BallPolynomial> functions = ball_polynomials(space.degree());
   std::vector<int> places;

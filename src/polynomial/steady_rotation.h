@@ -9,16 +9,16 @@
 ///
 ///   x = Σ u_nl (φ_nl1 e₁ + φ_nl,−1 e₂) + Σ w_nl φ_nl0 e₃.
 ///
-/// Within these motions the equations are not singular at a bifurcation to other figures. Quadrature by midpoints in
-/// the longitude keeps the symmetry, so a solution satisfies all equations. A figure of the family is determined by its
-/// spin Ω, or by the ratio of two axes of its mass moment. In the second case Ω² is an unknown. The equations are
-/// solved by Newton's iteration with dense matrices and exact derivatives.
+/// Within these motions the equations are not singular at a bifurcation to figures without this symmetry. Quadrature by
+/// midpoints in the longitude keeps the symmetry, so a solution satisfies all equations. A figure of the family is
+/// determined by its spin Ω, or by the ratio of two axes of its mass moment. In the second case Ω² is an unknown. The
+/// equations are solved by Newton's iteration with dense matrices and exact derivatives.
 ///
 /// The equations of a fluid do not determine x, because a fluid does not resist motions that only exchange matter
 /// within its surface. However, a fluid ellipsoid is an exact figure for every degree N (Dirichlet, Riemann). Therefore
 /// x is sought among affine motions. The pressure is then p_c(1 − |X|²), with the pressure p_c at the centre. The
-/// remaining r is due to the quadrature of gravity. For N − 1 < 2, r is also due to λ, which cannot represent this
-/// pressure.
+/// remaining residual r is due to the quadrature of gravity. For N < 3, λ cannot represent this pressure, which also
+/// contributes to r.
 ///
 /// The equations include the volumetric stabilisation, like the equations of motion. The stabilisation has no effect on
 /// an affine figure, or on small motions u about such a figure, because div u = 0 at every point. Therefore the
@@ -62,7 +62,7 @@ class SteadyRotations {
   /// step is halved if Newton's iteration fails or does not stay close to the prediction. After a step that succeeds,
   /// the next step is doubled up to a bound. Fails if the family ends or turns back before `condition`.
   mechanics::Status follow(double from, const FigureCondition& condition, SteadyRotation& rotation) const;
-  /// Derivative of Ω² with respect to the parameter along the family.
+  /// Derivative of Ω² with respect to the parameter along the family; NaN if the force fails.
   double slope(const FigureCondition& condition, const SteadyRotation& rotation) const;
 
  private:
@@ -86,7 +86,7 @@ class SteadyRotations {
 
   bool incompressible_, is_fluid_;
   std::shared_ptr<const CompressibleBody> body_;  ///< all forces without reactions, in the octant
-  Eigen::MatrixXd U_, V_;                         ///< x = U y, λ = V μ
+  Eigen::MatrixXd U_, V_;                         ///< bases of the figures: x = U y, λ = V μ
 };
 
 /// `setup` with only the loads that a steady rotation can have: gravity, and the pressure on a compressible body.

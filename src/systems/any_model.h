@@ -41,15 +41,16 @@ class AnyModel {
     return held_->row(state, workspace, row);
   }
   double rate(const State& state) const { return held_->rate(state); }
-  /// The potential landscape. The system must have equilibria. The landscape keeps a reference to this model.
+  /// The potential landscape, which keeps a reference to this model. Throws std::logic_error if the system does not
+  /// have a landscape.
   mechanics::AnyLandscape landscape() const { return held_->landscape(); }
   std::vector<scene::Column> coordinates() const { return held_->coordinates(); }
   /// Returns the model of the same system at rest at the point q of the landscape. Its `start().q` is this point in the
   /// coordinates of the motion.
   AnyModel resting_at(const Eigen::VectorXd& q) const { return held_->resting_at(q); }
 
-  /// Reverses the direction of time. The equations of motion must be a second-order field. A state (t, q, q̇) of the
-  /// motion is then represented by (−t, q, −q̇), and `row` appends the same columns as before.
+  /// Reverses the direction of time, at most once. The equations of motion must be a second-order field. A state (t, q,
+  /// q̇) of the motion is then represented by (−t, q, −q̇), and `row` appends the same columns as before.
   void reverse() {
     form_ = mechanics::AnyField(mechanics::ReversedField(std::get<mechanics::AnyField>(form_)));
     start_.v *= -1;

@@ -1,5 +1,6 @@
 #pragma once
-/// The scene of any system (system_scene.h) as one type. The parts of the program outside systems/ use only this type.
+/// The scene of any system (system_scene.h) as one type. The parts of the program outside systems/ use the scene of a
+/// system only through this type.
 
 #include <optional>
 #include <utility>

@@ -23,12 +23,12 @@ struct BodySpring {
 
 struct BodyLoads {
   double mass = 1;
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();   // G
-  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // g
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();   // centre of mass G in the body
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // acceleration of gravity g in space
   std::vector<BodySpring> springs{};
 
   /// Calls act(ξ, f) for every force f on a body point ξ. The function place(ξ) returns x(ξ). Fails if a spring with a
-  /// rest length has the length 0.
+  /// rest length has the length 0, or if the length of a spring is not finite.
   template <class Place, class Act>
   mechanics::Status apply(const Place& place, const Act& act) const {
     if (!gravity.isZero(0)) act(center, Eigen::Vector3d(mass * gravity));

@@ -2,7 +2,7 @@
 /// One-parameter groups of symmetries of a rigid body under loads, which do not change the energies (Noether's
 /// theorem):
 ///
-///   translations of space    perpendicular to the weight, if there are no springs
+///   translations of space    perpendicular to the weight, if there are no springs and no fixed point
 ///   rotations of space       about an axis that is parallel to the weight and to every anchor of a spring
 ///
 /// Rotations of the body, R ↦ RO with a rotation O, are not included. They map the set g = 0 of the constraints g to

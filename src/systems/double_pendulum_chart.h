@@ -3,10 +3,11 @@
 /// (θ, φ) from the downward vertical, and the y axis points downwards:
 ///
 ///   (x₁, y₁) = l₁ (sin θ, cos θ),   (x₂, y₂) = (x₁, y₁) + l₂ (sin φ, cos φ)
-///   g = [ (m₁+m₂) l₁²             m₂l₁l₂ cos(θ−φ) ]      U = −(m₁+m₂) g l₁ cos θ − m₂ g l₂ cos φ
-///       [ m₂l₁l₂ cos(θ−φ)         m₂ l₂²          ]
+///   g_ij = [ (m₁+m₂) l₁²             m₂l₁l₂ cos(θ−φ) ]   U = −(m₁+m₂) g l₁ cos θ − m₂ g l₂ cos φ
+///          [ m₂l₁l₂ cos(θ−φ)         m₂ l₂²          ]
 ///
-/// with the metric g of the kinetic energy and the potential U. The motions (5.20) satisfy
+/// with the metric g_ij of the kinetic energy, the potential U and the acceleration of gravity g. The motions (5.20)
+/// satisfy
 ///   (m₁+m₂) l₁² θ̈ + m₂l₁l₂ [φ̈ cos(θ−φ) + φ̇² sin(θ−φ)] + (m₁+m₂) g l₁ sin θ = 0                  (5.44), corrected
 ///   m₂ l₂² φ̈ + m₂l₁l₂ [θ̈ cos(θ−φ) − θ̇² sin(θ−φ)] + m₂ g l₂ sin φ = 0                             (5.45)
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The planar double pendulum in parameter files. The multiplier form (double_pendulum.h) and the Lagrange form
 /// (double_pendulum_chart.h) give the same motion. The columns contain the tensions T_k = −λ_k / l_k of the rods, with
-/// the multipliers λ_k. They also contain the reactions R₁ and R₂ of (5.43). These are computed from the second
+/// the multipliers λ_k. They also contain the reactions R₁ and R₂ of (5.43), which are computed from the second
 /// fundamental form, without multipliers.
 
 #include <Eigen/Core>

@@ -5,7 +5,8 @@
 ///   Ω = (φ̇ sinθ sinψ + θ̇ cosψ,  φ̇ sinθ cosψ − θ̇ sinψ,  φ̇ cosθ + ψ̇)
 ///   ω = (θ̇ cosφ + ψ̇ sinφ sinθ,  θ̇ sinφ − ψ̇ cosφ sinθ,  φ̇ + ψ̇ cosθ)
 ///
-/// The angles are used for output only. The chart is singular at sin θ = 0, where only φ + ψ or φ − ψ is defined.
+/// The angles are columns of the output, and the coordinates of lagrange_top.h. The chart is singular at sin θ = 0,
+/// where only φ + ψ or φ − ψ is defined.
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -35,11 +36,11 @@ inline EulerAngles rates_of(const EulerAngles& a, const Eigen::Vector3d& Omega) 
           Omega.z() - phi_rate * std::cos(a.theta)};
 }
 
-/// The angles of R with θ ∈ [0, π] and φ, ψ from −π to π. At sin θ = 0 only φ + ψ or φ − ψ is defined. In this case, ψ
-/// = 0, and φ is this sum or difference.
+/// The angles of R with θ ∈ [0, π] and φ, ψ from −π to π. If sin θ is 0 up to round-off, only φ + ψ or φ − ψ is
+/// defined. The result then has ψ = 0, and φ is this sum or difference.
 inline EulerAngles euler_angles_of(const Eigen::Matrix3d& R) {
   const double sin_theta = std::hypot(R(2, 0), R(2, 1));
-  // φ and ψ have the round-off ε/sin θ. Below this bound they have less than three correct digits.
+  // φ and ψ have the round-off ε/sin θ. If sin θ is below this constant, φ and ψ have less than three correct digits.
   constexpr double smallest_sine = 2e-13;
   if (!(sin_theta > smallest_sine)) return {std::atan2(R(1, 0), R(0, 0)), R(2, 2) > 0 ? 0 : std::numbers::pi, 0};
   return {std::atan2(R(0, 2), -R(1, 2)), std::atan2(sin_theta, R(2, 2)), std::atan2(R(2, 0), R(2, 1))};

@@ -1,12 +1,12 @@
 #pragma once
 /// A rigid body that rotates about a fixed axis (Oliva, Geometric Mechanics, 5.6.10). The axis has the unit vector e
-/// and passes through the origin of the body. The body has the mass m, the centre of mass G and the inertia operator A.
-/// Under gravity g and the friction torque −cθ̇, the angle θ satisfies
+/// and passes through the origin of the body; ê is the matrix of e×. The body has the mass m, the centre of mass G and
+/// the inertia operator A. Under gravity g and the friction torque −cθ̇, the angle θ satisfies
 ///
 ///   I_e θ̈ = m⟨e, G × R⁻¹g⟩ − cθ̇,   R = exp(θê),   I_e = ⟨Ae, e⟩,   V = −m⟨g, RG⟩.
 ///
-/// Bearings at the points a e and b e support the axis. In the axes of the body, with ω = θ̇e and ω̇ = θ̈e, the total
-/// force F of the bearings and their total torque N are
+/// Bearings at the points a e and b e support the axis. Let F be the total force of the bearings, and N their total
+/// torque about the origin. In the axes of the body, with ω = θ̇e and ω̇ = θ̈e,
 ///
 ///   F = m[ω̇ × G + ω × (ω × G) − R⁻¹g],   N = Aω̇ + ω × Aω − G × mR⁻¹g.
 ///
@@ -33,7 +33,7 @@ struct FixedAxis {
   static constexpr int dimension = 1;
   MassDistribution body;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(), gravity = Eigen::Vector3d::Zero();  // e, g
-  double friction = 0;                                                                 // c
+  double friction = 0;                                                                 // friction coefficient c
 
   double moment_of_inertia() const { return axis.dot(inertia_operator(body.E0) * axis); }
 

@@ -1,9 +1,12 @@
 #pragma once
 /// The body with a fixed axis (fixed_axis.h, mass_distribution.h) in parameter files. The entry Weights adds mass
-/// points that are fixed to the body. The columns contain the forces of the two bearings. The scales are the mass m,
+/// points that are fixed to the body. The columns include the forces of the two bearings. The scales are the mass m,
 /// the length √(tr E₀/m) and the time 1/ω with
 ///
-///   ω² = the largest of θ̇² and m|g||G|/I_e, or 1 if both are zero.
+///   ω² = the larger of θ̇² at the start and m|g||G|/I_e, or 1 if both are zero.
+///
+/// In these formulas, the mass m, the centre of mass G, the second moment E₀ and the moment of inertia I_e include the
+/// weights.
 
 #include <fmt/format.h>
 

@@ -18,8 +18,9 @@ using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <class T>
 using Matrix3 = Eigen::Matrix<T, 3, 3>;
 
-/// AΩ̇ = AΩ × Ω + N,   q̈ = ½(q̇Ω + qΩ̇),   Ω = 2 q⁻¹q̇; q = (x, y, z, w). In principal axes and without loads
-/// (AΩ × Ω)₁ = (A₂ − A₃) Ω₂Ω₃.
+/// Euler's equation on quaternions q = (x, y, z, w) (euler_top.h):
+///   AΩ̇ = AΩ × Ω + N,   q̈ = ½(q̇Ω + qΩ̇),   Ω = 2 q⁻¹q̇.
+/// If `principal_and_free` is true, A is diagonal and N is zero. Then (AΩ × Ω)₁ = (A₂ − A₃) Ω₂Ω₃.
 template <bool principal_and_free>
 struct TopField {
   static constexpr int n = 4;
@@ -29,7 +30,8 @@ struct TopField {
   template <class T>
   [[gnu::always_inline]] T operator()(int, const T* q, const T* v, T* a) const {
     const Vector3<T> axis(q[0], q[1], q[2]), rate(v[0], v[1], v[2]);
-    // Term after term: as a sum of two halves, |q|² = 1 has rounding errors that turn J by 4e-18 in a unit of time.
+    // The terms of |q|² are added one after the other. As a sum of two halves, |q|² would have rounding errors that
+    // rotate J by 4e-18 in a unit of time.
     const T square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], factor = 2.0 / square;
     const Vector3<T> Omega = factor * (q[3] * rate - v[3] * axis - axis.cross(rate));
     T reserve = square;
@@ -42,7 +44,8 @@ struct TopField {
   }
 
  private:
-  /// R x = x + (2/|q|²)(a × (a × x) + w a × x), and the inverse with −w.
+  /// The rotation R of the quaternion q = (a, w), R x = x + (2/|q|²)(a × (a × x) + w a × x). The inverse rotation has
+  /// −w. `axis` is a, and `factor` is 2/|q|².
   template <class T>
   struct Turn {
     Vector3<T> axis;
@@ -68,7 +71,8 @@ struct TopField {
       return top.A_inverse.cast<T>() * torque;
     }
   }
-  /// N = mG × R⁻¹g + Σ ξ × R⁻¹f. 1 if it is finite, otherwise a NaN.
+  /// Adds the torque mG × R⁻¹g + Σ ξ × R⁻¹f of weight and springs to N. Returns 1 if the torque is finite, otherwise
+  /// NaN.
   template <class T>
   [[gnu::always_inline]] static T add_torque(const BodyLoads& loads, const Turn<T>& turn, Vector3<T>& N) {
     const Vector3<T> moment = (loads.mass * loads.center).cast<T>();
@@ -92,7 +96,8 @@ bool is_free(const TopOfStages& top) {
   return !top.loads || (top.loads->gravity.isZero(0) && top.loads->springs.empty());
 }
 
-/// (5.43) with the explicit multiplier, q = (q₁, q₂), y downwards.
+/// The double pendulum in multiplier form (double_pendulum.h): equation (5.43) for q = (q₁, q₂), with the multipliers
+/// as explicit functions of q and q̇.
 struct PointsField {
   static constexpr int n = 4;
   const PendulumOfStages& p;
@@ -115,7 +120,8 @@ struct PointsField {
   }
 };
 
-/// (5.44), with the right sign, and (5.45), in the angles q = (θ, φ), each divided by its l:
+/// The double pendulum in Lagrange form with the angles q = (θ, φ) (double_pendulum_chart.h). The corrected equation
+/// (5.44) is divided by l₁, and (5.45) by m₂l₂:
 ///   (m₁+m₂) l₁ θ̈ + m₂ l₂ [φ̈ cos δ + φ̇² sin δ] + (m₁+m₂) g sin θ = 0
 ///   l₂ φ̈ + l₁ [θ̈ cos δ − θ̇² sin δ] + g sin φ = 0,   δ = θ − φ.
 struct AnglesField {
@@ -130,7 +136,7 @@ struct AnglesField {
     const double m = p.m1 + p.m2;
     const T r1 = -(p.m2 * p.l2 * (v[1] * v[1] * s) + m * p.gravity * theta.sine),
             r2 = p.l1 * (v[0] * v[0] * s) - p.gravity * phi.sine;
-    // m − m₂c² = m₁ + m₂s²
+    // The determinant of the equations for l₁θ̈ and l₂φ̈ is m − m₂c² = m₁ + m₂s².
     const T inverse = 1.0 / (p.m1 + p.m2 * (s * s));
     a[0] = (1 / p.l1) * (inverse * (r1 - p.m2 * (c * r2)));
     a[1] = (1 / p.l2) * (inverse * (m * r2 - c * r1));
@@ -138,7 +144,7 @@ struct AnglesField {
   }
 };
 
-/// g q̈ = F − Γ_l,ij q̇ⁱq̇ʲ of a chart (chart_field.h).
+/// The field of a chart, g q̈ = F − Γ_l,ij q̇ⁱq̇ʲ (mechanics/core/chart_field.h).
 template <class Chart>
 struct FieldOfChart {
   static constexpr int n = Chart::dimension;
@@ -160,7 +166,8 @@ struct FieldOfChart {
   }
 
  private:
-  /// g x = b by g = LDLᵀ. Positive if the least pivot is, to round-off.
+  /// Solves g x = b by the factorisation g = LDLᵀ and overwrites g. Returns a positive number if all pivots exceed
+  /// round-off.
   template <class T>
   [[gnu::always_inline]] static T solve_positive(Eigen::Matrix<T, n, n>& g, const mechanics::Coordinates<T, n>& b,
                                                  mechanics::Coordinates<T, n>& x) {
@@ -187,7 +194,7 @@ struct FieldOfChart {
   }
 };
 
-/// The field of a moving frame with known poses at the stages.
+/// The field of a point in a moving frame or in space (moving_frame.h), with known poses of the frame at the stages.
 struct FrameField {
   static constexpr int n = 3;
   const FrameOfStages& frame;
@@ -212,7 +219,7 @@ struct FrameField {
   }
 };
 
-/// Any number of mass points.
+/// The field of any number of mass points (mass_points.h).
 struct FieldOfPoints final : mechanics::GaussField {
   const MassPoints& points;
   explicit FieldOfPoints(const MassPoints& p) : points(p) {}
@@ -271,7 +278,7 @@ bool solve(const DoublePendulumChart& pendulum, mechanics::GaussStages& stages) 
 }
 template <mechanics::Chart Chart>
 bool solve(const Chart& chart, mechanics::GaussStages& stages) {
-  // Sines and cosines are those of moderate angles.
+  // The fast sines and cosines require moderate angles. For larger coordinates, the stages are evaluated one by one.
   for (int k = 0; k < stages.n; ++k)
     if (!(std::abs(stages.q[k]) < 0.5 * mechanics::most_of_moderate)) return false;
   mechanics::detail::iterate_in_lanes(FieldOfChart<Chart>{chart}, stages);

@@ -6,10 +6,11 @@
 ///
 /// For example, X = ∂/∂φ on a surface of revolution gives Clairaut's constant ρ² φ̇ with the distance ρ from the axis.
 /// The columns contain ⟨q̇, X⟩ for the rotation X about the axis of the surface, or for the translation X = ∂/∂x of the
-/// hyperbolic half-plane. On an ellipsoid with a ≠ b, the rotation is not a symmetry, and this number is not constant.
+/// hyperbolic half-plane. On an ellipsoid with semi-axes a ≠ b, the rotation about the third axis is not a symmetry,
+/// and this number is not constant.
 ///
 /// The coordinates of sphere and ellipsoid are angles, in which the metric is singular at the poles. The half-plane
-/// ends at y = 0. A geodesic that reaches such a point ends with a message.
+/// ends at y = 0. If a geodesic reaches such a point, the run ends with a message.
 
 #include <algorithm>
 #include <cmath>
@@ -66,8 +67,8 @@ struct GeodesicScene {
           About{"Geodesic/Velocity", "1/time", "Initial rates of the coordinates, on the paraboloid length/time."});
   }
 
-  /// The unit of time is the time in which the initial velocity changes a coordinate by one unit. If the point is at
-  /// rest, the unit of time is 1.
+  /// The unit of time is the time in which the faster coordinate changes by one unit, at its initial rate. If the point
+  /// is at rest, the unit of time is 1.
   Scales scales() const {
     const double rate = std::max(std::abs(velocity[0]), std::abs(velocity[1])) / coordinate_unit(size());
     return {size(), 1, rate > 0 ? 1 / rate : 1};

@@ -58,10 +58,10 @@ struct PlaneKepler : EuclideanPlane {
   }
 };
 
-/// Computes the motion from given initial data at any later time. The steps do not depend on the requested times. A
-/// resumed run therefore repeats the same motion. The last steps are stored, because a section requests times before
-/// the present one for its crossings. If a time is before the stored steps, the motion is computed again from its
-/// start.
+/// Computes the motion from given initial data at any later time. Fails if a step of the motion fails. The steps do not
+/// depend on the requested times. A resumed run therefore repeats the same motion. The last steps are stored, because a
+/// Poincaré section requests times before the present one for its crossings. If a time is before the stored steps, the
+/// motion is computed again from its start.
 template <class Field>
 class MotionFollower {
  public:
@@ -106,7 +106,7 @@ class MotionFollower {
   Field field_;
   State start_;
   Step ahead_;              ///< state and workspace before the next step
-  std::deque<Step> steps_;  ///< the last steps
+  std::deque<Step> steps_;  ///< the last `n_kept` steps, in the order of time
 };
 
 struct JacobiGeodesicScene {
@@ -171,7 +171,8 @@ struct JacobiGeodesicScene {
       for (double& x : position) x *= scales.length;
   }
 
-  /// The arc length s̃ of the Jacobi metric replaces the time of the scene. The unit of time is therefore length²/time.
+  /// The arc length s̃ of the Jacobi metric replaces the time of the scene, and has the dimension length²/time. Its unit
+  /// is the unit of length times the initial speed.
   Scales scales() const { return {length(), 1, length() * speed()}; }
 
   std::optional<Refusal> refuses() const {
@@ -222,7 +223,7 @@ struct JacobiGeodesicScene {
     Chart chart;
     double h;
     MotionFollower<Motion> motion;
-    std::vector<double> units;  ///< units of the columns in the scales of the model, which has its own unit of time
+    std::vector<double> units;  ///< factors that convert the columns from the units of the model
 
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
                           std::vector<double>& row) {

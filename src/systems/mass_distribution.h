@@ -20,7 +20,7 @@ struct WeightedPoint {
 
 struct MassDistribution {
   double mass = 0;
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();  // G
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  // centre of mass G
   Eigen::Matrix3d E0 = Eigen::Matrix3d::Zero();      // second moment about the origin of K
 
   static MassDistribution of_points(std::span<const WeightedPoint> points) {

@@ -1,6 +1,7 @@
 #pragma once
-/// System of n mass points with masses m_i, positions q_i and velocities v_i (Oliva 5.5.1). The points satisfy m_i q̈_i
-/// = f_i^ext + Σ_j f_ij, with internal forces f_ij = −f_ji along q_i − q_j. The forces, or their potentials V, are
+/// System of n mass points with masses m_i, positions q_i and velocities v_i (Oliva 5.5.1). The points satisfy m_i
+/// q̈_i = f_i^ext + Σ_j f_ij, with internal forces f_ij = −f_ji along q_i − q_j. The symbols are the members of
+/// Parameters, and k and l are those of a spring. The forces, or their potentials V, are
 ///
 /// Internal:  gravity   V = −Σ_{i<j} G m_i m_j/|q_i − q_j|
 ///            springs   V = Σ ½k(|q_i − q_j| − l)²
@@ -8,8 +9,11 @@
 /// External:  uniform field V = −Σ m_i⟨g, q_i⟩,  confinement ½k Σ|q_i − c|²,  fixed centre −Σ μ m_i/|q_i − c|,
 ///            linear drag f_i = −γ v_i
 ///
-/// Dashpots and drag dissipate the power P = Σ d⟨v_i − v_j, n⟩² + γ Σ|v_i|². The energy E therefore satisfies dE/dt =
-/// −P.
+/// The springs and the confinement have different stiffnesses k. Dashpots and drag dissipate the power
+///
+///   P = Σ d⟨v_i − v_j, n⟩² + γ Σ|v_i|².
+///
+/// The energy E therefore satisfies dE/dt = −P.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -36,18 +40,18 @@ class MassPoints : public mechanics::Unconstrained {
   };
   struct Dashpot {
     int i = 0, j = 1;
-    double damping = 0;  // d
+    double damping = 0;  // damping d
   };
   struct Parameters {
     Eigen::VectorXd masses;
-    double gravitational_constant = 0;  // G
+    double gravitational_constant = 0;  // gravitational constant G
     std::vector<Spring> springs{};
     std::vector<Dashpot> dashpots{};
-    Eigen::Vector3d field = Eigen::Vector3d::Zero();   // g
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();  // c
-    double confinement = 0;                            // k
-    double central_attraction = 0;                     // μ
-    double drag = 0;                                   // γ
+    Eigen::Vector3d field = Eigen::Vector3d::Zero();   // acceleration g of the uniform field
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();  // centre c of confinement and attraction
+    double confinement = 0;                            // stiffness k of the confinement
+    double central_attraction = 0;                     // strength μ of the fixed centre
+    double drag = 0;                                   // drag coefficient γ
   };
 
   explicit MassPoints(Parameters parameters) : p_(std::move(parameters)) {
@@ -161,7 +165,7 @@ class MassPoints : public mechanics::Unconstrained {
  private:
   Eigen::Index n() const { return p_.masses.size(); }
   static Eigen::Vector3d column(In q, Eigen::Index i, const Eigen::Vector3d& c) { return q.col(i) - c; }
-  /// The unit vector d/|d|, or 0 if d = 0.
+  /// The unit vector d/|d|, or 0 if d = 0, up to round-off.
   template <class T>
   static Eigen::Matrix<T, 3, 1> direction(const Eigen::Matrix<T, 3, 1>& d) {
     if constexpr (std::is_same_v<T, double>)

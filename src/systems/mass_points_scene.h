@@ -1,7 +1,7 @@
 #pragma once
 /// Mass points in parameter files (mass_points.h, which defines the symbols). There are n points with mutual
-/// attraction, springs, dashpots and external fields. The first point has the number 1. With the centre of mass q̄ of
-/// the initial positions and the centre c of forces, motions of any size are of order 1 in the scales
+/// attraction, springs, dashpots and external fields. The first point has the number 1. Let q̄ be the centre of mass of
+/// the initial positions, and c the centre of forces. Motions of any size are of order 1 in the scales
 ///
 ///   mass     M = Σ m_i
 ///   length   L = the largest of |q_i − q̄|, of |q_i − c| if c exerts forces, and of the rest lengths of springs
@@ -222,8 +222,8 @@ struct MassPointsScene {
     return {};
   }
 
-  /// Refuses two points at one position if they attract each other or a spring with a rest length connects them. It
-  /// also refuses a point at an attracting centre. The force would have no direction or no finite size.
+  /// Refuses two points at one position if they attract each other or a spring with a rest length connects them. Also
+  /// refuses a point at an attracting centre. In these cases the force does not have a direction or a finite size.
   std::optional<Refusal> refuses_places() const {
     const char* path = "Mass points/Positions";
     const auto coincide = [&](int i, int j, const char* act) {

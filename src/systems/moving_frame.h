@@ -36,7 +36,7 @@ using Space = Eigen::Matrix<T, 3, 1>;
 template <class T>
 struct FramePoseOver {
   Eigen::Matrix<T, 3, 3> M;
-  Space<T> Omega, Omega_rate;  // in the axes of K
+  Space<T> Omega, Omega_rate;  // Ω and Ω̇ in the axes of K
   Space<T> r, r_rate, r_acceleration;
 
   /// Visits all entries, in the order of the members.
@@ -52,14 +52,14 @@ using FramePose = FramePoseOver<double>;
 
 struct FrameMotion {
   Eigen::Matrix3d M0 = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d spin_axis = Eigen::Vector3d::UnitZ();    // n
-  double spin_rate = 0, spin_acceleration = 0;             // ν, ν̇
-  Eigen::Vector3d precession = Eigen::Vector3d::Zero();    // p
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();        // r₀
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      // ṙ₀
-  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  // a
-  Eigen::Vector3d shaking = Eigen::Vector3d::Zero();       // b
-  double shaking_frequency = 0;                            // w
+  Eigen::Vector3d spin_axis = Eigen::Vector3d::UnitZ();    // spin axis n in the frame, of any length
+  double spin_rate = 0, spin_acceleration = 0;             // spin rate ν at t = 0, and its constant rate ν̇
+  Eigen::Vector3d precession = Eigen::Vector3d::Zero();    // angular velocity p of the precession in space
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();        // position r₀ of the origin at t = 0
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      // velocity ṙ₀ of the origin
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  // constant acceleration a of the origin
+  Eigen::Vector3d shaking = Eigen::Vector3d::Zero();       // amplitude b of the shaking
+  double shaking_frequency = 0;                            // angular frequency w of the shaking
 
   FramePose at(double t) const {
     const Eigen::Vector3d n = spin_axis.normalized();
@@ -82,13 +82,13 @@ struct FrameMotion {
 };
 
 struct FrameForces {
-  Eigen::Vector3d field = Eigen::Vector3d::Zero();            // g
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();           // c
-  double stiffness = 0;                                       // k
-  double attraction = 0;                                      // μ
-  Eigen::Vector3d frame_field = Eigen::Vector3d::Zero();      // G
-  Eigen::Vector3d frame_center = Eigen::Vector3d::Zero();     // C
-  Eigen::Vector3d frame_stiffness = Eigen::Vector3d::Zero();  // K₁, K₂, K₃
+  Eigen::Vector3d field = Eigen::Vector3d::Zero();            // gravity g in space
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();           // centre c of the spring and the attraction in space
+  double stiffness = 0;                                       // stiffness k of the spring to c
+  double attraction = 0;                                      // strength μ of the attraction
+  Eigen::Vector3d frame_field = Eigen::Vector3d::Zero();      // gravity G in the frame
+  Eigen::Vector3d frame_center = Eigen::Vector3d::Zero();     // centre C of the springs in the frame
+  Eigen::Vector3d frame_stiffness = Eigen::Vector3d::Zero();  // stiffnesses K₁, K₂, K₃ of these springs
 
   /// Computes the force f in space on the point q, whose position in the frame is Q. Returns 1 if the attraction is
   /// finite, otherwise NaN.
@@ -111,7 +111,7 @@ struct FrameParameters {
 /// The forces, and the pose of the frame at each stage of a Gauss step.
 struct FrameOfStages {
   const FrameForces& forces;
-  bool moving;  ///< whether q is the position in the frame
+  bool moving;  ///< true if q is the position in the moving frame, false if it is the position in space
   std::array<mechanics::OfStages, FramePose::n_entries> pose;
 };
 inline FrameOfStages stages_in_frame(const FrameParameters& p, const mechanics::GaussStages& stages, bool moving) {

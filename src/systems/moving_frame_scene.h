@@ -151,9 +151,9 @@ struct MovingFrameScene {
  private:
   /// The scale of length. Let |v| be the initial speed and |a| the largest given acceleration. Let T be the reciprocal
   /// of the largest given rate, or |v|/|a| without such a rate, or 1. The scale is the first positive number of a list.
-  /// The list begins with the initial distance from the origin, the amplitude of shaking, and |C| if the frame has
-  /// springs to the point C. It continues with T|v|, T²|a|, the distance from a centre of force, and T|ṙ₀| with the
-  /// velocity ṙ₀ of the origin. It ends with 1.
+  /// The list begins with the initial distance from the origin of the frame and the amplitude of shaking. If the frame
+  /// has springs to the point C, |C| follows. The list continues with T|v|, T²|a|, the distance from a centre of force,
+  /// and T|ṙ₀| with the velocity ṙ₀ of the origin. The list ends with 1.
   double typical_length(double given_rate, double speed, double acceleration) const {
     const double time = given_rate > 0 ? 1 / given_rate : speed > 0 && acceleration > 0 ? speed / acceleration : 1;
     return first_positive({norm(position), norm(shaking), norm(frame_stiffness) > 0 ? norm(frame_center) : 0,

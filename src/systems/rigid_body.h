@@ -42,8 +42,8 @@ class RigidBody {
     BodyLoads loads{};
   };
 
-  /// Returns the reason if this body cannot have the form of matrices of GL⁺(3). Its mass operator must be invertible.
-  /// Without a fixed point, its centre of mass must be the origin.
+  /// Fails with the reason if this body cannot have the form of matrices of GL⁺(3). The second moment E₀ and the mass
+  /// must be positive. Without a fixed point, the centre of mass must be the origin.
   static mechanics::Status accepts(const Parameters& p) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(p.E0, Eigen::EigenvaluesOnly);
     const Eigen::Vector3d& e = solver.eigenvalues();

@@ -5,10 +5,10 @@
 /// body is the centre of mass. In the forms of Euler and Lagrange, the motion of the centre of mass is then exact. It
 /// is x = x₀ + v₀t + ½gt² with the acceleration g of gravity.
 ///
-/// The scales are the mass m, the length L = √(tr E₀/m) and the time 1/ω, with the second moment E₀. With the angular
-/// velocity Ω, the stiffness k of the springs, the centre of mass G and its velocity v,
+/// The scales are the mass m, the length L = √(tr E₀/m) and the time 1/ω, with the second moment E₀. With the initial
+/// angular velocity Ω, the stiffness k of the springs, the centre of mass G and its initial velocity v,
 ///
-///   ω² = the largest of |Ω|², |g||G|/L², k/m.  If all are zero, it is the largest of |g|/L and |v|²/L², or 1.
+///   ω² = the largest of |Ω|², |g||G|/L², k/m.  If all are zero, it is the larger of |g|/L and |v|²/L², or 1.
 ///
 /// Mass points may replace mass, centre of mass and inertia (mass_distribution.h). For a body without a fixed point,
 /// Steiner's theorem (5.6.11) then moves the origin to the centre of mass.

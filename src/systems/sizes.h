@@ -41,7 +41,7 @@ bool has_sound_units(const SystemScene& system, const Scales& scales) {
 }
 
 /// The entry with the number whose logarithm is largest in size. If there are numbers outside the range, only these
-/// count. The path is empty if all numbers are zero.
+/// count, and `sound` is false. The path is empty if all numbers are zero.
 struct Farthest {
   std::string path;
   double number = 1;
@@ -62,9 +62,9 @@ Farthest farthest_number(SystemScene system) {
 
 }  // namespace detail
 
-/// Refuses a scene with numbers outside the range. The refusal names the entry with the number farthest from 1, in the
-/// scales of the scene if these are in the range. The function `starts_finite` receives the system in these scales, and
-/// returns whether its initial state is finite.
+/// Refuses a scene with numbers outside the range, or with an initial state that is not finite. The refusal names the
+/// entry with the number farthest from 1, in the scales of the scene if these are in the range. The function
+/// `starts_finite` receives the system in these scales, and returns whether its initial state is finite.
 template <class SystemScene, class StartsFinite>
 std::optional<Refusal> refuses_sizes(SystemScene system, const StartsFinite& starts_finite) {
   const Scales scales = system.scales();

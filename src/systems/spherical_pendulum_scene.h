@@ -6,7 +6,7 @@
 ///
 /// with the multiplier λ and the potential V. The tension −λ/l of the rod is positive if the rod pulls. Without drag,
 /// the energy E and the angular momentum about the vertical, m (x ẏ − y ẋ), are constant. With drag, dE/dt = −c |q̇|².
-/// The equilibria are the hanging point (Morse index 0) and the standing point (Morse index 2).
+/// With gravity, the equilibria are the hanging point (Morse index 0) and the standing point (Morse index 2).
 
 #include <Eigen/Dense>
 #include <algorithm>

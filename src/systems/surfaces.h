@@ -55,13 +55,13 @@ struct Sphere {
   Eigen::Vector2d periods() const { return {0, 2 * std::numbers::pi}; }
 };
 
-/// The torus of revolution about the x axis (5.8.8), x = (r sin w, ρ sin u, ρ cos u) with ρ = R + r cos w and ds² = r²
-/// dw² + ρ² du².
+/// The torus of revolution about the x axis (5.8.8), x = (r sin w, ρ sin u, ρ cos u) with ρ = R + r cos w. Its metric
+/// is ds² = r² dw² + ρ² du².
 ///
 /// The circles w = 0 (outside) and w = π (inside) are invariant under a reflection. A motion that starts along such a
-/// circle remains on the circle by symmetry. In floating-point arithmetic, it remains there if its coordinate is 0. If
-/// its coordinate is π, it does not, because the nearest double is not π and its sine is not 0. Therefore the first
-/// coordinate is w − w₀ with w₀ = kπ, k an integer (TorusCircle).
+/// circle remains on the circle by symmetry. In floating-point arithmetic, this motion remains on the circle if the
+/// coordinate of the circle is 0. If the coordinate is π, the motion leaves the circle, because the sine of the double
+/// nearest to π is not 0. Therefore the first coordinate is w − w₀ with w₀ = kπ, k an integer (TorusCircle).
 struct TorusSurface {
   static constexpr int dimension = 2;
   double R = 3, r = 1;

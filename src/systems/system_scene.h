@@ -15,9 +15,9 @@
 ///       template <class Run> auto with_model(Run&& run) const;            // calls run(model), in the scene's scales
 ///     };
 ///
-/// Units are texts such as "mass*length^2/time" (scene/unit.h). Before the model is constructed, the entries are
-/// divided by their units. Before the columns are written to the file, they are multiplied by their units. The model
-/// therefore never contains the units of the user.
+/// Units are texts such as "mass*length^2/time" (entries/unit.h). Before the model is constructed, the entries are
+/// divided by their units. Before the columns are written to the file, their values are multiplied by their units. The
+/// model therefore never contains the units of the user.
 ///
 ///   struct Model {
 ///     System system;  State<System> initial;

@@ -27,7 +27,7 @@ struct Ellipsoid;
 struct Paraboloid;
 struct HyperbolicHalfPlane;
 struct BodyLoads;
-struct FrameOfStages;  // moving_frame.h
+struct FrameOfStages;  // defined in moving_frame.h
 class MassPoints;
 
 /// The data of Euler's equation on quaternions (euler_top.h). If `loads` is null, the torque N is zero.
@@ -40,7 +40,7 @@ struct TopOfStages {
 ///   q̈ = b + λq,  b = −g e_z − c q̇/m,  λ|q|² = −|q̇|² − ⟨q, b⟩.
 struct SphericalPendulumOfStages {
   static constexpr int n = 3;
-  double g = 1, drag = 0;  // c/m
+  double g = 1, drag = 0;  // acceleration g of gravity, and c/m
 
   template <class T>
   T operator()(int, const T* q, const T* v, T* a) const {
@@ -78,7 +78,7 @@ using SystemKernels = StageSolvers<TopOfStages, PendulumOfStages, DoublePendulum
 /// function.
 std::span<const mechanics::KernelBuild<SystemKernels>> builds_of_system_kernels();
 
-/// The kernels that this process uses.
+/// The kernels that this process uses. Throws mechanics::NoKernels if none can run.
 inline const SystemKernels& system_kernels() {
   static const SystemKernels& kernels = *mechanics::choose_build(builds_of_system_kernels()).table;
   return kernels;
@@ -91,10 +91,11 @@ requires(SystemKernels::has<S>) bool solve_stages_in_lanes_of(const S& system, m
   return std::get<StageSolver<S>>(system_kernels().of)(system, stages);
 }
 
-/// Cost of an iteration (mechanics/core/stage_by_stage.h), from measured times in nanoseconds. For three systems it is
-/// the time of an iteration divided by the time of a stage of rattle-8 or symmetric-8. The quotients are 110/349 for
-/// the double pendulum, 388/125 for mass points, and 61/158 for the spherical pendulum. For the other systems it is
-/// twice the time of an iteration divided by the time of a force of explicit-8 (charts: 72/99 to 590/480).
+/// Cost of an iteration (mechanics/core/stage_by_stage.h), from measured times in nanoseconds. For three systems, the
+/// cost is the time of an iteration divided by the time of a stage of rattle-8 or symmetric-8. The quotients are
+/// 110/349 for the double pendulum, 388/125 for mass points, and 61/158 for the spherical pendulum. For the other
+/// systems, the cost is twice the time of an iteration divided by the time of a force evaluation of explicit-8. For
+/// charts, this quotient of times is between 72/99 and 590/480.
 template <class S>
 inline constexpr double cost_of_iteration_in_lanes = 2;
 template <>

@@ -1,6 +1,6 @@
 #pragma once
-/// A heavy particle of unit mass on a rough torus (Oliva, Geometric Mechanics, 5.8.8), with strong dissipation. For R =
-/// 3 and r = 1, the equations are
+/// A heavy particle of unit mass on a rough torus (Oliva, Geometric Mechanics, 5.8.8), with strong dissipation. For
+/// R = 3 and r = 1, the equations are
 ///
 ///   q = (sin w, (3 + cos w) sin u, (3 + cos w) cos u),   metric dw² + (3 + cos w)² du²,
 ///   D(v) = −c(q) (v + β ⟨v, e⟩ e),   c(q) = c (1 + a cos w + b cos u),   e = cos γ e_w + sin γ e_u,
@@ -25,8 +25,8 @@ namespace pseudorigid::systems {
 
 struct Torus : TorusSurface {
   double gravity = 1, c = 1, tilt = 0;
-  double c_w = 0, c_u = 0;            // a, b
-  double grain = 0, grain_angle = 0;  // β, γ
+  double c_w = 0, c_u = 0;            // variation a, b of the friction
+  double grain = 0, grain_angle = 0;  // strength β and angle γ of the grain
 
   template <class T>
   T potential(const SurfacePoint<T>& q) const {

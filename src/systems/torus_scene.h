@@ -6,10 +6,11 @@
 ///   dE/dt = ⟨D(v), v⟩,   E(t) + k ≥ (E(0) + k) e^{−2μt} for t > 0, ≤ for t < 0                               (5.8.9)
 ///
 /// with the greatest damping μ and k = −min V. Every motion therefore has bounded energy in finite time, and exists for
-/// all time. For every tilt, the four critical points of V have the Morse indices 0, 1, 1, 2.
+/// all time. With gravity, V has four critical points with the Morse indices 0, 1, 1, 2, except for a tilt of a right
+/// angle.
 ///
-/// The first coordinate of the motion is w − w₀, with the symmetric circle w₀ = 0 or π (modulo 2π) that is nearest to
-/// the start (surfaces.h). Entries and columns contain w, which is 0 outside.
+/// The first coordinate of the motion is w − w₀. Here w₀ = 0 or π (modulo 2π) is the symmetric circle that is nearest
+/// to the start (surfaces.h). Entries and columns contain w, which is 0 outside.
 
 #include <algorithm>
 #include <cmath>
