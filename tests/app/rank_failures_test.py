@@ -69,6 +69,13 @@ class RankFailures(RanksTest):
                 self.check(STOPPED, f"cannot write 'out/{name}': Is a directory")
                 shutil.rmtree(self.scratch / "out")
 
+    def test_sweep_of_finite_elements(self):
+        self.scene({**SCENE, "Output/Graphics": "none", "Sweep/Parameters": "h: 0.01, 0.02", "Time/Step": "$(h)"})
+        result = self.run_on(2, "run", "scene.prm", "--output", "out", code=WRONG_INPUT, seconds=ENOUGH)
+        sentences = [line for line in result.stderr.splitlines() if line.startswith("error: ")]
+        self.assertEqual(len(sentences), 1, result.stderr)
+        self.assertIn("Sweep/Parameters", sentences[0])
+
     def test_directory_that_cannot_be_made(self):
         self.scene(SCENE)
         (self.scratch / "out").write_text("a file")

@@ -148,6 +148,11 @@ def stay_at_rest(rng, entries, unit_of_gravity, with_continuum):
         entries.update({"Body/Incompressible": "true", "Gravity/Constant": repr(unit_of_gravity * 10 ** rng.uniform(-3, 3))})
     if rng.random() < 0.3:
         entries["Love numbers/Degrees"] = rng.choice(("2", "2, 3", "3, 4", "4", "2, 7"))
+    if "Gravity/Constant" in entries and rng.random() < 0.5:
+        del entries["Gravity/Constant"]
+        entries["Gravity/Gamma"] = repr(10 ** rng.uniform(-3, 3))
+        if rng.random() < 0.5:
+            entries.update({"Gravity/Gamma": "$(g)", "Sweep/Parameters": f"g: {entries['Gravity/Gamma']}, 1, 30"})
 
 
 def put_planes(rng, entries, radius, rate, modulus, Q):

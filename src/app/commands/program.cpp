@@ -154,10 +154,12 @@ int run(const Options& options, int argc, char** argv, Process& process, const s
     return run_scene(input.raw, read, options, {argv, argv + argc}, process.executable);
   }
   if (!read.scene.sweep.empty() && process.launch.n_ranks != 1)
-    throw UserError(
-        fmt::format("{}: Sweep/Parameters: a sweep with finite elements uses the cores of one machine by "
-                    "itself, without mpirun; Sweep/Part divides it among several",
-                    read.origins.of("Sweep/Parameters")));
+    on_all_ranks(*process.executable.ranks, [&] {
+      throw UserError(
+          fmt::format("{}: Sweep/Parameters: a sweep with finite elements uses the cores of one machine by "
+                      "itself, without mpirun; Sweep/Part divides it among several",
+                      read.origins.of("Sweep/Parameters")));
+    });
   open_continuum_for(input.raw, argc, argv, process);
   process.executable.instructions();
   if (!is_first) return assist_scene(read, options, process.executable);
