@@ -5,11 +5,12 @@
 
 hertz: the ball is pressed between two planes and brought to rest by a viscosity, for depths d/r and stiffnesses k of the
 planes, by finite elements. With the force F and radius a of Hertz, F = (16/3) mu sqrt(r) d^(3/2) and a = sqrt(r d):
-columns d, k, F/F_Hertz, a/a_Hertz, penetration/d.
+columns d, k, F/F_Hertz, a/a_Hertz, penetration/d, and over d the depths for this force by Hertz, with the correction for the
+finite sphere, and with the depth of the plane in addition (hertz.py).
 
 impact: the ball hits a plane with the speed v, by the pseudo-rigid ball, polynomial bodies and finite elements: columns
 model, degree, refinements, grading, k, v/c, e, (1 - e^2) c/v, the same by the sum over modes, T c/r, T by Hertz,
-F_max/(rho v^2 r^2), the same by Hertz, unknowns, seconds. For small v, with the frequencies w and the squared displacements p
+F_max/(rho v^2 r^2), the same by Hertz, unknowns, seconds, T and F_max/(rho v^2 r^2) of the corrected law. For small v, with the frequencies w and the squared displacements p
 of the pole of the spheroidal modes (sphere_modes.py), the sum is
 
     1 - e^2 = 5.72958 (v/c) sum p (1 + sin(w T))/w^5,   T = 2.922 (v/c)^(-1/5) r/c.
@@ -24,6 +25,7 @@ import sys
 import tempfile
 import time
 
+import hertz
 import program
 from sphere_modes import spheroidal_modes
 
@@ -54,7 +56,8 @@ def press(run, depth, k, entries):
                  "Initial state/Deformation": f"{side!r}, 0, 0; 0, {side!r}, 0; 0, 0, {axis!r}", "Time/End": 10,
                  "Time/Tolerance": 1e-3, "Output/Samples": 50}).table("continuum.csv")
     force, radius = table["contact_force"][-1], table["contact_radius"][-1]
-    return (depth, k, force / (16 / 3 * depth**1.5), radius / math.sqrt(depth), table["penetration"][-1] / depth)
+    depths = hertz.depth(force), hertz.depth(force, hertz.TWO_PLANES), hertz.depth(force, hertz.TWO_PLANES, k)
+    return (depth, k, force / (16 / 3 * depth**1.5), radius / math.sqrt(depth), table["penetration"][-1] / depth, *(d / depth for d in depths))
 
 
 def impact(run, model, v, entries):
@@ -66,10 +69,13 @@ def impact(run, model, v, entries):
     table = result.table(f"{model}.csv")
     e = table["restitution"][-1]
     duration = table["last_contact"][-1] - table["first_contact"][-1]
+    k = entries.get("Loads/Plane stiffness", 1000)
+    corrected_force, corrected_duration = hertz.impact(v, k)
     unknowns = result.manifest["models"][model]["counters"].get("unknowns", 12)
     return (entries.get("Continuum/Degree", entries.get("Polynomial/Degree", 1)), entries.get("Continuum/Refinements", 0),
-            entries.get("Continuum/Grading", 1), entries.get("Loads/Plane stiffness", 1000), v, e, (1 - e * e) / v,
-            loss_by_modes(v), duration, hertz_time(v), table["largest_force"][-1] / v**2, 5.2747 * v**-0.8, unknowns, seconds)
+            entries.get("Continuum/Grading", 1), k, v, e, (1 - e * e) / v,
+            loss_by_modes(v), duration, hertz_time(v), table["largest_force"][-1] / v**2, 5.2747 * v**-0.8, unknowns, seconds, corrected_duration,
+            corrected_force / v**2)
 
 
 def main():
@@ -89,13 +95,13 @@ def main():
             print(*(value if isinstance(value, str) else f"{value:.6g}" for value in values), sep=",", flush=True)
 
         if options.only != "impact":
-            show("depth", "stiffness", "force_ratio", "radius_ratio", "penetration_ratio")
+            show("depth", "stiffness", "force_ratio", "radius_ratio", "penetration_ratio", "depth_hertz", "depth_sphere", "depth_sphere_plane")
             for depth in (0.02,) if options.quick else (0.08, 0.04, 0.02, 0.01):
                 for k in (1e4,) if options.quick else (1e3, 1e4, 1e5):
                     show(*press(run, depth, k, FINE))
         if options.only != "hertz":
             show("model", "degree", "refinements", "grading", "stiffness", "v", "e", "loss", "loss_by_modes", "duration",
-                 "duration_hertz", "force", "force_hertz", "unknowns", "seconds")
+                 "duration_hertz", "force", "force_hertz", "unknowns", "seconds", "duration_sphere", "force_sphere")
             for v in (0.1,) if options.quick else (2, 1, 0.5, 0.2, 0.1, 0.05, 0.03, 0.02, 0.01, 0.007, 0.005, 0.003, 0.002):
                 show("reduced", *impact(run, "reduced", v, {}))
                 for degree in (3, 5, 7):
