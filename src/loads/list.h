@@ -104,8 +104,9 @@ inline Forcing constant_forcing(const Loads& loads) {
   return loads.get<Rise>().is_present() ? Rise::constant(sum) : sum;
 }
 
-/// `driving` is the sum of the forcings that depend on time, at the time t. `driving_rate` is the derivative of this
-/// sum with respect to time. If the loads rise, both include the loads that rise (rise.h).
+/// `driving` is the sum of the forcings that depend on time, at the time t. If the loads rise, the sum includes the
+/// rising loads, and the factor of rise.h multiplies it. `driving_rate` is the derivative of `driving` with respect to
+/// time.
 inline Forcing driving(const Loads& loads, double t) {
   Forcing sum;
   loads.for_each([&]<class L>(const L& load) {

@@ -4,9 +4,10 @@
 ///
 ///   p = k d (1 + β ḋ)   along n, per area of the reference surface,
 ///
-/// without friction. The energy k d²/2 of the contact is a penalty for d > 0, and k → ∞ enforces n·x ≥ z₀. The
-/// coefficient β of Hunt and Crossley (1975) is 0 for a conservative contact. The damping dissipates the power k β d ḋ²
-/// per area. At fast separation, ḋ < −1/β, the plane attracts the body.
+/// without friction. For a reference ellipsoid X = S ξ, the reference area is the area of the sphere |ξ| = 1. The
+/// energy k d²/2 of the contact is a penalty for d > 0, and k → ∞ enforces n·x ≥ z₀. The coefficient β of Hunt and
+/// Crossley (1975) is 0 for a conservative contact. The damping dissipates the power k β d ḋ² per area. At fast
+/// separation, ḋ < −1/β, the plane attracts the body.
 
 #include <Eigen/Core>
 #include <algorithm>

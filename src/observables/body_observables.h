@@ -104,7 +104,7 @@ struct BodyObservables {
   double multiplier = not_observed;  ///< λ of Oliva (5.120) per m̄; for non-affine motions (1/m̄)∫p dV
   /// a₁ ≥ a₂ ≥ a₃, the singular values of Q S with the reference shape S. For a ball, S = r Id.
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Constant(not_observed);
-  std::vector<double> over_points{};  ///< one value for each entry of the request
+  std::vector<double> over_points{};  ///< one value for each entry of ObservableRequest::over_points
   ContactObservables contact{};
 
   double energy() const { return kinetic + elastic + gravitational + external + dissipated + contact.energy; }

@@ -1,5 +1,5 @@
 #pragma once
-/// Functions that compute values of the whole body from the computed sector.
+/// Functions for observables of the whole body.
 
 #include <Eigen/Core>
 #include <array>

@@ -68,8 +68,8 @@ class PolynomialSpace {
   /// Sets the coefficients of x = c + A X. Entries of A and c that do not have the symmetry of the sector are omitted.
   /// Coefficients of higher degree do not change.
   void set_affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c, Eigen::Ref<Eigen::VectorXd> x) const;
-  /// The affine motion c + A X that is nearest to x in the mean square. With the mass M, A = (∫ρ x Xᵀ) E₀⁻¹ and c =
-  /// (∫ρx)/M.
+  /// The affine motion c + A X that is nearest to x in the mean square. `affine_part` returns A = (∫ρ x Xᵀ) E₀⁻¹, and
+  /// `mean` returns c = (∫ρx)/M with the mass M.
   Eigen::Matrix3d affine_part(const Eigen::Ref<const Eigen::VectorXd>& x) const;
   Eigen::Vector3d mean(const Eigen::Ref<const Eigen::VectorXd>& x) const;
   /// ∫ρ a bᵀ for two fields a and b.

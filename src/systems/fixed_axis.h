@@ -32,7 +32,7 @@ namespace pseudorigid::systems {
 struct FixedAxis {
   static constexpr int dimension = 1;
   MassDistribution body;
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(), gravity = Eigen::Vector3d::Zero();  // e, g
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(), gravity = Eigen::Vector3d::Zero();  // axis e, gravity g
   double friction = 0;                                                                 // friction coefficient c
 
   double moment_of_inertia() const { return axis.dot(inertia_operator(body.E0) * axis); }
