@@ -55,8 +55,8 @@ std::string note_on_scenes() {
   return std::filesystem::is_directory(scenes, none) ? "\n\nScenes to begin with: " + scenes.string() : "";
 }
 
-/// Throws a UserError if the first argument is not a command. The message lists the commands, which the message of
-/// CLI11 does not do.
+/// Throws a UserError if the first argument is neither a command nor an option. The message lists the commands, which
+/// the message of CLI11 does not do.
 void require_known_command(const CLI::App& app, int argc, const char* const* argv) {
   const std::string_view word = argc > 1 ? argv[1] : "";
   if (word.empty() || word.starts_with('-')) return;

@@ -111,7 +111,8 @@ int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, cons
                  context, manifest);
 }
 
-/// The columns of a model's file, one by one. The documentation can describe a range such as "Q11 ... Q33" in one line.
+/// The columns of a model's file, one by one. In the documentation, one line can describe a range such as "Q11 ...
+/// Q33".
 std::vector<scene::Column> columns_of(const scene::ModelDescription& model, const scene::Quantities& quantities) {
   const auto stem = [](std::string_view name) { return name.substr(0, name.find_first_of("0123456789")); };
   std::vector<scene::Column> columns;
@@ -186,8 +187,8 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
   return failure.exit_code;
 }
 
-/// Prepares the directory. Problems are reported before anything in the directory changes. The message names the entry
-/// or option that determines the directory.
+/// Prepares the directory and returns its lock. Problems are reported before anything in the directory changes, except
+/// if the folder for pictures cannot be created. The message names the entry or option that determines the directory.
 io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const scene::Needs& needs,
                     const Options& options) {
   constexpr const char* entry = "Output/Directory";

@@ -50,6 +50,7 @@ class SweepRows {
   /// The first run whose row is not yet written.
   int next_run() const { return first_run_ + n_written_; }
 
+  /// Stores the row of a run, and writes all rows that no longer wait for an earlier row. Thread-safe.
   void deliver(int run, FinishedRun finished) {
     const std::lock_guard lock(mutex_);
     waiting_.emplace(run, std::move(finished));
