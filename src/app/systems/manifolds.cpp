@@ -122,7 +122,8 @@ class ManifoldRun {
 
   /// Integrates a motion from its start, backwards in time on a stable manifold. The motion ends at a critical point,
   /// after the time of the scene, or when a step fails. On a stable manifold, the motion also ends if its energy is far
-  /// above all critical points, and a failed step is not an error.
+  /// above all critical points, and a failed step is not an error. Fails if the run is interrupted or a row cannot be
+  /// computed.
   template <class Form>
   Status follow(const Form& form, systems::AnyModel& at_rest, const Curve& curve, const PhaseVector& start, End& end) {
     using Method = mechanics::DormandPrince8;
@@ -159,7 +160,7 @@ class ManifoldRun {
   }
 
   /// Returns true if the state is at a critical point. Sets `end` to the nearest critical point and the distance from
-  /// it. The own point of the motion counts only after the motion has left it.
+  /// it. The point at which the motion starts counts only after the motion has left it.
   template <class State>
   bool arrives(const Curve& curve, const State& state, bool& has_left, End& end) {
     end = {};
