@@ -84,7 +84,7 @@ std::optional<Refusal> refuses_equilibria(const Scene& scene) {
 
 /// Refuses initial states and loads that modes and Love numbers ignore. Both analyses compute small displacements of
 /// the undeformed ball from rest, without loads other than self-gravity. Also refuses a compressible ball whose law has
-/// a stress at rest, because it does not stay undeformed.
+/// a stress at rest, because such a ball does not stay undeformed.
 std::optional<Refusal> refuses_displaced_start(const Scene& scene, std::string_view what) {
   const auto& state = scene.initial_state;
   const std::string start =

@@ -115,11 +115,11 @@ struct ModelDescription {
   std::string_view documentation;  ///< one sentence for the user
   bool by_default = false;         ///< whether a scene without the entry Models uses it
   /// Whether the model has finite elements. Such a model uses the section Continuum and meshes, and has an error of its
-  /// discretisation. Several processes may share its computation. It needs the finite-element library
+  /// discretisation. Several processes may share its computation. The model needs the finite-element library
   /// (app/run/continuum_module.h).
   Required<bool> discretized;
   /// Whether the model has motions other than x = QX, Q a matrix. Sectors and the columns `nonaffine` are for such
-  /// models. Otherwise the model is the pseudo-rigid body, and the exact results for this body apply.
+  /// models. A model without such motions is the pseudo-rigid body, and the exact results for this body apply.
   Required<bool> has_nonaffine;
   /// Whether the model offers Analysis = modes, love numbers and equilibrium.
   bool has_modes = false, has_love_numbers = false, has_equilibria = false;

@@ -65,7 +65,7 @@ double value_of(const std::string& expression, const ParameterValues& parameters
 }
 
 /// The text of a value. With Rounding::to_whole, a value that is an integer up to round-off is printed as this integer.
-/// Values from 10¹⁵ are not rounded.
+/// Values of 10¹⁵ and above are not rounded.
 std::string printed(double value, Rounding rounding) {
   const double whole = std::round(value);
   const bool is_whole = std::abs(value - whole) <= 8 * std::numeric_limits<double>::epsilon() * std::abs(whole);

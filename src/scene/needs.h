@@ -19,7 +19,7 @@ struct Needs {
   bool constraint = false;                      ///< whether the body has the constraint det = 1
   bool pressure_space = false;    ///< whether a model with motions other than x = QX needs a pressure space
   bool comparison = false;        ///< whether the runs of the models are compared with the last run
-  bool companion = false;         ///< whether a companion run estimates the error in space of the reference
+  bool companion = false;         ///< whether a companion run estimates the error in space of the last model
   bool quadrature_error = false;  ///< whether the error of Q by the quadrature of polynomial bodies is estimated
   bool contact = false;           ///< whether the body may touch rigid planes
   bool surface_watch = false;     ///< whether the surface of the finite-element model is checked for Biot's limit

@@ -100,7 +100,7 @@ struct Scene {
     int number = 8;
   } modes;
   struct Love {
-    std::vector<int> degrees;  ///< increasing; empty: auto (love_degrees)
+    std::vector<int> degrees;  ///< increasing; empty: auto (love_degrees in scene/models.h)
   } love;
   struct Manifolds {
     int starts = 24;

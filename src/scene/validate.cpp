@@ -27,12 +27,12 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Largest semi-axis in radii. The least semi-axis is its reciprocal. The entries of E₀ contain the squares, at most
-/// 10¹².
+/// Largest semi-axis in radii. The least semi-axis is its reciprocal. The entries of E₀ contain the square of a
+/// semi-axis, at most 10¹².
 constexpr double largest_axis = 1e6;
 
-/// Largest inertia, stiffness and unit of time in the units of the scene. The least values are its reciprocal. Products
-/// of three such numbers are finite.
+/// Largest inertia, stiffness and unit of time in the units of the scene. The least values are the reciprocal of this
+/// number. Products of three such numbers are finite.
 constexpr double largest_unit = 1e100;
 
 /// Largest number of steps. The fastest systems need 0.1 µs per step, and therefore about a day for this number. The
@@ -79,7 +79,7 @@ class Validator {
   }
 
   /// Sets the constant of gravity if the scene gives γ = ρgr/μ: G = 3γμ/(4πρ²r²). Refuses γ of a fluid, and a scene
-  /// that gives another G as well.
+  /// that also gives another G.
   void set_constant_of_gravity() {
     if (scene_.gamma == 0) return;
     if (is_fluid(scene_))

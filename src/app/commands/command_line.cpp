@@ -17,7 +17,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Joins the lines of CLI11's text for a wrong command line, because an error message has one sentence.
+/// Joins the lines of CLI11's text for a wrong command line, because an error message has one sentence. Appends a hint
+/// to --help.
 std::string one_sentence(std::string text) {
   for (char& c : text)
     if (c == '\n') c = ' ';

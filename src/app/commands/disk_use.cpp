@@ -129,7 +129,7 @@ double bytes_of_files(const fs::path& folder) {
 
 /// Free bytes on the disk of the directory, plus the bytes of the earlier results in the directory, which the run
 /// replaces. Empty if the operating system does not give the free space. Other problems of the directory are reported
-/// when it is created.
+/// when the directory is created.
 std::optional<double> room_in(const io::RunDirectory& directory) {
   std::error_code error;
   const fs::space_info space = fs::space(nearest_existing(directory.path()), error);

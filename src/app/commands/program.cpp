@@ -82,7 +82,7 @@ void require_mpi_of(const Launch& launch, const Ranks& ranks) {
                   launch.rank, ranks.size(), ranks.size() == 1 ? "" : "s"));
 }
 
-/// The opened library and the ranks of this process.
+/// The executable with the library that this process has opened, and the ranks of this process.
 struct Process {
   Executable executable;
   Launch launch{};

@@ -1,5 +1,5 @@
 #pragma once
-/// The program with its command line and the models that it can run.
+/// The entry point of the program, and the models that the program can run.
 
 #include <algorithm>
 #include <map>

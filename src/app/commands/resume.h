@@ -11,7 +11,7 @@
 
 namespace pseudorigid::app {
 
-/// The paths of the existing checkpoints in the directory that a run of the scene may have written.
+/// The paths of all checkpoints of models, systems and searches that exist in the directory.
 std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene);
 
 /// Sets the number of samples of a resumed scene, so that the interval between samples remains the interval of the

@@ -61,7 +61,7 @@ std::string print(const std::string& results) try {
   return error.what();
 }
 
-/// Writes the last line of the log and the end into the manifest. Returns the exit code.
+/// Writes the last line of the log, and the outcome of the run into the manifest. Returns the exit code.
 int end_run(mechanics::Outcome outcome, int exit_code, const std::string& message, const char* advice,
             const RunContext& context, io::ManifestFile& manifest) {
   if (outcome == mechanics::Outcome::finished)

@@ -79,7 +79,7 @@ class SweepRows {
     return names;
   }
 
-  /// Checks both tables before one of them is truncated. Throws UserError if a table is damaged.
+  /// Checks both tables before either of them is truncated. Throws UserError if a table is damaged.
   void require_sound_tables(const RunContext& context, const std::vector<std::string>& columns,
                             std::int64_t n_samples) const {
     io::require_rows(context.directory.csv(name), columns, n_written_);

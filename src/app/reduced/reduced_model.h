@@ -104,7 +104,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     if constexpr (!mechanics::unconstrained<System>) return {};
     const Eigen::Matrix3d Q = Q_of(state);
     const double tolerance = context_.scene.time.tolerance;
-    // The singular values σ₁ ≥ σ₂ ≥ σ₃ have det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2. In most steps, this bound of σ₃ suffices.
+    // Because det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2, the least singular value σ₃ is at least 2 det Q/|Q|². In most steps,
+    // this bound suffices.
     if (2 * Q.determinant() > tolerance * Q.squaredNorm()) return {};
     const double least = mechanics::principal_axes(Q).a.minCoeff();
     if (least > tolerance) return {};
@@ -253,7 +254,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   long n_noted_ = 0;
   mechanics::ReducedObservables observables_;
   ContactWatch contacts_;
-  std::optional<reduced::Bipolar> bipolar_;  ///< at the last sample
+  std::optional<reduced::Bipolar> bipolar_;  ///< bipolar quantities at the last sample
   std::optional<io::BallBlocks> ball_;       ///< blocks of the pictures; empty until the first picture
 };
 

@@ -34,7 +34,7 @@ struct RunPosition {
   long n_repeated = 0;  ///< number of attempts to integrate an interval that were repeated with shorter steps
   long n_failed = 0;    ///< number of these attempts in which a step failed
   LooksAtFrequency looks{};
-  double max_constraint = 0, max_constraint_rate = 0;  ///< largest scaled |g| and |Gv| at the samples so far
+  double max_constraint = 0, max_constraint_rate = 0;  ///< largest scaled constraint |g| and rate |Gv| at the samples
   /// Estimated time error of the configuration, added over all parts of the run. Each part has its own step. Empty if
   /// the step of one of the parts was not found by a search with an error estimate.
   std::optional<double> time_error = 0;

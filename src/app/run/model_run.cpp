@@ -117,7 +117,7 @@ mechanics::Status ModelRunBase::begin() {
     const Status status = choose_stepping();
     sink_->create(columns);
     if (has_shapes_) sink_->create_shapes(any_model_.shape_file(), any_model_.shape_columns());
-    // The checkpoint at the start serves a run that is interrupted before its first step. The checkpoint is also
+    // The checkpoint at the start is for a run that is interrupted before its first step. The checkpoint is also
     // written if no step was found: the user can then set a step and resume.
     save();
     if (!status) return status;

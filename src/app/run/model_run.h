@@ -192,7 +192,7 @@ class ModelRun final : public ModelRunBase {
     good_.t = state_.t;
   }
   void return_to_kept_state() override { state_ = good_state_; }
-  /// Properties of a state that decide on the steps of the intervals before and after it.
+  /// Properties of a state that determine the steps of the intervals before and after this state.
   struct LocalVolume {
     double least_jacobian;
     double rattle_limit = HUGE_VAL;  ///< largest stable step of RATTLE times less_reserve, if the motion is violent
