@@ -55,8 +55,7 @@ class ModelRunBase : protected ModelStepping {
   void save() {
     if (sink_->keeps_states()) write(good_, kept_vectors());
   }
-  /// Writes a checkpoint. If `of_sample` is not empty, it has the vectors of the kept state, which the checkpoint then
-  /// also contains.
+  /// Writes a checkpoint. The checkpoint also has the kept state if `of_sample` contains the vectors of this state.
   void write(const Snapshot& snapshot, SavedVectors vectors, std::optional<SavedVectors> of_sample = {});
 
  private:
@@ -197,8 +196,7 @@ class ModelRun final : public ModelRunBase {
     double least_jacobian;
     double rattle_limit = HUGE_VAL;  ///< largest stable step of RATTLE times less_reserve, if the motion is violent
   };
-  /// Measures the local volume in `state`, which is the present state. The stable step is computed only if the least
-  /// det F is at most 0.8.
+  /// Measures the local volume in the present state `state`. The stable step is computed only if the least det F ≤ 0.8.
   LocalVolume look_at(const State& state) const {
     constexpr double violent = 0.8;
     LocalVolume seen{model_.least_jacobian(state)};
@@ -206,9 +204,8 @@ class ModelRun final : public ModelRunBase {
       seen.rattle_limit = limit;
     return seen;
   }
-  /// Least number of halvings after which a step is stable at `state` and keeps the local volume, at most
-  /// most_halvings. The number is 0 if the local volume has not changed much. The number does not depend on earlier
-  /// states or on the sign of the velocity.
+  /// Least number of halvings after which a step is stable at `state` and keeps the local volume; 0 if the local volume
+  /// has hardly changed. The number does not depend on earlier states or on the sign of the velocity.
   int halvings_at(const State& state, const LocalVolume& seen) const {
     if (seen.rattle_limit == HUGE_VAL) return 0;
     int halvings = halvings_within(seen.rattle_limit);
@@ -289,9 +286,8 @@ class ModelRun final : public ModelRunBase {
     return {};
   }
 
-  /// Sets request.stiff to true if the damping is linear in the velocity and explicit methods are too expensive. An
-  /// explicit method needs about γh steps for each step h of RATTLE, with the largest damping rate γ. More than
-  /// `most_steps` steps are too expensive.
+  /// Sets request.stiff for damping linear in the velocity if an explicit method would need too many steps. Such a
+  /// method needs about γh steps for each step h of RATTLE, with the largest damping rate γ.
   Status judge_stiffness([[maybe_unused]] mechanics::StepRequest& request) const override {
     if constexpr (mechanics::LinearlyDamped<System>) {
       if (!mechanics::dissipative(model_.system())) return {};
