@@ -18,7 +18,7 @@ struct Executable {
   std::vector<BallModel> models;                   ///< all models that scenes may name, in the order of the catalogue
   std::map<std::string, std::string> libraries{};  ///< name → version, for the manifest
   /// Returns the SIMD instructions of the kernels, or "" if there are no kernels. Throws mechanics::NoKernels if the
-  /// processor cannot run any of the kernels.
+  /// processor cannot run the kernels, or if the requested build of the kernels does not exist.
   std::string_view (*instructions)() = [] { return std::string_view(); };
   /// Function that opens the finite-element library. Throws NoContinuum if this is not possible.
   const ContinuumModule* (*open_continuum)() = []() -> const ContinuumModule* {

@@ -187,8 +187,9 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
   return failure.exit_code;
 }
 
-/// Prepares the directory and returns its lock. Problems are reported before anything in the directory changes, except
-/// if the folder for pictures cannot be created. The message names the entry or option that determines the directory.
+/// Prepares the directory and returns its lock. A lock of another run, a pipe with the name of a result, and an
+/// unsuitable checkpoint are reported before any result changes. The message names the entry or option that determines
+/// the directory.
 io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const scene::Needs& needs,
                     const Options& options) {
   constexpr const char* entry = "Output/Directory";
