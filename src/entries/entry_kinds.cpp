@@ -12,7 +12,7 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Removes a leading '+'. People and other programs write it, but std::from_chars does not accept it.
+/// Removes a leading '+', which std::from_chars does not accept. A '+' alone or before '-' stays and is an error.
 std::string_view without_plus(std::string_view text) {
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
   return plus ? text.substr(1) : text;
@@ -74,8 +74,8 @@ std::string print_number(double value) {
 
 namespace {
 
-/// Prints the value with three digits, rounded by `towards`, which is floor or ceil. Prints 0, infinity and NaN
-/// unchanged.
+/// Prints the value with three digits, rounded by `towards`, which is floor or ceil. Prints 0, subnormal numbers,
+/// infinity and NaN unchanged.
 std::string three_digits(double value, double (*towards)(double)) {
   if (!std::isnormal(value)) return print_number(value);
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);
@@ -199,8 +199,8 @@ Problem Text::read(std::string_view text, std::string& value) const {
 
 namespace {
 
-/// An expansion of a shell at the beginning of a text, "~" or "$NAME". `value` is the replacement; it is empty if the
-/// shell does not have one.
+/// An expansion of a shell at the beginning of a text, such as `~`, `$NAME` or `$(`. The member `value` is the
+/// replacement of `~` or of a variable. It is empty for other expansions and for variables that are not set.
 struct ShellWord {
   std::string word, value;
 };

@@ -7,7 +7,7 @@
 ///   std::string print(const T& value) const;                                  // read(print(v)) gives v, bit for bit
 ///   std::string expected() const;                                             // "a number > 0"
 ///   static constexpr std::string_view type;                                   // "number"
-///   std::vector<std::string_view> words() const;                              // the permitted words; empty: no list
+///   std::vector<std::string_view> words() const;                              // permitted words, if there are any
 
 #include <array>
 #include <filesystem>
@@ -24,6 +24,7 @@
 
 namespace pseudorigid::scene {
 
+/// The problem of a text that is not a permitted value, for example `got "-1"`. It is empty if the text is permitted.
 using Problem = std::optional<std::string>;
 
 /// The value of `Continuum/Mesh` for the built-in mesh of the ball; any other value is the name of a file.
@@ -38,8 +39,8 @@ std::optional<double> finite_number(std::string_view text);
 /// Returns the shortest decimal text that reads back as the same double. It has at most 17 significant digits.
 std::string print_number(double value);
 
-/// Prints a computed bound for messages with three digits. An upper bound is rounded down and a lower bound up, so the
-/// printed number is itself permitted.
+/// Prints a computed bound with three digits, for a message. An upper bound is rounded down and a lower bound up, so
+/// the printed number is itself permitted.
 std::string print_upper_bound(double value);
 std::string print_lower_bound(double value);
 
@@ -49,7 +50,7 @@ std::string print_row(std::span<const double> numbers);
 /// Prints the matrix in one line. "; " separates rows and ", " separates numbers.
 std::string print_matrix(const Matrix3& matrix);
 
-/// A finite number with low <= number <= high, or low < number if `low_excluded`.
+/// A finite number with low <= number <= high. If `low_excluded` is true, `low` itself is not permitted.
 struct Number {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -129,8 +130,8 @@ struct Text {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The name of a directory, which is used literally. A text with an expansion of the shell, such as `~` or `$NAME`, is
-/// an error.
+/// The name of a directory, which must not be empty and is used literally. Texts that a shell would replace are errors:
+/// `~` at the beginning, and `$NAME`, `${NAME}` or `$(` anywhere.
 struct Directory {
   static constexpr std::string_view type = Text::type;
   Problem read(std::string_view text, std::string& value) const;
@@ -139,14 +140,14 @@ struct Directory {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The word `builtin` or the name of a file.
+/// The word `builtin` or the name of a .msh file.
 struct BuiltinOrMeshFile {
   static constexpr std::string_view type = "mesh";
   Problem read(std::string_view text, std::string& value) const;
   std::string print(const std::string& value) const { return value; }
   std::string expected() const { return "builtin or the name of a .msh file"; }
   std::vector<std::string_view> words() const { return {builtin_mesh}; }
-  /// Returns the absolute path of the file, relative to `folder`. Returns `builtin` unchanged.
+  /// Returns the absolute path of the file. A relative name is relative to `folder`. Returns `builtin` unchanged.
   std::string located(const std::string& value, const std::filesystem::path& folder) const;
 };
 
@@ -170,9 +171,9 @@ struct AutoOrMatrix {
   std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
-/// A list of numbers separated by `,`. It has n entries, or any positive number of entries if n is 0.
+/// A list of numbers separated by `,`.
 struct Numbers {
-  std::size_t n = 0;  ///< 0: any positive number of entries
+  std::size_t n = 0;  ///< number of entries; 0: any positive number
   Number number{};
 
   static constexpr std::string_view type = "list of numbers";
@@ -198,7 +199,7 @@ struct Rows {
 /// The message about a word that is not permitted, with the nearest permitted word if one is near enough.
 std::string unknown_word(std::string_view word, const std::vector<std::string_view>& allowed);
 
-/// A table of names and the values of an enumeration that they mean.
+/// A table of names. Each name has a value of type E, which is an enumeration or a pointer to a member.
 template <class E, std::size_t n>
 using NameTable = std::array<std::pair<std::string_view, E>, n>;
 

@@ -49,7 +49,7 @@ inline double det(const Matrix3& q) {
   return q[0][0] * cof[0][0] + q[0][1] * cof[0][1] + q[0][2] * cof[0][2];
 }
 
-/// The linear combination a A + b B.
+/// The linear combination a·first + b·second.
 inline Matrix3 combine(double a, const Matrix3& first, double b, const Matrix3& second) {
   Matrix3 sum{};
   for (std::size_t i = 0; i < 3; ++i)

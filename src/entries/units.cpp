@@ -43,8 +43,8 @@ const Powers& powers_of(scene::Unit unit) {
 double Units::to_physical(double internal, scene::Unit unit) const {
   const auto [of_length, of_mass, time_power, of_stress] = powers_of(unit);
   int of_time = time_power;
-  // As in the member functions of Units, length per time is a velocity, and 1/t² is the unit of the multiplier. The
-  // conversion of equal quantities therefore has equal round-off.
+  // Length per time is converted by velocity(), and 1/time² by multiplier(). The result then has the same round-off as
+  // a conversion by these member functions.
   const int of_velocity = std::clamp(-of_time, 0, std::max(of_length, 0));
   double factor = 1;
   const auto multiply = [&](double size, int power) {

@@ -4,7 +4,8 @@
 /// The internal units are the length r (radius), the mass ρr³ (ρ: density) and a time t. For an elastic ball without
 /// self-gravity, t is r/c with the speed of shear waves c = √(μ/ρ). In the output, a quantity of dimension length^a
 /// mass^b time^d is multiplied by r^a (ρr³)^b t^d, for example:
-///   energy  mass·length²/time²     J, Z  mass·length²/time     Q̇  1/time     λ per m̄  1/time²     a_i  length
+///   energies  mass·length²/time²            angular momentum J, circulation Z  mass·length²/time
+///   Q̇  1/time                               multiplier λ per m̄ = tr E₀/3      1/time²
 
 #include "entries/unit.h"
 
@@ -15,8 +16,9 @@ struct Units {
 
   double velocity() const { return length / time; }
   double energy() const { return mass * velocity() * velocity(); }
-  double momentum() const { return mass * length * velocity(); }  ///< the unit of J and Z
+  double momentum() const { return mass * length * velocity(); }  ///< the unit of angular momentum and circulation
   double stress() const { return energy() / (length * length * length); }
+  /// The unit of the multiplier of det Q = 1, divided by m̄ = tr E₀/3.
   double multiplier() const { return 1 / (time * time); }
 
   /// Converts a quantity with the given unit from internal units to the units of the input.

@@ -19,7 +19,8 @@ std::string_view last_part(std::string_view path) {
   return path.substr(path.rfind('/') + 1);  // npos + 1 == 0: the whole path
 }
 
-/// A character from web pages or word processors that is easily mistaken for the character `typed` of the keyboard.
+/// A character from web pages or word processors that is easily mistaken for `typed`. The text `typed` is a character
+/// of the keyboard, or empty if the character is to be deleted.
 struct Lookalike {
   std::string_view bytes, name, typed;
 };

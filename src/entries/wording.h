@@ -8,8 +8,8 @@
 
 namespace pseudorigid::scene {
 
-/// Returns `text` in quotation marks, shortened to a readable length, with `?` for control characters. If a character
-/// only looks like an ASCII character, the name of the first such character follows the quotation.
+/// Returns `text` in quotation marks, shortened to a readable length, with `?` for control characters. If the text
+/// contains characters that only look like ASCII characters, the name of the first one follows the quotation.
 std::string quote(std::string_view text);
 
 /// Returns `text` without white space at both ends.

@@ -32,7 +32,7 @@ std::string in_words(const std::vector<Setting>& settings, const Refusal& refusa
 
 Setting models(const std::vector<std::string_view>& names) { return {models_path, joined(names)}; }
 
-/// The models among `names` such that the scene is valid if it runs this model only. If there is none, returns all of
+/// Returns those models of `names` with which the scene is valid if they run alone. If there is none, returns all of
 /// `names`.
 std::vector<std::string_view> accepted_of(const std::vector<std::string_view>& names, const Scene& scene,
                                           const Accepts& accepts) {

@@ -15,7 +15,8 @@ namespace pseudorigid::scene {
 /// A function that returns whether a scene is valid.
 using Accepts = std::function<bool(Scene)>;
 
-/// Returns the scene in which the entries of `settings` have the given values.
+/// Returns the scene in which the entries of `settings` have the given values. Expressions in these entries are
+/// removed.
 Scene with_settings(Scene scene, const std::vector<Setting>& settings);
 
 /// Returns the sentence of a refusal with its recommendations. An example is "a sweep is offered for the models a, b;

@@ -56,8 +56,9 @@ std::optional<Refusal> refuses_relative_equilibrium(const Scene& scene) {
   return {};
 }
 
-/// Returns the violated requirement of equilibria at rest, or nothing. A body can be at rest under every load that has
-/// a potential. Dissipation does not change the equilibria, but changes the rates.
+/// Returns the violated requirement of equilibria at rest, or nothing. A body can be at rest under loads with a
+/// potential that does not depend on time. Dissipation does not change the equilibria, but changes the rates of small
+/// motions about them.
 std::optional<Refusal> refuses_static_equilibria(const Scene& scene) {
   const auto finds = [](const ModelDescription& model) { return model.static_equilibria != nullptr; };
   if (!std::ranges::all_of(models_of(scene), [&](const auto* model) { return finds(*model); }))
@@ -82,7 +83,8 @@ std::optional<Refusal> refuses_equilibria(const Scene& scene) {
 }
 
 /// Refuses initial states and loads that modes and Love numbers ignore. Both analyses compute small displacements of
-/// the undeformed ball from rest, without loads other than self-gravity.
+/// the undeformed ball from rest, without loads other than self-gravity. Also refuses a compressible ball whose law has
+/// a stress at rest, because such a ball does not stay undeformed.
 std::optional<Refusal> refuses_displaced_start(const Scene& scene, std::string_view what) {
   const auto& state = scene.initial_state;
   const std::string start =

@@ -1,7 +1,7 @@
 #pragma once
-/// The contents of parameter files that other layers define: the names of the methods, the models of the ball, and the
-/// other systems with their entries and columns. The program passes the catalogue (app/models/catalogue.h) to
-/// read_scene. The scene layer itself defines only the ball.
+/// The catalogue: the methods, the models of the ball, and the other systems with their entries and columns. Other
+/// layers define them, and parameter files contain their names. The program passes the catalogue
+/// (app/models/catalogue.h) to read_scene. The scene layer itself defines only the ball.
 
 #include <functional>
 #include <optional>
@@ -65,7 +65,7 @@ struct Column {
 
 struct Scene;
 
-/// An entry and a text that can be read as its value.
+/// The path of an entry, and a text that can be read as its value.
 struct Setting {
   std::string path, value;
 };
@@ -103,10 +103,9 @@ struct EquilibriaTable {
 
 /// One run of a model of the ball.
 struct ModelRun {
-  std::string name;       ///< name of its files
-  std::string adjective;  ///< adjective of its ball in sentences, for example "polynomial N = 3"
-  bool finds_degree =
-      false;  ///< whether the run chooses its degree N (counter `degree`), which the adjective then contains
+  std::string name;           ///< name of its files
+  std::string adjective;      ///< adjective of its ball in sentences, for example "polynomial N = 3"
+  bool finds_degree = false;  ///< whether the run finds its degree N; the adjective is then without N
 };
 
 /// A model of the ball. Its name is a value of the entry Models.
@@ -116,10 +115,11 @@ struct ModelDescription {
   std::string_view documentation;  ///< one sentence for the user
   bool by_default = false;         ///< whether a scene without the entry Models uses it
   /// Whether the model has finite elements. Such a model uses the section Continuum and meshes, and has an error of its
-  /// discretisation. Several processes may share its computation, and it runs in the executable that links deal.II.
+  /// discretisation. Several processes may share its computation. The model needs the finite-element library
+  /// (app/run/continuum_module.h).
   Required<bool> discretized;
   /// Whether the model has motions other than x = QX, Q a matrix. Sectors and the columns `nonaffine` are for such
-  /// models. A model without them is the pseudo-rigid body, and the exact results for this body apply.
+  /// models. A model without such motions is the pseudo-rigid body, and the exact results for this body apply.
   Required<bool> has_nonaffine;
   /// Whether the model offers Analysis = modes, love numbers and equilibrium.
   bool has_modes = false, has_love_numbers = false, has_equilibria = false;
@@ -143,8 +143,8 @@ struct ModelDescription {
   std::function<std::string(const Scene&)> needed, skipped;
   /// Returns whether the model can use a method. The pointer is null if the model can use every method.
   bool (*takes_method)(std::string_view name) = nullptr;
-  /// Returns the error of the scene for this model, or nothing. The checks in scene/validate.cpp have accepted the
-  /// scene.
+  /// Returns the error of the scene for this model, or nothing. The general checks of scene/validate.cpp have accepted
+  /// the scene before.
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
 

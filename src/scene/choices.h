@@ -33,7 +33,8 @@ inline constexpr auto initial_family_kind = choice<Family>({
     {"riemann-planar", Family::riemann_planar},
     {"riemann-planar-dual", Family::riemann_planar_dual},
 });
-/// The families for Analysis = equilibrium. They are all families except `none`, and the equilibria at rest.
+/// The families for Analysis = equilibrium. They are the families without `none`, and in addition the equilibria at
+/// rest.
 inline constexpr auto family_kind = []() consteval {
   auto table = initial_family_kind.table;
   std::ranges::rotate(table, table.begin() + 1);

@@ -1,8 +1,12 @@
 #pragma once
 /// Checks of rigid planes (loads/rigid_planes.h). Each normal must be nonzero and must have a point. The surface of the
-/// body must be known. The initial body with centre x_c and deformation Q₀ must be in front of each plane n·x = z₀:
+/// body must be known. The initial body must be in front of each plane n·x = z₀, where n is the unit normal. For a body
+/// with radius r, centre x_c and deformation Q₀, this condition is
 ///
 ///   n·x ≥ z₀ for all x of the body,   that is   n·x_c − |S Q₀ᵀn| r ≥ z₀,   S = diag(semi-axes).
+///
+/// A penetration that is only round-off is permitted. The entry Semi-axes, which is in radii, describes the surface. A
+/// matrix Body/Inertia and a mesh from a file are therefore refused.
 
 #include <optional>
 

@@ -44,11 +44,12 @@ std::string describe(const Discretization& d);
 std::optional<Discretization> fixed_discretization(const Scene& scene);
 
 /// The discretisations that the scene admits, by increasing cost. A discretisation is omitted if its resolution is not
-/// at least 10 % higher than the resolution of the previous one.
+/// at least 10 % higher than the resolution of the last one that is kept.
 std::vector<Discretization> ladder(const Scene& scene);
 
-/// The discretisation of the companion run, by which a run estimates its error. The companion has one degree less. If
-/// the degree is at most 2, it has one refinement less. If the mesh is then unrefined, it has one degree more.
+/// The discretisation of the companion run, by which a run estimates its error. The companion of a degree above 2 has
+/// one degree less. For other degrees, the companion has one refinement less on a refined mesh, and one degree more on
+/// an unrefined mesh.
 Discretization companion(const Discretization& d);
 
 /// The degree of the companion run for a polynomial body of degree N. The degrees differ by two, because bodies with

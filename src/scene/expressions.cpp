@@ -27,8 +27,8 @@ std::string what_is_known(std::string_view name, const ParameterValues& paramete
   return did_you_mean(name, names) + fmt::format("; the parameters of the sweep are {}", fmt::join(names, ", "));
 }
 
-/// Returns a parser without variables, whose only constant is pi. Each thread constructs it once, because the
-/// construction takes longer than the evaluation of an expression.
+/// Returns the parser of this thread, without variables and with pi as its only constant. Each thread constructs its
+/// parser once, because the construction takes longer than the evaluation of an expression.
 mu::Parser& cleared_parser() {
   thread_local mu::Parser parser;
   parser.ClearVar();
@@ -65,6 +65,7 @@ double value_of(const std::string& expression, const ParameterValues& parameters
 }
 
 /// The text of a value. With Rounding::to_whole, a value that is an integer up to round-off is printed as this integer.
+/// Values of 10¹⁵ and above are not rounded.
 std::string printed(double value, Rounding rounding) {
   const double whole = std::round(value);
   const bool is_whole = std::abs(value - whole) <= 8 * std::numeric_limits<double>::epsilon() * std::abs(whole);
@@ -83,7 +84,8 @@ std::size_t closing_parenthesis(std::string_view text, std::size_t from) {
   return from;
 }
 
-/// Calls use(expression) for each `$(…)` of the text, and keep(text) for each piece between them.
+/// Calls use(expression) for each `$(…)` of the text, and keep(text) for the text around them. Throws UserError if a
+/// closing parenthesis is missing.
 template <class Keep, class Use>
 void visit_expressions(std::string_view text, const Keep& keep, const Use& use) {
   for (std::size_t at = 0; at < text.size();) {

@@ -3,8 +3,8 @@
 ///
 ///     set Deformation = $(1/sqrt(l)), 0, 0; 0, $(1/sqrt(l)), 0; 0, 0, $(l)
 ///
-/// The operators are + − * / ^. An expression may contain muParser's functions (sqrt, sin, cos, exp, ln, …), pi, and
-/// the parameters of a sweep.
+/// The operators are those of muParser, for example + − * / ^. An expression may contain muParser's functions (sqrt,
+/// sin, cos, exp, ln, …), pi, and the parameters of a sweep.
 
 #include <set>
 #include <string>
@@ -22,17 +22,17 @@ enum class Rounding {
   to_whole,  ///< prints an integer if the value is an integer up to round-off
 };
 
-/// The text, in which every `$(…)` is replaced by its value. The printed value can be read back to the same double,
-/// except for the rounding. Throws UserError if an expression cannot be evaluated, is a list or is not finite. The
-/// message does not contain the origin of the text.
+/// The text, in which every `$(…)` is replaced by its value for the given parameters. Without rounding, the printed
+/// value reads back as the same double. Throws UserError if an expression cannot be evaluated, is a list or is not
+/// finite. The message does not contain the origin of the text.
 std::string evaluated(std::string_view text, const ParameterValues& parameters, Rounding rounding = Rounding::none);
 
-/// The names of the parameters in the expressions of a text that `evaluated` accepts. Throws UserError for an error of
-/// syntax.
+/// The names of the parameters in the expressions of a text. Unknown names, which `evaluated` refuses, are included.
+/// Throws UserError for an error of syntax.
 std::set<std::string> names_used(std::string_view text, const Sweep& parameters);
 
-/// Returns "a function" or "a constant" if the name already has this meaning in expressions. A parameter cannot have
-/// such a name. Otherwise the result is empty.
+/// Returns "a function" or "a constant" if the name has this meaning in expressions, otherwise an empty text. A
+/// parameter cannot have a name with such a meaning.
 std::string_view meaning_in_expressions(const std::string& name);
 
 }  // namespace pseudorigid::scene

@@ -14,10 +14,12 @@
 
 namespace pseudorigid::scene {
 
-/// Refuses entries of the initial state that are too large or too small, an ill-conditioned Q0, and det Q0 <= 0.
+/// Refuses det Q0 <= 0, an ill-conditioned Q0, a largest entry of Q0 that is too large or too small, and too large
+/// entries of Qdot0.
 std::optional<Refusal> refuses_initial_state(const Scene& scene);
 
-/// Projects the initial state of an incompressible body. If a condition above is violated, returns the reason.
+/// Projects the initial state of the scene, whose body is incompressible. If a condition above is violated, returns the
+/// reason.
 std::optional<Refusal> make_isochoric(Scene& scene);
 
 /// Returns Q0 (det Q0)^(-1/3). Zeros remain zero. If det Q0 is 1 up to round-off, returns Q0 unchanged.

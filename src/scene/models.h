@@ -56,7 +56,8 @@ inline int resolved_degree(const Scene& scene) {
   return scene.continuum.degree.value_or(1) << scene.continuum.refinements.value_or(0);
 }
 
-/// The degrees of the tides for which Analysis = love numbers writes Love numbers.
+/// The degrees of the tides for which Analysis = love numbers writes Love numbers. If the scene does not list them,
+/// they are 2 to 8, or fewer if the finite elements do not resolve these degrees.
 inline std::vector<int> love_degrees(const Scene& scene) {
   if (!scene.love.degrees.empty()) return scene.love.degrees;
   constexpr int last = 8;

@@ -25,7 +25,8 @@ void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped
 }
 
 /// Adds a line about the estimate of the discretisation error of the reference model, and sets `needs.companion`.
-/// Either a search estimates this error, or a companion run does if there is a comparison.
+/// Either a search estimates this error, or a companion run does if there is a comparison and the scene requests the
+/// estimate. Does nothing if the reference has no such error or the analysis is not a motion.
 void describe_error_estimate(const Scene& scene, Needs& needs) {
   const ModelDescription& richest = *needs.models.back();
   if (!richest.companion || scene.analysis != Analysis::motion) return;

@@ -18,8 +18,8 @@ struct Needs {
   bool discretized = false;                     ///< whether a model needs a mesh, deal.II, MPI and PETSc
   bool constraint = false;                      ///< whether the body has the constraint det = 1
   bool pressure_space = false;    ///< whether a model with motions other than x = QX needs a pressure space
-  bool comparison = false;        ///< whether the other models are compared with the last model
-  bool companion = false;         ///< whether a companion run estimates the error in space of the reference
+  bool comparison = false;        ///< whether the runs of the models are compared with the last run
+  bool companion = false;         ///< whether a companion run estimates the error in space of the last model
   bool quadrature_error = false;  ///< whether the error of Q by the quadrature of polynomial bodies is estimated
   bool contact = false;           ///< whether the body may touch rigid planes
   bool surface_watch = false;     ///< whether the surface of the finite-element model is checked for Biot's limit
@@ -30,7 +30,7 @@ struct Needs {
   std::vector<std::string> needed, skipped;         ///< lines for the user
   std::vector<std::string> expected;                ///< lines about errors that are known before the run
   std::vector<std::string> warnings;                ///< sentences about valid input that is seldom intended
-  std::optional<std::pair<double, double>> gammas;  ///< least and largest γ of the runs of a sweep; empty: one run
+  std::optional<std::pair<double, double>> gammas;  ///< least and largest γ = ρgr/μ in a sweep; empty: one run
 };
 
 /// The needs of a scene that scene::validate has returned.
@@ -39,8 +39,8 @@ Needs needs(const Scene& scene);
 /// One line of text: the analysis, the body or system, and the end time of a motion or section.
 std::string summary(const Scene& scene, const Needs& needs);
 
-/// The text that `pseudorigid check` prints, and that a run writes to the log. It lists the needed parts, and the
-/// skipped parts with the reasons.
+/// The text that `pseudorigid check` prints, and that a run writes to the log. It lists the scales, the needed parts,
+/// the skipped parts with the reasons, and warnings.
 std::string describe(const Scene& scene, const Needs& needs);
 
 }  // namespace pseudorigid::scene

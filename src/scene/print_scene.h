@@ -10,8 +10,8 @@
 
 namespace pseudorigid::scene {
 
-/// A parameter file with all entries that have an effect on the scene. The program reads this file as exactly the same
-/// scene. Comments mark the entries that the command line sets.
+/// A parameter file with all entries that concern the system of the scene. The program reads this file as exactly the
+/// same scene. Comments mark the entries that the command line sets.
 std::string to_prm(const Scene& scene, const Origins& origins = {});
 
 /// The path of an entry and its value in a run. The value has the canonical form of the kind of the entry.
@@ -19,14 +19,14 @@ struct UsedValue {
   std::string path, value;
 };
 
-/// All entries that have an effect on the scene, including those with default values. If the value varies in a sweep,
-/// its expression replaces the value.
+/// All entries that concern the system of the scene, including those with default values. If the value varies in a
+/// sweep, its expression replaces the value.
 std::vector<UsedValue> used_values(const Scene& scene);
 
 enum class Format { prm, markdown, json };
 
 /// A list of all entries with default, range, unit and documentation. In the format prm, the list is a parameter file
-/// with the default values.
+/// with the default values. In the format markdown, tables of the models, the methods and the columns follow.
 std::string parameters(Format format, const Catalogue& catalogue);
 
 }  // namespace pseudorigid::scene

@@ -35,7 +35,8 @@ std::string scene_meant(const fs::path& file) {
   return fs::exists(file, ignored) ? "" : did_you_mean(file.string(), {found.begin(), found.end()});
 }
 
-/// Reads a text file. Error messages begin with `blame`.
+/// Reads a text file. Throws UserError if this fails or if the file is larger than 1 MiB. The message begins with
+/// `blame`.
 std::string text_of(const fs::path& file, const std::string& blame) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored))
@@ -61,7 +62,7 @@ bool take_keyword(std::string_view& line, std::string_view small, std::string_vi
   return true;
 }
 
-/// Whether the line is a statement if it is not joined to another line.
+/// Whether the line by itself, not joined to another line, is a statement.
 bool is_statement(std::string_view line) {
   std::string text(trimmed(line.substr(0, line.find('#'))));
   std::replace(text.begin(), text.end(), '\t', ' ');

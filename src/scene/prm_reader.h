@@ -39,7 +39,7 @@ struct Statement {
 
 using StatementHandler = std::function<void(const Statement&)>;
 
-/// The text of a file. Throws UserError if the file cannot be read.
+/// The text of a file. Throws UserError if the file cannot be read or is larger than 1 MiB.
 std::string text_of_prm(const std::filesystem::path& file);
 
 /// Calls `handle` for each statement of the text and of the included files, in order. An exception of `handle` ends the

@@ -44,8 +44,8 @@ void check_subsection(const Statement& statement, const Scene& scene) {
                               did_you_mean(statement.path, sections)));
 }
 
-/// The path of a mesh file. A name in a parameter file is relative to the folder of this file. A name in an override is
-/// relative to the working directory.
+/// The absolute path of a mesh file, or `builtin`. A name in a parameter file is relative to the folder of this file. A
+/// name in an override is relative to the working directory. Throws UserError if the path contains `#`.
 std::string located(const Statement& statement, const BuiltinOrMeshFile& kind, const std::string& name) {
   const bool in_file = statement.line > 0;
   std::string path =

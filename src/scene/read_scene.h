@@ -40,8 +40,9 @@ struct ReadScene {
 };
 
 /// Reads the file and then the overrides ("Section/Entry=value"). If an entry has several values, the last one is used.
-/// Throws UserError if a file cannot be read, a name is unknown or a value is out of range. The message is one sentence
-/// that begins with file:line or --set. The catalogue must outlive the scene.
+/// Entries with expressions have their values in the first run. Throws UserError if a file cannot be read, a name is
+/// unknown, or a value is wrong or out of range. The message is one sentence that begins with file:line or --set. The
+/// catalogue must outlive the scene.
 ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                      const Catalogue& catalogue);
 

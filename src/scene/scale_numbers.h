@@ -4,7 +4,7 @@
 ///   c = √(μ/ρ),   Time/End in r/c,   γ = ρgr/μ with g = (4/3)πGρr,   ω²r²/c²,   v/c
 ///
 /// with the spin ω, which is the axial vector of Q̇₀Q₀⁻¹, and the largest initial speed v of the ball relative to the
-/// centre of mass. For a fluid, μ = 0, the unit of time t of scene/scales.h replaces r/c, and γ is omitted.
+/// centre of mass. A fluid has μ = 0. For a fluid, the unit of time t of scene/scales.h replaces r/c, and γ is omitted.
 
 #include <string>
 #include <vector>

@@ -28,8 +28,8 @@ inline materials::AnyLaw law_of(const Scene& scene) {
 
 inline bool is_fluid(const Scene& scene) { return materials::is_fluid(law_of(scene)); }
 
-/// Whether the ball has no loads, so that elasticity and pressure are the only forces.
-/// A rise is not a load: without a load that rises, it has no effect.
+/// Whether no load acts on the ball, so that elasticity and pressure are the only forces. Self-gravity is a load. A
+/// rise alone is not a load, because it only changes other loads.
 inline bool is_free(const Scene& scene) {
   loads::Loads acting = scene.loads;
   acting.get<loads::Rise>() = {};
@@ -55,6 +55,7 @@ inline double rate_of_loads(const Scene& scene) {
   return rate;
 }
 
+/// The unit of time t.
 inline double time_scale(const Scene& scene) {
   const auto& body = scene.body;
   const double gravity = std::numbers::pi * loads::constant_forcing(scene.loads).gravity_constant * body.density;

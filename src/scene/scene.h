@@ -17,8 +17,8 @@
 namespace pseudorigid::scene {
 
 enum class Analysis { motion, modes, love_numbers, equilibrium, manifolds, section };
-/// The crossings that Analysis = section records. The column Section/Column increases at a crossing `up` and decreases
-/// at a crossing `down`. With `both`, the section has all crossings.
+/// The crossings that Analysis = section records. The column that Section/Column names increases at a crossing `up` and
+/// decreases at a crossing `down`. With `both`, the section has all crossings.
 enum class Crossings { up, down, both };
 /// Families of relative equilibria (reduced/equilibrium_families.h). The value `at_rest` selects the equilibria at
 /// rest, which do not form a family.
@@ -100,7 +100,7 @@ struct Scene {
     int number = 8;
   } modes;
   struct Love {
-    std::vector<int> degrees;  ///< increasing; empty: auto (love_degrees)
+    std::vector<int> degrees;  ///< increasing; empty: auto (love_degrees in scene/models.h)
   } love;
   struct Manifolds {
     int starts = 24;

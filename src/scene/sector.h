@@ -31,17 +31,18 @@ inline constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 /// planes.
 std::array<bool, 3> planes_of(Symmetry symmetry);
 
-/// Describes the first entry of the initial state or of the loads that breaks the symmetry about the plane with normal
-/// e_i. An example is "entry (1,2) of Initial state/Velocity is 0.5 and not 0". The result is empty if the motion has
-/// this symmetry.
+/// Describes the first entry of the initial state, Body/Inertia or the loads that breaks the symmetry about the plane
+/// with normal e_i. An example is "entry (1,2) of Initial state/Velocity is 0.5 and not 0". The result is empty if the
+/// motion has this symmetry.
 std::optional<std::string> breaks_plane(const Scene& scene, int i);
 
 /// Whether all matrices of the scene are invariant under the three reflections S_i. Without contact, Q is then diagonal
-/// at all times. Vectors are not checked, because they affect the centre of mass but not Q.
+/// at all times. Rigid planes are not checked. Vectors are not checked either, because they affect the centre of mass
+/// but not Q.
 bool keeps_diagonal(const Scene& scene);
 
 /// The sector of the scene. It is the sector that the scene sets, or the smallest one that the initial state and the
-/// loads admit. With a mesh from a file it is the full ball.
+/// loads admit. With a mesh from a file it is the whole body.
 Sector sector(const Scene& scene);
 
 }  // namespace pseudorigid::scene

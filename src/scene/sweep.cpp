@@ -73,7 +73,7 @@ std::uint64_t mixed(std::uint64_t x) {
 double uniform(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
 /// The image of j under a permutation of 0 … n − 1 that depends on the key. A Feistel network permutes the numbers
-/// below 4ᵐ ≥ n. It is applied repeatedly until the result is below n.
+/// below 4ᵐ ≥ n. The network is applied repeatedly until the result is below n.
 int permuted(int j, int n, std::uint64_t key) {
   int m = 1;
   while ((1L << (2 * m)) < n) ++m;

@@ -11,7 +11,7 @@
 /// `latin` have the same n, and change together from run to run. The range of each parameter is divided into n parts of
 /// equal length, or of equal ratio for `logarithmic latin`. Each part contains one value. The seed S determines the
 /// position of the value in its part, and the run that uses the value. These n runs are repeated for each combination
-/// of the other parameters. In successive runs, the parameters with `latin` change before all other parameters.
+/// of the other parameters. In successive runs, the parameters with `latin` vary fastest.
 
 #include <cstdint>
 #include <map>
@@ -31,6 +31,7 @@ struct SweepParameter {
   std::optional<std::uint32_t> seed{};  ///< seed of a parameter of a Latin hypercube
 
   int size() const { return n_values ? *n_values : static_cast<int>(values.size()); }
+  /// Value i of a parameter that does not have `latin`.
   double operator[](int i) const;
 };
 
@@ -44,12 +45,13 @@ inline constexpr int largest_number_of_runs = 10'000'000;
 struct SweepPart {
   int part = 1, n_parts = 1;
 };
-/// Returns the first run of the part and the run after its last run.
+/// Returns the first run of the part and the run after its last run, of the runs 0 … n_runs − 1.
 std::pair<int, int> runs_of_part(const SweepPart& part, int n_runs);
 
 /// The number of values of each parameter with `latin`, or 1 if there is none.
 int n_latin(const Sweep& sweep);
-/// The number of runs of the sweep, or 0 without parameters.
+/// The number of runs of the sweep, or 0 without parameters. A number above 2·largest_number_of_runs is reduced to this
+/// bound.
 int n_runs(const Sweep& sweep);
 /// The values of the parameters in run k = 0 … n_runs − 1.
 ParameterValues values_of_run(const Sweep& sweep, int k);

@@ -27,16 +27,16 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Largest semi-axis in radii. The least semi-axis is its reciprocal. The entries of E₀ contain the squares, at most
-/// 10¹².
+/// Largest semi-axis in radii. The least semi-axis is its reciprocal. The entries of E₀ contain the square of a
+/// semi-axis, at most 10¹².
 constexpr double largest_axis = 1e6;
 
-/// Largest inertia, stiffness and unit of time. The least values are the reciprocal. Products of three such numbers are
-/// finite.
+/// Largest inertia, stiffness and unit of time in the units of the scene. The least values are the reciprocal of this
+/// number. Products of three such numbers are finite.
 constexpr double largest_unit = 1e100;
 
-/// Largest number of steps. The fastest systems need 0.1 µs per step, and therefore about a day for this number. It is
-/// far below 2⁵², the number of steps whose times a double can distinguish.
+/// Largest number of steps. The fastest systems need 0.1 µs per step, and therefore about a day for this number. The
+/// number is far below 2⁵², the number of steps whose times a double can distinguish.
 constexpr double most_steps = 1e12;
 
 /// The purpose of a check: to judge the scene, or to try a recommendation. A trial does not compute recommendations of
@@ -78,7 +78,8 @@ class Validator {
     check_models();
   }
 
-  /// Sets the constant of gravity if the scene gives γ = ρgr/μ: G = 3γμ/(4πρ²r²).
+  /// Sets the constant of gravity if the scene gives γ = ρgr/μ: G = 3γμ/(4πρ²r²). Refuses γ of a fluid, and a scene
+  /// that also gives another G.
   void set_constant_of_gravity() {
     if (scene_.gamma == 0) return;
     if (is_fluid(scene_))
@@ -110,7 +111,7 @@ class Validator {
     return names;
   }
 
-  /// Refuses entries that belong to another system. They would have no effect, and are probably a mistake.
+  /// Refuses entries that belong to another system. Such an entry would have no effect, and is probably a mistake.
   void check_ownership() const {
     for (const auto& [path, where] : origins_.all())
       if (!concerns(scene_, path))
@@ -209,7 +210,8 @@ class Validator {
                print_number(radius), print_number(density), print_number(modulus), 1 / largest_unit, largest_unit));
   }
 
-  /// Checks that the parameters of the law are in the range of double precision.
+  /// Refuses parameters of the law that double precision cannot handle: a Lamé λ far above μ, and a tiny limit of
+  /// Gent's law.
   void check_law() const {
     const materials::AnyLaw law = law_of(scene_);
     const double mu = scene_.material.shear_modulus, lambda = scene_.material.lame_lambda;
@@ -227,7 +229,7 @@ class Validator {
                          print_number(1 / largest_condition), print_number(gent_limit)));
   }
 
-  /// Reports errors that single models find in the scene. The other checks have accepted it.
+  /// Reports errors that single models find in the scene. The other checks have accepted the scene.
   void check_models() const {
     for (const ModelDescription* model : models_of(scene_))
       if (const auto refusal = model->refuses ? model->refuses(scene_) : std::nullopt) refuse(*refusal);

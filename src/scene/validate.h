@@ -6,12 +6,14 @@
 
 namespace pseudorigid::scene {
 
-/// Returns the valid scene. The initial state of an incompressible body is projected (scene/initial_state.h), and a
-/// scene of another system has no models of the ball. Throws UserError with one sentence, which begins with the origin
-/// of the entry and describes the expected value.
+/// Returns the scene if it is valid, otherwise throws a UserError. The text of the error is the origin and the name of
+/// the entry, and the reason in one sentence. In the returned scene, Gravity/Gamma has set the constant of gravity, and
+/// the initial state of an incompressible body is projected (scene/initial_state.h). The list of models is empty if the
+/// system is not the ball.
 Scene validate(Scene scene, const Origins& origins = {});
 
-/// Whether validate accepts the scene. Recommendations are not made.
+/// Whether validate accepts the scene. Recommendations are not made, and Gravity/Gamma replaces any given constant of
+/// gravity.
 bool is_accepted(Scene scene, const Origins& origins);
 
 }  // namespace pseudorigid::scene

@@ -17,7 +17,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Joins the lines of CLI11's text for a wrong command line, because an error message has one sentence.
+/// Joins the lines of CLI11's text for a wrong command line, because an error message has one sentence. Appends a hint
+/// to --help.
 std::string one_sentence(std::string text) {
   for (char& c : text)
     if (c == '\n') c = ' ';
@@ -55,8 +56,8 @@ std::string note_on_scenes() {
   return std::filesystem::is_directory(scenes, none) ? "\n\nScenes to begin with: " + scenes.string() : "";
 }
 
-/// Throws a UserError if the first argument is not a command. The message lists the commands, which the message of
-/// CLI11 does not do.
+/// Throws a UserError if the first argument is neither a command nor an option. The message lists the commands, which
+/// the message of CLI11 does not do.
 void require_known_command(const CLI::App& app, int argc, const char* const* argv) {
   const std::string_view word = argc > 1 ? argv[1] : "";
   if (word.empty() || word.starts_with('-')) return;

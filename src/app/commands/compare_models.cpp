@@ -18,7 +18,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Reads the tables of all runs that have written a file.
+/// Reads the tables of all runs that have an entry in the manifest.
 std::vector<RunOfModel> runs_with_files(const RunContext& context, const io::Manifest& manifest) {
   std::vector<RunOfModel> runs;
   for (const scene::ModelDescription* model : context.needs.models)

@@ -16,7 +16,7 @@
 
 namespace pseudorigid::app {
 
-/// Maps the name of a model to the motion on another discretisation.
+/// Maps the name of a model to its motion on another discretisation.
 using OtherResolutions = std::map<std::string, analysis::OtherResolution, std::less<>>;
 
 /// A run of a model, with the table of its samples.

@@ -108,7 +108,7 @@ double tenth_of_period_after(const Comparison& c) {
   return apart > 0 ? 0.2 * std::numbers::pi / apart : unknown;
 }
 
-/// |phase_difference| after n periods of the reference.
+/// |phase_difference| after n periods of the reference, or −1 if it is not known.
 template <int n>
 double phase_after(const Comparison& c) {
   const auto found = c.phase_after_periods.find(n);
@@ -163,7 +163,7 @@ std::string prefix(const std::string& run) {
 }
 
 /// Runs the models one after the other. If a model stops early, its samples are kept, and the other models still run.
-/// An interrupt ends all.
+/// An interrupt ends the runs of all models.
 Results run_models(const RunContext& context, const Executable& executable, std::map<std::string, io::Table>& tables) {
   Results results;
   const auto n_samples = static_cast<std::size_t>(context.scene.output.samples) + 1;

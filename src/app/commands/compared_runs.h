@@ -9,12 +9,14 @@
 ///   for every m but the last
 ///                m_frequency_ratio, m_frequency_ratio_error, m_tenth_of_period_after, m_phase_after_1_period,
 ///                m_phase_after_10_periods, m_phase_difference_max (without signs, in periods of the last model),
-///                m_q_difference_error, and m_c_max, m_c_rms for every column c of comparison.csv that compares the two models;
-///   for the last nonaffine_kinetic_fraction (mean), nonaffine_displacement (largest), min_jacobian, volume_error
-///                (largest), and surface_limit_time.
+///                m_q_difference_error, and m_c_max, m_c_rms for every column c of comparison.csv that compares the two
+///                models;
+///   for the last model  nonaffine_kinetic_fraction (mean), nonaffine_displacement (largest), min_jacobian,
+///                volume_error (largest), and surface_limit_time.
 ///
-/// A quantity that does not exist is 0. An error, a drift, a phase or a time that is not known is −1. Motions of
-/// angular frequencies ω and ω' have phases that differ by a tenth of a period after the time t = 0.2 π/|ω − ω'|.
+/// A quantity that does not exist is 0. An error, a drift, a phase or a time that is not known is −1. However, if
+/// compared is 0, all columns from the first m_frequency_ratio on are 0. Motions of angular frequencies ω and ω' have
+/// phases that differ by a tenth of a period after the time t = 0.2 π/|ω − ω'|.
 
 #include <string>
 #include <vector>

@@ -40,7 +40,9 @@ double values_of_sweep(const scene::Scene& scene, const scene::Needs& needs) {
   const auto n_runs = static_cast<double>(end - first);
   if (needs.comparison) return n_runs * static_cast<double>(columns_of_compared_runs(scene, needs).size());
   const auto n_columns = static_cast<double>(columns_of_run(scene, needs).size());
-  constexpr double per_column = 3, more = 10;  // end, least, greatest; parameters, steps, frequency
+  // For each column, a row has the end, least and greatest value. In addition, it has parameters, steps, frequency and
+  // others.
+  constexpr double per_column = 3, more = 10;
   return n_runs * (more + per_column * n_columns + (scene.sweep_trajectories ? n_samples(scene) * (n_columns + 1) : 0));
 }
 
@@ -71,7 +73,7 @@ std::optional<double> values_of_tables(const scene::Scene& scene, const scene::N
 }
 
 /// Number of points in a picture of the whole ball. The points belong to the finite elements, or to the blocks that the
-/// other models use.
+/// other models use. If the discretisation of the finite elements is not known yet, the number of the blocks is used.
 double n_points(const scene::ModelDescription& model, const std::optional<Effort>& of_elements) {
   static const auto of_blocks = static_cast<double>(io::ball_blocks(4, 2).points.size());
   return model.discretized && of_elements ? of_elements->n_points_of_picture : of_blocks;
@@ -127,7 +129,7 @@ double bytes_of_files(const fs::path& folder) {
 
 /// Free bytes on the disk of the directory, plus the bytes of the earlier results in the directory, which the run
 /// replaces. Empty if the operating system does not give the free space. Other problems of the directory are reported
-/// when it is created.
+/// when the directory is created.
 std::optional<double> room_in(const io::RunDirectory& directory) {
   std::error_code error;
   const fs::space_info space = fs::space(nearest_existing(directory.path()), error);

@@ -12,7 +12,8 @@ namespace pseudorigid::app {
 
 /// Adds a line about the space for tables, pictures and checkpoints to needs.needed. If the space exceeds the free
 /// space on the disk of the directory, also adds a warning. The directory need not exist yet. The run is not refused,
-/// because the estimate may be too high, and --resume continues a run that a full disk has stopped.
+/// because the estimate may be too high, and --resume continues a run that a full disk has stopped. If the number of
+/// rows depends on the motion, the line says so, and there is no warning.
 void describe_disk_use(const scene::Scene& scene, const io::RunDirectory& directory, scene::Needs& needs);
 
 /// Throws UserError if the disk is too small for the samples of all runs of a sweep. Does nothing if the scene does not

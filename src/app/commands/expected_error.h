@@ -5,9 +5,9 @@
 ///   ω_model/ω_exact − 1.
 ///
 /// The frequencies of the pseudo-rigid ball and of the exact ball are known (app/run/small_pulsation.h). The program
-/// computes the frequencies of polynomial bodies with N = 3 and 5 (polynomial/rest_modes.h). The sweeps of
+/// computes the frequencies of polynomial bodies of degree N = 3 and 5 (polynomial/rest_modes.h). The sweeps of
 /// docs/adequacy.md have tested this prediction for larger motions without spin. At their start, the logarithms of the
-/// stretches are at most 0.25, and the strain rate L = Q̇Q⁻¹ is at most |L|/2 = 0.75 c/r. For other motions there is no
+/// stretches are at most 0.25 in magnitude, and |L|/2 ≤ 0.75 c/r with L = Q̇Q⁻¹. For other motions there is no
 /// prediction.
 
 #include "scene/needs.h"

@@ -1,6 +1,6 @@
 #pragma once
 /// The table trajectories.csv of a sweep with Sweep/Trajectories. The table has all samples of all runs. Its columns
-/// are the number of the run, and then the columns of the model's own file.
+/// are the number of the run, and then the columns of the file that a single run writes.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-/// Opening of the library of the finite elements. A process loads deal.II, MPI and PETSc only if its scene needs finite
+/// Opening of the finite-element library. A process loads deal.II, MPI and PETSc only if its scene needs finite
 /// elements.
 
 #include "app/run/continuum_module.h"

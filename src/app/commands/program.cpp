@@ -45,7 +45,8 @@ struct Input {
   scene::ReadScene raw, read;
 };
 
-/// Sets the number of samples of a resumed scene, which may have a later Time/End.
+/// Sets the number of samples of a resumed scene, which may have a later Time/End. Throws UserError if Time/End is not
+/// possible.
 void go_on(scene::Scene& scene, const Options& options) {
   try {
     keep_sampling(scene, io::RunDirectory(scene.output.directory, options.scene, options.output));
@@ -81,16 +82,16 @@ void require_mpi_of(const Launch& launch, const Ranks& ranks) {
                   launch.rank, ranks.size(), ranks.size() == 1 ? "" : "s"));
 }
 
-/// The opened library and the ranks of this process.
+/// The executable with the library that this process has opened, and the ranks of this process.
 struct Process {
   Executable executable;
   Launch launch{};
   bool has_continuum = false;
   std::unique_ptr<Ranks> several{};  ///< the ranks of MPI; null if MPI has not been started
 
-  /// Opens the library of the finite elements, unless it is open. If the process may be one of several, also starts
-  /// MPI, which takes 0.3 s. Throws NoContinuum if the library is missing, and UserError if MPI does not fit the
-  /// launcher.
+  /// Opens the finite-element library, unless it is open. If the process may be one of several, also starts MPI, which
+  /// takes 0.3 s. Throws NoContinuum if the library is missing or cannot be opened, and UserError if MPI does not fit
+  /// the launcher.
   void open_continuum(int argc, char** argv) {
     if (has_continuum) return;
     const ContinuumModule& module = *executable.open_continuum();
@@ -123,8 +124,8 @@ std::vector<std::string> identity_of(const Options& options, const scene::ReadSc
   return lines;
 }
 
-/// Opens the library of the finite elements for a valid scene. If the library is missing, throws a UserError that lists
-/// the models that do not need the library.
+/// Opens the finite-element library for a valid scene. If the library is missing or cannot be opened, throws a
+/// UserError, which recommends the models without finite elements that can run this scene.
 void open_continuum_for(const scene::ReadScene& read, int argc, char** argv, Process& process) try {
   process.open_continuum(argc, argv);
 } catch (const NoContinuum& error) {
@@ -211,7 +212,7 @@ int run_program(int argc, char** argv, const Executable& executable) {
   const Launch& launch = process.launch;
   try {
     require_stack();
-    // Only MPI can compare the scenes of all ranks.
+    // Only MPI can compare the scenes of all ranks, so the library is opened before the scene is read.
     if (argc > 1 && std::string_view(argv[1]) == "run" && launch.n_ranks != 1) try {
         process.open_continuum(argc, argv);
       } catch (const NoContinuum&) {  // only scenes that need the library fail later

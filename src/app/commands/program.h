@@ -1,5 +1,5 @@
 #pragma once
-/// The program with its command line and the models that it can run.
+/// The entry point of the program, and the models that the program can run.
 
 #include <algorithm>
 #include <map>
@@ -17,9 +17,10 @@ namespace pseudorigid::app {
 struct Executable {
   std::vector<BallModel> models;                   ///< all models that scenes may name, in the order of the catalogue
   std::map<std::string, std::string> libraries{};  ///< name → version, for the manifest
-  /// Returns the SIMD instructions of the kernels, or "" if there are no kernels. Throws mechanics::NoKernels.
+  /// Returns the SIMD instructions of the kernels, or "" if there are no kernels. Throws mechanics::NoKernels if the
+  /// processor cannot run the kernels, or if the requested build of the kernels does not exist.
   std::string_view (*instructions)() = [] { return std::string_view(); };
-  /// Function that opens the library of the finite elements. Throws NoContinuum.
+  /// Function that opens the finite-element library. Throws NoContinuum if this is not possible.
   const ContinuumModule* (*open_continuum)() = []() -> const ContinuumModule* {
     throw NoContinuum("this program has none");
   };

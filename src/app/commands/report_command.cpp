@@ -24,7 +24,7 @@ std::vector<std::string> movers_of_run(const io::RunDirectory& directory) try {
   throw UserError(std::string("DIR: expected the directory of a run; ") + error.what());
 }
 
-/// True if the chosen path causes the error, false if the machine causes it.
+/// True if the chosen path causes the error, false if the machine causes it, for example by a full disk.
 bool is_of_the_place(const io::WriteError& error) {
   constexpr int numbers[] = {ENOENT, ENOTDIR, EISDIR, EACCES, EPERM, EROFS, ENAMETOOLONG, ELOOP, EEXIST, ENXIO};
   return std::ranges::find(numbers, error.error_number) != std::end(numbers);

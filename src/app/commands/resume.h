@@ -11,13 +11,13 @@
 
 namespace pseudorigid::app {
 
-/// The paths of the existing checkpoints in the directory that a run of the scene may have written.
+/// The paths of all checkpoints of models, systems and searches that exist in the directory.
 std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene);
 
 /// Sets the number of samples of a resumed scene, so that the interval between samples remains the interval of the
-/// earlier run. Time/End may be later than in the earlier run. Throws UserError if Time/End is earlier, is not a
-/// multiple of the interval, or makes too many samples. If there is no checkpoint, or for a sweep, the scene does not
-/// change.
+/// earlier run. Time/End may be later than in the earlier run. Throws UserError if Time/End is earlier, has another
+/// sign, is not a multiple of the interval, or makes too many samples. If there is no checkpoint, or for a sweep, the
+/// scene does not change.
 void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory);
 
 /// Checks that every checkpoint in the directory is readable and belongs to this scene. Throws a UserError that names

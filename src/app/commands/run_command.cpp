@@ -61,7 +61,7 @@ std::string print(const std::string& results) try {
   return error.what();
 }
 
-/// Writes the last line of the log and the end into the manifest. Returns the exit code.
+/// Writes the last line of the log, and the outcome of the run into the manifest. Returns the exit code.
 int end_run(mechanics::Outcome outcome, int exit_code, const std::string& message, const char* advice,
             const RunContext& context, io::ManifestFile& manifest) {
   if (outcome == mechanics::Outcome::finished)
@@ -111,7 +111,8 @@ int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, cons
                  context, manifest);
 }
 
-/// The columns of a model's file, one by one. The documentation can describe a range such as "Q11 ... Q33" in one line.
+/// The columns of a model's file, one by one. In the documentation, one line can describe a range such as "Q11 ...
+/// Q33".
 std::vector<scene::Column> columns_of(const scene::ModelDescription& model, const scene::Quantities& quantities) {
   const auto stem = [](std::string_view name) { return name.substr(0, name.find_first_of("0123456789")); };
   std::vector<scene::Column> columns;
@@ -186,8 +187,9 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
   return failure.exit_code;
 }
 
-/// Prepares the directory. Problems are reported before anything in the directory changes. The message names the entry
-/// or option that determines the directory.
+/// Prepares the directory and returns its lock. A lock of another run, a pipe with the name of a result, and an
+/// unsuitable checkpoint are reported before any result changes. The message names the entry or option that determines
+/// the directory.
 io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const scene::Needs& needs,
                     const Options& options) {
   constexpr const char* entry = "Output/Directory";

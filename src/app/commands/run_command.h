@@ -17,7 +17,7 @@ int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const O
               const std::vector<std::string>& command, const Executable& executable);
 
 /// Work of every rank except the first. The rank joins the runs of the finite-element model that the first rank begins,
-/// and writes its pieces of the pictures. It prints nothing. Returns the exit code.
+/// and writes its pieces of the pictures. The rank prints nothing. Returns the exit code.
 int assist_scene(const scene::ReadScene& read, const Options& options, const Executable& executable);
 
 }  // namespace pseudorigid::app

@@ -88,7 +88,8 @@ class Workers {
         end_(end),
         next_(first_ / group * group) {}
 
-  /// Computes the runs. Returns the number of threads, including the calling thread.
+  /// Computes the runs. Returns the number of threads, including the calling thread. After the end of all threads,
+  /// rethrows the first exception of a run. A UserError is not rethrown, but recorded in `wrong_input`.
   int work(int n_threads) {
     left_.reserve(static_cast<std::size_t>(n_threads));  // allocated now, because memory may be exhausted later
     std::vector<std::jthread> threads;
@@ -204,11 +205,11 @@ int n_threads_of(const scene::Scene& scene, int n_runs) {
 }
 
 /// The number of threads for which the addresses suffice: at most n_threads, and at least 1. Memory must not run out,
-/// because Eigen does not survive that: a failed resize leaves a pointer that is freed twice.
+/// because a failed resize in Eigen leaves a pointer that is freed twice.
 int n_threads_with_addresses(int n_threads) {
   std::size_t stack = 0;
   pthread_attr_t attributes;
-  if (::pthread_attr_init(&attributes) == 0) {  // those of every new thread; the stack follows ulimit -s
+  if (::pthread_attr_init(&attributes) == 0) {  // default attributes of new threads; the stack follows ulimit -s
     ::pthread_attr_getstacksize(&attributes, &stack);
     ::pthread_attr_destroy(&attributes);
   }

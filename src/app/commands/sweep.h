@@ -32,12 +32,14 @@ namespace pseudorigid::app {
 /// before it are kept.
 void check_sweep(const scene::ReadScene& raw);
 
-/// The least and the largest γ = ρgr/μ of the runs of a sweep of the ball (scene/scale_numbers.h). If the sweep has
-/// more than 1000 runs, these are 1000 of them and those with first or last values of the parameters. `raw` is the
-/// scene before validation. The result is empty without a sweep, without a ball, or without self-gravity.
+/// The least and the largest γ = ρgr/μ of the runs of a sweep of the ball (scene/scale_numbers.h). In a sweep of more
+/// than 1000 runs, only at most 1000 equidistant runs and the runs with first or last values of the parameters are
+/// evaluated. Runs with wrong input are skipped. `raw` is the scene before validation. The result is empty if there is
+/// no sweep or no self-gravity, or if the system is not the ball.
 std::optional<std::pair<double, double>> gammas_of_sweep(const scene::ReadScene& raw);
 
-/// Computes the runs of the sweep and writes its files. `context` is the context of the first run.
+/// Computes the runs of the sweep, or of its part Sweep/Part, and writes the files. `context` is the context of the
+/// first run.
 ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
                        bool shows_progress);
 

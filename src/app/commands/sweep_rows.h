@@ -50,6 +50,7 @@ class SweepRows {
   /// The first run whose row is not yet written.
   int next_run() const { return first_run_ + n_written_; }
 
+  /// Stores the row of a run, and writes all rows that no longer wait for an earlier row. Thread-safe.
   void deliver(int run, FinishedRun finished) {
     const std::lock_guard lock(mutex_);
     waiting_.emplace(run, std::move(finished));
@@ -78,7 +79,7 @@ class SweepRows {
     return names;
   }
 
-  /// Checks both tables before one of them is truncated. Throws UserError if a table is damaged.
+  /// Checks both tables before either of them is truncated. Throws UserError if a table is damaged.
   void require_sound_tables(const RunContext& context, const std::vector<std::string>& columns,
                             std::int64_t n_samples) const {
     io::require_rows(context.directory.csv(name), columns, n_written_);

@@ -125,7 +125,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
     return {mesh, n_refinements, communicator};
   }
   /// Grading of the mesh towards the two poles on one axis. If the scene has planes, this axis is closest to the normal
-  /// of the first plane.
+  /// of the first plane. Otherwise it is the z axis.
   static continuum::Grading grading_of(const scene::Scene& scene) {
     continuum::Grading grading{.size = scene.continuum.grading};
     const auto planes = loads::constant_forcing(internal_loads(scene)).planes;

@@ -75,7 +75,7 @@ ModelOutcome run_modes(const RunContext& context) {
   const std::vector<ModeFrequency> rows = rows_of(frequencies);
   outcome.message = !status ? status.reason() : instability(rows, context.units);
   // A mesh breaks the symmetry of the sphere, so the frequencies of the copies of a mode differ. If the mesh resolves
-  // the mode, the frequencies differ by less than a tenth.
+  // the mode, the relative differences are less than a tenth.
   constexpr double most = 0.1;
   constexpr const char* remedy = "raise Continuum/Degree or Continuum/Refinements";
   if (const std::string copies = differing_copies(rows, most); outcome.message.empty() && !copies.empty())

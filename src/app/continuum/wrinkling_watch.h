@@ -1,6 +1,6 @@
 #pragma once
-/// Monitors the surface of an incompressible ball, and warns at the first sample at which the surface reaches the limit
-/// of its law. For neo-Hookean and Mooney–Rivlin bodies, this limit is Biot's limit
+/// Monitors the surface of an incompressible ball, and warns at the first sample at which the surface reaches the
+/// stability limit of the material law. For neo-Hookean and Mooney–Rivlin bodies, this limit is Biot's limit
 /// (continuum/output/surface_stretch.h). Beyond the limit, the exact motion has growing surface waves of every length.
 /// The finite elements show only the waves that the mesh resolves.
 

@@ -17,7 +17,7 @@ using RunModel = ModelOutcome (*)(const RunContext&);
 using RunTogether = std::optional<std::vector<ModelOutcome>> (*)(std::span<const RunContext>);
 
 struct BallModel {
-  /// `run_model` is null for a discretized model, whose function is in a library that the program opens later. Throws
+  /// `run` is null for a discretized model, whose function is in a library that the program opens later. Throws
   /// std::logic_error if any other part of the description is missing.
   BallModel(scene::ModelDescription description, RunModel run, RunTogether together = nullptr);
 
@@ -39,8 +39,8 @@ inline std::vector<BallModel> ball_models() {
   };
 }
 
-/// The reason why the method or the law of the scene is refused; empty if both are accepted. The check uses the
-/// pseudo-rigid body, because the motions of every model of the ball include the affine motions.
+/// The reason why the method or the initial deformation of the scene is refused; empty if both are accepted. The check
+/// uses the pseudo-rigid body, because the motions of every model of the ball include the affine motions.
 std::optional<scene::Refusal> refuses_motion(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

@@ -1,22 +1,23 @@
 #pragma once
 /// Runs of one polynomial scene with several degrees.
 ///
-/// The degrees that the scene lists run one after the other. The run of the last degree writes polynomial.csv and is
-/// the model of the scene. The other runs write `polynomial-<degree>.csv` and are compared with the reference as
-/// further models.
+/// The degrees that the scene lists run one after the other. The run of the last degree represents the model and writes
+/// polynomial.csv. The other runs write `polynomial-<degree>.csv` and are compared with the reference as further
+/// models.
 ///
 /// If the scene leaves the degree open (auto), the program runs the scene with N = 1, 3, 5, … and keeps the history of
 /// Q only. In motions with the symmetry of an octant, an even degree is equivalent to the next lower odd degree. The
 /// differences of Q between successive runs give the error of the last run (analysis/space_error.h with N as the
-/// resolution). The first degree whose error is within Polynomial/Tolerance runs again and writes the results. A
-/// checkpoint contains this degree, so that a resumed run does not repeat the search. An interrupted search starts
-/// again. The error in time is at most a twentieth of the tolerance.
+/// resolution). The first degree whose error is within Polynomial/Tolerance runs again and writes the results. If no
+/// degree has such an error, the last degree of the search does so, with a warning. A checkpoint contains this degree,
+/// so that a resumed run does not repeat the search. An interrupted search starts again. The error in time is at most a
+/// twentieth of the tolerance.
 ///
 /// If other models are compared with a body of given degree, a companion run estimates the error of this body. The
 /// companion has another degree (search/error_estimate.h).
 ///
-/// Counters of the run are estimated_space_error and relative_space_error (|Q − Q'|/|Q|). A search also has search_runs
-/// and search_work. A body with a companion run has companion_degree and companion_work.
+/// Counters of the run are estimated_space_error and relative_space_error, the error relative to |Q|. A search also has
+/// search_runs and search_work. A body with a companion run has companion_degree and companion_work.
 
 #include <functional>
 

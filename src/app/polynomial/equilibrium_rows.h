@@ -26,7 +26,7 @@ class EquilibriumRows {
                   const polynomial::RotationSpectrum& spectrum);
 
   /// Sets `row` to one row of the table. All columns are in internal units except the parameter, which has the unit of
-  /// its family. `special` is null for an ordinary member of the family.
+  /// its family. `special` is null for an ordinary member of the family. Fails if the figure cannot be observed.
   mechanics::Status row(int index, const polynomial::RotationMember& member, const polynomial::SpecialRotation* special,
                         std::vector<double>& row) const;
 

@@ -4,8 +4,9 @@
 ///
 /// By default the rule is the cheapest one, whose error is below the truncation error of the degree. If Time/Tolerance
 /// is below its default 1e-6, the user requests the exact motion of this polynomial body. The program then adds points
-/// until the estimated error is half of the tolerance. The program does not add points on the surface for self-gravity,
-/// because the cost grows as the fourth power of the number of these points.
+/// until the estimated error is half of the tolerance. It does so only if the scene sets neither Time/Step nor
+/// Polynomial/Quadrature points. The program does not add points on the surface for self-gravity, because the cost
+/// grows as the fourth power of the number of these points.
 
 #include <array>
 #include <cmath>

@@ -19,8 +19,8 @@ struct Failure {
   std::string message;  ///< one sentence for the user
 };
 
-/// The exit code and the message for an exception. There are three kinds of exceptions: wrong input of the user, lack
-/// of memory, disk space or another resource, and defects of the program.
+/// The exit code and the message for an exception. Wrong input of the user has the exit code 2. A lack of memory, disk
+/// space or another resource has the exit code 3. A defect of the program has the exit code 1.
 Failure failure_of(const std::exception& error);
 
 }  // namespace pseudorigid::app

@@ -28,8 +28,9 @@ class FailureOnAllRanks : public std::runtime_error {
   int exit_code_;
 };
 
-/// Runs `work` on every rank. If it fails on any rank, throws FailureOnAllRanks on all ranks. Collective. The work
-/// itself must not contain collective operations: after a failure on one rank, the other ranks would wait in them.
+/// Runs `work` on every rank. If the work fails on any of several ranks, throws FailureOnAllRanks on all ranks.
+/// Collective. The work itself must not contain collective operations: after a failure on one rank, the other ranks
+/// would wait in these operations.
 template <class Work>
 void on_all_ranks(const Ranks& ranks, Work&& work) {
   if (ranks.size() == 1) return work();
@@ -46,7 +47,7 @@ void on_all_ranks(const Ranks& ranks, Work&& work) {
 }
 
 /// Runs collective work and returns its result. If the work fails on one of several ranks, this rank calls
-/// `last_words(failure)` and aborts all ranks.
+/// `last_words(failure)` and aborts all ranks. A FailureOnAllRanks passes unchanged, because all ranks throw it.
 template <class Work, class LastWords>
 auto together_or_not_at_all(const Ranks& ranks, Work&& work, LastWords&& last_words) {
   try {

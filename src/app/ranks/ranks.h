@@ -7,8 +7,8 @@
 
 namespace pseudorigid::app {
 
-/// The ranks of a run. The functions of this class are the functions of a single process. A derived class overrides
-/// them for several processes. All ranks must call the collective functions in the same order.
+/// The ranks of a run. This class describes a single process. A derived class overrides its functions for several
+/// processes. All ranks must call the collective functions in the same order.
 class Ranks {
  public:
   virtual ~Ranks() = default;
@@ -25,6 +25,7 @@ class Ranks {
   /// Aborts all ranks. In a single process this function does nothing: the program ends as usual.
   virtual void abort(int /*exit_code*/) const {}
 
+  /// Returns `mine` of the first rank, on every rank. Collective.
   bool of_first(bool mine) const { return number_of(0, mine) != 0; }
   bool is_first() const { return rank() == 0; }
 };

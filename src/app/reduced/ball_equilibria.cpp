@@ -27,8 +27,8 @@ class FamilyMaker {
         potential_(potential_of(scene_)),
         body_{potential_, scene_.body.E0.trace() / 3, scene.body.incompressible} {}
 
-  /// Computes a family. `range` is the range of the parameter of the family. If the parameter is a spin, it has the
-  /// user's unit in `range` and in the result.
+  /// Computes a family; none and at_rest give an empty family. `range` is the range of the parameter of the family. If
+  /// the parameter is a spin, it has the user's unit in `range` and in the result.
   EquilibriumFamily make(Family family, reduced::ParameterRange range, double ratio, double time_unit) const {
     switch (family) {
       case Family::none:

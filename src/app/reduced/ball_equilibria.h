@@ -32,7 +32,7 @@ std::string parameter_name(scene::Family family);
 ///   Q₀ = D A,   Q̇₀ = D (ω̂A − AΛ̂) + V
 ///
 /// with A, ω and Λ of the equilibrium, the Deformation D and the Velocity V of the scene, and ω̂x = ω × x. Returns the
-/// new scene, or the scene itself without this entry. Throws UserError if there is no such equilibrium.
+/// new scene, or an unchanged scene if the entry is `none`. Throws UserError if there is no such equilibrium.
 scene::Scene with_equilibrium(scene::Scene scene, const scene::Origins& origins);
 
 }  // namespace pseudorigid::app

@@ -37,7 +37,7 @@ bool is_plain(const RunContext& context, const ReducedScene& s) {
          !reduced::ExternalPotential(s.forcing).present();
 }
 
-/// The matrices of all bodies in lanes. `matrix_of(body)` is the matrix of one body, Q or Q̇ or another.
+/// The matrices of all bodies in lanes. `matrix_of(body)` returns the matrix of one body, for example Q.
 template <class MatrixOf>
 reduced::MatricesInLanes in_lanes(const MatrixOf& matrix_of) {
   reduced::MatricesInLanes values;
@@ -102,8 +102,8 @@ class RunInLanes {
                                      in_lanes([&](int i) { return scenes_[i].start.v; }), method, times, n_steps);
   }
 
-  /// `reserve` times the largest step of RATTLE that is stable for all bodies in the given states. Returns 0 if a
-  /// frequency is not found.
+  /// The largest step of RATTLE that is stable for all bodies, multiplied by the safety factor `reserve`. `state_of(i)`
+  /// returns the state of body i. Returns 0 if a frequency is not found.
   template <class StateOf>
   double rattle_limit(const StateOf& state_of, double reserve) const {
     constexpr int n_lanczos = 24;

@@ -12,9 +12,9 @@ namespace pseudorigid::app {
 /// Runs eight contexts together, writes their rows into their sinks, and returns their outcomes. If Method = auto, the
 /// method is symmetric-8. All eight runs use the step that the run with the largest error needs.
 ///
-/// Returns an empty value if the runs must be computed one by one. The bodies must be incompressible, and only the
-/// stress of the law may act on them. Law, method, tolerance, step and times must be equal. All motions must reach
-/// their end, and the step must be stable for all of them.
+/// Returns an empty value if the runs must be computed one by one. In runs that are computed together, the bodies must
+/// be incompressible, and only the stress of the law may act on them. Law, method, tolerance, step and times must be
+/// equal. All motions must reach their end, and the step must be stable for all of them.
 std::optional<std::vector<ModelOutcome>> run_reduced_in_lanes(std::span<const RunContext> contexts);
 
 }  // namespace pseudorigid::app

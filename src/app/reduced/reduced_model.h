@@ -104,7 +104,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     if constexpr (!mechanics::unconstrained<System>) return {};
     const Eigen::Matrix3d Q = Q_of(state);
     const double tolerance = context_.scene.time.tolerance;
-    // Because det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2, the singular values are not needed in most steps.
+    // Because det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2, the least singular value σ₃ is at least 2 det Q/|Q|². In most steps,
+    // this bound suffices.
     if (2 * Q.determinant() > tolerance * Q.squaredNorm()) return {};
     const double least = mechanics::principal_axes(Q).a.minCoeff();
     if (least > tolerance) return {};
@@ -192,8 +193,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     size_ = std::max(size_, Q.cwiseAbs().maxCoeff());
   }
 
-  /// Warns if Q moves from its start by not much more than the error of Q. The energies of this motion then have no
-  /// correct digit.
+  /// Warns if Q moves from its start by not much more than the error of Q. The velocities and energies of this motion
+  /// then have no correct digit.
   void warn_of_resolution(const io::Manifest::Model& statistics) const {
     if (!knows_motion_ || n_noted_ < 2) return;
     constexpr double well_above = 10, epsilon = std::numeric_limits<double>::epsilon();
@@ -210,7 +211,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
         motion_ > well_above * round_off ? "give a smaller Time/Tolerance" : "they are lost in round-off");
   }
 
-  /// Fails if an entry of Q is larger than 1e12, the limit for an initial state (scene/validate.cpp).
+  /// Fails if an entry of Q is larger than 1e12, the limit for an initial state (scene/initial_state.h).
   static mechanics::Status check_size(const State& state) {
     constexpr double largest_stretch = 1e12;
     if (System::matrix(state.q).cwiseAbs().maxCoeff() <= largest_stretch) return {};
@@ -253,7 +254,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   long n_noted_ = 0;
   mechanics::ReducedObservables observables_;
   ContactWatch contacts_;
-  std::optional<reduced::Bipolar> bipolar_;  ///< at the last sample
+  std::optional<reduced::Bipolar> bipolar_;  ///< bipolar quantities at the last sample
   std::optional<io::BallBlocks> ball_;       ///< blocks of the pictures; empty until the first picture
 };
 

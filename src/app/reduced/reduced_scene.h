@@ -23,7 +23,7 @@ struct ReducedScene {
   reduced::Dissipation dissipation;
   reduced::CenterOfMass center;
   mechanics::VectorState<Eigen::Matrix3d> start;  ///< Q₀, Q̇₀
-  bool keeps_diagonal;                            ///< true if Q = diag(a) at all times
+  bool keeps_diagonal;                            ///< true if Q stays diagonal in a motion without contact
 };
 
 ReducedScene reduced_scene(const scene::Scene& scene);
@@ -52,7 +52,8 @@ GeneralBody<incompressible> general_body(const ReducedScene& s) {
 
 ReducedForm form_of(const ReducedScene& scene);
 
-/// The system of a form. The forms `elastic` and `diagonal` are valid only if `form_of` returns them.
+/// The system of a form. The form `elastic` is valid only for the law of Ciarlet and Geymonat without self-gravity and
+/// loads. It throws std::bad_variant_access for another law. The form `diagonal` is valid only if Q stays diagonal.
 template <ReducedForm form, bool incompressible>
 auto system_of(const ReducedScene& s) {
   using Body = GeneralBody<incompressible>;

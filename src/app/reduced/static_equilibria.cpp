@@ -17,8 +17,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Number of starts of the search. While the search knows that equilibria are missing, it continues up to the second
-/// number.
+/// Number of starts of the search. While equilibria are known to be missing, the search continues up to the second
+/// number of starts.
 constexpr int n_static_starts = 400, n_static_starts_at_most = 20000;
 
 std::vector<double> static_row(int index, const mechanics::CriticalPoint& p, const ReducedScene& s,
@@ -41,7 +41,8 @@ std::vector<double> static_row(int index, const mechanics::CriticalPoint& p, con
   return row;
 }
 
-/// Reports the equilibrium of the centre of mass, ẍ = b − Tx = 0. The centre of mass moves independently of Q.
+/// Reports the equilibrium of the centre of mass, ẍ = b − Tx = 0, with the acceleration b and the tidal matrix T. Warns
+/// if there is no equilibrium. The centre of mass moves independently of Q, and without b and T it is not reported.
 void report_center(const ReducedScene& s, const io::Units& units, const RunContext& context, ModelOutcome& outcome) {
   const Eigen::Matrix3d& T = s.forcing.quadratic;
   const Eigen::Vector3d& b = s.forcing.acceleration;

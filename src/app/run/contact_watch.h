@@ -1,14 +1,14 @@
 #pragma once
-/// Summary of the contacts of a body with rigid planes, updated after every step. The summary has the begin of the
+/// Summary of the contacts of a body with rigid planes, updated after every step. The summary has the start of the
 /// first contact, the end of the last contact, the largest force, and the coefficient of restitution
 ///
-///   e = (n·ẋ_c at the end of the last contact) / (−n·ẋ_c at the begin of the first contact)
+///   e = (n·ẋ_c at the end of the last contact) / (−n·ẋ_c at the start of the first contact)
 ///
-/// with the normal n of the nearest plane and the centre of mass x_c. A contact begins or ends when the height of the
+/// with the normal n of the nearest plane and the centre of mass x_c. A contact starts or ends when the height of the
 /// body above the nearest plane is zero. The height is interpolated linearly within a step. The velocity is not
-/// interpolated. The formula uses the velocity after the last step before the first contact, and after the first step
-/// without the last contact. Each quantity of the summary is 0 until its event occurs. All quantities are in internal
-/// units.
+/// interpolated. The formula uses two velocities. One is the velocity after the last step before the first contact. The
+/// other is the velocity after the step in which the last contact ends. A contact that exists at time 0 starts there.
+/// Each quantity of the summary is 0 until its event occurs. All quantities are in internal units.
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
-/// Output of critical points of a potential (mechanics/equilibria/critical_points.h). The coordinates can be of any
-/// kind.
+/// Output of critical points of a potential (mechanics/equilibria/critical_points.h), for the pseudo-rigid body and for
+/// other systems.
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 ///
 ///   |E_1 − E_0| ≤ 1e-3/√N · max(E_m, K_0 + K_1),   E_m = K + |V − V of the body at rest| at the start of the run.
 ///
-/// It is the same for the interval backwards in time.
+/// The condition is the same for the interval backwards in time.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -25,8 +25,8 @@ class EnergyWatch {
       : model_(model), most_(1e-3 / std::sqrt(static_cast<double>(n_samples))) {}
 
   /// Whether the condition holds between the states at both ends, whose least det F is J_before and J_after. The result
-  /// is true if forces dissipate or depend on time. It is also true if the local volume has hardly changed: other
-  /// errors of the energy are those of the chosen step.
+  /// is true if forces dissipate or depend on time. The result is also true if J_before and J_after are at least 0.95.
+  /// Errors of the energy then result from the chosen step and are not judged.
   bool keeps_energy(const State& before, double J_before, const State& after, double J_after) {
     constexpr double watched = 0.95;
     if (mechanics::dissipative(model_.system()) || mechanics::time_dependent(model_.system())) return true;

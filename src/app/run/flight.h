@@ -1,8 +1,8 @@
 #pragma once
 /// The free flight of a body until its first contact with a plane. A pilot run begins shortly before this contact,
 /// because a short pilot run from the start would not contain the contact. The body is shifted along the path of its
-/// centre of mass under the uniform acceleration b. The shifted body has the deformation of the start. The body that
-/// has moved freely has another deformation with stretches of the same size.
+/// centre of mass under the uniform acceleration b. The shifted body has the deformation of the start. A body in free
+/// flight would have another deformation, with stretches of the same size.
 
 #include <cmath>
 #include <optional>
@@ -16,8 +16,8 @@ struct Flight {
   Eigen::Vector3d displacement, velocity_change;
 };
 
-/// Empty if the body is less than 0.01 radii above the nearest plane, or if its path does not reach the plane. Also
-/// empty if a quadratic potential or a drag acts.
+/// Empty if there is no plane, or if the body is less than 0.01 radii above the nearest plane. Also empty if its path
+/// does not reach the plane, or if a quadratic potential or a drag acts.
 inline std::optional<Flight> flight_to_contact(const loads::Contact& now, const Eigen::Vector3d& velocity,
                                                const loads::Forcing& loads) {
   constexpr double margin = 0.01;  // radii above the plane at the end of the flight

@@ -17,8 +17,8 @@ struct LoveRow {
   double h_error = 0, l_error = 0;
 };
 
-/// Rows with bounds of their errors, from the numbers of another discretisation: twice the difference, and the relative
-/// round-off of the solver.
+/// Rows with bounds of their errors, from the numbers of another discretisation. A bound is twice the difference plus
+/// `round_off`, the relative round-off of the solver, times the number.
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other, double round_off);
 

@@ -18,7 +18,7 @@ struct ModeFrequency {
   double least, largest;  ///< least and largest frequency among the copies
   bool spheroidal;
   int degree;
-  int overtone;  ///< 0 for the mode of lowest frequency
+  int overtone;  ///< 0 for the mode of lowest frequency of its kind and degree
   int multiplicity;
 
   double spread() const { return (largest - least) / omega; }

@@ -30,12 +30,11 @@ struct RunPosition {
   double local_tolerance = 0;      ///< tolerance per step of an adaptive method
   long steps_in_interval = 0;      ///< number of steps in the present interval between samples; 0 at a sample
   int halvings = 0;                ///< the steps in the present interval, or in the last one, are step / 2^halvings
-  int halvings_after_failure = 0;  ///< least number of halvings in the present interval, because a step failed in it or
-                                   ///< before it; it falls by one from interval to interval
+  int halvings_after_failure = 0;  ///< least number of halvings after a failed step; decreases by one per interval
   long n_repeated = 0;  ///< number of attempts to integrate an interval that were repeated with shorter steps
   long n_failed = 0;    ///< number of these attempts in which a step failed
   LooksAtFrequency looks{};
-  double max_constraint = 0, max_constraint_rate = 0;  ///< largest scaled |g| and |Gv| at the samples so far
+  double max_constraint = 0, max_constraint_rate = 0;  ///< largest scaled constraint |g| and rate |Gv| at the samples
   /// Estimated time error of the configuration, added over all parts of the run. Each part has its own step. Empty if
   /// the step of one of the parts was not found by a search with an error estimate.
   std::optional<double> time_error = 0;
@@ -74,11 +73,11 @@ struct SavedVectors {
   std::vector<double> q, v, memory;
 };
 
-/// Names of the entries of a snapshot begin with this text if the snapshot is the last sample of a run that stopped
-/// within an interval. The run can then integrate the whole interval again.
+/// The prefix of the entries of a second snapshot in a checkpoint. This snapshot is the last sample of a run that
+/// stopped within an interval. The resumed run can then integrate the whole interval again.
 inline constexpr const char* at_last_sample = "last sample: ";
 
-/// Adds the entries of a snapshot and of its vectors. Their names begin with `prefix`.
+/// Adds the entries of a snapshot and of its vectors. The names of the entries begin with `prefix`.
 void add_snapshot(io::Checkpoint& c, const Snapshot& snapshot, SavedVectors vectors, const std::string& prefix = "");
 io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot& snapshot, SavedVectors vectors);
 /// True if the checkpoint also contains the last sample.

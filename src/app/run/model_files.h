@@ -53,14 +53,14 @@ class ModelFiles : public ModelSink {
   double next_time(long n_samples_taken) const {
     return context_.time_of_sample(n_samples_taken) - context_.time_of_sample(1) / 2;
   }
-  /// Continues the list of the pictures of an earlier run, and their numbers.
+  /// Continues the list of pictures of an earlier run, and the numbering of the pictures.
   void resume_pictures(long n_samples_taken);
 
   const RunContext& context_;
   std::string model_;
   FrameSchedule frames_;
   int n_more_frames_ =
-      0;  ///< pictures beyond the schedule: an earlier run with an earlier end had more pictures per time
+      0;  ///< number of earlier pictures beyond the schedule, from a run whose earlier end gave more pictures per time
   ShapeSchedule shapes_;
   io::Progress progress_;
   std::optional<io::CsvWriter> csv_, shapes_csv_;

@@ -48,11 +48,11 @@ bool ModelRunBase::is_time_to_save() const {
   return context_.ranks->of_first(Clock::now() - last_save_ > seconds_between_checkpoints);
 }
 
-/// Returns to the last sample and integrates the interval again with shorter steps. Returns false if this is not
-/// possible: after `most_failures` failed steps, a motion is not resolved. The next interval begins with the steps that
-/// its own state asks for. In this way a motion that is violent for a short time does not shorten the steps of the
-/// whole run. A repetition needs a costly force, a method of fixed step and a step that the program has chosen. It does
-/// not help if the model itself ended the run.
+/// Returns to the last sample, so that the interval can be integrated again with shorter steps. Returns false if this
+/// is not possible. A repetition requires a costly force, a method of fixed step and a step that the program has
+/// chosen. It is not possible if the model itself ended the run, after most_halvings halvings, or after `most_failures`
+/// failed steps. The next interval begins with the steps that its own state and the last failure require. A motion that
+/// is violent for a short time therefore does not shorten the steps of the whole run.
 bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
   if (!repeats_intervals() || !verdict_) return false;
   const bool asked = least_halvings_ > position_.halvings;
@@ -68,7 +68,7 @@ bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
     position_.halvings_after_failure = halvings;
   }
   if (position_.steps_in_interval > 0) {
-    // The kept state is that of a run which was resumed within the interval. Its steps are divided.
+    // The kept state is within the interval, because the run was resumed there. The steps of this interval are divided.
     const int more = halvings - position_.halvings;
     position_.steps_in_interval <<= more;
     position_.cursor.step <<= more;
@@ -77,7 +77,8 @@ bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
     good_.memory.clear();
   }
   good_.position = position_;
-  // A state that asks for shorter steps is usual. A step that fails is not: the motion was not resolved before it.
+  // Shorter steps because of the state are usual. The first failed step causes a warning, because the motion before it
+  // was not resolved.
   const std::string text = fmt::format(
       "{}: from t = {} the step is {:.4g} for one interval between samples, since with a longer one {}",
       any_model_.name, physical_time(time()), std::ldexp(position_.step, -halvings) * context_.units.time,
@@ -116,7 +117,7 @@ mechanics::Status ModelRunBase::begin() {
     const Status status = choose_stepping();
     sink_->create(columns);
     if (has_shapes_) sink_->create_shapes(any_model_.shape_file(), any_model_.shape_columns());
-    // The checkpoint at the start serves a run that is interrupted before its first step. The checkpoint is also
+    // The checkpoint at the start is for a run that is interrupted before its first step. The checkpoint is also
     // written if no step was found: the user can then set a step and resume.
     save();
     if (!status) return status;

@@ -36,7 +36,7 @@ class ModelRunBase : protected ModelStepping {
   ModelRunBase(RunnableModel& model, const RunContext& context, const SystemTraits& traits,
                const std::optional<Stepping>& stepping);
 
-  /// Integrates until a sample with the method and step of `position_`.
+  /// Integrates to the sample with this number, with the method and step of `position_`.
   virtual mechanics::RunResult run_until(long sample) = 0;
   // `keep_state` copies the present state to the kept state, which belongs to `good_`. `return_to_kept_state` copies
   // the kept state to the present state.
@@ -46,7 +46,7 @@ class ModelRunBase : protected ModelStepping {
   /// Sets the present state, the kept state and `good_` from a checkpoint.
   virtual void restore_state(const io::Checkpoint& file) = 0;
   virtual void set_time(double t) = 0;
-  virtual std::string place_of_least_jacobian() const = 0;  ///< place in the kept state
+  virtual std::string place_of_least_jacobian() const = 0;  ///< text about the least det F in the kept state
   virtual void choose_quadrature() = 0;
   virtual void estimate_quadrature() = 0;
 
@@ -55,7 +55,7 @@ class ModelRunBase : protected ModelStepping {
   void save() {
     if (sink_->keeps_states()) write(good_, kept_vectors());
   }
-  /// Writes a checkpoint. `of_sample` has the vectors of the kept state, if the checkpoint must contain it as well.
+  /// Writes a checkpoint. The checkpoint also has the kept state if `of_sample` contains the vectors of this state.
   void write(const Snapshot& snapshot, SavedVectors vectors, std::optional<SavedVectors> of_sample = {});
 
  private:
@@ -79,12 +79,12 @@ class ModelRunBase : protected ModelStepping {
   const std::unique_ptr<ModelSink> sink_;
   const bool has_shapes_;
   mechanics::Counters counters_;
-  Status verdict_;  ///< failure that the model found after a step; it ends the run
+  Status verdict_;  ///< failure that the model found after a step; such a failure ends the run
   Snapshot good_;   ///< data of the kept state: the last sample, or the last step of an adaptive method
   std::vector<double> row_;
   int steps_since_look_ = 0;
   std::vector<double> kept_remarks_;  ///< remarks of the model at the kept state, if intervals can be repeated
-  int least_halvings_ = 0;            ///< in the present interval, after a failed attempt
+  int least_halvings_ = 0;            ///< least number of halvings in the present interval, after a failed attempt
 
  private:
   RunIdentity identity_;
@@ -112,7 +112,7 @@ class ModelRun final : public ModelRunBase {
   // Functions that the time loop calls.
   template <class Workspace>
   Status sample(long k, const State& state, Workspace& workspace) {
-    // The time loop calls `sample` at the start, also if the first interval is integrated again.
+    // If the first interval is integrated again, the time loop also calls `sample` for k = 0, whose row already exists.
     if (k == 0 && least_halvings_ > 0) return {};
     if (Status status = judge_interval(k, state); !status) return status;
     const double time = context_.time_of_sample(k);
@@ -180,8 +180,8 @@ class ModelRun final : public ModelRunBase {
                                        mechanics::method_fits<mechanics::DormandPrince8, System>()};
 
   static constexpr int n_lanczos = 24;
-  /// Relative accuracy of ω² at which Lanczos' iteration ends. If it is 0, the iteration makes all n_lanczos steps. If
-  /// a force is costly, a better estimate costs more than a step of the run that is shorter by a hundredth.
+  /// Relative accuracy of ω² at which Lanczos' iteration ends. If it is 0, the iteration makes all n_lanczos steps. For
+  /// a costly force, a better estimate would cost more than it saves by steps that are longer by a hundredth.
   static constexpr double accuracy = traits.has_costly_force ? 0.02 : 0;
 
   double time() const override { return state_.t; }
@@ -191,12 +191,12 @@ class ModelRun final : public ModelRunBase {
     good_.t = state_.t;
   }
   void return_to_kept_state() override { state_ = good_state_; }
-  /// Properties of a state that decide on the steps of the intervals before and after it.
+  /// Properties of a state that determine the steps of the intervals before and after this state.
   struct LocalVolume {
     double least_jacobian;
     double rattle_limit = HUGE_VAL;  ///< largest stable step of RATTLE times less_reserve, if the motion is violent
   };
-  /// Looks at `state`, which is the present state.
+  /// Measures the local volume in the present state `state`. The stable step is computed only if the least det F ≤ 0.8.
   LocalVolume look_at(const State& state) const {
     constexpr double violent = 0.8;
     LocalVolume seen{model_.least_jacobian(state)};
@@ -204,24 +204,24 @@ class ModelRun final : public ModelRunBase {
       seen.rattle_limit = limit;
     return seen;
   }
-  /// Least number of halvings after which a step is stable at `state` and keeps the local volume. The number is 0 if
-  /// the local volume has not changed much. It does not depend on earlier states or on the sign of the velocity.
+  /// Least number of halvings after which a step is stable at `state` and keeps the local volume; 0 if the local volume
+  /// has hardly changed. The number does not depend on earlier states or on the sign of the velocity.
   int halvings_at(const State& state, const LocalVolume& seen) const {
     if (seen.rattle_limit == HUGE_VAL) return 0;
     int halvings = halvings_within(seen.rattle_limit);
     while (halvings < most_halvings && !model_.keeps_volume(state, std::ldexp(position_.step, -halvings))) ++halvings;
     return halvings;
   }
-  /// Fails at the end of an interval if it must be integrated again. The state at this end then asks for shorter steps
-  /// than those of the interval, or the energy has changed. The condition is the same for the interval backwards in
-  /// time, so steps change reversibly.
+  /// Fails at the end of an interval that must be integrated again. The reason is that the state at this end requires
+  /// shorter steps than those of the interval, or that the energy has changed. The condition is the same for the
+  /// interval backwards in time, so steps change reversibly.
   Status judge_interval(long k, const State& state) {
     if (!repeats_intervals()) return {};
     const LocalVolume seen = look_at(state);
     if (k > 0) {
       least_halvings_ = std::max(least_halvings_, halvings_at(state, seen));
       if (least_halvings_ > position_.halvings) return Status::failure("the motion becomes too fast for the step");
-      // A run that was resumed within the interval has not looked at its kept state.
+      // The local volume in the kept state is not known if the run was resumed within the interval.
       const double kept = kept_volume_ ? kept_volume_->least_jacobian : model_.least_jacobian(good_state_);
       if (position_.halvings < most_halvings_for_energy &&
           !energy_.keeps_energy(good_state_, kept, state, seen.least_jacobian)) {
@@ -286,8 +286,8 @@ class ModelRun final : public ModelRunBase {
     return {};
   }
 
-  /// Sets request.stiff if the damping is linear in the velocity. For each step h of RATTLE an explicit method needs
-  /// about γh steps, with the largest damping rate γ.
+  /// Sets request.stiff for damping linear in the velocity if an explicit method would need too many steps. Such a
+  /// method needs about γh steps for each step h of RATTLE, with the largest damping rate γ.
   Status judge_stiffness([[maybe_unused]] mechanics::StepRequest& request) const override {
     if constexpr (mechanics::LinearlyDamped<System>) {
       if (!mechanics::dissipative(model_.system())) return {};
@@ -390,7 +390,7 @@ class ModelRun final : public ModelRunBase {
     State state;
     Snapshot snapshot;
   };
-  std::optional<LastSample> last_sample_;   ///< only until the kept state has been taken up
+  std::optional<LastSample> last_sample_;   ///< last sample in the checkpoint, until `keep_last_sample` uses it
   std::optional<LocalVolume> kept_volume_;  ///< of the kept state; empty after a resumption
   EnergyWatch<Model> energy_;
   std::optional<typename System::Workspace> system_workspace_;  ///< for rows, if the method's workspace has none

@@ -32,7 +32,7 @@ class ModelSink {
   /// True if the sink writes checkpoints, from which a stopped run can continue.
   virtual bool keeps_states() const { return false; }
   /// Writes the checkpoint that the function `checkpoint` returns. A sink that does not write checkpoints does not call
-  /// this function.
+  /// `checkpoint`.
   virtual void save(const std::function<io::Checkpoint()>& /*checkpoint*/) {}
   /// The checkpoint from which this run continues; empty if the run begins at the start.
   virtual std::optional<io::Checkpoint> state_to_resume() { return std::nullopt; }

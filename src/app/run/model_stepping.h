@@ -35,8 +35,8 @@ class ModelStepping {
  protected:
   using Status = mechanics::Status;
 
-  /// `known` is the method and step that another run of the scene found, or empty. If it is not empty, the program does
-  /// not search. The step is then reduced only if it is too large for the stability of this run.
+  /// `known` is the method and step that another run of the scene found, or empty. If `known` is not empty, the program
+  /// does not search. The step is then reduced only if it is too large for the stability of this run.
   ModelStepping(RunnableModel& model, const RunContext& context, const SystemTraits& traits,
                 const std::optional<Stepping>& known)
       : any_model_(model),
@@ -62,7 +62,8 @@ class ModelStepping {
   bool shortens() const { return std::isfinite(step_bound()) && step_bound() <= position_.step * (1 + 1e-12); }
   void shorten() { position_.step = std::min(position_.step, step_bound()); }
 
-  /// Checks the largest frequency, and halves the step until the step is at most 0.9 of the stability limit.
+  /// Checks the largest frequency, and halves the step until the step is at most 0.9 of the stability limit. Does
+  /// nothing if the system is not in constrained form, or if the frequency is not found.
   void reconsider();
 
   bool is_adaptive() const { return is_adaptive(position_.method); }
@@ -90,14 +91,14 @@ class ModelStepping {
   }
 
   /// Ratio of a step to the stability limit above which the step is halved. When a step is chosen, the ratio is at most
-  /// 0.8. A step is therefore not halved if the frequency oscillates by a few per cent, and is halved before it becomes
-  /// unstable, with a ratio above 1.
+  /// 0.8. A frequency that oscillates by a few per cent therefore does not halve the step. A step whose ratio increases
+  /// is halved before it becomes unstable at the ratio 1.
   static constexpr double less_reserve = 0.9;
   /// Largest number of halvings of the step in one interval between samples.
   static constexpr int most_halvings = 6;
   /// Largest number of intervals of a run that are integrated again because a step has failed.
   static constexpr long most_failures = 32;
-  /// Largest number of halvings because of the energy.
+  /// Largest number of halvings of the step in one interval because of a change of the energy.
   static constexpr int most_halvings_for_energy = 5;
 
   RunnableModel& any_model_;

@@ -1,8 +1,9 @@
 #pragma once
-/// Monitors the non-affine displacement of a fluid. Under its own gravity and quadratic potentials the exact motion is
-/// affine, x = QX (Dirichlet). A non-affine part of a computed motion is therefore an error. This error grows, because
-/// no force restores the affine form. The program warns at the first sample at which the error exceeds 1 % of the size
-/// of the body. At the end of the run, the program reports the largest error.
+/// Monitors the non-affine displacement of a fluid. If the body is a ball or an ellipsoid, its exact motion under its
+/// own gravity and quadratic potentials is affine, x = QX (Dirichlet). A non-affine part of a computed motion is
+/// therefore an error. This error grows, because no force restores the affine form. The program warns at the first
+/// sample at which the error exceeds 1 % of the size of the body. At the end of the run, the program reports the
+/// largest error. The shape of a mesh from a file is not checked.
 
 #include <algorithm>
 #include <array>

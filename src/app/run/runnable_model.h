@@ -30,7 +30,8 @@ class RunnableModel {
 
   /// Restores the data about earlier samples from the rows of an interrupted run.
   virtual void take_up(const io::Table& /*rows*/) {}
-  /// Data about the warnings given so far, for checkpoints. The number of elements does not change during a run.
+  /// Data that a checkpoint contains for the model, for example about earlier warnings and contacts. The number of
+  /// elements does not change during a run.
   virtual std::vector<double> remarks() const { return {}; }
   virtual void take_remarks(std::span<const double>) {}
 
@@ -59,19 +60,21 @@ class RunnableModelOf : public RunnableModel {
   /// Rate of the motion about which small vibrations are considered. The limit of the step is computed for ω + rate,
   /// with the largest frequency ω of these vibrations.
   virtual double rate(const State&) const = 0;
+  /// The constraint and its rate are divided by this scale in tolerances and statistics.
   virtual double constraint_scale() const { return 1; }
   /// Kinetic and potential energy. Methods that are not symplectic can change the sum of both energies. For systems
   /// with a costly force, the choice of the step bounds this change.
   virtual Eigen::Vector2d energies(const State&) const { return Eigen::Vector2d::Zero(); }
   /// Checks the state after every step. A failure ends the run.
   virtual mechanics::Status judge(const State&) { return {}; }
-  /// The undeformed body at rest with the centre of mass of `state`.
+  /// The undeformed body at rest with the centre of mass of `state`; by default `state` itself.
   virtual State at_rest(const State& state) const { return state; }
   /// Least det F in the body; 1 if the model does not resolve the local volume.
   virtual double least_jacobian(const State&) const { return 1; }
-  /// Whether a step h forwards or backwards with the present velocity keeps det F above half of its least value.
+  /// Whether a step h forwards or backwards with the present velocity keeps the least det F above half of its present
+  /// value.
   virtual bool keeps_volume(const State&, double /*h*/) const { return true; }
-  /// The state at the begin of the pilot runs, for a run that begins with `state`.
+  /// The state at the start of the pilot runs, for a run that begins with `state`.
   virtual State start_of_pilot(const State& state) const { return state; }
   /// `choose_quadrature` chooses the quadrature rule before the search for the step. `estimate_quadrature` estimates
   /// the error of the rule after the search. `stable_step` is the stable step of RATTLE, or 0 if this step is not

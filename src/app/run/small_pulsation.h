@@ -17,8 +17,8 @@ struct SmallPulsation {
 };
 
 /// The frequencies for an elastic sphere without loads, or under its own gravity only. Empty for other bodies, and for
-/// a law with a pressure at F = Id. Also empty for γ > 18: two frequencies then share the pulsation of degree 2
-/// (docs/adequacy.md).
+/// a compressible body whose law has a pressure at F = Id. Also empty for γ > 18: two frequencies then share the
+/// pulsation of degree 2 (docs/adequacy.md).
 std::optional<SmallPulsation> small_pulsation(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

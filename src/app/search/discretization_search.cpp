@@ -20,8 +20,8 @@ namespace {
 
 /// Largest error in time, as a fraction of Continuum/Tolerance.
 constexpr double time_part = 0.05;
-/// A run also writes its results if its predicted error exceeds the tolerance by up to this factor, because predictions
-/// are usually too large.
+/// A run writes its results if its predicted error is at most this factor times the tolerance. The factor is above 1,
+/// because predictions are usually too large.
 constexpr double benefit_of_doubt = 2;
 
 /// The discretisations of the search that fit in the memory of this machine, from the coarsest to the last that fits.

@@ -3,9 +3,10 @@
 ///
 /// The program runs the scene on discretisations of increasing resolution, which are called the ladder
 /// (scene/discretization.h). The differences of Q between successive runs give the error of the last run and predict
-/// the error of the next run (analysis/space_error.h). A run that is predicted to meet the tolerance writes its
-/// results. The other runs only give their history of Q. If the estimate after the run does not confirm the prediction,
-/// the search continues. The next run that writes its results then replaces the files.
+/// the error of the next run (analysis/space_error.h). If the predicted error of a run is at most twice the tolerance,
+/// the run writes its results. The last run of the ladder also does so. The other runs only give their history of Q. If
+/// the estimate after the run does not confirm the prediction, the search continues. The next run that writes its
+/// results then replaces the files.
 ///
 /// Time errors must be much smaller than errors in space. A run that writes its results finds its own method and step.
 /// The tolerance of this run is the smaller of Time/Tolerance and a twentieth of Continuum/Tolerance. The first run
@@ -19,7 +20,8 @@
 /// repeat the search.
 ///
 /// The run that wrote the results has the counters degree, refinements, estimated_space_error, relative_space_error and
-/// work. The counters search_runs and search_work refer to all other runs.
+/// work. The counter search_work is the work of all other runs, and search_runs is the number of those that did not end
+/// early.
 
 #include "analysis/space_error.h"
 #include "app/search/continuum_run.h"

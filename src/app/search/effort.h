@@ -6,9 +6,9 @@
 ///   h = 0.38/(k (k + 0.4)) · 0.493^r / √(μ + 0.296 λ)      (μ, λ Lamé's moduli at rest, ρ = 1, radius 1)
 ///
 /// for degree k and r refinements of the builtin mesh. λ is the sum of the law's λ and the volumetric stiffness. For an
-/// incompressible body, the laws neo-hookean, mooney-rivlin and gent have no bulk term; neo-hookean then has λ = 0. The
-/// formula is fitted to the largest frequencies from Lanczos' method. Its error is below 2 % for k = 2 … 8 and r = 0 …
-/// 2, and below 3 % for λ/μ = 0.1 … 100. At rest, the viscous force is proportional to the stiffness. The largest
+/// incompressible body, the laws neo-hookean, mooney-rivlin and gent have no bulk term, and the λ of neo-hookean is 0.
+/// The formula is fitted to the largest frequencies from Lanczos' method. Its error is below 2 % for k = 2 … 8 and r =
+/// 0 … 2, and below 3 % for λ/μ = 0.1 … 100. At rest, the viscous force is proportional to the stiffness. The largest
 /// damping rate for a viscosity η is
 ///
 ///   γ = 4 η (0.38/(k (k + 0.4)) · 0.493^r)⁻².
@@ -54,7 +54,7 @@ std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene
                                           std::size_t n_coarse_cells, double share);
 
 /// Throws UserError if this machine cannot compute with the scene's discretisation, or with the coarsest one of a
-/// search.
+/// search. Does nothing if no finite elements are computed.
 void require_memory(const scene::Scene& scene, const scene::Origins& origins, std::size_t n_coarse_cells, double share);
 
 }  // namespace pseudorigid::app

@@ -3,8 +3,9 @@
 /// Both runs have the same method and step, so that their time errors cancel (analysis/space_error.h). The comparison
 /// of the models uses the motion of the companion to estimate the errors of other quantities.
 ///
-/// The counters are estimated_space_error (largest entry of Q), relative_space_error (|Q − Q'|/|Q|), companion_degree,
-/// companion_work, and for finite elements companion_refinements.
+/// The counters are estimated_space_error, the largest error of an entry of Q, and relative_space_error, the error
+/// relative to |Q|. Further counters are companion_degree, companion_work, and for finite elements
+/// companion_refinements.
 
 #include <functional>
 #include <string>
@@ -19,7 +20,8 @@ struct CompanionPair {
   std::string_view model;
   double resolution, resolution_of_companion;
   std::string companion;  ///< description of the companion for messages
-  double rate;            ///< rate p for the error of Q; `least_rate` is the rate for other quantities
+  double rate;            ///< rate p at which the error of Q decreases with the resolution (analysis/space_error.h)
+  /// Rate for the errors of other quantities.
   double least_rate;
 };
 
@@ -31,7 +33,7 @@ using RunOfPair = std::function<ModelOutcome(const RunContext& context, bool is_
 
 /// Runs the scene on the discretisation, and then on its companion if the first run has finished. The companion does
 /// not write files or messages. Returns the outcome of the first run with the estimate of its error. If the companion
-/// fails, a warning replaces the estimate.
+/// fails, a warning replaces the estimate. If the companion is interrupted, the outcome is `interrupted`.
 ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& pair, const RunOfPair& run);
 
 /// Runs the scene on its fixed discretisation, and also on the companion if the scene requests error estimates.

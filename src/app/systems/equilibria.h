@@ -4,7 +4,8 @@
 ///
 /// The file has a row for each point, by rising potential, with the rates of small motions of the system. The counts
 /// n_unstable and n_stable require dissipation. For these counts only, a system without dissipation has the additional
-/// force −M v / (unit of time). The result of Oliva, Geometric Mechanics, 5.8.3 then applies.
+/// force −M v/(unit of time). Here M is the mass matrix, and v is the velocity. The dimension of the unstable manifold
+/// of a point without zero eigenvalues is then its Morse index (Oliva, Geometric Mechanics, 5.8.3).
 
 #include <vector>
 

@@ -23,8 +23,8 @@ using mechanics::Status;
 
 /// Distances from a critical point. A motion along a direction of a manifold starts at `start_along`. Motions in all
 /// directions of an unstable manifold start at `start_around`, measured in the slowest direction. A motion has arrived
-/// at a point if its distance is below `arrival_distance`. It has left its own point if the distance was above
-/// `departure_distance`.
+/// at a point if its distance is below `arrival_distance`. A motion has left the point at which it starts if its
+/// distance was above `departure_distance`.
 constexpr double start_along = 1e-5, start_around = 1e-3, arrival_distance = 1e-6, departure_distance = 1e-2;
 constexpr double local_tolerance = 1e-13;
 
@@ -122,7 +122,8 @@ class ManifoldRun {
 
   /// Integrates a motion from its start, backwards in time on a stable manifold. The motion ends at a critical point,
   /// after the time of the scene, or when a step fails. On a stable manifold, the motion also ends if its energy is far
-  /// above all critical points, and a failed step is not an error.
+  /// above all critical points, and a failed step is not an error. Fails if the run is interrupted or a row cannot be
+  /// computed.
   template <class Form>
   Status follow(const Form& form, systems::AnyModel& at_rest, const Curve& curve, const PhaseVector& start, End& end) {
     using Method = mechanics::DormandPrince8;
@@ -159,7 +160,7 @@ class ManifoldRun {
   }
 
   /// Returns true if the state is at a critical point. Sets `end` to the nearest critical point and the distance from
-  /// it. The own point of the motion counts only after the motion has left it.
+  /// it. The point at which the motion starts counts only after the motion has left it.
   template <class State>
   bool arrives(const Curve& curve, const State& state, bool& has_left, End& end) {
     end = {};
@@ -199,7 +200,7 @@ class ManifoldRun {
   const std::vector<CriticalPoint>& points_;
   mechanics::AnyLandscape landscape_;
   Eigen::VectorXd periods_,
-      offset_;  ///< periods of the landscape's coordinates, and landscape minus motion coordinates
+      offset_;  ///< periods of the landscape's coordinates, and their offset from the coordinates of the motion
   double length_, highest_energy_ = HUGE_VAL;
   std::vector<double> row_;
   io::ColumnTable rows_, ends_;

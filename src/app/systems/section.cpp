@@ -71,7 +71,8 @@ class SectionRun {
   }
 
  private:
-  /// Returns the local tolerance that Time/Tolerance requires. Adds the counters of the search.
+  /// Returns the local tolerance that Time/Tolerance requires, and adds the counters of the search. If the search
+  /// fails, warns and returns 1e-3 of Time/Tolerance, but at least 1e-14.
   double choose_tolerance(std::map<std::string, double>& counters) {
     const double tolerance = context_.scene.time.tolerance;
     const mechanics::StepRequest request{.end = end_,
