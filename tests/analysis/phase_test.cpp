@@ -38,8 +38,8 @@ TEST(Phase, FollowsASlowModulation) {
   ASSERT_EQ(phases.size(), 5000u);
   for (std::size_t n = 25; n + 25 < phases.size(); ++n) {
     const double t = double(n) * interval;
-    // If the frequency is off by δ, the means of cos² and sin² over the period differ by δ, and the phase is off by δ/2.
-    // The curvature of the phase adds at most slow''·π²/2: together 0.03 + 0.006.
+    // If the frequency is off by δ, the means of cos² and sin² over the period differ by δ, and the phase is off by
+    // δ/2. The curvature of the phase adds at most slow''·π²/2: together 0.03 + 0.006.
     EXPECT_NEAR(phases[n], t + slow(t), 0.036) << "t = " << t;
   }
 }
