@@ -147,6 +147,13 @@ RunLock RunDirectory::prepare_resume(std::span<const std::string> movers) const 
   return lock;
 }
 
+void RunDirectory::require_place_for_graphics() const {
+  const fs::path graphics = path_ / "graphics";
+  std::error_code error;
+  if (fs::exists(graphics, error) && !fs::is_directory(graphics, error))
+    throw cannot("create", graphics, "another file has this name");
+}
+
 void RunDirectory::prepare_graphics() const {
   std::error_code error;
   fs::create_directory(path_ / "graphics", error);

@@ -49,6 +49,8 @@ class RunDirectory {
   /// creates the folder graphics.
   std::filesystem::path frame(std::string_view model, int index) const;
   void prepare_graphics() const;
+  /// Throws UserError if a file that is not a folder has the name of the folder graphics.
+  void require_place_for_graphics() const;
 
  private:
   void require_writable() const;

@@ -47,6 +47,14 @@ class SpecialFiles(RefusedInputTest):
                 self.refused("run", "scene.prm", fragments=(name,))
                 path.unlink()
 
+    def test_a_file_in_the_place_of_the_pictures_keeps_the_earlier_results(self):
+        self.scene({"Models": "reduced", "Time/End": 1, "Output/Samples": 4})
+        self.run_done("run", "scene.prm", "--output", "out")
+        before = self.files("out")
+        (self.scratch / "out/graphics").write_text("a file")
+        self.refused("run", "scene.prm", "--output", "out", "--set", "Output/Graphics=vtu", "--set", "Output/Frames=2", fragments=("graphics",))
+        self.assertEqual(self.files("out"), sorted([*before, "graphics"]))
+
     def test_damaged_files_are_seen_before_any_is_written(self):
         """The first model is whole; what is wrong with the second is said before the first goes on."""
         self.scene({**BASE, "Models": "reduced, polynomial", "Output/Graphics": "vtu", "Output/Frames": 3})

@@ -97,7 +97,8 @@ double values_per_point(const scene::ModelDescription& model, const scene::Field
 double bytes_of_pictures(const scene::Scene& scene, const scene::Needs& needs,
                          const std::optional<Effort>& of_elements) {
   if (!needs.graphics) return 0;
-  const int n = scene.analysis == scene::Analysis::modes ? scene.modes.number : scene.output.frames;
+  const int n = scene.analysis == scene::Analysis::modes ? std::min(scene.modes.number, scene.output.frames)
+                                                         : scene.output.frames;
   double bytes = 0;
   for (const scene::ModelDescription* model : needs.models)
     for (std::size_t i = scene::runs_of(*model, scene).size(); i > 0; --i)

@@ -194,13 +194,15 @@ io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& r
                     const Options& options) {
   constexpr const char* entry = "Output/Directory";
   try {
+    const bool has_graphics = read.scene.output.graphics != scene::Graphics::none;
+    if (has_graphics) directory.require_place_for_graphics();  // before earlier results are removed
     const std::vector<std::string> names = movers(*read.scene.catalogue);
     io::RunLock lock = options.resume ? directory.prepare_resume(names) : directory.prepare_fresh(names);
     if (options.resume) {
       require_same_scene(directory, read.scene);
       require_sound_files(directory, read.scene, needs);
     }
-    if (read.scene.output.graphics != scene::Graphics::none) directory.prepare_graphics();
+    if (has_graphics) directory.prepare_graphics();
     return lock;
   } catch (const UserError& error) {
     const std::string origin = options.resume   ? "--resume"

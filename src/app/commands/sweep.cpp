@@ -154,7 +154,7 @@ class Workers {
   void work_on(Group& mine) {
     int& k = mine.next;
     if (auto together = task_.run_together(mine.begin, mine.end)) {
-      n_together_ += mine.end - mine.begin;
+      n_together_ += mine.end - k;
       for (; k < mine.end; ++k) deliver(k, std::move((*together)[k - mine.begin]));
     }
     for (; k < mine.end && !io::interrupt_requested(); ++k) {

@@ -36,7 +36,7 @@ struct Curve {
 /// The end of a motion.
 struct End {
   int to = 0;  ///< number of the critical point at the end, or 0
-  double distance = HUGE_VAL, time = 0;
+  double distance = 0, time = 0;
   Status step{};  ///< status of the last step; a failure ends the motion
 };
 
@@ -165,17 +165,17 @@ class ManifoldRun {
   bool arrives(const Curve& curve, const State& state, bool& has_left, End& end) {
     end = {};
     end.time = state.t;
+    double least = HUGE_VAL;
     for (std::size_t j = 0; j < points_.size(); ++j) {
       const Eigen::VectorXd q = state.q + offset_;
       const double d = mechanics::phase_distance(q, state.v, points_[j].q, periods_);
       const bool is_own = static_cast<int>(j) + 1 == curve.from;
       if (is_own && d > departure_distance) has_left = true;
-      if ((!is_own || has_left) && d < end.distance) {
-        end.distance = d;
+      if ((!is_own || has_left) && d < least) {
+        least = end.distance = d;
         end.to = static_cast<int>(j) + 1;
       }
     }
-    if (end.to == 0) end.distance = 0;
     return end.to != 0 && end.distance < arrival_distance;
   }
 

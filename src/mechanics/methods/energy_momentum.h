@@ -214,8 +214,7 @@ struct EnergyMomentum {
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   /// The ratio |P|/|ΔX| below which the motion counts as a relative equilibrium.
   static constexpr double relative_equilibrium = 1e-7;
-  /// Largest |hθ| for which a correction of pure round-off is harmless. Such a correction hardly changes the
-  /// increments.
+  /// Largest |hθ| for which a correction of pure round-off is harmless, because it hardly changes the increments.
   static constexpr double harmless = 1e-4;
 
   static Status does_not_converge(double increment) {

@@ -149,8 +149,7 @@ struct Rattle {
     return {};
   }
 
-  /// Makes one substep. Omits the final velocity projection, except if a force depends on the velocity. After a failure
-  /// the state is not valid.
+  /// Makes one substep, without the final velocity projection unless a force depends on the velocity.
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if (Status status = kick(system, h, state, w); !status) return status;
@@ -170,8 +169,7 @@ struct Rattle {
     return {};
   }
 
-  /// v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v, repeated until G v is at most the tolerance or is round-off. The projection
-  /// completes a step of RATTLE.
+  /// v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v, until G v is below the tolerance or round-off. This completes the step of RATTLE.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {
