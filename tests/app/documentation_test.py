@@ -59,7 +59,7 @@ class Documentation(ProgramTest):
         self.scene({"Models": "reduced, continuum", "Continuum/Degree": 2, "Time/End": 10, "Material/Viscosity": 1e-3,
                     "Initial state/Velocity": "0.1, 0, 0; 0, 0.1, 0; 0, 0, -0.2"})
         self.run_done("run", "scene.prm")
-        page = (SOURCE / "docs/output.md").read_text()
+        page = "".join((SOURCE / f"docs/{name}.md").read_text() for name in ("output", "data/comparison"))
         table, comparison = self.table("output/scene/comparison.csv"), self.json("output/scene/comparison.json")
 
         def names(value):
