@@ -132,7 +132,8 @@ function drawEnvelope(svg, s, X, Y) {
   draw(svg, "path", {class: `curve ${s.style}`, d: `M${places.map(k => at(k, mean)).join("L")}`});
 }
 
-// series: [{x, y, name, style, points: bool, jump}], the curve is broken where y changes by more than `jump`; marks:
+// series: [{x, y, name, style, points: bool, jump, bar}], the curve is broken where y changes by more than `jump`; bar: half the
+// length of an error bar at each point, NaN where there is none; marks:
 // [{x, text, style}] are upright lines, `lines` [{x, text}] thinner ones with the text along them. NaN breaks a curve too.
 // `reads`: values are shown at the pointer. `logarithmic`: the axis upwards, over so many decades.
 function chart({title, series, xLabel, yLabel = "", marks = [], lines = [], height = 210, xRange = null, wholeX = false, note = "", reads = true, logarithmic = 0}) {
@@ -144,7 +145,8 @@ function chart({title, series, xLabel, yLabel = "", marks = [], lines = [], heig
     host.replaceChildren();
     const svg = draw(host, "svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `${title}: ${yLabel} over ${xLabel}`});
     const xs = xRange || extent(series.flatMap(s => extent(s.x)));
-    const range = extent(series.flatMap(s => extent(s.y))), top10 = Math.ceil(Math.log10(range[1] || 1));
+    const barred = s => [...s.y, ...(s.bar || []).flatMap((b, i) => b > 0 ? [s.y[i] - b, s.y[i] + b] : [])];
+    const range = extent(series.flatMap(s => extent(barred(s)))), top10 = Math.ceil(Math.log10(range[1] || 1));
     const ys = logarithmic ? [top10 - logarithmic, top10] : padded(range);
     const scaled = v => logarithmic ? Math.max(ys[0], Math.log10(Math.max(v, 1e-300))) : v;
     const yTicks = ticks(ys, height > 250 ? 6 : 5).filter(v => !logarithmic || Math.abs(v - Math.round(v)) < 1e-9);
@@ -173,6 +175,8 @@ function chart({title, series, xLabel, yLabel = "", marks = [], lines = [], heig
       draw(svg, "line", {class: "exact", x1: X(line.x), x2: X(line.x), y1: top, y2: bottom});
       draw(svg, "text", {transform: `translate(${X(line.x) - 4} ${top + 6}) rotate(-90)`, "text-anchor": "end"}, line.text);
     }
+    for (const s of series.filter(s => s.bar))
+      draw(svg, "path", {class: `curve thin ${s.style}`, d: s.bar.map((b, i) => b > 0 ? `M${X(s.x[i]).toFixed(1)} ${Y(s.y[i] - b).toFixed(1)}V${Y(s.y[i] + b).toFixed(1)}` : "").join("")});
     for (const s of series) {
       if (noisy.includes(s)) { drawEnvelope(svg, s, X, Y); continue; }
       if (s.points) { for (let i = 0; i < s.x.length; ++i) marker(svg, s.style, X(s.x[i]), Y(s.y[i])); continue; }

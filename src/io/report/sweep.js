@@ -41,12 +41,18 @@ function linearQuantities(t) {
 
 // Of a sweep of several models, the comparison of each with the last. −1 and, of a ratio, 0 stand for "not known".
 const COMPARED = [["frequency_ratio", "ratio of frequencies"], ["frequency_ratio_error", "error bar of the ratio"], ["strain_difference_max", "difference of C, over its amplitude"], ["q_difference_max", "difference of Q, relative"], ["elastic_difference_max", "difference of the elastic energy, over E₀"], ["max_stretch_difference_max", "difference of the largest stretch, relative"], ["dissipated_difference_max", "difference of the dissipated energy, relative"], ["tenth_of_period_after", "time until a tenth of a period apart"], ["phase_after_10_periods", "phase difference after ten periods, in periods"], ["phase_difference_max", "largest phase difference, in periods"]];
+// The column of the error bar of a quantity. −1 stands for "not known".
+const BARS = {frequency_ratio: "frequency_ratio_error", q_difference_max: "q_difference_error"};
+function barOf(t, model, end) {
+  const bars = t.columns[`${model}_${BARS[end]}`];
+  return bars && bars.map(v => v >= 0 ? v : NaN);
+}
 function comparedQuantities(t) {
   const list = [], known = c => t.columns[c].map((v, i) => t.at("compared", i) && v > 0 ? v : NaN);
   for (const [end, words] of COMPARED)
     for (const name of t.names) {
       const model = name.slice(0, -end.length - 1);
-      if (name === `${model}_${end}` && known(name).some(Number.isFinite)) list.push({base: name, y: known(name), title: withUnit(`${model}: ${words}`, end === "tenth_of_period_after" ? "time" : ""), isMap: end === "frequency_ratio" || end === "strain_difference_max"});
+      if (name === `${model}_${end}` && known(name).some(Number.isFinite)) list.push({base: name, y: known(name), title: withUnit(`${model}: ${words}`, end === "tenth_of_period_after" ? "time" : ""), isMap: end === "frequency_ratio" || end === "strain_difference_max", bar: barOf(t, model, end)});
     }
   if (known("nonaffine_displacement").some(Number.isFinite)) list.push({base: "nonaffine_displacement", y: known("nonaffine_displacement"), title: "largest non-affine part of the position"});
   return list;
@@ -93,9 +99,10 @@ function sweepSections() {
   const isLevel = q => { const [a, b] = finiteExtent(q.y); return !(b - a > 1e-7 * scaleOf(q)); };
   const level = quantities.filter(isLevel), jumping = quantities.filter(q => !isLevel(q) && isOfSampling(q.y, all, scaleOf(q)));
   const drawn = quantities.filter(q => !level.includes(q) && !jumping.includes(q));
-  const draws = q => chart({title: q.title, xLabel: x, series: lines.map(l => {
+  const absent = q => { const n = q.y.filter(v => !Number.isFinite(v)).length; return n ? `${n} of ${t.n} runs do not have it.` : ""; };
+  const draws = q => chart({title: q.title, xLabel: x, note: [absent(q), q.bar ? "The vertical lines are error bars." : ""].filter(Boolean).join(" "), series: lines.map(l => {
     const rows = l.rows.filter(i => Number.isFinite(q.y[i]));
-    return {x: rows.map(i => t.at(x, i)), y: rows.map(i => q.y[i]), name: l.name, style: l.style, points: rows.length === 1};
+    return {x: rows.map(i => t.at(x, i)), y: rows.map(i => q.y[i]), name: l.name, style: l.style, points: rows.length === 1, bar: q.bar && rows.map(i => q.bar[i])};
   }).filter(s => s.x.length)});
   const named = list => [...new Set(list.map(q => q.base))].map(base => {
     const of = list.filter(q => q.base === base);
