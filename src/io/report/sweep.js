@@ -97,7 +97,7 @@ function sweepSections() {
   for (const q of quantities) scale.set(sweptUnit(q.base), Math.max(scale.get(sweptUnit(q.base)) || 1e-300, ...finiteExtent(q.y).map(Math.abs).filter(Number.isFinite)));
   const scaleOf = q => scale.get(sweptUnit(q.base));
   const isLevel = q => { const [a, b] = finiteExtent(q.y); return !(b - a > 1e-7 * scaleOf(q)); };
-  const level = quantities.filter(isLevel), jumping = quantities.filter(q => !isLevel(q) && isOfSampling(q.y, all, scaleOf(q)));
+  const level = quantities.filter(isLevel), jumping = t.has("compared") || isLinearSweep() ? [] : quantities.filter(q => !isLevel(q) && isOfSampling(q.y, all, scaleOf(q)));
   const drawn = quantities.filter(q => !level.includes(q) && !jumping.includes(q));
   const absent = q => { const n = q.y.filter(v => !Number.isFinite(v)).length; return n ? `${n} of ${t.n} runs do not have it.` : ""; };
   const draws = q => chart({title: q.title, xLabel: x, note: [absent(q), q.bar ? "The vertical lines are error bars." : ""].filter(Boolean).join(" "), series: lines.map(l => {
