@@ -88,8 +88,8 @@ std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable
 FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference) {
   const double a = model.frequency.dominant().frequency, b = reference.frequency.dominant().frequency;
   const ErrorBar &of_a = model.frequency_error, &of_b = reference.frequency_error;
-  // With the errors δa and δb, the largest value of (a ± δa)/(b ± δb) has the denominator b − δb. This denominator is
-  // at least b/2 here. If δb exceeds b/2, the ratio is not determined anyway.
+  // With the errors δa and δb, the largest value of (a ± δa)/(b ± δb) has the denominator b − δb. If δb exceeds b/2,
+  // the ratio is not determined anyway, and b/2 is used as the denominator.
   const double least =
       b - std::min(of_b.fit + of_b.time.value_or(0) + of_b.space.value_or(0) + of_b.quadrature.value_or(0), b / 2);
   const auto of_parts = [&](double da, double db) { return (da + db * a / b) / least; };

@@ -5,8 +5,8 @@
 ///   S δΩ = Dᵀr,  D = ∂(A c)/∂Ω,  S = DᵀD − DᵀA (AᵀA)⁻¹ AᵀD,  r = y − A c.
 ///
 /// with the samples y, the coefficients c and the Legendre polynomials P_k. The frequency Ω = ωT/2 is the phase per
-/// unit of s ∈ [−1, 1] in a record of length T. The record contains Ω/π cycles. One resolution width 2π/T of ω is the
-/// distance π of Ω.
+/// unit of s ∈ [−1, 1] in a record of length T. The record contains Ω/π cycles. One resolution width is 2π/T in ω, and
+/// π in Ω.
 
 #include <Eigen/Dense>
 #include <utility>

@@ -14,7 +14,7 @@
 
 namespace pseudorigid::analysis {
 
-/// One run of a model: the name of the model, the adjective of its ball (for example "elastic"), the samples and their
+/// One run of a model: the name of its files, the adjective of its ball (for example "elastic"), the samples and their
 /// errors. `n_failed_intervals` counts how often an interval between samples was integrated again with shorter steps
 /// because a step failed.
 struct ModelRunTable {

@@ -43,7 +43,7 @@ struct Manifest {
   std::map<std::string, std::string> libraries;               ///< name → version
   std::string instructions;                                   ///< instruction set of the kernels; empty without kernels
   std::vector<BallRun> ball;                                  ///< runs of models of the ball, in their order
-  std::map<std::string, Model> models;                        ///< results of the models or of the system, by name
+  std::map<std::string, Model> models;                        ///< results of the runs, by the name of their files
 };
 
 /// Writes manifest.json. The constructor writes the state "running", and `finish` writes the final state. Both throw
@@ -80,12 +80,12 @@ class ManifestFile {
 /// ManifestFile calls this function if it aborts the run. Errors are ignored.
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
-/// The names of the trajectories in a manifest: the name of the system's file, or the names of the models of the ball.
-/// Throws UserError if the file cannot be read or is not a manifest of this program. Also throws it if an earlier
-/// version wrote the file without the entries, which a report needs.
+/// The names of the trajectories in a manifest: the name of the system's file, or the names of the runs of the models
+/// of the ball. Throws UserError if the file cannot be read or is not a manifest of this program. Also throws it if an
+/// earlier version wrote the file without the entries, which a report needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
-/// The names of the models of the ball with the motion x = QX, Q a matrix. The result is empty if the file does not
-/// exist or is not a manifest.
+/// The names of the runs of the models of the ball with the motion x = QX, Q a matrix. The result is empty if the file
+/// does not exist or is not a manifest.
 std::vector<std::string> affine_movers_in(const std::filesystem::path& manifest);
 
 /// The name of the processor in /proc/cpuinfo, or "unknown".

@@ -18,9 +18,8 @@ namespace pseudorigid::io {
 /// The text of the page, with empty elements.
 std::string_view report_page();
 
-/// Returns the page with the files of the directory. `movers` are the names of the trajectories: the system or the
-/// models of the ball. `empty` is the page with empty elements. Throws UserError if a file that the page shows cannot
-/// be read.
+/// Returns the page with the files of the directory. `movers` are the names of the trajectories (movers_in of
+/// manifest.h). `empty` is the page with empty elements. Throws UserError if a file that the page shows cannot be read.
 std::string report_of(const RunDirectory& directory, std::span<const std::string> movers,
                       std::string_view empty = report_page());
 

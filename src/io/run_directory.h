@@ -41,7 +41,8 @@ class RunDirectory {
   std::filesystem::path log() const { return path_ / "log.txt"; }
   std::filesystem::path report() const { return path_ / "report.html"; }
   std::filesystem::path comparison_json() const { return path_ / "comparison.json"; }
-  /// The file `<name>.csv`. `name` is a model, a system, "comparison", "modes" or another result.
+  /// The file `<name>.csv`. `name` is the name of the files of a model's run or of a system, or "comparison", "modes"
+  /// or another result.
   std::filesystem::path csv(std::string_view name) const;
   std::filesystem::path pvd(std::string_view model) const;
   std::filesystem::path checkpoint(std::string_view model) const;

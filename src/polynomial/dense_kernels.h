@@ -38,7 +38,8 @@ struct DenseKernels {
   ///   y_f[j n_directions + s] = Σ_t D_ft(s) z_t[j width + s].
   /// Each direction s has a 3 × 3 matrix, whose entries D_ft(s) are stored at (3f + t) width + s.
   void (*fields_of_terms)(const double* D, int n_radii, int n_directions, int width, const double* z, double* const* y);
-  /// The transposed map: z_t[j n_directions + s] = Σ_f D_ft(s) y_f[j n_directions + s], one term t after the other.
+  /// The transposed map: z_t[j n_directions + s] = Σ_f D_ft(s) y_f[j n_directions + s]. The terms z_t are stored one
+  /// after the other, without padding.
   void (*terms_of_fields)(const double* D, int n_radii, int n_directions, int width, const double* const* y, double* z);
 
   /// C ← A R, or C ← C + A R if `add` is true. The matrices are row-major: A (m × n_points, with rows of `stride`

@@ -1,5 +1,5 @@
 #pragma once
-/// Solves the Gram systems of the constraint ∫ψ ln J dX = 0,
+/// Solves the Gram systems of the constraint ∫ψ ln J dX = 0 (constraint.h),
 ///
 ///   S(q₁, q₀) λ = r,   S = G(q₁) G(q₀)ᵀ,   G_b,ia(q) = ∫ψ_b F⁻ᵀ:∇(φ_a e_i) dX     (the mass is the identity)
 ///

@@ -1,5 +1,5 @@
 #pragma once
-/// The incompressible polynomial body as a constrained system of the mechanics core:
+/// The incompressible polynomial body of degree N as a constrained system of the mechanics core:
 ///
 ///   q̈ = f + Gᵀλ,   g_b(q) = ∫ψ_b ln J dX = 0,   ψ_b ∈ P_{N−1}               (generalized Newton law, Oliva 5.3–5.4)
 ///

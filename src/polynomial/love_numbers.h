@@ -1,9 +1,9 @@
 #pragma once
 /// Love numbers (gravity/love_numbers.h) of an incompressible polynomial ball with the density ρ and the gravity g at
-/// its surface. The tide V = Y_nm does the work f·w = ρ∮V (w·n) dS on a displacement w, with the outward normal n. The
+/// its surface. The tide V = Y_nm does the work f·w = ρ∮V (w·e) dS on a displacement w, with the outward normal e. The
 /// static response u solves K u = f on ker G (rest_problem.h), and
 ///
-///   h_n = g ∮(u·n) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS.
+///   h_n = g ∮(u·e) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS.
 ///
 /// P_N contains the exact response if N > n. Because P_N is invariant under rotations, one m is enough.
 

@@ -1,8 +1,8 @@
 #pragma once
-/// The parity of a motion u of the whole ball. With the reflection R_i of axis i, bit i is set if the motion is odd:
-/// u(R_i X) = −R_i u(X). Otherwise u(R_i X) = R_i u(X). The component u_j of a motion therefore has the parity of the
-/// motion with bit j changed. The constraints have the parity of the motion. At a state with the symmetry of an octant,
-/// the stiffness maps motions of each of the eight parities to motions of the same parity.
+/// The parity of a motion u of the whole ball. With the reflection R_i of axis i, bit i of the parity is set if the
+/// motion is odd: u(R_i X) = −R_i u(X). Otherwise u(R_i X) = R_i u(X). The component u_j of a motion therefore has the
+/// parity of the motion with bit j changed. The constraints have the parity of the motion. At a state with the symmetry
+/// of an octant, the stiffness maps motions of each of the eight parities to motions of the same parity.
 
 #include <Eigen/Core>
 #include <algorithm>

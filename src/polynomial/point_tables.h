@@ -9,9 +9,9 @@
 /// (transform_images of dense_kernels.h). Without symmetry planes, this method needs an eighth of the work and memory
 /// of direct sums.
 ///
-/// The points of the octant are r_j ω_s, and φ_nlm = R_nl(r) Y_lm(ω). Therefore the sums over n are computed first, at
-/// the radii, and then the sums over l and m, in the directions (sum factorisation; Orszag 1980). With the coefficients
-/// c_nlm, the semi-axes s_k and e_r = ω,
+/// The points of the octant are r_j ω_s, and φ_nlm = R_nl(r) Y_lm(ω) (ball_polynomials.h). Therefore the sums over n
+/// are computed first, at the radii, and then the sums over l and m, in the directions (sum factorisation; Orszag
+/// 1980). With the coefficients c_nlm, the semi-axes s_k and e_r = ω,
 ///
 ///   u_lm(r) = Σ_n c_nlm R_nl(r),   x = Σ_lm u_lm Y_lm,
 ///   ∇_ξ x = Σ_lm u′_lm Y_lm e_r + (u_lm/r)(∂_θY_lm e_θ + ∂_φY_lm e_φ/sin θ),   ∂x/∂X_k = ∂x/∂ξ_k / s_k.

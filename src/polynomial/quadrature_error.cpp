@@ -85,7 +85,7 @@ class QuadratureSearch {
 
   /// Chooses the number of steps from the stability limit, and makes the pilot run own_. If this run fails, the motion
   /// may have become stiffer, and the step is halved. If all halvings fail, the window is shortened. Returns false if
-  /// no pilot run succeeds.
+  /// no pilot run succeeds or if the stability limit cannot be computed.
   bool find_step(const Body& body) {
     constexpr double reserve = 0.8;
     constexpr int most_halvings = 3;

@@ -10,7 +10,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Rows ∮(u·n) Y_nm dS, each multiplied by the square root of its stiffness ρg (1 − 3/(2n + 1)). The rows of n ≤ 1 are
+/// Rows ∮(u·e) Y_nm dS, each multiplied by the square root of its stiffness ρg (1 − 3/(2n + 1)). The rows of n ≤ 1 are
 /// 0.
 Eigen::MatrixXd gravity_rows(const PolynomialSpace& space, double gravity_constant) {
   const int max_degree = space.degree() + 1;

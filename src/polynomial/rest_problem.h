@@ -1,16 +1,18 @@
 #pragma once
 /// The linear problem of small displacements u of a polynomial ball about rest. It has dense matrices of the whole
-/// ball, separated by parity (parity_parts.h). The displacements are in ker G, and the stiffness is
+/// ball, separated by parity (parity_parts.h). With the potential energy V, the constraints g_b and G = Dg, the
+/// displacements are in ker G, and the stiffness is
 ///
 ///   K = D²V − Σ_b λ_b D²g_b   at x = X, with the multiplier λ at rest.
 ///
 /// The self-gravity of this problem is exact. Its second variation at rest is
 ///
-///   ρg Σ_nm (1 − 3/(2n + 1)) (∮(u·n) Y_nm dS)²,   n ≥ 1,   g = (4/3)πGρr     (continuum/modes/parity_sector.h).
+///   ρg Σ_nm (1 − 3/(2n + 1)) (∮(u·e) Y_nm dS)²,   n ≥ 1,   g = (4/3)πGρr     (continuum/modes/parity_sector.h).
 ///
-/// This problem does not use the quadrature of gravity during a motion (body_gravity.h). If γ = ρgr/μ is large, the
-/// error of that quadrature in the highest harmonics exceeds the elastic stiffness. This error mixed kinds of modes
-/// from γ = 400 on for N = 3, and from 4000 on for N = 8.
+/// e is the outward normal, and G in the formula for g is Newton's constant. This problem does not use the quadrature
+/// of gravity during a motion (body_gravity.h). If γ = ρgr/μ is large, the error of that quadrature in the highest
+/// harmonics exceeds the elastic stiffness. This error mixed kinds of modes from γ = 400 on for N = 3, and from 4000 on
+/// for N = 8.
 
 #include <Eigen/Core>
 #include <array>
@@ -35,7 +37,7 @@ struct RestProblem {
   Eigen::MatrixXd motions_of(Parity parity) const;
 };
 
-/// The integrals ∮(u·n) Y_nm dS and ∮u·∇Y_nm dS as rows that act on the coefficients of a displacement u. The harmonic
+/// The integrals ∮(u·e) Y_nm dS and ∮u·∇Y_nm dS as rows that act on the coefficients of a displacement u. The harmonic
 /// Y_nm of the sphere has the row n² + m + n. The quadrature is exact.
 struct SurfaceRows {
   Eigen::MatrixXd radial, tangential;
@@ -43,8 +45,9 @@ struct SurfaceRows {
 /// The rows for n ≤ max_degree.
 SurfaceRows surface_rows(const PolynomialSpace& space, int max_degree);
 
-/// Sets `problem`. `body` is a ball without symmetry planes and without self-gravity. `gravity_constant` is Newton's
-/// constant of the self-gravity that the function adds. Fails if the body is not in equilibrium at rest.
+/// Sets `problem`. The space of `body` must be that of the whole ball, without symmetry planes. `body` must not have
+/// self-gravity, because the function adds it, with Newton's constant `gravity_constant` in units with ρ = r = 1. Fails
+/// if the body is not in equilibrium at rest.
 mechanics::Status make_rest_problem(const IncompressibleBody& body, const Turns& turns, double gravity_constant,
                                     RestProblem& problem);
 mechanics::Status make_rest_problem(const CompressibleBody& body, const Turns& turns, double gravity_constant,

@@ -52,7 +52,7 @@ enum class BodyEntries { matrix, diagonal, with_accounts };
 void solve_stages_of_body(const BodyOfStages& body, BodyEntries entries, const AccountsOfStages* accounts,
                           mechanics::GaussStages& stages);
 
-/// Cost of an iteration on the eight stages in units of one force (mechanics/core/stage_by_stage.h).
+/// Cost of an iteration on the eight stages in units of one force evaluation (mechanics/core/stage_by_stage.h).
 double cost_of_iteration(const BodyOfStages& body, BodyEntries entries);
 
 /// True if the self-gravity of the body in the deformation Q can be computed in lanes, or is 0. For very flat or long

@@ -1,14 +1,16 @@
 #pragma once
-/// Families of steady motions over a range of a parameter, with stability and special points. The functions, their
-/// parameters and their motions are
+/// Families of steady motions over a range of a parameter, with stability and special points. The semi-axes of the body
+/// are a₁, a₂, a₃. A spheroid has the eccentricity e = √(1 − a₃²/a₁²) and, scaled to det A = 1, the polar axis ℓ = a₃.
+/// Its spin is Ω = ω − Λ, with the angular velocity ω and the internal rotation Λ of steady_motion.h. The functions,
+/// their parameters and their motions are
 ///
-///   spheroids            e or ℓ = a₃ (det A = 1)   Maclaurin's (fluid), elastic, elastic with gravity
+///   spheroids            e or ℓ                    spheroids: fluid (Maclaurin), elastic, elastic with gravity
 ///   spheroids_of_spin    Ω                         the same motions, found by Newton's iteration from the sphere
 ///   jacobi, dedekind     a₂/a₁                     figures without circulation, and their dual motions
-///   type_s               a₂/a₁ at one a₃/a₁        Riemann S; triaxial elastic figures
-///   planar               a₂/a₁ at one a₃/a₁        Riemann types I–III, ω and Λ in the plane of axes 2 and 3
+///   type_s               a₂/a₁ at fixed a₃/a₁      Riemann S; triaxial elastic figures
+///   planar               a₂/a₁ at fixed a₃/a₁      Riemann types I–III, ω and Λ in the plane of axes 2 and 3
 ///
-/// If a parameter has no steady motion, the family contains the parameter with the reason.
+/// If there is no steady motion for a parameter, the family lists the parameter with the reason.
 
 #include <functional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
-/// Quantities of one steady motion that the program reports. These are the momenta and energies in internal units (not
-/// per m̄),
+/// Quantities of one steady motion that the program reports. These are the momenta and energies in internal units
+/// (E₀ = m̄ Id, not divided by m̄),
 ///
 ///   K = (m̄/2)|Q̇|²,   J_i = m̄ ε_ijk Q_jA Q̇_kA,   Z_A = m̄ ε_ABC (QᵀQ̇)_CB,   at t = 0,
 ///

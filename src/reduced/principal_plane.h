@@ -1,6 +1,7 @@
 #pragma once
 /// Steady motions as zeros of a function of eight numbers. By Riemann's theorem (ellipsoidal_motions.h) every steady
-/// motion can be rotated such that A is diagonal and ω and Λ lie in the plane of axes 2 and 3:
+/// motion can be rotated such that A is diagonal and ω and Λ lie in the plane of axes 2 and 3. With the residual R of
+/// steady_motion.h, the unknowns u and the function F are
 ///
 ///   u = (ln a₁, ln a₂, ln a₃, ω₂, ω₃, Λ₂, Λ₃, λ),
 ///   F = ((RA)₁₁, (RA)₂₂, (RA)₃₃, (RA)₂₃, (RA)₃₂, ln a₁a₂a₃)      (on GL⁺(3): λ in the last place).

@@ -7,8 +7,8 @@
 ///
 /// E₀ and Vol are the inertia and the volume of reference_body.h, and W is the stored energy. On SL(3) the constraint
 /// g = ln det Q has G(Q)Q̇ = tr(Q⁻¹Q̇), GᵀΛ = ΛQ⁻ᵀ and D²g(Q̇,Q̇) = −tr((Q⁻¹Q̇)²). The equation G M⁻¹ Gᵀ Λ = r, with G
-/// at Q₁ and Gᵀ at Q₀, is therefore the division tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r. The multiplier of Oliva, per m̄, is
-/// λ = Λ/m̄. On GL⁺(3) there is no constraint and no multiplier.
+/// at Q₁ and Gᵀ at Q₀, is therefore the division tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r. The multiplier of Oliva is λ = Λ/m̄ with
+/// m̄ = ⅓ tr E₀. On GL⁺(3) there is no constraint and no multiplier.
 
 #include <Eigen/Dense>
 #include <cmath>

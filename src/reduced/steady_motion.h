@@ -1,13 +1,13 @@
 #pragma once
 /// Steady motions (relative equilibria) of the pseudo-rigid body with E₀ = m̄ Id. The potential is isotropic,
-/// V(RQS) = V(Q) for rotations R, S. A steady motion (Riemann 1861; Chandrasekhar, Ellipsoidal Figures of Equilibrium,
+/// V(UQW) = V(Q) for rotations U, W. A steady motion (Riemann 1861; Chandrasekhar, Ellipsoidal Figures of Equilibrium,
 /// ch. 7, and Oliva 5.7.8) is
 ///
 ///   Q(t) = exp(tω̂) A exp(−tΛ̂),   A, ω, Λ constant.
 ///
-/// Here ω̂ is the matrix of the cross product, ω̂x = ω×x. The ellipsoid AB rotates with the angular velocity ω in
-/// space, and matter circulates in the ellipsoid with the angular velocity −Λ. The equation of motion (5.120) of
-/// pseudo_rigid_body.h requires
+/// Here ω̂ is the matrix of the cross product, ω̂x = ω×x. B is the reference ball. The ellipsoid AB rotates with the
+/// angular velocity ω in space, and matter circulates in the ellipsoid with the angular velocity −Λ. The equation of
+/// motion (5.120) of pseudo_rigid_body.h requires that the residual R is zero:
 ///
 ///   R = ω̂²A − 2ω̂AΛ̂ + AΛ̂² + ∂V(A)/m̄ − λA⁻ᵀ = 0,   ln det A = 0     (on GL⁺(3), λ = 0 replaces the second equation)
 ///

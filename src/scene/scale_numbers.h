@@ -3,8 +3,9 @@
 ///
 ///   c = √(μ/ρ),   Time/End in r/c,   γ = ρgr/μ with g = (4/3)πGρr,   ω²r²/c²,   v/c
 ///
-/// with the spin ω, which is the axial vector of Q̇₀Q₀⁻¹, and the largest initial speed v of the ball relative to the
-/// centre of mass. A fluid has μ = 0. For a fluid, the unit of time t of scene/scales.h replaces r/c, and γ is omitted.
+/// with the shear modulus μ, the density ρ, the radius r and the constant of gravity G. The spin ω is the axial vector
+/// of Q̇₀Q₀⁻¹. The largest initial speed of the ball relative to the centre of mass is v. A fluid has μ = 0. For a
+/// fluid, the unit of time t of scene/scales.h replaces r/c, and γ is omitted.
 
 #include <string>
 #include <vector>

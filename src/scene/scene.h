@@ -134,7 +134,7 @@ struct Scene {
     std::string mesh{builtin_mesh};              ///< "builtin" or an absolute path
     Symmetry symmetry = Symmetry::automatic;
     std::optional<int> contact_points;  ///< empty: auto (continuum/body/contact_forces.h)
-    double grading = 1;                 ///< grading of the builtin mesh towards the poles (continuum/mesh/ball_mesh.h)
+    double grading = 1;                 ///< factor of the cell size at two poles (continuum/mesh/ball_mesh.h); 1: none
   } continuum;
   struct Output {
     std::string directory = "output";

@@ -40,8 +40,9 @@ std::vector<std::pair<std::string_view, const Value*>> of_loads(const Scene& sce
   return found;
 }
 
-/// Describes the first entry of a matrix that breaks the symmetry about the plane with normal e_i; empty if there is
-/// none. The matrices determine Q. Vectors are checked separately.
+/// Describes the first matrix entry that breaks the symmetry about the plane with normal e_i; empty if there is none.
+/// The function does not check vectors, which affect the centre of mass but not Q, or loads with a function
+/// `breaks_plane`.
 std::optional<std::string> matrix_breaks_plane(const Scene& scene, int i) {
   std::vector<std::pair<std::string_view, const Matrix3*>> matrices{
       {"Initial state/Deformation", &scene.initial_state.deformation},

@@ -1,10 +1,10 @@
 #pragma once
 /// The sector of the ball that has to be computed. A motion x = x_c + Q(t) X + … can have the coordinate plane with
 /// normal e_i as a symmetry plane. The condition is that the initial state and the loads are invariant under the
-/// reflection S_i = Id − 2 e_i e_iᵀ. A matrix A (Q₀, Q̇₀, E₀ or a matrix of a load) must satisfy S_i A S_i = A. Its
-/// entries (i,j) and (j,i) with j ≠ i are therefore zero. A vector a (centre of mass, its velocity or a vector of a
-/// load) must satisfy S_i a = a, that is a_i = 0. A load can replace these conditions on its entries by a function
-/// `breaks_plane`.
+/// reflection S_i = Id − 2 e_i e_iᵀ. A matrix A (the initial Q₀ and Q̇₀, the inertia E₀ or a matrix of a load) must
+/// satisfy S_i A S_i = A. Its entries (i,j) and (j,i) with j ≠ i must therefore be zero. A vector a (centre of mass,
+/// its velocity or a vector of a load) must satisfy S_i a = a, that is a_i = 0. A load can replace these conditions on
+/// its entries by a function `breaks_plane`.
 
 #include <array>
 #include <optional>

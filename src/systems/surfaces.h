@@ -1,6 +1,6 @@
 #pragma once
-/// Metrics of given surfaces, for their geodesic flow (Oliva, Geometric Mechanics, 5.3, F = 0). A surface in ℝ³ has an
-/// embedding x(q), and its metric is the induced metric g = DxᵀDx in closed form.
+/// Surfaces with their metrics in closed form, for the geodesic flow (Oliva, Geometric Mechanics, 5.3 with F = 0). A
+/// surface in ℝ³ also has an embedding x(q), and its metric is the induced metric g = DxᵀDx.
 
 #include <Eigen/Core>
 #include <algorithm>

@@ -15,7 +15,8 @@ namespace pseudorigid::app {
 namespace {
 
 using reduced::n_body_lanes;
-/// The method for Method = auto. This method is symmetric and needs one force and one constraint solve per step.
+/// The method for Method = auto. This method is symmetric and needs one force evaluation and one constraint solve per
+/// step.
 using LaneMethod = mechanics::Symmetric8;
 
 /// True if two runs have the same law, method, tolerance, step and times. The shape of the body and the initial state

@@ -28,7 +28,7 @@ struct RunPosition {
   mechanics::MethodId method = mechanics::id_of<mechanics::Rattle>;
   double step = 0;                 ///< upper bound of the step in internal time; a method can divide the step
   double local_tolerance = 0;      ///< tolerance per step of an adaptive method
-  long steps_in_interval = 0;      ///< number of steps in the present interval between samples; 0 at a sample
+  long steps_in_interval = 0;      ///< planned number of steps from the last sample to the next; 0 at a sample
   int halvings = 0;                ///< the steps in the present interval, or in the last one, are step / 2^halvings
   int halvings_after_failure = 0;  ///< least number of halvings after a failed step; decreases by one per interval
   long n_repeated = 0;  ///< number of attempts to integrate an interval that were repeated with shorter steps
@@ -68,7 +68,7 @@ struct Snapshot {
   }
 };
 
-/// The vectors of a snapshot. They have all entries also if the model distributes its vectors over ranks.
+/// The vectors of a snapshot. They have all entries even if the model distributes its vectors over ranks.
 struct SavedVectors {
   std::vector<double> q, v, memory;
 };

@@ -84,7 +84,7 @@ class ModelRunBase : protected ModelStepping {
   std::vector<double> row_;
   int steps_since_look_ = 0;
   std::vector<double> kept_remarks_;  ///< remarks of the model at the kept state, if intervals can be repeated
-  int least_halvings_ = 0;            ///< least number of halvings in the present interval, after a failed attempt
+  int least_halvings_ = 0;            ///< least position_.halvings if the present interval is repeated; otherwise 0
 
  private:
   RunIdentity identity_;

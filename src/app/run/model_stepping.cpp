@@ -11,7 +11,7 @@ namespace {
 /// Later messages, after ten seconds, a hundred seconds and so on, state that the search continues.
 class SearchNotice {
  public:
-  /// `what` is the predicate of the first message, whose subject is the name of the model.
+  /// `what` is the predicate of the first message, whose subject is the name of the files of the run.
   SearchNotice(const RunContext& context, std::string model, std::string what, int steps_between_looks)
       : context_(context),
         model_(std::move(model)),

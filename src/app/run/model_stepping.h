@@ -70,7 +70,8 @@ class ModelStepping {
   /// True if the step can change during the run: the scene does not give the step, and the method is not adaptive.
   bool adapts() const { return !context_.scene.time.step && !is_adaptive(); }
 
-  /// True if a failed interval between samples is integrated again with shorter steps.
+  /// True if a failed interval between samples is integrated again with shorter steps: force evaluations are costly,
+  /// and the step can change.
   bool repeats_intervals() const { return traits_.has_costly_force && adapts(); }
   /// Replaces a method that is not symplectic, if the program has chosen it, by RATTLE of order 4 with the same ratio
   /// of the step to the stability limit. In violent motions a change of the step makes such a method lose energy.

@@ -21,7 +21,7 @@ class RunnableModel {
   virtual ~RunnableModel() = default;
   RunnableModel(const RunnableModel&) = delete;
 
-  const std::string name;         ///< name of the files of the model
+  const std::string name;         ///< name of the files of the run
   const int steps_between_looks;  ///< number of steps between checks of the clock and the interrupt flag
   const double pilot_reserve;     ///< factor of the tolerance in pilot runs
 

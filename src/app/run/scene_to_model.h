@@ -1,6 +1,6 @@
 #pragma once
-/// Conversion of the quantities of a scene from the user's units to internal units. These are the length r, the mass
-/// ρr³, and the unit of time of scene/scales.h.
+/// Conversion of the quantities of a scene from the user's units to internal units. The internal units are the radius
+/// r, the mass ρr³ with the density ρ, and the unit of time of scene/scales.h.
 
 #include <Eigen/Core>
 #include <numbers>

@@ -1,9 +1,9 @@
 #pragma once
 /// Monitors the tension in an incompressible fluid (W = 0), and reports the first time at which λ < 0. An affine motion
-/// has the multiplier λ = 2p_c/(ρr²) with the pressure p_c at the centre. For the finite-element model, λ is 5/(ρr²)
-/// times the mean pressure. On affine motions both definitions give the same λ. If λ < 0, the problem of the continuum
-/// is ill-posed (docs/oliva.md, item 13). The program checks λ at samples and interpolates the time between two
-/// samples.
+/// has the multiplier λ = 2p_c/(ρr²) with the pressure p_c at the centre, the density ρ and the radius r. For the
+/// finite-element model, λ is 5/(ρr²) times the mean pressure. On affine motions both definitions give the same λ. If
+/// λ < 0, the problem of the continuum is ill-posed (docs/oliva.md, item 13). The program checks λ at samples and
+/// interpolates the time between two samples.
 
 #include <optional>
 #include <string_view>
@@ -44,7 +44,7 @@ class TensionWatch {
   }
 
  private:
-  /// Records a sample. Returns true if it is the first sample under tension.
+  /// Records a sample. Returns true if it is the first sample under tension of a fluid.
   bool note(double time, double lambda) {
     if (!is_fluid_ || first_) return false;
     if (lambda < 0)

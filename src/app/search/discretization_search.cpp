@@ -122,8 +122,9 @@ void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace tr
                        scene::describe(rung()), apart.largest, errors_.error());
 }
 
-/// True if the present run is the final one. If two successive runs end early, the motion is the cause, and a finer
-/// mesh does not help.
+/// True if the present run is the final one: it is marked as final, it is the last of the ladder, the estimated error
+/// is within the tolerance, or two successive runs have ended early. In the last case the motion is the cause, and a
+/// finer mesh does not help.
 bool DiscretizationSearch::settles() const {
   return settled_ || is_last() || n_failures_ == 2 ||
          (n_failures_ == 0 && errors_.error() <= context_.scene.continuum.tolerance);

@@ -36,8 +36,8 @@ double n_nodes_of_images(int n_octants, double n) {
   return n_octants == 2 ? 2 * O - D : O;
 }
 
-/// Bytes per unknown, and bytes per pair of multipliers in a cell. These sizes are fitted to measurements for k = 2 … 8
-/// and r = 0 … 3. The memory of a process that has only loaded the libraries is subtracted from the resident memory.
+/// Bytes per unknown, and bytes per pair of multipliers in a cell. These sizes were fitted to measurements of the
+/// resident memory for k = 2 … 8 and r = 0 … 3, less the memory of a process that has only loaded the libraries.
 constexpr double bytes_of_unknown = 600, bytes_of_pair_of_multipliers = 60;
 /// Number of doubles in a checkpoint per unknown and per multiplier: positions, velocities, and the memory of
 /// symmetric-4. Among the methods for the ball, symmetric-4 remembers the largest number of past steps. If the program

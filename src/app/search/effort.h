@@ -29,7 +29,7 @@ namespace pseudorigid::app {
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
   double checkpoint_bytes;     ///< bytes of a checkpoint on the first rank, with the memory of the method
-  double n_points_of_picture;  ///< points in a picture of the whole ball; each element has its own points
+  double n_points_of_picture;  ///< number of points in a picture of the whole ball; each element has its own points
 };
 
 /// The estimated size of a run. `n_coarse_cells` is the number of cells in the mesh file, or 0 for the builtin mesh.

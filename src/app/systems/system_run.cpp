@@ -40,7 +40,7 @@ std::optional<scene::Refusal> refuses_scene(const systems::AnySystemScene& syste
   return std::visit([&](const auto& form) { return refuses_method(scene, form); }, model.form());
 }
 
-/// The context of the same run with another scene, whose end is positive also if time runs backwards.
+/// The context of the same run with another scene, whose end is positive even if time runs backwards.
 RunContext with_scene(const RunContext& context, const scene::Scene& scene) {
   return derived(context, scene, context.needs);
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// Self-gravity of the finite-element ball, computed from its free surface (gravity/surface_gravity.h). At the Gauss
-/// points of the faces,
+/// points of the faces, the position x, the area vector N and the force f_n on a node are
 ///
 ///   x = Σ φ_n x_n,   N = ±w ∂x/∂ξ_p × ∂x/∂ξ_q,
 ///   f_n = −∂Ê/∂x_n = −Σ_points [φ_n ∂Ê/∂x ± w (∂φ_n/∂ξ_p x_q × ∂Ê/∂N + ∂φ_n/∂ξ_q ∂Ê/∂N × x_p)],

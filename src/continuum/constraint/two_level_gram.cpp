@@ -23,7 +23,7 @@ namespace {
 using Eigen::MatrixXd;
 
 /// A higher coarse degree saves iterations, but its matrices cost more. For elements of degree k = 6, a step takes the
-/// time of 44 forces with coarse degree 2 and of 71 with coarse degree 3.
+/// time of 44 force evaluations with coarse degree 2, and of 71 with coarse degree 3.
 int coarse_degree(int degree) { return degree <= 4 ? 1 : 2; }
 
 /// The quadrature weights of the nodes of one cell: Gauss–Lobatto weight times det ∂X/∂ξ.

@@ -1,7 +1,7 @@
 #pragma once
 /// Matrix-free integrals over the cells of the ball. Let F = ∇x and J = det F, and let ψ_j be the L²-orthonormal basis
 /// of P_{k−1} in each cell (polynomials in X). The shape functions are φ_n, the stored energy is W + U
-/// (stored_energy.h), and the Kirchhoff pressure is λ_h = Σ λ_j ψ_j.
+/// (stored_energy.h), and the Kirchhoff pressure is λ_h = Σ λ_j ψ_j. The velocity is v, and the viscosity is η.
 ///
 ///   force           f_n = −∫ ∂(W + U)/∂F ∇φ_n dX
 ///   constraint      g_j = ∫ ψ_j ln J dX

@@ -1,9 +1,10 @@
 #pragma once
 /// The unit ball, or a sector of the ball cut by coordinate planes, on curved hexahedra. The mesh can also be a whole
-/// body of another shape made of hexahedra with trilinear maps, X(ξ) = Σ N_i(ξ) V_i.
+/// body of another shape made of hexahedra with the trilinear maps X(ξ) = Σ N_i(ξ) V_i. V_i are the vertices of a
+/// hexahedron, and N_i are its trilinear shape functions.
 ///
 /// An octant has 4 coarse cells: a block at the centre and three cells between the faces of this block and the sphere.
-/// A coarse cell with vertices V_i and trilinear shape functions N_i is mapped by the transfinite interpolation
+/// A coarse cell is mapped by the transfinite interpolation
 ///
 ///   X(ξ) = Σ_{i inside} N_i(ξ) V_i + s(ξ) Y/|Y|,   s = Σ_{i on sphere} N_i(ξ),
 ///   Y_d = tan(π/4 y_d),   y = Σ_{i on sphere} N_i(ξ) V_i/|V_i|_∞ / s     (equiangular coordinates of the sphere)

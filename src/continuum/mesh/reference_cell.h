@@ -20,7 +20,7 @@ double lagrange_derivative(const std::vector<double>& x, std::size_t i, double y
 struct ReferenceCell {
   explicit ReferenceCell(int degree);
 
-  int n;                                       ///< nodes per direction = degree + 1 = Gauss points per direction
+  int n;                                       ///< number of nodes and of Gauss points per direction: degree + 1
   std::vector<double> nodes, node_weights;     ///< Gauss–Lobatto rule
   std::vector<double> points, point_weights;   ///< Gauss rule
   std::vector<double> interpolate;             ///< row-major [q][i]: nodes → points

@@ -11,7 +11,7 @@
 namespace pseudorigid::continuum {
 
 struct CellFace {
-  unsigned int cell;  ///< number on this rank
+  unsigned int cell;  ///< index of the cell on this rank
   int direction;      ///< d
   int end;            ///< ξ_d, 0 or 1
 

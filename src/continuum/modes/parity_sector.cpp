@@ -83,7 +83,7 @@ void RestProblem::add_springs() {
 /// entries that it shares with other cells.
 struct ParitySector::Cell {
   std::vector<int> own, shared;            ///< 3·(node of the cell) + component
-  std::vector<Eigen::Index> unknown;       ///< number of each entry in the vectors of the sector
+  std::vector<Eigen::Index> unknown;       ///< index of each entry in the vectors of the sector
   Eigen::LLT<Eigen::MatrixXd> own_factor;  ///< L Lᵀ = B of the own entries
   Eigen::MatrixXd coupling;                ///< L⁻¹ B_own,shared
   Eigen::MatrixXd constraint;              ///< G of the free entries

@@ -1,11 +1,12 @@
 #pragma once
-/// The stiffness K of the ball about rest x = X, cell by cell. It is the second variation of the stored energy. If a
-/// multiplier carries a stress at rest, C(H) includes the second variation of the constraint (materials/rest_moduli.h).
+/// The stiffness K of the ball about rest x = X, cell by cell. It is the second variation of the stored energy. C(H) is
+/// the tangent of the law for the displacement gradient H. If a multiplier balances a stress at rest, C(H) includes the
+/// second variation of the constraint (materials/rest_moduli.h).
 ///
 ///   C_iJkL = ∂C(H)_iJ/∂H_kL + κ δ_iJ δ_kL,      K_(a,i)(b,k) = ∫ ∂_Jφ_a C_iJkL ∂_Lφ_b dX,
 ///
-/// C(H) is the tangent of the law for the displacement gradient H. The last term of C_iJkL is due to the volumetric
-/// stabilisation (kernels/stored_energy.h).
+/// with the basis functions φ_a. The last term of C_iJkL is due to the volumetric stabilisation
+/// (kernels/stored_energy.h).
 ///
 /// Let c^ik_de = w det(∂X/∂ξ) (∂ξ_d/∂X_J) C_iJkL (∂ξ_e/∂X_L) at the Gauss points with the weights w. The derivative
 /// ∂_dφ_a is a product of one-dimensional functions. Therefore the sum K^ik_ab = Σ_de Σ_q c^ik_de ∂_dφ_a ∂_eφ_b is

@@ -44,8 +44,8 @@ class MaterialFaces {
 
   const BallSpace& space_;
   std::vector<Face> faces_;          ///< faces of this rank
-  std::size_t n_faces_ = 0;          ///< number on all ranks
-  int m_ = 1;                        ///< m, the intervals of the lattice per direction
+  std::size_t n_faces_ = 0;          ///< number of faces on all ranks
+  int m_ = 1;                        ///< m, the number of intervals of the lattice per direction
   std::vector<double> interpolate_;  ///< row-major [a][i]: ℓ_i(a/m)
 };
 

@@ -7,9 +7,9 @@
 namespace pseudorigid::continuum {
 
 struct MessageCounts {
-  double messages = 0;    ///< messages from this process to other processes
+  double messages = 0;    ///< number of messages from this process to other processes
   double bytes = 0;       ///< total size of these messages
-  double reductions = 0;  ///< collective operations: sums, broadcasts, barriers, gathers
+  double reductions = 0;  ///< number of collective operations: sums, broadcasts, barriers, gathers
 
   MessageCounts operator-(const MessageCounts& earlier) const {
     return {messages - earlier.messages, bytes - earlier.bytes, reductions - earlier.reductions};

@@ -1,6 +1,7 @@
 #pragma once
-/// Forward automatic differentiation with Eigen's AutoDiffScalar. One evaluation of a function that accepts any scalar
-/// type gives its value and all n partial derivatives, exact to round-off. Nested scalars give second derivatives.
+/// Forward automatic differentiation with Eigen's AutoDiffScalar. One evaluation of a function of n variables gives its
+/// value and its n partial derivatives, exact to round-off. The function must accept any scalar type. Nested scalars
+/// give second derivatives.
 ///
 /// In Eigen's type all n variables have one scalar type, so a metric is an ordinary matrix of this scalar. Boost.Math's
 /// autodiff has a different type for each variable. Boost's autodiff with one pass per variable took twice the time.

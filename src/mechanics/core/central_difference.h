@@ -1,5 +1,5 @@
 #pragma once
-/// Central difference of order 8 of a function of one variable with values in a vector space:
+/// Central difference of order 8 with the step h, for a function F of one variable with values in a vector space:
 ///
 ///   F′(0) ≈ Σ_{k=1..4} c_k [F(kh) − F(−kh)]/h,   c = (4/5, −1/5, 4/105, −1/280).
 ///

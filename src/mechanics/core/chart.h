@@ -7,7 +7,8 @@
 ///   μ(v)_i = g_ij vʲ                                                                               (5.4)
 ///   K = ½ g_ij q̇ⁱq̇ʲ,   F = −dU + F_ext(t, q, q̇) + μ D(q̇)                                           (5.5), (5.122)
 ///
-/// In (5.3), D/dt denotes the covariant derivative. Automatic differentiation gives the derivatives of g and of U.
+/// with the mass operator μ, the kinetic energy K and the sum F of all forces. D/dt is the covariant derivative.
+/// Automatic differentiation gives the derivatives of g and of U.
 
 #include <Eigen/Dense>
 #include <array>

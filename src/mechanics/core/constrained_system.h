@@ -46,8 +46,8 @@ concept ConstrainedSystem = requires(const S s, double t, const typename S::Vect
 template <class S>
 inline constexpr bool unconstrained = S::n_constraints == 0;
 
-/// True if a force is so costly that pilot runs and estimates of the frequency are costly too. By default this holds
-/// for distributed vectors. A member `has_costly_force` of the system overrides this default.
+/// True if a force evaluation is so costly that pilot runs and estimates of the frequency are costly too. By default
+/// this holds for distributed vectors. A member `has_costly_force` of the system overrides this default.
 template <class S>
 inline constexpr bool has_costly_force = [] {
   if constexpr (requires { S::has_costly_force; }) return S::has_costly_force;

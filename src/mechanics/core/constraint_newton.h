@@ -1,7 +1,8 @@
 #pragma once
-/// Newton's iteration that changes q or v by constraint reactions until a constraint holds. The reactions act at the
-/// fixed configuration q₀. For positions, the unknown is x = q, the residual is r = g(q), and q₁ is the present q. For
-/// velocities, the unknown is x = v, the residual is r = G(q) v, and q₁ = q₀ = q. The iteration repeats
+/// Newton's iteration that changes q or v by constraint reactions until a constraint holds. M, g and G = Dg are those
+/// of constrained_system.h. The reactions act at the fixed configuration q₀. For positions, the unknown is x = q, the
+/// residual is r = g(q), and q₁ is the present q. For velocities, the unknown is x = v, the residual is r = G(q) v, and
+/// q₁ = q₀ = q. The iteration repeats
 ///
 ///   G(q₁) M⁻¹ G(q₀)ᵀ δ = −r,   x ← x + M⁻¹G(q₀)ᵀ δ,
 ///

@@ -1,6 +1,7 @@
 #pragma once
 /// Coefficients of Gauss collocation with 8 stages (Hairer, Lubich, Wanner, Geometric Numerical Integration, II.1),
-/// computed by the compiler in extended precision from Legendre's polynomials P_k, here on [0, 1]:
+/// computed by the compiler in extended precision. With Legendre's polynomials P_k on [0, 1], the nodes c_i, the
+/// weights b_j, the Lagrange polynomials ℓ_j and the coefficients a_ij satisfy
 ///
 ///   P_8(c_i) = 0,   b_j = weight of c_j,   ℓ_j(x) = b_j Σ_{k<8} (2k+1) P_k(c_j) P_k(x),
 ///   a_ij = ∫₀^{c_i} ℓ_j = b_j [c_i + ½ Σ_{k=1}^{7} P_k(c_j) (P_{k+1}(c_i) − P_{k−1}(c_i))].

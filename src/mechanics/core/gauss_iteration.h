@@ -1,7 +1,8 @@
 #pragma once
 /// The iteration on the stages of a Gauss step. Sources that are compiled for several instruction sets include this
-/// header (kernel_builds.h). The eight stages are the lanes of vectors. With the accelerations a_j of the stages and
-/// the coefficients of gauss_coefficients.h, an iteration is
+/// header (kernel_builds.h). The eight stages are the lanes of vectors. The state at the time t is (q, v), and the step
+/// is h. With the accelerations a_j of the stages, and the coefficients c_i and A = (a_ij) of gauss_coefficients.h, an
+/// iteration is
 ///
 ///   v_i = v + h Σ_j a_ij a_j,   q_i = q + h c_i v + h² Σ_j (A²)_ij a_j,   a_i ← a(t + c_i h, q_i, v_i).
 ///
@@ -326,8 +327,8 @@ void iterate_in_lanes(const Field& field, GaussStages& s) {
   finish_stages(s, monitor.noise());
 }
 
-/// Runs the iteration for a field that is evaluated by a virtual function. Sets s.converged to false also if the field
-/// fails.
+/// Runs the iteration for a field that is evaluated by a virtual function. Sets s.converged to false if the iteration
+/// is stuck, if the field fails, or if an increment is not finite.
 inline void iterate_by_calls(const GaussField& field, GaussStages& s) {
   const StageStarts start{s.scratch, s.scratch + s.n};
   OfStages *const q = start.v + s.n, *const v = q + s.n, *const a = v + s.n;

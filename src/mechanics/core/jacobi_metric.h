@@ -1,5 +1,6 @@
 #pragma once
-/// The Jacobi metric of a conservative system at energy h (Oliva, Geometric Mechanics, 5.2), on Q_h = {U < h}:
+/// The Jacobi metric g_h of a conservative system at energy h (Oliva, Geometric Mechanics, 5.2). With the metric g and
+/// the potential U of the system, it is defined on Q_h = {U < h}:
 ///
 ///   g_h = 2(h − U) g = e^{2ρ} g                                                                   (5.11)
 ///   ∇̃_X Y = ∇_X Y + dρ(X)Y + dρ(Y)X − ⟨X, Y⟩ grad ρ                                               (5.12)

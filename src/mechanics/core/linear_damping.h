@@ -1,7 +1,7 @@
 #pragma once
-/// Linear damping: forces −C(q) v with C symmetric and positive semidefinite, such as viscosity and drag. Let r be the
-/// residual of an implicit step of size 2s at the velocity v. The step ends with the velocity v + u. The correction u
-/// and the multiplier μ satisfy
+/// Linear damping: forces −C(q) v with C symmetric and positive semidefinite, such as viscosity and drag. The mass is
+/// M, and the constraint g = 0 has the derivative G = Dg. Let r be the residual of an implicit step of size 2s at the
+/// velocity v. The step ends with the velocity v + u. The correction u and the multiplier μ satisfy
 ///
 ///   (M + s C(q)) u + G(q)ᵀμ = M r,   G(q) u = 0.
 ///

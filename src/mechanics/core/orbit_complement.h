@@ -1,7 +1,7 @@
 #pragma once
 /// The orthogonal complement of the orbit of the symmetries. The energy-momentum method needs the change ΔX of the
-/// state in a step without the components along the tangent space of the orbit at X = (q, v). This tangent space and
-/// the inner product are
+/// state in a step without the components along the tangent space of the orbit at X = (q, v). With the fields ξ_i and
+/// ξ̇_i of conservative_system.h, this tangent space and the inner product are
 ///
 ///   span{(ξ_i(q), ξ̇_i(v))},   ⟨(a, α), (b, β)⟩ = a·b + α·β   (time in the system's unit).
 ///

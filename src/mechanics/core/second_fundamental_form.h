@@ -5,8 +5,8 @@
 ///   B(v, v) = (D²φ(q̇, q̇))^⊥,   v = Dφ q̇                                                            (5.28)
 ///   R = μ[B(v, v) − (μ⁻¹F)^⊥]                                                                       (5.29)
 ///
-/// with the mass operator μ. The component w^⊥ = w − Dφ (DφᵀM Dφ)⁻¹ DφᵀM w of a vector w is orthogonal to TN. R equals
-/// the reaction Gᵀλ that the multiplier gives for the same motion.
+/// with the mass operator μ, the force F and the reaction R. The component w^⊥ = w − Dφ (DφᵀM Dφ)⁻¹ DφᵀM w of a vector
+/// w is orthogonal to TN. R equals the reaction Gᵀλ that the multiplier gives for the same motion.
 
 #include <Eigen/Core>
 

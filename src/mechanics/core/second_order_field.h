@@ -3,9 +3,9 @@
 ///
 ///   q̈ = a(t, q, q̇)
 ///
-/// on the vector space of the configuration. The field of a chart with a metric is −Γ(q̇, q̇) + g⁻¹F (5.19, 5.22). In a
-/// moving frame, the field also contains the inertial terms. The field of a system with constraints is, by the explicit
-/// multiplier (5.29),
+/// on the vector space of the configuration. The field of a chart with a metric is −Γ(q̇, q̇) + g⁻¹F (5.19, 5.22;
+/// chart.h). In a moving frame, the field also contains the inertial terms. By the explicit multiplier (5.29), the
+/// field of a system with constraints (constrained_system.h) is
 ///
 ///   q̈ = M⁻¹[f + Gᵀλ],   G M⁻¹Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f,
 ///

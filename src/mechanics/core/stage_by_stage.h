@@ -57,9 +57,9 @@ bool has_stages_in_lanes(const F& field) {
     return requires(GaussStages & stages) { field.solve_stages_in_lanes(stages); };
 }
 
-/// Cost of an iteration on the eight stages. The unit is the cost of one force of the system, as in the step search. A
-/// member `cost_of_iteration()` of the field returns a measured cost. Without this member, the cost is 8, the number of
-/// stages.
+/// Cost of an iteration on the eight stages. The unit is the cost of one force evaluation of the system, as in the step
+/// search. A member `cost_of_iteration()` of the field returns a measured cost. Without this member, the cost is 8, the
+/// number of stages.
 template <class F>
 double cost_of_iteration(const F& field) {
   if constexpr (requires { field.cost_of_iteration(); })

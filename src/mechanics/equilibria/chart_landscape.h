@@ -1,6 +1,7 @@
 #pragma once
-/// The potential landscape of a system in a chart. It has no constraint. The mass is M = g(q), automatic
-/// differentiation gives the Hessian of U, and the damping is C = −∂F/∂v at v = 0 and t = 0, by differences.
+/// The potential landscape (landscape.h) of a system in a chart (mechanics/core/chart.h). It has no constraint. The
+/// mass is M = g(q), automatic differentiation gives the Hessian of U, and the damping is C = −∂F/∂v at v = 0 and
+/// t = 0, by differences.
 
 #include <utility>
 

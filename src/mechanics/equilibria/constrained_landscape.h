@@ -1,7 +1,7 @@
 #pragma once
-/// The potential landscape of a system in constrained form. The force at rest is −∇V, and differences of the force give
-/// the Hessian ∇²V. Differences with respect to the velocity give the damping. The Hessian of V − λᵀg is ∇²V − Σ λ_k
-/// D²g_k. The product of Σ λ_k D²g_k with v is the rate of Gᵀλ along v, which the system computes.
+/// The potential landscape (landscape.h) of a system in constrained form. The force at rest is −∇V, and differences of
+/// the force give the Hessian ∇²V. Differences with respect to the velocity give the damping. The Hessian of V − λᵀg is
+/// ∇²V − Σ λ_k D²g_k. The product of Σ λ_k D²g_k with v is the rate of Gᵀλ along v, which the system computes.
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Search for the critical points of the potential energy V on N = {g = 0}. Newton's iteration from many starting
-/// points solves
+/// Search for the critical points of the potential energy V on N = {g = 0}, with the multiplier λ and G = Dg. Newton's
+/// iteration from many starting points solves
 ///
 ///   r(q, λ) = (∇V − Gᵀλ, g) = 0,   [H_L  −Gᵀ; G  0] δ = −r,   H_L = ∇²V − Σ λ_k D²g_k.
 ///

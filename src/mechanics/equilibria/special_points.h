@@ -1,9 +1,9 @@
 #pragma once
 /// Special points along a family of relative equilibria. Each kind has a smooth test function, whose zero is located to
-/// round-off. F = 0 are the equations of the family, t is its tangent and t₀ a fixed tangent nearby. J is the angular
-/// momentum and Z the circulation.
+/// round-off. F = 0 are the equations of the family, t is its tangent, and t₀ is a fixed tangent nearby. J is the
+/// angular momentum and Z the circulation.
 ///
-///   fold          a quantity of the family (its spin, a momentum) has an extremum:   ∇q·t = 0
+///   fold          a quantity q of the family (its spin, a momentum) has an extremum: ∇q·t = 0
 ///   branch point  another branch of steady motions crosses:                          det[DF; t₀ᵀ] = 0
 ///   index         the number of negative eigenvalues of the second variation of the energy at fixed J and Z changes:
 ///                 the k-th eigenvalue in increasing order is zero, and a rate of the motion passes through 0. Without

@@ -1,8 +1,8 @@
 #pragma once
 /// Coefficients of the explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince. They apply to the
-/// first-order equations of q and v with the acceleration a(t, q, v). The numbers are from Hairer, Nørsett, Wanner,
-/// Solving Ordinary Differential Equations I, II.5–II.6, and from the authors' code DOP853. With the accelerations A_j
-/// of the stages,
+/// first-order equations of q and v, with an acceleration that depends on t, q and v. The numbers are from Hairer,
+/// Nørsett, Wanner, Solving Ordinary Differential Equations I, II.5–II.6, and from the authors' code DOP853. With the
+/// step h and the accelerations A_j of the stages,
 ///
 ///   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j,   ā = a·a,
 ///

@@ -3,7 +3,7 @@
 /// the discrete gradients of O. Gonzalez (J. Nonlinear Sci. 6 (1996) 449), with constraints as in Physica D 132 (1999)
 /// 165. The step is in phase space and also satisfies the constraint of the velocity. With X = (q, p) and p = M v,
 /// Hamilton's function is H = K(p) + V(q). The constraints are g(q) = 0 and, for their rates, γ(X) = G(q) M⁻¹p = 0 with
-/// G = Dg. A step of size h is
+/// G = Dg. A step of size h from X₀ to X₁ is
 ///
 ///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,   X_m = (X₀ + X₁)/2,
 ///   ∇̄F = ∇F(X_m) + C,   C = ΠD + θP,   θ = [ΔF − (∇F(X_m) + ΠD)·ΔX]/|P|²,   P = Π ΔX,
@@ -11,7 +11,7 @@
 ///
 /// with the canonical antisymmetric matrix 𝒥 and multipliers λ, μ. The projection Π acts on vectors and on covectors in
 /// the coordinates (q, v). It removes their components along the orbit of the system's symmetries at X_m
-/// (orbit_complement.h). In these coordinates, with ∇F = (−A, M v + B) at X_m:
+/// (orbit_complement.h). In these coordinates, with ∇F = (−A, M v + B) at X_m and C = (C_q, C_v):
 ///
 ///   A = f(q_m) + G(q_m)ᵀλ − D²g(q_m)(v_m, ·)ᵀμ,   B = G(q_m)ᵀμ,
 ///   Δv = h M⁻¹(A − C_q),   Δq = h [v_m + M⁻¹(B + C_v)].

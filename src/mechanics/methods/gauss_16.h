@@ -1,7 +1,8 @@
 #pragma once
 /// Gauss collocation with 8 stages, of order 16, for q̈ = a(t, q, q̇). It is described in Hairer, Lubich, Wanner,
 /// Geometric Numerical Integration, II.1 and IV.2. Stages in the lanes of vectors are an idea of Antoñana, Alberdi,
-/// Makazaga and Murua. With the accelerations a_j of the stages and the matrix A of the coefficients a_ij,
+/// Makazaga and Murua. With the step h, the accelerations a_j of the stages, the coefficients of gauss_coefficients.h
+/// and A = (a_ij),
 ///
 ///   a_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij a_j,   q_i = q + h c_i v + h² Σ_j (A²)_ij a_j
 ///   v_{n+1} = v + h Σ_j b_j a_j,    q_{n+1} = q + h v + h² Σ_j b_j (1 − c_j) a_j
@@ -26,9 +27,8 @@
 /// Coefficients and sums of q and v have more than double precision. Let the stages be iterated to round-off, and let
 /// the step resolve the motion. Then the errors of a step are random and below the round-off of the state. Momenta and
 /// energy then do not drift. If the step does not resolve the motion, the energy has the error of the step. If the
-/// stages are iterated to a tolerance, the momenta have the error of the iteration. The energy then has the error of
-/// the iteration and the error of the step. The tolerance of the iteration alone does not bound the error of the
-/// energy.
+/// stages are iterated to a tolerance, the momenta have the error of the iteration. The energy then has the errors of
+/// the iteration and of the step. The tolerance of the iteration alone does not bound the error of the energy.
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +102,7 @@ struct Gauss16 {
       "systems. Momenta are kept to round-off if Step is given, else to a part of Tolerance";
   static constexpr int order = 16;
   static constexpr int n_stages = gauss::n_stages;
-  /// Cost of a step in the search for the step. The unit is the cost of one force.
+  /// Cost of a step in the search for the step. The unit is the cost of one force evaluation.
   template <class S>
   static double forces_of_step(const S& system) {
     constexpr double n_iterations = 7;  // the number is 4 to 9, and depends on the tolerance and the system
@@ -125,7 +125,7 @@ struct Gauss16 {
   template <class S>
   using Workspace = Gauss16Workspace<S>;
   /// True for systems with dense vectors and cheap forces. Large systems do not benefit from a method that stores eight
-  /// accelerations and needs sixty forces for a step.
+  /// accelerations and needs sixty force evaluations for a step.
   template <class S>
   static constexpr bool fits = [] {
     if constexpr (!ConstrainedSystem<S> && !SecondOrderField<S>)

@@ -1,13 +1,13 @@
 #pragma once
-/// Coefficients of explicit symmetric linear multistep methods for q̈ = a (Lambert, Watson, J. Inst. Maths Applics 18
-/// (1976) 189; Quinlan, Tremaine, Astron. J. 100 (1990) 1694; Hairer, Lubich, Wanner, Geometric Numerical Integration,
-/// XV.1),
+/// Coefficients of explicit symmetric linear multistep methods with k steps of size h for q̈ = a (Lambert, Watson, J.
+/// Inst. Maths Applics 18 (1976) 189; Quinlan, Tremaine, Astron. J. 100 (1990) 1694; Hairer, Lubich, Wanner, Geometric
+/// Numerical Integration, XV.1),
 ///
 ///   Σ_j α_j q_{n+j} = h² Σ_j β_j a_{n+j},   ρ(ζ) = (ζ − 1)² ∏_i (ζ² − 2 a_i ζ + 1),   α_j = α_{k−j}, β_j = β_{k−j}.
 ///
-/// The coefficients of ρ(ζ) = Σα_j ζ^j are α_j, and the k/2 − 1 numbers a_i are parameters. All roots of ρ lie on the
-/// unit circle. They are simple except for the double root 1. The order conditions give β_j. With indices counted from
-/// the middle, i = j − k/2, only the conditions for even s remain:
+/// The a_{n+j} are accelerations. The coefficients of ρ(ζ) = Σα_j ζ^j are α_j, and its parameters are the k/2 − 1
+/// numbers a_i. All roots of ρ lie on the unit circle. They are simple except for the double root 1. The order
+/// conditions give β_j. With indices counted from the middle, i = j − k/2, only the conditions for even s remain:
 ///
 ///   Σ_i α_i i^s = s(s − 1) Σ_i β_i i^{s−2},   s = 2, 4, …, k   (order k).
 ///

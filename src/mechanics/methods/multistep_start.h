@@ -1,7 +1,7 @@
 #pragma once
-/// The first k − 1 steps of a symmetric multistep method (symmetric_multistep.h), made by another method. For orders 8
-/// and 12 this method is the explicit method of order 8 with a tolerance at round-off. For order 4 it is a composition
-/// of RATTLE of order 4.
+/// The start of a symmetric multistep method with k steps (symmetric_multistep.h): its first k − 1 steps are made by
+/// another method. For orders 8 and 12 this method is the explicit method of order 8 with a tolerance at round-off. For
+/// order 4 it is a composition of RATTLE of order 4.
 ///
 /// Each starting method is a type Start<S> for a system S. An object exists as long as the run and has these functions:
 ///

@@ -7,9 +7,8 @@
 ///   v_{n+1}   = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}) + G(q_{n+1})ᵀ μ_n],   G(q_{n+1}) v_{n+1} = 0
 ///
 /// The velocity projection with the multiplier μ_n changes v_{n+1} along M⁻¹G(q_{n+1})ᵀ. The next λ_{n+1} acts along
-/// the same directions. If a step omits the projection, λ_{n+1} therefore takes over the missing change. All positions
-/// remain the same, so SHAKE and RATTLE have equal positions. `advance` omits the projection, and `project_velocity`
-/// makes the projection at samples.
+/// the same directions. If a step omits the projection, λ_{n+1} takes over the missing change. SHAKE and RATTLE
+/// therefore have equal positions. `advance` omits the projection, and `project_velocity` projects at samples.
 ///
 /// λ_n is multiplied by the sum of the half steps before and after q_n. With Λ for this product, Newton's iteration is
 ///
@@ -277,7 +276,7 @@ struct Rattle {
       const double enough = std::max(round_off, w.constraint_tolerance / 10);
       w.constraint.direction_known = false;
       Status status = solve_damping(system, h / 2, state.q, enough, w.system, w.constraint, w.damping);
-      // A product costs about as much as a force and counts as one.
+      // A product costs about as much as a force evaluation and counts as one.
       w.counters.n_force += std::exchange(w.damping.n_products, 0);
       if (!status) return status;
       add(1.0, w.damping.solution, state.v, w.v_rounding);
@@ -373,10 +372,11 @@ struct Rattle {
     }
   }
 
-  /// Largest |g| that a step may leave. If sums are compensated, |g| is the largest error of a step and accumulates.
-  /// The energy drift on SL(3) in 10⁶ periods was measured for three tolerances. It is 7e-12 with the tolerance of the
-  /// system, and 1e-12 if g(q) is iterated to its round-off. There is no drift if |g(q + q_rounding)| is less than this
-  /// round-off.
+  /// Largest |g| that a step may leave: the tolerance of the system. If sums are compensated, |g| is the largest error
+  /// of a step and accumulates, so this tolerance is too coarse. It is divided by 256 if the constraint is solved for
+  /// q + q_rounding (`resolves_rounding`). Otherwise 0 is returned, and g(q) is iterated to its round-off. The measured
+  /// energy drift on SL(3) in 10⁶ periods is 7e-12 with the tolerance of the system, and 1e-12 if g(q) is iterated to
+  /// its round-off. There is no drift if |g(q + q_rounding)| is less than this round-off.
   template <ConstrainedSystem S>
   static double position_tolerance(const RattleWorkspace<S>& w) {
     if constexpr (resolves_rounding<S>)

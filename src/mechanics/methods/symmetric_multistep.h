@@ -1,12 +1,12 @@
 #pragma once
-/// Explicit symmetric linear multistep methods for conservative systems with constraints (Console, Hairer, Lubich,
-/// Numer. Math. 124 (2013) 517),
+/// Explicit symmetric linear multistep methods with k steps for conservative systems with constraints (Console, Hairer,
+/// Lubich, Numer. Math. 124 (2013) 517),
 ///
 ///   Σ_j α_j q_{n+j} = h² Σ_j β_j M⁻¹[f(q_{n+j}) + G(q_{n+j})ᵀ λ_{n+j}],   g(q_{n+k}) = 0,   β_0 = β_k = 0.
 ///
-/// A step needs one force and one constraint solve for the newest multiplier λ_{n+k−1}. Let d_n = q_n − q_{n−1} be the
-/// differences and a_n = M⁻¹[f + Gᵀλ]_n the accelerations. With α̂ and β̂ for `difference` and `acceleration` of
-/// multistep_coefficients.h, the step is
+/// A step needs one force evaluation and one constraint solve for the newest multiplier λ_{n+k−1}. Let
+/// d_n = q_n − q_{n−1} be the differences and a_n = M⁻¹[f + Gᵀλ]_n the accelerations. With α̂ and β̂ for `difference`
+/// and `acceleration` of multistep_coefficients.h, the step is
 ///
 ///   d_{n+1} = Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i},   q_{n+1} = q_n + d_{n+1}.
 ///

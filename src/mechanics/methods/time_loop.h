@@ -1,7 +1,7 @@
 #pragma once
-/// The time loop with samples t_k = k T/N, k = 0 … N. If the steps have a fixed size, each interval contains a whole
-/// number n of steps, h = (t_{k+1} − t_k)/n. The steps therefore end at the samples, and the last sample is exactly at
-/// T.
+/// The time loop over a run of length T with the samples t_k = k T/N, k = 0 … N. If the steps have a fixed size, each
+/// interval contains a whole number n of steps, h = (t_{k+1} − t_k)/n. The steps therefore end at the samples, and the
+/// last sample is exactly at T.
 
 #include <algorithm>
 #include <cmath>

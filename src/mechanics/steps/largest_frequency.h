@@ -15,8 +15,8 @@
 ///
 /// keeps u tangent to the constraints. Each u is stored together with w = M u, so only M⁻¹ is needed, and ⟨u, u'⟩_M =
 /// uᵀw'. M⁻¹ may have zeros for components that are held fixed, because u is 0 in these components for every w. For
-/// dense vectors, differences are central, with errors of about 1e-10. For distributed vectors, whose forces are
-/// costly, differences are forward, with errors of about 1e-8.
+/// dense vectors, differences are central, with errors of about 1e-10. For distributed vectors, whose force evaluations
+/// are costly, differences are forward, with errors of about 1e-8.
 
 #include <algorithm>
 #include <cmath>

@@ -28,8 +28,8 @@ struct StepRequest {
   double step_bound = HUGE_VAL;  ///< largest step that the user allows, with all its substeps
   double interval = HUGE_VAL;    ///< time between samples, a bound for methods with fixed steps
   bool stiff = false;            ///< true if the damping would limit the step of all methods except RATTLE
-  /// True if forces are costly. The search then first tries shorter pilot runs. It also omits methods that save less
-  /// than 20 % of the forces of the best method so far.
+  /// True if force evaluations are costly. The search then first tries shorter pilot runs. It also omits methods that
+  /// save less than 20 % of the force evaluations of the best method so far.
   bool spare_pilots = false;
   std::optional<MethodId> method{};    ///< the requested method; empty: the cheapest method
   std::function<bool()> give_up = {};  ///< called after every pilot step; true ends the search
@@ -42,16 +42,16 @@ inline constexpr long max_pilot_samples = 32;
 /// Largest difference of two pilot runs, in the system's unit of length, that is assumed to follow the order of the
 /// method. Collisions and chaos cause larger differences.
 inline constexpr double asymptotic_difference = 0.1;
-/// Bound of the number of forces of one pilot run, and of all pilot runs for one method with fixed steps. The steps of
-/// a collapsing body shrink, so a run without a bound would never end.
+/// Largest number of force evaluations in one pilot run, and in all pilot runs for one method with fixed steps. The
+/// steps of a collapsing body shrink, so a run without a bound would never end.
 inline constexpr long max_pilot_forces = 4'000'000;
-/// Tolerance of the constraints in pilot runs with costly forces, as a fraction of the permitted difference of two
-/// pilot runs. For the ball, fractions 0 … 5e-3 give the same steps to three digits. With the fraction 5e-2 one step
-/// changed by 4 %.
+/// Tolerance of the constraints in pilot runs with costly force evaluations, as a fraction of the permitted difference
+/// of two pilot runs. For the ball, fractions 0 … 5e-3 give the same steps to three digits. With the fraction 5e-2 one
+/// step changed by 4 %.
 inline constexpr double pilot_constraint = 5e-3;
 
 /// Result of a pilot run: the configurations (or energies) at the samples, the largest component of the velocity at the
-/// samples, and the number of forces.
+/// samples, and the number of force evaluations.
 struct PilotRun {
   Status status;
   double t = 0;  ///< time reached
@@ -64,7 +64,7 @@ struct PilotRun {
 struct NoEnergies {};
 
 /// A method with steps of fixed size, with functions that make pilot runs of one system. `n_stages` is the cost of a
-/// step in forces, and `step_limit` the largest hω.
+/// step in force evaluations, and `step_limit` is the largest hω.
 struct FixedStepMethod {
   MethodId id;
   double order, n_stages, step_limit;
@@ -84,7 +84,7 @@ struct AdaptiveMethod {
 inline double pilot_window(const StepRequest& request) { return std::min(request.window, request.end); }
 
 /// Hooks of the time loop that record a pilot run. The recorded configuration is Q_of(state). The run is interrupted if
-/// it needs max_pilot_forces forces or if give_up returns true.
+/// it needs max_pilot_forces force evaluations or if give_up returns true.
 template <class S, class QOf>
 struct PilotHooks {
   const QOf& Q_of;
@@ -142,7 +142,7 @@ inline double longest_kicked_step(const StepRequest& request) {
   return std::max(request.rattle_limit, pilot_window(request) / most_steps);
 }
 
-/// Cost of one step as a number of forces.
+/// Cost of one step as a number of force evaluations.
 template <class Method, class S>
 double forces_of_step(const S& system) {
   if constexpr (requires { Method::forces_of_step(system); })

@@ -8,7 +8,7 @@ namespace pseudorigid::mechanics::detail {
 namespace {
 
 constexpr int max_step_halvings = 12;
-/// Largest number of forces in a run; more would take hours.
+/// Largest number of force evaluations in a run; more would take hours.
 constexpr double max_run_forces = 1e11;
 
 /// Division of a window into n_samples intervals of n_steps steps, none longer than h. The constructor chooses the
@@ -28,7 +28,7 @@ struct Grid {
   }
 };
 
-/// True if the method has one force per step and an order above that of RATTLE.
+/// True if the method has one force evaluation per step and an order above that of RATTLE.
 bool is_multistep(const FixedStepMethod& method) { return method.n_stages == 1 && method.order > 2; }
 
 /// Returns the change of the energy over the whole run, extrapolated from the pilot run, which covers the fraction
@@ -105,9 +105,9 @@ double StepSearch::window_of(const FixedStepMethod& method) const {
   return std::min(request_.end, std::max(pilot_window(request_), least));
 }
 
-/// Returns the number of forces of the run if the difference d at h decreases according to the order. Large errors
-/// saturate, so the true number may be larger than this prediction. A method that the prediction excludes is therefore
-/// certainly too costly.
+/// Returns the number of force evaluations of the run if the difference d at h decreases according to the order. Large
+/// errors saturate, so the true number may be larger than this prediction. A method that the prediction excludes is
+/// therefore certainly too costly.
 double StepSearch::predicted_forces(const FixedStepMethod& method, double h, double d) const {
   const double e = d * std::max(1.0, request_.end / window_), target = allowed_error();
   return run_forces(method, h) * std::max(1.0, std::pow(e / target, 1 / method.order));
@@ -161,7 +161,8 @@ PilotRun StepSearch::pilot(const FixedStepMethod& method, double window, long n_
   return run;
 }
 
-/// Sets the step and returns true if the differences d at h, and d_before at 2h (0: unknown), are sufficient.
+/// Sets the step and returns true if the difference d at h is sufficient: its error estimate is at most the target or
+/// the round-off, or d is small and has decreased from d_before at 2h (0: unknown) according to the order.
 bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, double d, double d_before,
                         double speed) const {
   const double p = method.order;

@@ -2,7 +2,8 @@
 /// The search for the step of one method. The tolerance applies to the time error of the configuration over a run of
 /// length T, in the maximum norm over the samples.
 ///
-/// Pilot runs over a window w ≤ T with steps h and h/2 give, for a method of order p, Richardson's estimate
+/// Q_h(t_k) is the configuration at the sample t_k, computed with the step h. Pilot runs over a window w ≤ T with steps
+/// h and h/2 give, for a method of order p, Richardson's estimate
 ///
 ///   e(h) = max_k |Q_h(t_k) − Q_{h/2}(t_k)| · 2^p/(2^p − 1) · T/w.
 ///
@@ -21,12 +22,12 @@
 /// A multistep method of order p begins with p − 1 steps of another method. These steps do not show the error of the
 /// multistep method. Therefore the window contains at least 4p steps, or the whole run.
 ///
-/// If forces are costly, the search first makes a shorter estimate over a part w' of the window. The errors have hardly
-/// begun to grow in w', so the estimate is multiplied by (w/w')^(3/2). The first part is w/8 with the factor 23. If
-/// this product is too large, but 2.8 times the estimate is not, the search also tries w/2 with the factor 2.8. These
-/// factors were tested in releases, spins, tides and figures of equilibrium of the ball. Without a factor, the estimate
-/// was too small by a factor of 0.07 to 9 at w/8, and of 0.4 to 2.1 at w/2. A method of high order at its stability
-/// limit often passes this test. The pilot runs then cost only a fifth or a half as much.
+/// If force evaluations are costly, the search first makes a shorter estimate over a part w' of the window. The errors
+/// have hardly begun to grow in w', so the estimate is multiplied by (w/w')^(3/2). The first part is w/8 with the
+/// factor 23. If this product is too large, but 2.8 times the estimate is not, the search also tries w/2 with the
+/// factor 2.8. These factors were tested in releases, spins, tides and figures of equilibrium of the ball. Without a
+/// factor, the estimate was too small by a factor of 0.07 to 9 at w/8, and of 0.4 to 2.1 at w/2. A method of high order
+/// at its stability limit often passes this test. The pilot runs then cost only a fifth or a half as much.
 ///
 /// A symmetric multistep method conserves a modified energy. For a mode of frequency ω and energy E_ω, the modified
 /// energy is
@@ -75,7 +76,7 @@ class StepSearch {
       : request_(request), compensated_(compensated), window_(pilot_window(request)) {}
 
   /// Finds the step of one method and returns the result. The error of the energy may then shorten this step. The
-  /// search ends early with the verdict `dearer` if the run would need `n_forces_to_beat` forces or more.
+  /// search ends early with the verdict `dearer` if the run would need `n_forces_to_beat` force evaluations or more.
   Trial try_method(const FixedStepMethod& method, double n_forces_to_beat) {
     Trial trial = meet_tolerance(method, n_forces_to_beat);
     if (trial.verdict == Trial::Verdict::accepted && trial.n_forces_of_run < n_forces_to_beat)
@@ -83,7 +84,7 @@ class StepSearch {
     return trial;
   }
 
-  /// Number of forces of the whole run with the largest permitted step. The method cannot need fewer forces.
+  /// Number of force evaluations of the whole run with the largest permitted step. The method cannot need fewer.
   double least_forces(const FixedStepMethod& method) const { return run_forces(method, limit(method)); }
   long n_force() const { return n_force_; }
 

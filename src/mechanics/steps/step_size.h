@@ -4,15 +4,15 @@
 ///
 /// An adaptive method (tolerance_search.h) is tried first. It can follow motions of every kind, and its cost bounds the
 /// cost of the search among the other methods. An adaptive method does not conserve the invariants of the motion. It is
-/// therefore chosen only if it needs less than half of the forces of the other methods. This occurs on short runs,
-/// because the error of an adaptive method grows like T², and on motions with short violent phases.
+/// therefore chosen only if it needs less than half of the force evaluations of the other methods. This occurs on short
+/// runs, because the error of an adaptive method grows like T², and on motions with short violent phases.
 ///
 /// Then methods with fixed steps are tried (step_search.h), in the order of their least cost, which is the cost at the
 /// stability limit. For methods of order 2 this cost counts twice. A method is skipped if its least cost exceeds the
-/// cost of the best method so far, or 0.8 of this cost if forces are costly. During the search for the step of a
-/// method, pilot runs predict the cost of the method. The search ends if this cost exceeds the cost of the best method
-/// so far. It also ends if this cost is four times the least cost of a later method. If forces are cheap, only later
-/// methods of higher order count.
+/// cost of the best method so far, or 0.8 of this cost if force evaluations are costly. During the search for the step
+/// of a method, pilot runs predict the cost of the method. The search ends if this cost exceeds the cost of the best
+/// method so far. It also ends if this cost is four times the least cost of a later method. If force evaluations are
+/// cheap, only later methods of higher order count.
 
 #include <Eigen/Core>
 #include <optional>
@@ -34,8 +34,8 @@ struct [[nodiscard]] StepChoice {
   bool at_round_off = false;   ///< true if the tolerance is below the limit of double precision
   /// Time after which round-off grows beyond the tolerance; empty if no such time is known.
   std::optional<double> round_off_rules_from{};
-  double rattle_limit = 0;  ///< the value of the request
-  long n_force = 0;         ///< forces spent on pilot runs
+  double rattle_limit = 0;  ///< StepRequest::rattle_limit
+  long n_force = 0;         ///< number of force evaluations in all pilot runs
   std::string why{};        ///< the reason of the choice, one sentence for the log
 };
 
@@ -60,8 +60,8 @@ inline constexpr bool wants_stages_in_lanes = requires {
   Method::for_stages_in_lanes;
 };
 
-/// True if Method = auto considers the method for systems of type S, provided `accepts` agrees. If forces are cheap, a
-/// method with fixed steps must be symplectic or declare `for_stages_in_lanes`.
+/// True if Method = auto considers the method for systems of type S, provided `accepts` agrees. If force evaluations
+/// are cheap, a method with fixed steps must be symplectic or declare `for_stages_in_lanes`.
 template <class Method, class S>
 inline constexpr bool auto_considers = Method::chosen_by_auto &&
                                        (Method::adaptive || Method::symplectic || wants_stages_in_lanes<Method> ||
@@ -75,10 +75,10 @@ StepChoice choose_among(const std::vector<FixedStepMethod>& fixed, const std::ve
                         bool compensated, const StepRequest& request);
 
 /// True for the requested method. Without a request, true for each method that Method = auto may choose and that
-/// accepts the system. If a force is costly, an adaptive method is a candidate only for dissipative systems. Methods
-/// with fixed steps of high order do not accept these systems. A method that is for stages in lanes is a candidate only
-/// if the system evaluates its stages in lanes. If the system is stiff, RATTLE is the only candidate, because RATTLE
-/// solves a linear system for the velocity.
+/// accepts the system. If force evaluations are costly, an adaptive method is a candidate only for dissipative systems.
+/// Methods with fixed steps of high order do not accept these systems. A method that is for stages in lanes is a
+/// candidate only if the system evaluates its stages in lanes. If the system is stiff, RATTLE is the only candidate,
+/// because RATTLE solves a linear system for the velocity.
 template <class Method, class S>
 bool is_candidate(const S& system, const StepRequest& request) {
   if (request.method) return *request.method == id_of<Method>;
