@@ -49,6 +49,12 @@ class Gamma(ProgramTest):
             for x, y in zip(a.column(name), b.column(name)):
                 self.assertAlmostEqual(x, y, delta=1e-9 * max(1, abs(x)), msg=name)
 
+    def test_no_error_is_predicted_for_a_compressible_ball(self):
+        """Gravity compresses it, so the frequencies of a homogeneous ball of unit density do not hold."""
+        for incompressible, predicted in (("true", 1), ("false", 0)):
+            self.scene_of("reduced", **{"Gravity/Gamma": 5, "Body/Incompressible": incompressible, "Material/Lame lambda": 10})
+            self.assertEqual(self.run_done("check", "scene.prm").stdout.count("slowest pulsation"), predicted)
+
     def test_check_log_and_report_name_it(self):
         self.scene_of("reduced", **{"Gravity/Gamma": 7, "Output/Report": "true"})
         self.assertIn("gamma = 7", self.run_done("check", "scene.prm").stdout.splitlines()[0])

@@ -17,7 +17,8 @@ bool is_sphere(const scene::Scene& scene) {
   return !scene.body.inertia && std::ranges::all_of(scene.body.semi_axes, is_one) && !scene::has_mesh_file(scene);
 }
 
-/// True if F = Id is an equilibrium. This is false only for a compressible body whose law has a pressure at F = Id.
+/// True if F = Id is an equilibrium without loads: the law has no pressure at F = Id, or the multiplier of an
+/// incompressible body balances this pressure.
 bool rests(const materials::AnyLaw& law, bool incompressible) {
   return incompressible || materials::pressure_at_rest(law) == 0;
 }
@@ -35,7 +36,7 @@ std::optional<SmallPulsation> small_pulsation(const scene::Scene& scene) {
   const materials::RestModuli moduli = materials::moduli_at_rest(law, incompressible);
   const double gamma = gravity_to_elasticity(scene);
   constexpr double largest_gamma = 18;
-  if (gamma > largest_gamma) return {};
+  if (gamma > largest_gamma || (!incompressible && gamma > 0)) return {};  // gravity compresses a compressible ball
   const double exact = incompressible ? analysis::sphere_frequency(true, 2, 0, gamma)
                                       : analysis::compressible_sphere_frequency(
                                             true, 2, 0, std::sqrt(moduli.shear / (moduli.lame + 2 * moduli.shear)));

@@ -18,8 +18,8 @@ struct SmallPulsation {
   double ratio() const { return pseudo_rigid / exact; }
 };
 
-/// The frequencies for an elastic sphere without loads, or under its own gravity only. Empty for other bodies, and for
-/// a compressible body whose law has a pressure at F = Id. Also empty for γ > 18: two frequencies then share the
+/// The frequencies for an elastic sphere without loads, or for an incompressible one under its own gravity only. Empty
+/// for other bodies, and for a compressible body whose law has a pressure at F = Id. Also empty for γ > 18: two frequencies then share the
 /// pulsation of degree 2 (docs/adequacy.md).
 std::optional<SmallPulsation> small_pulsation(const scene::Scene& scene);
 
