@@ -205,7 +205,7 @@ void compare_energies(Workshop& w) {
   set_energy_drift(w.c, reference, w.options.facts.tolerance, w.out.reference);
 }
 
-/// Compares the dissipated energies if both tables have them and one of them is positive.
+/// Compares the dissipated energies if both tables have them and at least one value is not 0.
 void compare_dissipation(Workshop& w) {
   if (!w.r.has_column("dissipated") || !w.c.has_column("dissipated")) return;
   const std::vector<double> r = w.r.column("dissipated"), c = w.c.column("dissipated");

@@ -52,8 +52,10 @@ MotionSummary begin_summary(const ModelRunTable& run) {
   return s;
 }
 
-/// Energies below the fraction `least_energy_part` of other energies are round-off. Kinetic energies below the fraction
-/// `least_kinetic_part` of the unit of energy are round-off of velocities.
+/// The energy of a motion counts as round-off if it is below the fraction `least_energy_part` of the other energies.
+/// These are the gravitational and external energies, or the potential of a system. The energy of a motion of the ball
+/// also counts as round-off if it is below the fraction `least_kinetic_part` of the unit of energy. This fraction of
+/// the unit is the kinetic energy of velocities of the size of round-off.
 constexpr double least_energy_part = 1e-12, least_kinetic_part = 1e-24;
 
 /// The columns in the table for the terminal, with their labels.

@@ -1,5 +1,6 @@
 #pragma once
-/// The sums over pairs of points (surface_gravity.h), compiled for one instruction set (pair_sums.cpp).
+/// Table of the functions for sums over pairs of points (surface_gravity.h). pair_sums.cpp is compiled once for each
+/// instruction set, and each compilation defines one such table.
 
 #include "gravity/surface_gravity.h"
 #include "mechanics/core/kernel_builds.h"

@@ -93,7 +93,7 @@ class PointTables {
  private:
   /// Tables of one parity. A group is a pair (l, m), and level s has the functions with n = l + 2s.
   struct Factors {
-    std::vector<int> places;                             ///< indices of the coefficients of a block in [level][group]
+    std::vector<int> places;                             ///< [coefficient of a block]: its index in [level][group]
     std::array<std::vector<double>, 2> radial;           ///< [level][radius][group]: R′ and R/r, or R
     std::array<std::vector<double>, 3> angular;          ///< Y_lm and derivatives: [group][direction], padded
     std::array<std::vector<double>, 3> from_directions;  ///< the same: [direction][group]

@@ -94,7 +94,8 @@ class QuadratureSearch {
     n_steps_ = std::max(1L, static_cast<long>(std::ceil(window_ / (reserve * stable))));
     for (int i = 0; i < most_halvings; ++i, n_steps_ *= 2)
       if (own_ = pilot(body); own_.status) return true;
-    // The motion of the body ends inside the window, so the window is shortened.
+    // Shorter steps did not help, so the motion itself probably ends inside the window. The new window is half of the
+    // time that the last run reached.
     if (own_.t > 0) {
       window_ = own_.t / 2;
       own_ = pilot(body);

@@ -58,9 +58,9 @@ class RotationFinder {
  public:
   RotationFinder(const BodySetup& setup, bool incompressible, FamilyOfRotations family);
 
-  /// Finds the members with these parameters, in this order, and the special points between two members that follow
-  /// each other. Other parameters are listed in `missing`. `give_up` is called before each figure. If it returns true,
-  /// the family ends.
+  /// Finds the members with these parameters, in this order, and the special points between successive members.
+  /// Parameters for which no member is found are listed in `missing`. `give_up` is called before each member is
+  /// computed. If `give_up` returns true, the family ends.
   RotationFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {});
   /// Finds the member with this parameter. Fails if there is none, or if the `give_up` of the last call of `family`
   /// returns true.

@@ -61,7 +61,7 @@ Problem read_values(std::string_view text, SweepParameter& parameter) {
   return std::nullopt;
 }
 
-/// A hash of x with 64 bits, which is the same on every machine (G. Steele, D. Lea, C. Flood, OOPSLA 2014: SplitMix64).
+/// A 64-bit hash of x, the same on every machine (SplitMix64; G. Steele, D. Lea, C. Flood, OOPSLA 2014).
 std::uint64_t mixed(std::uint64_t x) {
   std::uint64_t z = x + 0x9e3779b97f4a7c15;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;

@@ -248,7 +248,7 @@ struct RigidBodyScene {
     }
     return loads;
   }
-  /// The coordinates of the landscape, which are the entries of q in the order of memory, column by column.
+  /// The coordinates of the landscape: the entries of q in memory order, column by column.
   static std::vector<Column> body_coordinates(bool has_fixed_point) {
     std::vector<Column> columns;
     for (int j = 1; j <= 3; ++j)

@@ -10,7 +10,7 @@
 /// angle.
 ///
 /// The first coordinate of the motion is w − w₀. Here w₀ = 0 or π (modulo 2π) is the symmetric circle that is nearest
-/// to the start (surfaces.h). Entries and columns contain w, which is 0 outside.
+/// to the start (surfaces.h). Entries and columns contain w itself, which is 0 on the outer circle of the torus.
 
 #include <algorithm>
 #include <cmath>

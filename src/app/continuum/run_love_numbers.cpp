@@ -44,8 +44,8 @@ std::vector<LoveRow> rows_of(const scene::Scene& scene, const std::vector<contin
   const std::vector<int> wanted = scene::love_degrees(scene);
   std::vector<LoveRow> rows;
   RisingBound of_h, of_l;
-  // The penalty of the constraint increases with self-gravity γ (parity_sector.h), and so does round-off. Its measured
-  // relative values, from which this bound was chosen, are 2e-10 up to γ = 100 and 5e-8 at γ = 10⁴.
+  // The penalty of the constraint (RestProblem::penalty) increases with self-gravity, and so does round-off. This bound
+  // was chosen from the measured relative round-off: 2e-10 up to γ = 100 and 5e-8 at γ = 10⁴, with γ = ρgr/μ.
   const double round_off = 1e-9 + 1e-11 * gravity_to_elasticity(scene);
   const std::vector<LoveRow> all = with_errors(means(numbers), means(other), round_off);
   for (std::size_t i = 0; i < all.size(); ++i) {

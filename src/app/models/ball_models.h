@@ -1,5 +1,5 @@
 #pragma once
-/// The models of the ball. To add a model, write a source file of this folder that describes and runs the model. Then
+/// The models of the ball. To add a model, write a source file in this folder that describes and runs the model. Then
 /// add two lines below: the declaration of its function, and its entry in `ball_models`.
 
 #include <optional>

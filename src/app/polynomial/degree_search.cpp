@@ -122,7 +122,7 @@ class DegreeSearch {
   int degree_ = 1;
   std::size_t n_runs_ = 0;
   double error_ = 0, relative_to_largest_ = 0, work_ = 0;
-  DeformationTrace before_;  ///< history of Q in the run whose degree is less by two
+  DeformationTrace before_;  ///< history of Q in the run of degree `degree_` − 2
 };
 
 /// Runs the polynomial body of degree N, which is the only or the last degree of the scene. If the scene does not have

@@ -4,11 +4,13 @@
 /// connected. In addition to equilibria.csv the run writes
 ///
 ///   manifolds.csv     the motions: curve, point, stable, time, and the columns of the system;
-///   connections.csv   a row for the end of each motion.
+///   connections.csv   for each motion, the critical point at which it ends, or 0.
 ///
 /// Motions on a stable manifold are computed backwards in time. A motion ends when its distance from a critical point
-/// in (q, q̇), in the scene's units, is below 1e-6. A motion that passes a critical point at a smaller distance is
-/// therefore also reported as a connection.
+/// is below 1e-6, and at the latest at Time/End. The distance is measured in (q, q̇), in the scales of the system
+/// (systems/system_scene.h). A motion that passes a critical point at a smaller distance is therefore also reported as
+/// a connection. A motion on an unstable manifold that cannot be followed to its end has no row in connections.csv, and
+/// the run then fails.
 
 #include <vector>
 

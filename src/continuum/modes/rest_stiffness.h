@@ -1,7 +1,8 @@
 #pragma once
-/// The stiffness K of the ball about rest x = X, cell by cell. It is the second variation of the stored energy. C(H) is
-/// the tangent of the law for the displacement gradient H. If a multiplier balances a stress at rest, C(H) includes the
-/// second variation of the constraint (materials/rest_moduli.h).
+/// The stiffness K of the ball about rest x = X, cell by cell. It is the second variation of the stored energy. The
+/// linear map C is the tangent of the law at F = Id, and C(H) is its value for the displacement gradient H. If a
+/// multiplier balances a stress at rest, C(H) includes the second variation of the constraint
+/// (materials/rest_moduli.h).
 ///
 ///   C_iJkL = ∂C(H)_iJ/∂H_kL + κ δ_iJ δ_kL,      K_(a,i)(b,k) = ∫ ∂_Jφ_a C_iJkL ∂_Lφ_b dX,
 ///

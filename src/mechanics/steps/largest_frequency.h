@@ -66,7 +66,9 @@ void fill_irregular(const S& system, typename S::Vector& x) {
   if constexpr (requires { system.fill_irregular(x); }) return system.fill_irregular(x);
   std::uint32_t bits = 1;
   for (double& value : local_values(x)) {
-    bits = bits * 1664525u + 1013904223u;  // D. E. Knuth, The Art of Computer Programming 2, 3.3.4
+    // The bits come from a linear congruential generator modulo 2³² with a known multiplier (D. E. Knuth, The Art of
+    // Computer Programming 2, 3.3.4).
+    bits = bits * 1664525u + 1013904223u;
     value = static_cast<double>(bits) / 2147483648.0 - 1;
   }
 }

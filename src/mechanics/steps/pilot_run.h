@@ -28,8 +28,9 @@ struct StepRequest {
   double step_bound = HUGE_VAL;  ///< largest step that the user allows, with all its substeps
   double interval = HUGE_VAL;    ///< time between samples, a bound for methods with fixed steps
   bool stiff = false;            ///< true if the damping would limit the step of all methods except RATTLE
-  /// True if force evaluations are costly. The search then first tries shorter pilot runs. It also omits methods that
-  /// save less than 20 % of the force evaluations of the best method so far.
+  /// True if force evaluations are costly. The search then first tries shorter pilot runs. It omits methods that cannot
+  /// save more than 20 % of the force evaluations of the best method so far. It also does not measure how adaptive
+  /// methods amplify round-off.
   bool spare_pilots = false;
   std::optional<MethodId> method{};    ///< the requested method; empty: the cheapest method
   std::function<bool()> give_up = {};  ///< called after every pilot step; true ends the search
