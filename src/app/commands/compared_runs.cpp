@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -12,10 +11,6 @@
 #include <utility>
 
 #include "app/commands/compare_models.h"
-#include "app/commands/sweep_run.h"
-#include "app/run/model_sink.h"
-#include "app/run/scene_to_model.h"
-#include "scene/needs.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -156,12 +151,6 @@ std::vector<scene::ModelRun> runs_of_models(const scene::Scene& scene, const sce
   return runs;
 }
 
-std::string prefix(const std::string& run) {
-  std::string name = run + "_";
-  std::ranges::replace(name, '-', '_');
-  return name;
-}
-
 /// Runs the models one after the other. If a model stops early, its samples are kept, and the other models still run.
 /// An interrupt ends the runs of all models.
 Results run_models(const RunContext& context, const Executable& executable, std::map<std::string, io::Table>& tables) {
@@ -169,10 +158,7 @@ Results run_models(const RunContext& context, const Executable& executable, std:
   const auto n_samples = static_cast<std::size_t>(context.scene.output.samples) + 1;
   for (const scene::ModelDescription* model : context.needs.models) {
     ModelOutcome outcome = executable.model(*model).run(context);
-    if (outcome.end == mechanics::Outcome::interrupted) {
-      results.end = outcome.end;
-      return results;
-    }
+    if (add_outcome(outcome, results.end, results.message)) return results;
     for (const scene::ModelRun& run : scene::runs_of(*model, context.scene)) {
       const auto& statistics = run.name == model->name ? outcome.statistics : outcome.of_rungs[run.name];
       io::Table& table = tables[run.name];
@@ -180,9 +166,6 @@ Results run_models(const RunContext& context, const Executable& executable, std:
       results.runs.push_back({model, run.name, adjective_of(run, statistics), statistics, std::move(table)});
     }
     if (outcome.other) results.others.emplace(model->name, std::move(*outcome.other));
-    if (outcome.end != mechanics::Outcome::failed) continue;
-    results.end = outcome.end;
-    results.message += (results.message.empty() ? "" : "; ") + outcome.message;
   }
   return results;
 }
@@ -215,50 +198,28 @@ void add_results(const RunContext& context, const Results& results, std::vector<
 }  // namespace
 
 std::vector<std::string> columns_of_compared_runs(const scene::Scene& scene, const scene::Needs& needs) {
-  std::vector<std::string> names{"run"};
-  for (const auto& parameter : scene.sweep) names.push_back(parameter.name);
+  std::vector<std::string> names = first_columns(scene);
   names.emplace_back("compared");
   const auto runs = runs_of_models(scene, needs);
   for (const scene::ModelRun& run : runs) {
-    names.push_back(prefix(run.name) + "finished");
-    for (const ColumnOfRun& column : columns_of_model) names.push_back(prefix(run.name) + column.name);
+    names.push_back(column_prefix(run.name) + "finished");
+    for (const ColumnOfRun& column : columns_of_model) names.push_back(column_prefix(run.name) + column.name);
   }
   for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
-    for (const ColumnOfPair& column : columns_of_pair) names.push_back(prefix(runs[i].name) + column.name);
+    for (const ColumnOfPair& column : columns_of_pair) names.push_back(column_prefix(runs[i].name) + column.name);
     for (const Difference& difference : differences)
       if (needs.quantities.*difference.group)
-        for (const char* what : {"_max", "_rms"}) names.push_back(prefix(runs[i].name) + difference.name + what);
+        for (const char* what : {"_max", "_rms"}) names.push_back(column_prefix(runs[i].name) + difference.name + what);
   }
   for (const ColumnOfPair& column : columns_of_reference) names.emplace_back(column.name);
   return names;
 }
 
-ComparedRuns::ComparedRuns(const scene::ReadScene& raw, const Executable& executable, const RunContext& context)
-    : raw_(raw), executable_(executable), context_(context), silent_(io::make_logger(io::Verbosity::silent, {})) {}
-
-std::vector<std::string> ComparedRuns::columns() const {
-  return columns_of_compared_runs(context_.scene, context_.needs);
-}
-
-FinishedRun ComparedRuns::run(int k) const {
-  const scene::ParameterValues values = scene::values_of_run(raw_.scene.sweep, k);
-  const scene::Scene scene = scene_of_run(raw_, values);
-  const scene::Needs needs = scene::needs(scene);  // the sector and the estimates can differ between runs
-  std::map<std::string, io::Table> tables;
-  const RunContext context{.scene = scene,
-                           .needs = needs,
-                           .directory = context_.directory,
-                           .units = units_of(scene),
-                           .log = silent_,
-                           .sink_of = [&tables](const RunContext&, const char* name) {
-                             return std::make_unique<RowsInMemory>(tables[name]);
-                           }};
-  Results results = run_models(context, executable_, tables);
-  FinishedRun run{.row = {k + 1.0}, .samples = {}, .end = results.end, .message = results.message};
-  if (results.end == mechanics::Outcome::interrupted) return run;
-  for (const auto& parameter : raw_.scene.sweep) run.row.push_back(values.at(parameter.name));
-  add_results(context, results, run.row);
-  return run;
+void ComparedRuns::compute(const RunContext& context, Tables& tables, FinishedRun& run) const {
+  const Results results = run_models(context, executable_, tables);
+  run.end = results.end;
+  run.message = results.message;
+  if (run.end != mechanics::Outcome::interrupted) add_results(context, results, run.row);
 }
 
 }  // namespace pseudorigid::app

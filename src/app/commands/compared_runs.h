@@ -21,29 +21,20 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/program.h"
-#include "app/commands/sweep_task.h"
-#include "app/run/run_context.h"
-#include "scene/read_scene.h"
+#include "app/commands/model_runs.h"
 
 namespace pseudorigid::app {
 
 /// The columns of sweep.csv for several models.
 std::vector<std::string> columns_of_compared_runs(const scene::Scene& scene, const scene::Needs& needs);
 
-class ComparedRuns : public SweepTask {
+class ComparedRuns : public ModelRuns {
  public:
-  /// `context` is the context of the first run of the sweep.
-  ComparedRuns(const scene::ReadScene& raw, const Executable& executable, const RunContext& context);
-
-  std::vector<std::string> columns() const override;
-  FinishedRun run(int k) const override;
+  using ModelRuns::ModelRuns;
+  std::vector<std::string> columns() const override { return columns_of_compared_runs(context_.scene, context_.needs); }
 
  private:
-  const scene::ReadScene& raw_;
-  const Executable& executable_;
-  const RunContext& context_;
-  std::shared_ptr<io::Logger> silent_;
+  void compute(const RunContext& context, Tables& tables, FinishedRun& run) const override;
 };
 
 }  // namespace pseudorigid::app

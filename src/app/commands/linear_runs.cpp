@@ -2,16 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
-#include <string_view>
-
-#include "app/commands/sweep_run.h"
 #include "app/run/love_table.h"
 #include "app/run/mode_table.h"
-#include "app/run/scene_to_model.h"
 #include "scene/models.h"
-#include "scene/needs.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -30,12 +23,6 @@ std::vector<std::string> names_of(const std::vector<scene::Column>& columns) {
   return names;
 }
 
-std::string prefix_of(std::string_view run_name) {
-  std::string run(run_name);
-  std::ranges::replace(run, '-', '_');
-  return run + "_";
-}
-
 std::vector<Part> parts_of(const scene::Scene& scene, const scene::Needs& needs) {
   std::vector<Part> parts;
   std::vector<int> indices;
@@ -43,11 +30,11 @@ std::vector<Part> parts_of(const scene::Scene& scene, const scene::Needs& needs)
   const bool is_modes = scene.analysis == scene::Analysis::modes;
   for (const scene::ModelDescription* model : needs.models)
     if (is_modes)
-      parts.push_back({mode_file(needs, model->name), prefix_of(model->name), names_of(mode_columns()), indices});
+      parts.push_back({mode_file(needs, model->name), column_prefix(model->name), names_of(mode_columns()), indices});
     else
       for (const scene::ModelRun& run : scene::runs_of(*model, scene))
         parts.push_back(
-            {love_file(run.name), prefix_of(run.name), names_of(love_columns()), scene::love_degrees(scene)});
+            {love_file(run.name), column_prefix(run.name), names_of(love_columns()), scene::love_degrees(scene)});
   return parts;
 }
 
@@ -63,8 +50,7 @@ void append(const Part& part, const io::Table& table, std::vector<double>& row) 
 }  // namespace
 
 std::vector<std::string> columns_of_linear_runs(const scene::Scene& scene, const scene::Needs& needs) {
-  std::vector<std::string> names{"run"};
-  for (const auto& parameter : scene.sweep) names.push_back(parameter.name);
+  std::vector<std::string> names = first_columns(scene);
   names.emplace_back("finished");
   for (const Part& part : parts_of(scene, needs))
     for (const int number : part.numbers)
@@ -73,35 +59,11 @@ std::vector<std::string> columns_of_linear_runs(const scene::Scene& scene, const
   return names;
 }
 
-LinearRuns::LinearRuns(const scene::ReadScene& raw, const Executable& executable, const RunContext& context)
-    : raw_(raw), executable_(executable), context_(context), silent_(io::make_logger(io::Verbosity::silent, {})) {}
-
-std::vector<std::string> LinearRuns::columns() const { return columns_of_linear_runs(context_.scene, context_.needs); }
-
-FinishedRun LinearRuns::run(int k) const {
-  const scene::ParameterValues values = scene::values_of_run(raw_.scene.sweep, k);
-  const scene::Scene scene = scene_of_run(raw_, values);
-  const scene::Needs needs = scene::needs(scene);
-  std::map<std::string, io::Table> tables;
-  const RunContext context{.scene = scene,
-                           .needs = needs,
-                           .directory = context_.directory,
-                           .units = units_of(scene),
-                           .log = silent_,
-                           .sink_of = {},
-                           .tables = &tables};
-  FinishedRun run{.row = {k + 1.0}, .samples = {}, .end = mechanics::Outcome::finished, .message = {}};
-  for (const auto& parameter : raw_.scene.sweep) run.row.push_back(values.at(parameter.name));
-  for (const scene::ModelDescription* model : needs.models) {
-    const ModelOutcome outcome = executable_.model(*model).run(context);
-    if (outcome.end == mechanics::Outcome::finished) continue;
-    run.end = outcome.end;
-    run.message += (run.message.empty() ? "" : "; ") + outcome.message;
-    if (run.end == mechanics::Outcome::interrupted) return run;
-  }
+void LinearRuns::compute(const RunContext& context, Tables& tables, FinishedRun& run) const {
+  for (const scene::ModelDescription* model : context.needs.models)
+    if (add_outcome(executable_.model(*model).run(context), run.end, run.message)) return;
   run.row.push_back(run.end == mechanics::Outcome::finished);
   for (const Part& part : parts_of(context_.scene, context_.needs)) append(part, tables[part.file], run.row);
-  return run;
 }
 
 }  // namespace pseudorigid::app

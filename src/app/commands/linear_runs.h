@@ -13,29 +13,20 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/program.h"
-#include "app/commands/sweep_task.h"
-#include "app/run/run_context.h"
-#include "scene/read_scene.h"
+#include "app/commands/model_runs.h"
 
 namespace pseudorigid::app {
 
 /// The columns of sweep.csv of a scene with Analysis = modes or love numbers.
 std::vector<std::string> columns_of_linear_runs(const scene::Scene& scene, const scene::Needs& needs);
 
-class LinearRuns : public SweepTask {
+class LinearRuns : public ModelRuns {
  public:
-  /// `context` is the context of the first run of the sweep.
-  LinearRuns(const scene::ReadScene& raw, const Executable& executable, const RunContext& context);
-
-  std::vector<std::string> columns() const override;
-  FinishedRun run(int k) const override;
+  using ModelRuns::ModelRuns;
+  std::vector<std::string> columns() const override { return columns_of_linear_runs(context_.scene, context_.needs); }
 
  private:
-  const scene::ReadScene& raw_;
-  const Executable& executable_;
-  const RunContext& context_;
-  std::shared_ptr<io::Logger> silent_;
+  void compute(const RunContext& context, Tables& tables, FinishedRun& run) const override;
 };
 
 }  // namespace pseudorigid::app

@@ -31,6 +31,7 @@
 #include "scene/scale_numbers.h"
 #include "scene/scales.h"
 #include "scene/user_error.h"
+#include "scene/validate.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -261,7 +262,8 @@ std::optional<std::pair<double, double>> gammas_of_sweep(const scene::ReadScene&
   for (int k = 0; k < n; k += stride) runs.insert(k);
   std::pair gammas(std::numeric_limits<double>::infinity(), 0.0);
   for (const int k : runs) try {
-      const double gamma = scene::gamma_of(scene_of_run(raw, scene::values_of_run(sweep, k)));
+      const double gamma = scene::gamma_of(
+          scene::validate(scene::with_parameters(raw.scene, scene::values_of_run(sweep, k), raw.origins), raw.origins));
       gammas = {std::min(gammas.first, gamma), std::max(gammas.second, gamma)};
     } catch (const UserError&) {  // the run is refused when it begins
     }

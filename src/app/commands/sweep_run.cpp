@@ -13,6 +13,7 @@
 #include "entries/entry_kinds.h"
 #include "scene/needs.h"
 #include "scene/user_error.h"
+#include "scene/validate.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -28,7 +29,8 @@ bool has_frequencies(const scene::Needs& needs) { return !needs.system && needs.
 std::set<std::string> conserved_columns(const scene::ReadScene& raw) {
   bool is_free = true, incompressible = true;
   for (const int k : corners(raw.scene.sweep)) {
-    const scene::Scene scene = scene_of_run(raw, scene::values_of_run(raw.scene.sweep, k));
+    const scene::Scene scene = scene::validate(
+        scene::with_parameters(raw.scene, scene::values_of_run(raw.scene.sweep, k), raw.origins), raw.origins);
     if (scene.system != scene::ball) return {};
     is_free = is_free && scene::is_free(scene);
     incompressible = incompressible && scene.body.incompressible;

@@ -53,83 +53,12 @@
 #include <utility>
 
 #include "mechanics/core/conservative_system.h"
-#include "mechanics/core/orbit_complement.h"
 #include "mechanics/core/second_order_field.h"
+#include "mechanics/methods/energy_momentum_workspace.h"
 #include "mechanics/methods/fixed_point_monitor.h"
-#include "mechanics/methods/momentum_keeper.h"
 #include "mechanics/methods/rattle.h"
 
 namespace pseudorigid::mechanics {
-
-/// Temporaries and initial guesses of one integration.
-template <ConservativeSystem S>
-struct EnergyMomentumWorkspace {
-  using Vector = typename S::Vector;
-  using Multiplier = typename S::Multiplier;
-
-  explicit EnergyMomentumWorkspace(const S& system)
-      : system(system.make_workspace()),
-        dq(system.make_vector()),
-        dv(dq),
-        dq_before(dq),
-        dv_before(dq),
-        q_middle(dq),
-        v_middle(dq),
-        q_end(dq),
-        v_end(dq),
-        q_side(dq),
-        v_side(dq),
-        force(dq),
-        A(dq),
-        B(dq),
-        C_q(dq),
-        C_v(dq),
-        P_q(dq),
-        P_v(dq),
-        acceleration(dq),
-        q_rounding(make_rounding(system)),
-        v_rounding(q_rounding),
-        lambda(system.make_multiplier()),
-        mu(lambda),
-        residual(lambda),
-        delta(lambda),
-        history(system),
-        orbit(system),
-        momenta(system) {}
-
-  typename S::Workspace system;
-  Vector dq, dv, dq_before, dv_before;                      // Δq and Δv, and their values in the previous iteration
-  Vector q_middle, v_middle, q_end, v_end, q_side, v_side;  // q and v of X_m, of X₁, and of X₀ + P/2 or X₁ − P/2
-  Vector force, A, B, C_q, C_v, P_q, P_v;                   // see the formulas at the top of this file
-  Vector acceleration;                                      // Δv/h of the last step
-  Vector q_rounding, v_rounding;                            // remainders of the compensated sums of q and v
-  Multiplier lambda, mu, residual, delta;                   // λ, μ, the residual g or γ, and δ of `react`
-  MultiplierHistory<S> history;                             // multipliers λ at the middle of the steps
-  OrbitComplement<S> orbit;
-  MomentumKeeper<S> momenta;
-  double V_start = 0, theta = 0;  // V(q₀), θ
-  int hold = 0;                   // 1: θ is kept from an earlier iteration; 2: C is kept as well
-  double energy_gained = 0;       // energy error due to round-off since the first step
-  double first_noise = -1;        // round-off of V near the first state; negative: not yet measured
-  double largest_noise = 0;       // largest round-off of V near the states so far
-  Counters counters;
-
-  /// Passes each member that a checkpoint must contain to `visit`.
-  template <class Visit>
-  void visit_memory(Visit&& visit) {
-    if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
-    visit(acceleration);
-    history.visit_memory(visit);
-    visit(energy_gained);
-    visit(first_noise);
-    visit(largest_noise);
-    momenta.visit_memory(visit);
-    if constexpr (VectorSpace<Vector>::compensated) {
-      visit(q_rounding);
-      visit(v_rounding);
-    }
-  }
-};
 
 namespace detail {
 

@@ -1,0 +1,52 @@
+#pragma once
+/// The runs of a sweep in which every model of the scene runs. Each run keeps the tables of its models in memory, and
+/// the derived class makes its row from them.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/commands/program.h"
+#include "app/commands/sweep_task.h"
+#include "app/run/run_context.h"
+#include "io/csv.h"
+#include "scene/read_scene.h"
+
+namespace pseudorigid::app {
+
+/// The beginning of the names of the columns of a model's run in sweep.csv: the name of its files with "_" in place of
+/// "-", and another "_".
+std::string column_prefix(std::string_view run);
+
+/// The columns that precede the results: "run" and the parameters of the sweep.
+std::vector<std::string> first_columns(const scene::Scene& scene);
+
+class ModelRuns : public SweepTask {
+ public:
+  /// `context` is the context of the first run of the sweep.
+  ModelRuns(const scene::ReadScene& raw, const Executable& executable, const RunContext& context)
+      : executable_(executable), context_(context), raw_(raw), silent_(io::make_logger(io::Verbosity::silent, {})) {}
+
+  FinishedRun run(int k) const final;
+
+ protected:
+  using Tables = std::map<std::string, io::Table>;
+
+  const Executable& executable_;
+  const RunContext& context_;
+
+ private:
+  /// Runs the models in `context` and sets the outcome and the message of `run`. The tables appear in `tables` by the
+  /// names of their files. Unless the run is interrupted, appends the results to the row.
+  virtual void compute(const RunContext& context, Tables& tables, FinishedRun& run) const = 0;
+
+  const scene::ReadScene& raw_;
+  std::shared_ptr<io::Logger> silent_;
+};
+
+/// Adds the outcome of a model to that of the run. Returns true if the run was interrupted.
+bool add_outcome(const ModelOutcome& outcome, mechanics::Outcome& end, std::string& message);
+
+}  // namespace pseudorigid::app
