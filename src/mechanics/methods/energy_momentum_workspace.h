@@ -1,7 +1,6 @@
 #pragma once
-/// The vectors and numbers that the method of energy_momentum.h keeps during an integration. The symbols are those of
-/// that header: X = (q, p) with the ends X₀ and X₁ of a step and its middle X_m, Δq and Δv, A, B, C = (C_q, C_v),
-/// P = (P_q, P_v), the multipliers λ and μ, and θ.
+/// The vectors and numbers that the method energy-momentum keeps during an integration. The header energy_momentum.h
+/// defines the symbols: the state X = (q, p), its values X₀, X_m, X₁, and Δq, Δv, A, B, C, P, λ, μ, θ.
 
 #include "mechanics/core/conservative_system.h"
 #include "mechanics/core/orbit_complement.h"
