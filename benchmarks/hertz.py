@@ -16,11 +16,25 @@ displacement of a half-space, so near the force, and measured from the centre of
     d = a^2 - K F,   K = (2 - sum e_n)/(4 pi) = 0.105661             one plane: n = 2, 3, ...; the force accelerates the body,
                      K = (3/4 - sum e_n)/(2 pi) = 0.046834           two opposite planes: n = 2, 4, ...
 
-For an incompressible body there is no logarithm of a in this place. The next terms are smaller by the factor a/r. A plane that
-gives way with the stiffness k (pressure over depth) adds p0/(2k): the derivative with respect to F of the elastic energy
-(1/2k) times the integral of p^2, with Hertz's pressure p.
+For an incompressible body there is no logarithm of a in this place.
+
+Finite strains add a term of the same order. The displacement u of Hertz's problem has div u = 0 and the pressure p. For a
+neo-Hookean body, with det(1 + grad u) = 1, the terms of third order in the energy are
+
+    E3 = integral of (p/2) tr(grad u)^2 - det(grad u) = -(S/2) F^2,   S = 0.0081345
+
+in the half-space below the contact, by quadrature (`finite_strains`). A change of the energy at a given depth is the opposite
+change of the complementary energy at a given force, so that
+
+    d = a^2 - (K - S) F.
+
+The next terms are smaller by the factor a/r. A plane that gives way with the stiffness k (pressure over depth) adds p0/(2k):
+the derivative with respect to F of the elastic energy (1/2k) times the integral of p^2, with Hertz's pressure p.
 """
+import functools
 import math
+
+import numpy as np
 
 N_TERMS = 100_000
 
@@ -33,24 +47,53 @@ ONE_PLANE = (2 - sum(map(excess, range(2, N_TERMS))) - 0.75 / N_TERMS) / (4 * ma
 TWO_PLANES = (0.75 - sum(map(excess, range(2, N_TERMS, 2))) - 0.375 / N_TERMS) / (2 * math.pi)
 
 
+@functools.cache
+def finite_strains(n=100):
+    """S. With a = 1, p0 = 1 and mu = 1, the fields at the depth z and the distance s from the axis are integrals over a disc of
+    complex sources, with R = sqrt(s^2 + (z - it)^2) and weights t:
+
+        p = Im int t/R,   C = Im int t(1 - (z - it)/R)/s,   D = -dp/dz,   E = -dp/ds,   t from 0 to 1,
+        grad u:  zz = -zD/2,  zs = -(C + zE)/2,  sz = (C - zE)/2,  ss = z(D - C/s)/2,  and zC/(2s) about the axis.
+
+    The integrals over t are elementary. The volume is integrated in oblate spheroidal coordinates by Gauss's rule."""
+    nodes, weights = np.polynomial.legendre.leggauss(n)
+    nodes, weights = (nodes + 1) / 2, weights / 2
+    x, y = np.meshgrid(nodes / (1 - nodes), nodes, indexing="ij")
+    volume = np.outer(weights / (1 - nodes) ** 2, weights) * 2 * math.pi * (x**2 + y**2)
+    s, z = np.sqrt((1 + x**2) * (1 - y**2)), x * y
+
+    def integrated(primitive):  # t = i(w - z) and dt = i dw, with w = z - it
+        def at(w):
+            root = np.sqrt(s**2 + w**2)
+            return primitive(w, root, np.log(w + root))
+        return (at(z + 0j) - at(z - 1j)).imag
+    p = integrated(lambda w, root, log: root - z * log)
+    C = integrated(lambda w, root, log: (w**2 - w * root + s**2 * log) / (2 * s) - z * (w - root) / s)
+    D = integrated(lambda w, root, log: log - (w - z) / root)
+    E = integrated(lambda w, root, log: -s / root - z * w / (s * root))
+    zz, zs, sz, ss, around = -z * D / 2, -(C + z * E) / 2, (C - z * E) / 2, z * (D - C / s) / 2, z * C / (2 * s)
+    energy = np.sum(volume * (p / 2 * (zz**2 + ss**2 + around**2 + 2 * zs * sz) - around * (zz * ss - zs * sz)))
+    return -2 * energy * 8 / math.pi / (2 * math.pi / 3) ** 2  # p0 = 8 a/pi
+
+
 def radius(force):
     return (3 * force / 16) ** (1 / 3)
 
 
 def powers(correction, k):
-    """(c, p) of the terms c F^p of the depth: Hertz, the correction, and the depth p0/(2k) of the plane."""
+    """(c, p) of the terms c F^p of the depth: Hertz, minus the correction, and the depth p0/(2k) of the plane."""
     hertz = (3 / 16) ** (2 / 3)
     return (hertz, 2 / 3), (-correction, 1), (3 / (4 * math.pi * k * hertz), 1 / 3)
 
 
 def depth(force, correction=0.0, k=math.inf):
-    """Depth for a force: Hertz, minus `correction` (ONE_PLANE, TWO_PLANES) times the force, plus that of the plane."""
+    """Depth for a force: Hertz, minus `correction` (such as ONE_PLANE - S) times the force, plus that of the plane."""
     return sum(c * force**p for c, p in powers(correction, k))
 
 
-def impact(v, k=math.inf, correction=ONE_PLANE, n=2000):
+def impact(v, k=math.inf, n=2000):
     """(F_max, duration) of a ball that hits a plane with the speed v, for the force F(d) of `depth` without vibrations."""
-    terms, mass = powers(correction, k), 4 * math.pi / 3
+    terms, mass = powers(ONE_PLANE - finite_strains(), k), 4 * math.pi / 3
 
     def work(force):
         return sum(c * p / (1 + p) * force ** (1 + p) for c, p in terms)

@@ -25,6 +25,8 @@ OF_COMPARED = {"_time": "time", "_frequency": "1/time", "_frequency_error": "1/t
 MISSING_AS_ZERO = ("_frequency_ratio", "_frequency")
 MISSING_AS_MINUS_ONE = ("_error", "_tenth_of_period_after", "_phase_after_1_period", "_phase_after_10_periods", "_phase_difference_max",
                         "_energy_drift", "surface_limit_time")
+# Ends of columns of a model that exist only if its run is compared.
+OF_A_COMPARED_RUN = ("_second_line", "_amplitude")
 # What the columns of a sweep add to the name of a column.
 OF_A_RUN = ("_end", "_min", "_max", "_drift")
 
@@ -145,8 +147,8 @@ class Run:
     def sweep(self) -> "pandas.DataFrame | np.ndarray":
         """The runs of a sweep, as table("sweep") or, without pandas, as records("sweep").
 
-        A sweep of several models writes 0 for a ratio or a frequency that does not exist, and -1 for an error, a phase or a
-        time that is not known. Here they are nan.
+        A sweep of several models writes 0 for a ratio or a frequency that does not exist, -1 for an error, a phase or a time
+        that is not known, and 0 for all results of a comparison in a run that is not compared. Here they are nan.
         """
         try:
             table = self.table("sweep")
@@ -156,7 +158,11 @@ class Run:
             table = self.records("sweep")
         names = list(table) if hasattr(table, "columns") else list(table.dtype.names)
         if "compared" in names:
-            for name in names:
+            not_compared = table["compared"] == 0
+            first = next(i for i, name in enumerate(names) if name.endswith("_frequency_ratio"))
+            for i, name in enumerate(names):
+                if i >= first or name.endswith(OF_A_COMPARED_RUN):
+                    table[name] = np.where(not_compared, np.nan, table[name])
                 if name.endswith(MISSING_AS_ZERO):
                     table[name] = np.where(table[name] == 0, np.nan, table[name])
                 elif name.endswith(MISSING_AS_MINUS_ONE):

@@ -118,8 +118,10 @@ void compare_phases(Workshop& w, const std::vector<double>& r, const std::vector
   for (double& periods : apart) periods -= whole_turns;
   for (int decade = 1; decade <= 1'000'000; decade *= 10)
     for (const int n : {decade, 2 * decade, 5 * decade}) {
-      const auto sample = std::size_t(std::lround(n * turn / (omega * interval)));
-      if (sample < apart.size()) out.phase_after_periods[n] = apart[sample];
+      const double position = n * turn / (omega * interval);  // in samples
+      const auto before = std::size_t(position);
+      if (before + 1 < apart.size())
+        out.phase_after_periods[n] = std::lerp(apart[before], apart[before + 1], position - double(before));
     }
   w.add("phase_difference", 1, std::move(apart));
 }

@@ -125,11 +125,8 @@ std::string known_frequencies(const Comparison& c, double uncertainty) {
                        percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower", c.reference.adjective);
   // The bar alone excludes 0, but the error of the fit may be three times as large.
   if (std::abs(excess) > uncertainty && known_to > says_little)
-    return fmt::format(
-        "The {} ball pulsates {} % {} than the {} ball, within three standard errors; a later Time/End "
-        "determines the frequencies better",
-        c.model.adjective, percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower",
-        c.reference.adjective);
+    return fmt::format("The {} ball pulsates {} % {} than the {} ball, within three standard errors", c.model.adjective,
+                       percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower", c.reference.adjective);
   if (known_to <= says_little)
     return fmt::format("The two balls pulsate with the same frequency to within {} %", roughly(100 * known_to));
   return fmt::format("The frequencies of the two balls cannot be told apart: they are known to {} %",

@@ -175,7 +175,8 @@ std::optional<Line> second_line(const FrequencyFit& fit) {
   const auto is_second = [&](const Line& line) {
     const double multiple = std::round(line.frequency / omega);
     const bool is_harmonic = multiple >= 2 && std::abs(line.frequency - multiple * omega) < near_multiple * omega;
-    return !is_harmonic && !is_drift(line) && line.amplitude >= share * fit.dominant().amplitude;
+    const bool is_resolved = std::abs(line.frequency - omega) * fit.cycles >= 2 * omega;
+    return !is_harmonic && !is_drift(line) && is_resolved && line.amplitude >= share * fit.dominant().amplitude;
   };
   const auto found = std::find_if(fit.lines.begin() + 1, fit.lines.end(), is_second);
   return found == fit.lines.end() ? std::nullopt : std::optional(*found);
@@ -204,7 +205,7 @@ FrequencyFit fit_frequency(std::span<const double> values, double interval, cons
   fit.residual_rms = std::sqrt(model.rss() / double(y.size()));
   fit.cycles = lines.front().frequency * half_length / pi;
   if (!(fit.cycles >= 1 && lines.front().uncertainty < least_precision * lines.front().frequency))
-    return refuse("the samples do not determine a frequency; a later Time/End may");
+    return refuse("the samples do not determine a frequency");
   fit.lines = std::move(lines);
   return fit;
 }

@@ -60,8 +60,10 @@ struct FrequencyOptions {
 };
 
 /// The strongest line other than the dominant line, its multiples and slow drifts, if it has at least half of the
-/// dominant amplitude; otherwise empty. If there is such a line, two frequencies share the motion, and one alone does
-/// not describe it. With gravity, this happens if the frequencies of two modes come close (avoided crossing).
+/// dominant amplitude; otherwise empty. A line closer to the dominant line than two resolution widths 2π/T does not
+/// count, because a damped motion looks like several close lines. If there is such a line, two frequencies share the
+/// motion, and one alone does not describe it. With gravity, this happens if the frequencies of two modes come close
+/// (avoided crossing).
 std::optional<Line> second_line(const FrequencyFit& fit);
 
 /// Whether a line describes a slow drift: its frequency is within three standard errors of 0.

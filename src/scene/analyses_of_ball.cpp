@@ -139,7 +139,7 @@ std::optional<Refusal> refuses_love_numbers(const Scene& scene) {
                    {{{"Body/Incompressible", "true"}}}};
   if (!loads::present(scene.loads.get<loads::SelfGravity>()))
     return Refusal{"Gravity/Constant",
-                   "Love numbers compare displacements with V/g of self-gravity; give a constant > 0"};
+                   "Love numbers compare displacements with V/g of self-gravity; give it or Gravity/Gamma a value > 0"};
   if (scene.body.semi_axes != std::vector<double>{1, 1, 1} || scene.body.inertia)
     return Refusal{"Body/Semi-axes",
                    "Love numbers are those of a ball",

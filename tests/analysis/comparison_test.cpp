@@ -36,8 +36,7 @@ TEST(Comparison, PhasesDriftApartWithTheFrequencies) {
   EXPECT_EQ(phase->time_of_max, 100);
   ASSERT_EQ(c.phase_after_periods.size(), 5u);  // 42 periods: 1, 2, 5, 10, 20
   for (const auto& [n, periods] : c.phase_after_periods)
-    // The sample is up to half an interval away, in which the difference grows by 0.002.
-    EXPECT_NEAR(periods, n * (incompressible_ball_ratio - 1), 3e-3) << n;
+    EXPECT_NEAR(periods, n * (incompressible_ball_ratio - 1), 1e-3) << n;
 }
 
 TEST(Comparison, HasNoPhaseWithoutARatio) {

@@ -132,6 +132,15 @@ TEST(SecondLine, IsStrongAndNoMultipleOfTheFirst) {
   EXPECT_FALSE(second_line({})) << "no fit";
 }
 
+/// The fit of a damped motion has lines close to its frequency, of a similar amplitude.
+TEST(SecondLine, IsNotFoundInADampedMotion) {
+  for (const double rate : {0.01, 0.03, 0.1, 0.3}) {
+    std::vector<double> y;
+    for (int n = 0; n < 1000; ++n) y.push_back(1 + std::exp(-rate * 0.05 * n) * std::cos(2 * 0.05 * n));
+    EXPECT_FALSE(second_line(fit_frequency(y, 0.05))) << rate;
+  }
+}
+
 /// C33 = (1 + εh)² of a ball whose h holds several lines: sums and differences of the frequencies lie within a
 /// resolution width of them, so the error is no longer round-off, and the uncertainty must say so.
 TEST(Frequency, UncertaintyCoversUnresolvedLines) {

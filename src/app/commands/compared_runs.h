@@ -31,9 +31,11 @@ std::vector<std::string> columns_of_compared_runs(const scene::Scene& scene, con
 class ComparedRuns : public ModelRuns {
  public:
   using ModelRuns::ModelRuns;
-  std::vector<std::string> columns() const override { return columns_of_compared_runs(context_.scene, context_.needs); }
 
  private:
+  std::vector<std::string> columns_of(const scene::Scene& scene, const scene::Needs& needs) const override {
+    return columns_of_compared_runs(scene, needs);
+  }
   void compute(const RunContext& context, Tables& tables, FinishedRun& run) const override;
 };
 

@@ -63,7 +63,7 @@ void LinearRuns::compute(const RunContext& context, Tables& tables, FinishedRun&
   for (const scene::ModelDescription* model : context.needs.models)
     if (add_outcome(executable_.model(*model).run(context), run.end, run.message)) return;
   run.row.push_back(run.end == mechanics::Outcome::finished);
-  for (const Part& part : parts_of(context_.scene, context_.needs)) append(part, tables[part.file], run.row);
+  for (const Part& part : parts_of(context.scene, context.needs)) append(part, tables[part.file], run.row);
 }
 
 }  // namespace pseudorigid::app

@@ -7,7 +7,7 @@
 ///   Love numbers:  m_h_n, m_l_n, m_k_n, … for every run m of a model and the degrees n of the tide
 ///                  (app/run/love_table.h).
 ///
-/// In the names of runs, "_" replaces "-". The degrees are those of the first run of the sweep. A value is 0 if the
+/// In the names of runs, "_" replaces "-". A value is 0 if the
 /// table does not have its row, or if the model has failed.
 
 #include <string>
@@ -23,9 +23,11 @@ std::vector<std::string> columns_of_linear_runs(const scene::Scene& scene, const
 class LinearRuns : public ModelRuns {
  public:
   using ModelRuns::ModelRuns;
-  std::vector<std::string> columns() const override { return columns_of_linear_runs(context_.scene, context_.needs); }
 
  private:
+  std::vector<std::string> columns_of(const scene::Scene& scene, const scene::Needs& needs) const override {
+    return columns_of_linear_runs(scene, needs);
+  }
   void compute(const RunContext& context, Tables& tables, FinishedRun& run) const override;
 };
 

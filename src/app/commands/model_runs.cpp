@@ -5,6 +5,7 @@
 #include "app/commands/sweep_run.h"
 #include "app/run/scene_to_model.h"
 #include "scene/needs.h"
+#include "scene/user_error.h"
 
 namespace pseudorigid::app {
 
@@ -24,6 +25,10 @@ FinishedRun ModelRuns::run(int k) const {
   const scene::ParameterValues values = scene::values_of_run(raw_.scene.sweep, k);
   const scene::Scene scene = scene_of_run(raw_, values);
   const scene::Needs needs = scene::needs(scene);  // the sector and the estimates can differ between runs
+  if (columns_of(scene, needs) != columns())
+    throw UserError(
+        "Sweep/Parameters: expected runs with the same columns of sweep.csv, got a run with other columns "
+        "than the first one");
   Tables tables;
   const RunContext context{
       .scene = scene,

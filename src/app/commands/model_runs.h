@@ -29,19 +29,23 @@ class ModelRuns : public SweepTask {
   ModelRuns(const scene::ReadScene& raw, const Executable& executable, const RunContext& context)
       : executable_(executable), context_(context), raw_(raw), silent_(io::make_logger(io::Verbosity::silent, {})) {}
 
+  std::vector<std::string> columns() const final { return columns_of(context_.scene, context_.needs); }
   FinishedRun run(int k) const final;
 
  protected:
   using Tables = std::map<std::string, io::Table>;
 
   const Executable& executable_;
-  const RunContext& context_;
 
  private:
+  /// The columns of sweep.csv for the scene of a run. A run with other columns than the first one is refused.
+  virtual std::vector<std::string> columns_of(const scene::Scene& scene, const scene::Needs& needs) const = 0;
+
   /// Runs the models in `context` and sets the outcome and the message of `run`. The tables appear in `tables` by the
   /// names of their files. Unless the run is interrupted, appends the results to the row.
   virtual void compute(const RunContext& context, Tables& tables, FinishedRun& run) const = 0;
 
+  const RunContext& context_;
   const scene::ReadScene& raw_;
   std::shared_ptr<io::Logger> silent_;
 };

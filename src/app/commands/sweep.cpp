@@ -45,6 +45,26 @@ std::string describe_run(const scene::Sweep& sweep, int k) {
   throw UserError(fmt::format("{}: {}: {}", raw.origins.of(entry), entry, sentence));
 }
 
+/// The columns of sweep.csv for a scene; `conserved` are the names of the constants of the motion.
+std::vector<std::string> columns_of(const scene::Scene& scene, const scene::Needs& needs,
+                                    const std::set<std::string>& conserved) {
+  return scene::is_linear(scene.analysis) ? columns_of_linear_runs(scene, needs)
+         : needs.comparison               ? columns_of_compared_runs(scene, needs)
+                                          : columns_of_sweep(scene, needs, conserved);
+}
+
+/// Refuses parameters that give the run k other columns of sweep.csv than the first run, for example the number of
+/// modes.
+void require_same_columns(const scene::ReadScene& raw, int k) {
+  const auto columns = [&](int run) {
+    const scene::Scene scene = scene_of_run(raw, scene::values_of_run(raw.scene.sweep, run));
+    return columns_of(scene, scene::needs(scene), {});
+  };
+  if (columns(k) != columns(0))
+    refuse_parameter(raw, fmt::format("expected runs with the same columns of sweep.csv, got other columns in {}",
+                                      describe_run(raw.scene.sweep, k)));
+}
+
 /// Refuses a parameter with the name of another column of sweep.csv, because each parameter is a column of this file.
 void require_own_names(const scene::ReadScene& raw) {
   scene::Scene scene = scene_of_run(raw, scene::values_of_run(raw.scene.sweep, 0));
@@ -53,10 +73,7 @@ void require_own_names(const scene::ReadScene& raw) {
   std::vector<std::string> taken = columns_of_frequencies();
   for (const auto& conserved :
        {std::set<std::string>{}, needs.system ? std::set<std::string>{} : names_conserved(true, true)})
-    std::ranges::copy(scene::is_linear(scene.analysis) ? columns_of_linear_runs(scene, needs)
-                      : needs.comparison               ? columns_of_compared_runs(scene, needs)
-                                                       : columns_of_sweep(scene, needs, conserved),
-                      std::back_inserter(taken));
+    std::ranges::copy(columns_of(scene, needs, conserved), std::back_inserter(taken));
   for (const auto& parameter : parameters)
     if (std::ranges::find(taken, parameter.name) != taken.end())
       refuse_parameter(
@@ -247,6 +264,7 @@ void check_sweep(const scene::ReadScene& raw) {
       throw UserError(fmt::format("{} (in {})", error.what(), describe_run(raw.scene.sweep, k)));
     }
   require_used(raw);
+  for (const int k : corners(raw.scene.sweep)) require_same_columns(raw, k);
   require_own_names(raw);
 }
 
