@@ -91,8 +91,8 @@ struct Comparison {
   ErrorBar error;
   std::optional<FrequencyRatio> ratio;  ///< empty if a model has no frequency, or follows a load
   std::optional<double> exact_ratio;    ///< empty if the scene has none, if the body spins, or if Q̇ is not known
-  /// n → phase_difference after n periods of the reference, interpolated linearly between samples, for
-  /// n = 1, 2, 5, 10, 20, 50 … within the run.
+  /// n → phase_difference after n periods of the reference, for n = 1, 2, 5, 10, 20, 50 … within the run. The value is
+  /// interpolated linearly between samples.
   std::map<int, double> phase_after_periods;
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine
                                                           ///< fraction of the kinetic energy K

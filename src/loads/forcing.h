@@ -8,6 +8,7 @@
 ///                  pressure −p n per current area; energy −P̄:∫F dX + p V
 ///   inside         the objective viscosity σ = 2ηd, and self-gravity with the constant G
 ///   at planes      the pressure of contact with rigid planes (plane.h)
+///   companions     point masses in orbit, with the quadratic potential of their tides (mechanics/core/orbit.h)
 ///
 /// The values are in the user's units or in internal units, as the owner of the object decides.
 
@@ -16,6 +17,7 @@
 #include "entries/matrix3.h"
 #include "loads/plane.h"
 #include "mechanics/core/by_name.h"
+#include "mechanics/core/orbit.h"
 
 namespace pseudorigid::loads {
 
@@ -28,13 +30,14 @@ struct Forcing {
   double pressure = 0;                                         ///< follower pressure p
   double viscosity = 0, drag = 0;                              ///< viscosity η and drag coefficient c
   Planes planes{};                                             ///< planes that the body may touch
+  mechanics::Companions companions{};                          ///< point masses in orbit about the body
 
   /// Calls visit(member of a, member of b) for every member except `by_name`. If the lists below lack a new member, the
   /// function does not compile.
   template <class A, class B, class Visit>
   static void visit_pairs(A& a, B& b, Visit&& visit) {
-    auto& [name_a, G_a, T_a, b_a, P_a, p_a, eta_a, c_a, planes_a] = a;
-    auto& [name_b, G_b, T_b, b_b, P_b, p_b, eta_b, c_b, planes_b] = b;
+    auto& [name_a, G_a, T_a, b_a, P_a, p_a, eta_a, c_a, planes_a, companions_a] = a;
+    auto& [name_b, G_b, T_b, b_b, P_b, p_b, eta_b, c_b, planes_b, companions_b] = b;
     visit(G_a, G_b);
     visit(T_a, T_b);
     visit(b_a, b_b);
@@ -43,6 +46,7 @@ struct Forcing {
     visit(eta_a, eta_b);
     visit(c_a, c_b);
     visit(planes_a, planes_b);
+    visit(companions_a, companions_b);
   }
 
   Forcing& operator+=(const Forcing& other) {
@@ -65,9 +69,9 @@ struct Forcing {
     return any;
   }
 
-  /// The potential energy of the loads other than self-gravity and contact. The arguments are the moments ∫ρ x xᵀ dX
-  /// and ∫ρ x dX of the body, the integral ∫F dX and the current volume V. If the members are the time derivatives of a
-  /// forcing, the result is the power that the body receives from the change of the forcing.
+  /// The potential energy of the loads other than self-gravity, contact and companions. The arguments are the moments
+  /// ∫ρ x xᵀ dX and ∫ρ x dX of the body, the integral ∫F dX and the current volume V. If the members are the time
+  /// derivatives of a forcing, the result is the power that the body receives from the change of the forcing.
   double potential(const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const {
     const double energy = 0.5 * quadratic.cwiseProduct(second_moment).sum() - acceleration.dot(first_moment) -

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "loads/acceleration.h"
+#include "loads/companions.h"
 #include "loads/drag.h"
 #include "loads/load.h"
 #include "loads/periodic_tide.h"
@@ -29,7 +30,8 @@ using LoadList = std::tuple<Viscosity,     //
                             Traction,      //
                             Pressure,      //
                             Rise,          //
-                            RigidPlanes>;
+                            RigidPlanes,   //
+                            CompanionMasses>;
 
 namespace detail {
 template <class L, class... Known>

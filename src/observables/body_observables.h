@@ -91,6 +91,17 @@ struct ContactObservables {
   }
 };
 
+/// The motion of the companions (mechanics/core/orbit.h); set by observables/orbit.h. Without companions, the energies
+/// are 0.
+struct OrbitObservables {
+  double kinetic = 0;                                                                       ///< ½ Σ μ_k |Ṙ_k|²
+  double interaction = 0;                                                                   ///< U
+  Eigen::Vector3d position = Eigen::Vector3d::Constant(not_observed), velocity = position;  ///< r₁, ṙ₁
+  Eigen::Vector3d second_position = position, second_velocity = position;                   ///< r₂, ṙ₂
+  double semi_major_axis = not_observed, eccentricity = not_observed, lag = not_observed;
+  Eigen::Vector3d torque = position, spin = position, total_momentum = position;
+};
+
 struct BodyObservables {
   Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);       ///< Q; for non-affine motions the mass moment Q_M
   Eigen::Matrix3d Qdot = Eigen::Matrix3d::Constant(not_observed);    ///< time derivative of Q
@@ -106,8 +117,12 @@ struct BodyObservables {
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Constant(not_observed);
   std::vector<double> over_points{};  ///< one value for each entry of ObservableRequest::over_points
   ContactObservables contact{};
+  OrbitObservables orbit{};
 
-  double energy() const { return kinetic + elastic + gravitational + external + dissipated + contact.energy; }
+  double energy() const {
+    return kinetic + elastic + gravitational + external + dissipated + contact.energy + orbit.kinetic +
+           orbit.interaction;
+  }
 };
 
 template <class O>
@@ -163,6 +178,36 @@ inline constexpr BodyColumn<O> common_columns[] = {
      "normal velocity of the centre of mass after the last contact, over that towards the plane before the first one; "
      "0 before the end of a contact",
      [](const O& o) { return o.contact.restitution; }},
+    {"orbital", &Quantities::orbit, "mass*length^2/time^2",
+     "kinetic energy of the orbit about the common centre of mass, if the scene has a companion, as the columns after "
+     "it",
+     [](const O& o) { return o.orbit.kinetic; }},
+    {"interaction", &Quantities::orbit, "mass*length^2/time^2",
+     "energy of the gravity between body and companions, to degree 2 in the size of the body",
+     [](const O& o) { return o.orbit.interaction; }},
+    {"companion", &Quantities::orbit, "length", "position of the companion, relative to the centre of the body",
+     [](const O& o) { return o.orbit.position; }},
+    {"companion_velocity", &Quantities::orbit, "length/time", "its velocity, relative to the centre of the body",
+     [](const O& o) { return o.orbit.velocity; }},
+    {"semi_major_axis", &Quantities::orbit, "length",
+     "of the Kepler orbit of point masses with this position and velocity; negative for a hyperbola",
+     [](const O& o) { return o.orbit.semi_major_axis; }},
+    {"eccentricity", &Quantities::orbit, "", "of this Kepler orbit", [](const O& o) { return o.orbit.eccentricity; }},
+    {"lag", &Quantities::orbit, "",
+     "angle in the orbital plane from the companion to the long axis of the second moment, in radians; positive if the "
+     "bulge is ahead of the companion",
+     [](const O& o) { return o.orbit.lag; }},
+    {"torque", &Quantities::orbit, "mass*length^2/time^2", "torque of the companions on the body about its centre",
+     [](const O& o) { return o.orbit.torque; }},
+    {"spin", &Quantities::orbit, "1/time", "angular velocity of a rigid body with the same J and second moment",
+     [](const O& o) { return o.orbit.spin; }},
+    {"total_J", &Quantities::orbit, "mass*length^2/time", "angular momentum of body and orbit",
+     [](const O& o) { return o.orbit.total_momentum; }},
+    {"second_companion", &Quantities::second_orbit, "length",
+     "position of the second companion, relative to the centre of the body",
+     [](const O& o) { return o.orbit.second_position; }},
+    {"second_companion_velocity", &Quantities::second_orbit, "length/time", "its velocity",
+     [](const O& o) { return o.orbit.second_velocity; }},
 };
 
 /// Observables of the pseudo-rigid body only.

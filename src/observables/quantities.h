@@ -17,6 +17,8 @@ struct Quantities {
   bool volumetric = false;
   /// A group without a word in parameter files, which is written if the scene has rigid planes.
   bool contact = false;
+  /// Groups without a word in parameter files, which are written if the scene has a first and a second companion.
+  bool orbit = false, second_orbit = false;
 };
 
 struct QuantityGroup {
@@ -43,8 +45,8 @@ inline constexpr QuantityGroup quantity_groups[] = {
     {"stretches", &Quantities::stretches,
      "the principal stretches of the mean deformation, and of a body that bends the largest and the least anywhere"},
 };
-static_assert(sizeof(Quantities) == std::size(quantity_groups) + 2,
-              "every group but `volumetric` and `contact` has one line of quantity_groups");
+static_assert(sizeof(Quantities) == std::size(quantity_groups) + 4,
+              "every group but `volumetric`, `contact`, `orbit` and `second_orbit` has one line of quantity_groups");
 
 /// Number of groups that are true by default.
 inline constexpr std::size_t n_default_groups = [] {

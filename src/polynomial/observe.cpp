@@ -5,6 +5,7 @@
 
 #include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/principal_axes.h"
+#include "observables/orbit.h"
 #include "observables/whole_body.h"
 #include "polynomial/dense_kernels.h"
 #include "polynomial/scratch.h"
@@ -87,6 +88,9 @@ void observe_motion(const PolynomialBody& body, const BodyState& state, const me
   o.volume_ratio = sums.volume / space.volume();
   if (request.energies) observe_energies(body, state, o);
   o.contact.take(body.contact(state.q));
+  if (request.orbit)
+    o.orbit = mechanics::observe_orbit(body.orbit(), body.companions(state.q), body.companions(state.v),
+                                       space.moment(x, x), mechanics::axial_vector(space.moment(x, u)));
   if (request.momenta) {
     o.angular_momentum = mechanics::axial_vector(space.moment(x, u));
     o.circulation = mechanics::axial_vector(sums.X_pulled_back);

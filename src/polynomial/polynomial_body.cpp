@@ -29,7 +29,8 @@ std::vector<int> free_turns(const std::array<bool, 3>& reflect) {
 }
 
 bool depends_on_direction(const loads::Forcing& f) {
-  return !f.quadratic.isZero(0) || !f.nominal_traction.isZero(0) || !f.acceleration.isZero(0) || !f.planes.empty();
+  return !f.quadratic.isZero(0) || !f.nominal_traction.isZero(0) || !f.acceleration.isZero(0) || !f.planes.empty() ||
+         !f.companions.empty();
 }
 
 double sum_of_products(const std::vector<double>& w, const double* y, int n) {
@@ -53,6 +54,8 @@ PolynomialBody::PolynomialBody(const BodySetup& s)
   if (!constant_.planes.empty())
     contact_ =
         std::make_shared<BodyContact>(constant_.planes, space_, s.n_contact_points.value_or(BodyContact::usual_points));
+  if (!constant_.companions.empty())
+    orbit_ = mechanics::Orbit(constant_.companions, constant_.gravity_constant, space_->volume());
 }
 
 PolynomialBody::Vector PolynomialBody::affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const {
@@ -89,6 +92,7 @@ mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const
     contact_->add_force(q, f);
     taken += contact_->add_damping(q, v, f);
   }
+  if (orbit_.n() > 0) add_companions(q, f);
   if (n_accounts() == 0) return {};
   const int n_unknowns = space_->n_unknowns();
   f.head(n_unknowns) -= constant_.drag * v.head(n_unknowns);
@@ -114,6 +118,24 @@ void PolynomialBody::add_loads(const loads::Forcing& forcing, const Vector& q, V
         if (const int at_i = space.place(i, a), at_j = space.place(j, a); at_i >= 0 && at_j >= 0)
           f[at_i] -= forcing.quadratic(i, j) * q[at_j];
     }
+}
+
+Eigen::Matrix3d PolynomialBody::second_moment(const Vector& q) const {
+  const auto x = q.head(space_->n_unknowns());
+  const Eigen::Vector3d center = space_->mean(x);
+  return space_->moment(x, x) - space_->volume() * center * center.transpose();
+}
+
+/// Adds the forces of the companions on the body, which have no resultant, and the forces on the companions.
+void PolynomialBody::add_companions(const Vector& q, Vector& f) const {
+  const mechanics::Orbit::Columns s = companions(q);
+  loads::Forcing tide;
+  tide.quadratic = orbit_.tide(s);
+  Vector about_center = q;
+  for (int i = 0; i < 3; ++i)
+    if (const int at = space_->place(i, 0); at >= 0) about_center[at] = 0;
+  add_loads(tide, about_center, f);
+  set_companions(orbit_.force(second_moment(q), s), f);
 }
 
 double PolynomialBody::external_energy(const loads::Forcing& forcing, const Vector& q, const double* F) const {
@@ -163,6 +185,7 @@ PotentialEnergies PolynomialBody::potential_energies(double t, const Vector& q) 
   V.external = external_energy(constant_, q, F);
   if (driven_) V.external += external_energy(loads::driving(loads_, t), q, F);
   if (contact_) V.contact = contact_->energy(q);
+  if (orbit_.n() > 0) V.interaction = orbit_.energy(second_moment(q), companions(q));
   return V;
 }
 

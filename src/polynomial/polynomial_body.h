@@ -14,10 +14,11 @@
 ///   nominal traction         V = −P̄:∫F                  pressure                 V = p ∫J
 ///   viscosity                −∫2ηJ d F⁻ᵀ:∇φ             drag                     −c q̇
 ///   rigid planes             body_contact.h
+///   companions               the quadratic potential T about the centre of mass (mechanics/core/orbit.h)
 ///
 /// With dissipation or loads that depend on time, the body has two further coordinates s and s'. Their accelerations s̈
 /// and s̈' are the dissipated power and the power that loads give by their change in time. Therefore the velocities ṡ
-/// and ṡ' are the dissipated and the given energy.
+/// and ṡ' are the dissipated and the given energy. The coordinates of companions are the last ones.
 ///
 /// All integrals are over the whole body, in internal units.
 
@@ -30,6 +31,7 @@
 #include "loads/list.h"
 #include "materials/law_table.h"
 #include "mechanics/core/constrained_system.h"
+#include "mechanics/core/orbit.h"
 #include "polynomial/body_contact.h"
 #include "polynomial/body_gravity.h"
 #include "polynomial/polynomial_space.h"
@@ -53,8 +55,8 @@ struct BodySetup {
 
 struct PotentialEnergies {
   double elastic = 0;  ///< stored energy, including the volumetric part
-  double volumetric = 0, gravitational = 0, external = 0, contact = 0;
-  double total() const { return elastic + gravitational + external + contact; }
+  double volumetric = 0, gravitational = 0, external = 0, contact = 0, interaction = 0;
+  double total() const { return elastic + gravitational + external + contact + interaction; }
 };
 
 class PolynomialBody {
@@ -69,7 +71,7 @@ class PolynomialBody {
   bool time_dependent() const { return driven_; }
   bool velocity_dependent() const { return constant_.dissipative(); }
   bool dissipative() const { return constant_.dissipative(); }
-  Vector make_vector() const { return Vector::Zero(space_->n_unknowns() + n_accounts()); }
+  Vector make_vector() const { return Vector::Zero(first_of_orbit() + 3 * orbit_.n()); }
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.head(space_->n_unknowns()).squaredNorm(); }
   /// The total potential energy at t = 0. It is infinite if q is not an admissible deformation.
@@ -98,6 +100,16 @@ class PolynomialBody {
 
   /// Coefficients of x = c + A X, or of a velocity of this form.
   Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
+  const mechanics::Orbit& orbit() const { return orbit_; }
+  /// The coordinates of the companions in a vector.
+  mechanics::Orbit::Columns companions(const Vector& q) const {
+    return Eigen::Map<const Eigen::Matrix3Xd>(q.data() + first_of_orbit(), 3, orbit_.n());
+  }
+  void set_companions(const mechanics::Orbit::Columns& s, Vector& q) const {
+    Eigen::Map<Eigen::Matrix3Xd>(q.data() + first_of_orbit(), 3, orbit_.n()) = s;
+  }
+  /// ∫ρ(x − x_c)(x − x_c)ᵀ with the centre of mass x_c.
+  Eigen::Matrix3d second_moment(const Vector& q) const;
   void add_taken(double energy, Vector& v) const { v[space_->n_unknowns()] += energy; }
   double dissipated(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns()] : 0; }
   double given(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns() + 1] : 0; }
@@ -120,6 +132,8 @@ class PolynomialBody {
 
  private:
   int n_accounts() const { return driven_ || constant_.dissipative() ? 2 : 0; }
+  int first_of_orbit() const { return space_->n_unknowns() + n_accounts(); }
+  void add_companions(const Vector& q, Vector& f) const;
   void add_loads(const loads::Forcing& forcing, const Vector& q, Vector& f) const;
   double external_energy(const loads::Forcing& forcing, const Vector& q, const double* F) const;
   double add_dissipation(const Vector& v, const double* F, double* T) const;
@@ -133,6 +147,7 @@ class PolynomialBody {
   std::vector<int> turns_;   ///< axes of the symmetries
   std::shared_ptr<const BodyGravity> gravity_;
   std::shared_ptr<const BodyContact> contact_;  ///< null without planes
+  mechanics::Orbit orbit_;
 };
 
 }  // namespace pseudorigid::polynomial

@@ -11,7 +11,7 @@
 
 #include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/principal_axes.h"
-#include "observables/body_observables.h"
+#include "observables/orbit.h"
 #include "reduced/bipolar.h"
 #include "reduced/local_path.h"
 #include "reduced/pseudo_rigid_body.h"
@@ -45,6 +45,11 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
   if (request.momenta) {
     o.angular_momentum = mechanics::axial_vector(Q * body.E0() * Qdot.transpose());
     o.circulation = mechanics::axial_vector(body.E0() * Qdot.transpose() * Q);
+  }
+  if constexpr (requires { system.orbit(); }) {
+    const Eigen::Matrix3d QE0 = Q * body.E0();
+    o.orbit = mechanics::observe_orbit(system.orbit(), system.companions(state.q), system.companions(state.v),
+                                       QE0 * Q.transpose(), mechanics::axial_vector(QE0 * Qdot.transpose()));
   }
   if (request.axes) o.semi_axes = mechanics::singular_values(Q * body.reference().shape);
   o.over_points = mechanics::observe_over_points(request, [&](const auto& value) { return value(Q); });

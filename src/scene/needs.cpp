@@ -194,6 +194,10 @@ Needs needs(const Scene& scene) {
   needs.graphics = scene.output.graphics != Graphics::none;
   needs.quantities = scene.output.quantities;
   needs.contact = loads::present(scene.loads.get<loads::RigidPlanes>());
+  const auto n_companions = scene.loads.get<loads::CompanionMasses>().masses.size();
+  needs.orbit = n_companions > 0;
+  needs.quantities.orbit = needs.orbit && scene.analysis == Analysis::motion;
+  needs.quantities.second_orbit = needs.quantities.orbit && n_companions > 1;
   needs.quantities.contact = needs.contact && scene.analysis == Analysis::motion;
   const bool nonaffine = std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine);
   needs.quantities.nonaffine = needs.quantities.nonaffine && nonaffine;

@@ -22,6 +22,7 @@ struct Needs {
   bool companion = false;         ///< whether a companion run estimates the error in space of the last model
   bool quadrature_error = false;  ///< whether the error of Q by the quadrature of polynomial bodies is estimated
   bool contact = false;           ///< whether the body may touch rigid planes
+  bool orbit = false;             ///< whether the body has companions
   bool surface_watch = false;     ///< whether the surface of the finite-element model is checked for Biot's limit
   bool graphics = false;          ///< whether files for ParaView are written
   bool report = false;            ///< whether report.html is written

@@ -16,6 +16,7 @@
 #include "entries/units.h"
 #include "scene/advice.h"
 #include "scene/analyses_of_ball.h"
+#include "scene/companions.h"
 #include "scene/contact.h"
 #include "scene/entries.h"
 #include "scene/initial_state.h"
@@ -73,6 +74,7 @@ class Validator {
     check_output();
     if (const auto refusal = refuses_initial_state(scene_)) refuse(*refusal);
     if (const auto refusal = refuses_planes(scene_)) refuse(*refusal);
+    if (const auto refusal = refuses_companions(scene_)) refuse(*refusal);
     if (scene_.body.incompressible)
       if (const auto refusal = make_isochoric(scene_)) refuse(*refusal);
     check_models();

@@ -84,7 +84,7 @@ class RefusedLinearSweeps(RefusedInputTest):
         self.refused_entries({**LOVE, "Analysis": "equilibrium", "Models": "reduced", "Polynomial/Degree": 3}, "Analysis", "sweep")
         self.refused_entries({**LOVE, "Sweep/Parameters": "reduced_h_2: 1, 2", "Gravity/Gamma": "$(reduced_h_2)"}, "Sweep/Parameters", "names")
         self.refused_entries({**MODES, "Material/Shear modulus": 1, "Modes/Number": "$(n)", "Sweep/Parameters": "n: 3, 4"}, "Sweep/Parameters", "columns")
-        self.refused_entries({**LOVE, "Gravity/Gamma": 1, "Love numbers/Degrees": "2, $(n)", "Sweep/Parameters": "n: 3, 4"},
+        self.refused_entries({**LOVE, "Gravity/Gamma": 1, "Continuum/Degree": 4, "Love numbers/Degrees": "2, $(n)", "Sweep/Parameters": "n: 3, 4"},
                              "Sweep/Parameters", "columns")
 
 

@@ -28,6 +28,8 @@ std::optional<scene::Refusal> refuses_body(const scene::Scene& scene) {
       return refuses_method(scene, system_of<ReducedForm::dissipative, incompressible>(s));
     case ReducedForm::touching:
       return refuses_method(scene, system_of<ReducedForm::touching, incompressible>(s));
+    case ReducedForm::orbiting:
+      return refuses_method(scene, system_of<ReducedForm::orbiting, incompressible>(s));
   }
   return {};
 }

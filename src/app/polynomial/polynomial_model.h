@@ -40,7 +40,8 @@ class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces>
 
   const System& system() const override { return body_; }
   Eigen::Vector2d energies(const State& state) const override {
-    return {body_.kinetic_energy(state.v), body_.potential_energies(state.t, state.q).total()};
+    const double of_orbit = 0.5 * body_.companions(state.v).squaredNorm();
+    return {body_.kinetic_energy(state.v) + of_orbit, body_.potential_energies(state.t, state.q).total()};
   }
   std::string place_of_least_jacobian(const State& state) const override {
     return "least " + body_.least_jacobian_in_words(state.q);

@@ -9,6 +9,7 @@
 #include "app/reduced/reduced_scene.h"
 #include "app/run/contact_watch.h"
 #include "app/run/flight.h"
+#include "app/run/orbit_of_run.h"
 #include "app/run/picture.h"
 #include "app/run/run_context.h"
 #include "app/run/runnable_model.h"
@@ -40,7 +41,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
         drag_on_center_(scene.dissipation.drag != 0),
         center_is_driven_(loads::depend_on_time(scene.loads)),
         law_(scene.law),
-        start_(start_of<System>(scene)),
+        start_(start_of(system_, scene)),
         context_(context),
         trajectory_(context.needs.quantities, context.units),
         request_(trajectory_.request()),
@@ -50,10 +51,13 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
 
   const System& system() const override { return system_; }
   State initial_state() const override { return start_; }
-  /// The matrix Q. If the scene has contact planes, the centre of mass is a fourth column.
+  /// The matrix Q. If the scene has contact planes, the centre of mass is a fourth column. If it has companions, their
+  /// coordinates follow, in units of the initial distances.
   Eigen::MatrixXd configuration(const State& state) const override {
     if constexpr (on_planes)
       return state.q.template leftCols<4>();
+    else if constexpr (has_orbit)
+      return with_companions(Q_of(state), system_.orbit(), system_.companions(state.q));
     else
       return Q_of(state);
   }
@@ -101,8 +105,13 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   /// tolerance of Q, the exact motion may have collapsed already, and the function fails.
   mechanics::Status judge(const State& state) override {
     if constexpr (on_planes) contacts_.look(state.t, system_.contact(state.q), System::center(state.v));
-    if constexpr (!mechanics::unconstrained<System>) return {};
     const Eigen::Matrix3d Q = Q_of(state);
+    if constexpr (has_orbit)
+      if (auto status =
+              meets_companion(system_.orbit(), Q * system_.body().E0() * Q.transpose(), system_.companions(state.q));
+          !status)
+        return status;
+    if constexpr (!mechanics::unconstrained<System>) return {};
     const double tolerance = context_.scene.time.tolerance;
     // Because det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2, the least singular value σ₃ is at least 2 det Q/|Q|². In most steps,
     // this bound suffices.
@@ -160,6 +169,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
  private:
   /// True if the centre of mass is a part of the state.
   static constexpr bool on_planes = requires(const System& s, const State& state) { s.contact(state.q); };
+  static constexpr bool has_orbit = requires(const System& s) { s.orbit(); };
 
   Eigen::Matrix3d Q_of(const State& state) const { return system_.motion(state).q; }
   reduced::CenterOfMass::Motion center_at(const State& state) {

@@ -38,6 +38,7 @@ ReducedScene reduced_scene(const scene::Scene& scene) {
 
 ReducedForm form_of(const ReducedScene& s) {
   if (!s.forcing.planes.empty()) return ReducedForm::touching;
+  if (!s.forcing.companions.empty()) return ReducedForm::orbiting;
   if (s.dissipation.present() || loads::depend_on_time(s.loads)) return ReducedForm::dissipative;
   if (s.keeps_diagonal) return ReducedForm::diagonal;
   const bool plain = s.forcing.gravity_constant == 0 && !reduced::ExternalPotential(s.forcing).present();

@@ -9,6 +9,7 @@
 #include "reduced/center_of_mass.h"
 #include "reduced/diagonal_body.h"
 #include "reduced/dissipative_body.h"
+#include "reduced/orbiting_body.h"
 #include "reduced/potential.h"
 #include "reduced/pseudo_rigid_body.h"
 #include "scene/scene.h"
@@ -34,7 +35,8 @@ enum class ReducedForm {
   general,      ///< any law, self-gravity, and loads with a potential
   diagonal,     ///< Q stays diagonal, three unknowns; loads as for `general`
   dissipative,  ///< viscosity, drag or loads that depend on time, and the energy of these forces
-  touching      ///< rigid planes, which couple the centre of mass to Q; any other loads
+  touching,     ///< rigid planes, which couple the centre of mass to Q; any other loads
+  orbiting      ///< companions in orbit; viscosity and loads with a potential
 };
 
 template <bool incompressible>
@@ -65,14 +67,19 @@ auto system_of(const ReducedScene& s) {
     return reduced::DiagonalBody<Body>(general_body<incompressible>(s));
   else if constexpr (form == ReducedForm::dissipative)
     return reduced::DissipativeBody<Body>(general_body<incompressible>(s), s.dissipation, s.loads);
-  else
+  else if constexpr (form == ReducedForm::touching)
     return reduced::BodyOnPlanes<Body>(general_body<incompressible>(s), s.loads);
+  else
+    return reduced::OrbitingBody(system_of<ReducedForm::dissipative, incompressible>(s),
+                                 mechanics::Orbit(s.forcing.companions, s.forcing.gravity_constant, s.body.mass));
 }
 
 /// The initial state in the coordinates of the system of a form.
 template <class System>
-mechanics::State<System> start_of(const ReducedScene& s) {
-  if constexpr (requires { System::state_of(s.start, s.center.position, s.center.velocity); })
+mechanics::State<System> start_of(const System& system, const ReducedScene& s) {
+  if constexpr (requires { system.start(s.start); })
+    return system.start(s.start);
+  else if constexpr (requires { System::state_of(s.start, s.center.position, s.center.velocity); })
     return System::state_of(s.start, s.center.position, s.center.velocity);
   else if constexpr (requires { System::state_of(s.start); })
     return System::state_of(s.start);

@@ -24,6 +24,8 @@ ModelOutcome run_reduced(const RunContext& context) {
       return run_reduced_form<ReducedForm::dissipative>(scene, context);
     case ReducedForm::touching:
       return run_reduced_form<ReducedForm::touching>(scene, context);
+    case ReducedForm::orbiting:
+      return run_reduced_form<ReducedForm::orbiting>(scene, context);
   }
   return {};
 }

@@ -15,6 +15,7 @@
 #include "app/run/deformation_trace.h"
 #include "app/run/flight.h"
 #include "app/run/nonaffine_watch.h"
+#include "app/run/orbit_of_run.h"
 #include "app/run/runnable_model.h"
 #include "app/run/scene_to_model.h"
 #include "app/run/tension_watch.h"
@@ -40,8 +41,13 @@ class FieldModel : public RunnableModelOf<S> {
   State initial_state() const final {
     const scene::Scene& scene = context_.scene;
     const io::Units& units = context_.units;
-    return {0, affine(initial_deformation(scene), initial_center(scene, units)),
-            affine(initial_velocity(scene, units), initial_center_velocity(scene, units))};
+    State state{0, affine(initial_deformation(scene), initial_center(scene, units)),
+                affine(initial_velocity(scene, units), initial_center_velocity(scene, units))};
+    if (context_.needs.orbit) {
+      this->system().set_companions(this->system().orbit().position(), state.q);
+      this->system().set_companions(this->system().orbit().velocity(), state.v);
+    }
+    return state;
   }
   double constraint_scale() const final {
     if constexpr (mechanics::unconstrained<S>)
@@ -50,7 +56,10 @@ class FieldModel : public RunnableModelOf<S> {
       return this->system().multiplier_scale();
   }
   /// The matrix Q of the affine part of the positions. If the scene has contact, the centre of mass is a fourth column.
+  /// If it has companions, their coordinates follow, in units of the initial distances.
   Eigen::MatrixXd configuration(const State& state) const final {
+    if (context_.needs.orbit)
+      return with_companions(affine_part(state.q), this->system().orbit(), this->system().companions(state.q));
     if (!context_.needs.contact) return affine_part(state.q);
     Eigen::MatrixXd configuration(3, 4);
     configuration << affine_part(state.q), mean(state.q);
@@ -70,8 +79,10 @@ class FieldModel : public RunnableModelOf<S> {
     return mechanics::affine_rate(affine_part(state.q), affine_part(state.v));
   }
   State at_rest(const State& state) const final {
-    return {state.t, affine(Eigen::Matrix3d::Identity(), mean(state.q)),
-            affine(Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero())};
+    State rest{state.t, affine(Eigen::Matrix3d::Identity(), mean(state.q)),
+               affine(Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero())};
+    if (context_.needs.orbit) this->system().set_companions(this->system().companions(state.q), rest.q);
+    return rest;
   }
   double least_jacobian(const State& state) const final { return least_jacobian_at(state.q); }
   bool keeps_volume(const State& state, double h) const final {
@@ -124,8 +135,11 @@ class FieldModel : public RunnableModelOf<S> {
     take_own_remarks(remarks.subspan<3, 3>());
     if (context_.needs.contact) contacts_.take_numbers(remarks.subspan<6, ContactWatch::n_numbers>());
   }
-  /// Records the contact at the end of a step, and never fails. Collective.
+  /// Records the contact at the end of a step. Fails if a companion has come to the body. Collective.
   mechanics::Status judge(const State& state) final {
+    if (context_.needs.orbit)
+      return meets_companion(this->system().orbit(), this->system().second_moment(state.q),
+                             this->system().companions(state.q));
     if (context_.needs.contact) contacts_.look(state.t, this->system().contact(state.q), mean(state.v));
     return {};
   }

@@ -17,7 +17,8 @@ BallBody::BallBody(const Sector& sector, int degree, int n_refinements, const St
 
 BallBody::BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads,
                    std::optional<int> n_points, std::optional<int> contact_points)
-    : space_(std::move(mesh), degree, loads::depend_on_time(loads) || loads::constant_forcing(loads).dissipative()),
+    : space_(std::move(mesh), degree, loads::depend_on_time(loads) || loads::constant_forcing(loads).dissipative(),
+             static_cast<unsigned int>(loads::constant_forcing(loads).companions.size())),
       limit_(materials::limit_of(stored.law)),
       is_fluid_(std::holds_alternative<materials::Fluid>(stored.law)),
       kernels_(make_cell_kernels(space_, stored)),
@@ -27,6 +28,8 @@ BallBody::BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const 
     gravity_.emplace(G, space_, n_points.value_or(n_gravity_points(space_, is_fluid_)));
   if (const auto planes = loads::constant_forcing(loads).planes; !planes.empty())
     contact_.emplace(planes, space_, contact_points.value_or(n_contact_points(space_)));
+  if (const auto forcing = loads::constant_forcing(loads); !forcing.companions.empty())
+    orbit_ = mechanics::Orbit(forcing.companions, forcing.gravity_constant, mass());
   E0_ = nodal_moment(space_.reference_positions(), space_.reference_positions());
 }
 
@@ -66,6 +69,7 @@ mechanics::Status BallBody::complete_force(double t, const Vector& x, const Vect
   if (auto status = judge(least, x); !status) return status;
   loads_.add(t, x, v, f);
   if (gravity_) gravity_->add(x, f);
+  if (orbit_.n() > 0) add_companions(x, f);
   if (!contact_) return {};
   if (held_at) {
     contact_->add_holding(x, *held_at, f);
@@ -92,7 +96,7 @@ Vector BallBody::affine_field(const Eigen::Matrix3d& A, const Eigen::Vector3d& c
   const Vector& X = space_.reference_positions();
   Vector x = make_vector();
   for (unsigned int i = 0; i < x.locally_owned_size(); i += 3) {
-    if (space_.account() == i) continue;
+    if (i >= 3 * space_.n_nodes()) break;
     for (int r = 0; r < 3; ++r) {
       x.local_element(i + r) = c[r];
       for (int j = 0; j < 3; ++j) x.local_element(i + r) += A(r, j) * X.local_element(i + j);
@@ -126,6 +130,41 @@ double BallBody::given(const Vector& v) const { return account_entry(v, 1); }
 double BallBody::account_entry(const Vector& v, unsigned int component) const {
   const auto entry = space_.account();
   return sum_over_ranks(entry ? v.local_element(*entry + component) : 0, space_.communicator());
+}
+
+mechanics::Orbit::Columns BallBody::companions(const Vector& x) const {
+  mechanics::Orbit::Columns s = mechanics::Orbit::Columns::Zero(3, orbit_.n());
+  const auto first = space_.companions();
+  for (int k = 0; k < orbit_.n(); ++k) {
+    for (int c = 0; first && c < 3; ++c) s(c, k) = x.local_element(*first + 3 * k + c);
+    s.col(k) = sum_over_ranks(Eigen::Vector3d(s.col(k)), space_.communicator());
+  }
+  return s;
+}
+
+void BallBody::set_companions(const mechanics::Orbit::Columns& s, Vector& x) const {
+  if (const auto first = space_.companions())
+    for (Eigen::Index i = 0; i < s.size(); ++i) x.local_element(*first + static_cast<unsigned int>(i)) = s(i);
+}
+
+Eigen::Matrix3d BallBody::second_moment(const Vector& x) const {
+  const Eigen::Vector3d center = mean(x);
+  return nodal_moment(x, x) - mass() * center * center.transpose();
+}
+
+/// Adds the forces of the companions on the ball, which have no resultant, and sets the forces on the companions.
+void BallBody::add_companions(const Vector& x, Vector& f) const {
+  const mechanics::Orbit::Columns s = companions(x);
+  const Eigen::Matrix3d T = orbit_.tide(s);
+  const Eigen::Vector3d at_center = T * mean(x);
+  const Vector& mass = space_.mass();
+  for (unsigned int i = 0; i < 3 * space_.n_nodes(); i += 3)
+    for (int r = 0; r < 3; ++r) {
+      double acceleration = at_center[r];
+      for (int c = 0; c < 3; ++c) acceleration -= T(r, c) * x.local_element(i + c);
+      f.local_element(i + r) += mass.local_element(i) * acceleration;
+    }
+  set_companions(orbit_.force(second_moment(x), s), f);
 }
 
 Eigen::Matrix3d BallBody::nodal_moment(const Vector& a, const Vector& b) const {

@@ -11,8 +11,9 @@
 ///   s̈ = dissipated power,   s̈' = power that loads give by their change in time.
 ///
 /// Therefore ṡ and ṡ' are the dissipated and the given energy, and every method integrates these energies with its own
-/// order. All quantities are in internal units. The system is the computed sector, and the observables are for the
-/// whole ball.
+/// order. Companions in orbit (mechanics/core/orbit.h) are further nodes. Their tide acts on the nodes by the forces
+/// −m_n T (x_n − x_c), with the centre of mass x_c. All quantities are in internal units. The system is the computed
+/// sector, and the observables are for the whole ball.
 
 #include <Eigen/Core>
 #include <functional>
@@ -28,6 +29,7 @@
 #include "continuum/mesh/ball_space.h"
 #include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/constrained_system.h"
+#include "mechanics/core/orbit.h"
 
 namespace pseudorigid::continuum {
 
@@ -81,6 +83,13 @@ class BallBody {
   double dissipated(const Vector& v) const;
   double given(const Vector& v) const;
 
+  const mechanics::Orbit& orbit() const { return orbit_; }
+  /// The coordinates of the companions in a vector. Collective.
+  mechanics::Orbit::Columns companions(const Vector& x) const;
+  void set_companions(const mechanics::Orbit::Columns& s, Vector& x) const;
+  /// Σ m_n (x_n − x_c)(x_n − x_c)ᵀ over the nodes of the whole ball. Collective.
+  Eigen::Matrix3d second_moment(const Vector& x) const;
+
   /// The contact of the whole ball with rigid planes at the position x. Without planes, the force is 0 and the height
   /// is infinite. Collective.
   loads::Contact contact(const Vector& x) const { return contact_ ? contact_->contact(x) : loads::Contact{}; }
@@ -128,6 +137,7 @@ class BallBody {
 
  private:
   double account_entry(const Vector& v, unsigned int component) const;
+  void add_companions(const Vector& x, Vector& f) const;
   LeastPlace of_all_ranks(LeastPlace of_this_one) const;
 
   BallSpace space_;
@@ -137,6 +147,7 @@ class BallBody {
   LoadForces loads_;
   std::optional<SurfaceGravityForces> gravity_;
   std::optional<ContactForces> contact_;  ///< empty without planes
+  mechanics::Orbit orbit_;
   Eigen::Matrix3d E0_;
   double volume_;
 };

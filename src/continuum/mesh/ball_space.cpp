@@ -12,7 +12,7 @@ namespace pseudorigid::continuum {
 namespace {
 
 /// Index set of the 3 components of every node in `nodes`. `n_nodes` is the number of nodes on all ranks, including the
-/// additional node if there is one.
+/// additional nodes.
 dealii::IndexSet components_of(const dealii::IndexSet& nodes, unsigned int n_nodes) {
   dealii::IndexSet result(3 * n_nodes);
   for (auto interval = nodes.begin_intervals(); interval != nodes.end_intervals(); ++interval)
@@ -34,8 +34,8 @@ double derivative(const ReferenceCell& ref, const Value& value, const std::array
 
 }  // namespace
 
-BallSpace::BallSpace(BallMesh mesh, int degree, bool with_account)
-    : mesh_(std::move(mesh)), degree_(degree), reference_(degree), element_(degree) {
+BallSpace::BallSpace(BallMesh mesh, int degree, bool with_account, unsigned int n_companions)
+    : mesh_(std::move(mesh)), degree_(degree), reference_(degree), element_(degree), n_companions_(n_companions) {
   number_nodes(with_account);
   number_multipliers();
   place_nodes();
@@ -46,11 +46,13 @@ void BallSpace::number_nodes(bool with_account) {
   dof_handler_ = std::make_unique<dealii::DoFHandler<3>>(mesh_.triangulation());
   dof_handler_->distribute_dofs(element_);
   const dealii::IndexSet on_own_cells = dealii::DoFTools::extract_locally_active_dofs(*dof_handler_);
-  const unsigned int n_all = n_global_nodes() + (with_account ? 1 : 0);
+  const unsigned int n_mesh = n_global_nodes(), n_all = n_mesh + (with_account ? 1 : 0) + n_companions_;
   dealii::IndexSet own = components_of(dof_handler_->locally_owned_dofs(), n_all);
-  if (with_account && dof_handler_->locally_owned_dofs().is_element(n_all - 2)) {
-    account_ = static_cast<unsigned int>(own.n_elements());
-    own.add_range(3 * (n_all - 1), 3 * n_all);
+  if (dof_handler_->locally_owned_dofs().is_element(n_mesh - 1) && n_all > n_mesh) {
+    const auto first = static_cast<unsigned int>(own.n_elements());
+    if (with_account) account_ = first;
+    if (n_companions_ > 0) companions_ = first + (with_account ? 3 : 0);
+    own.add_range(3 * n_mesh, 3 * n_all);
   }
   partitioner_ =
       std::make_shared<dealii::Utilities::MPI::Partitioner>(own, components_of(on_own_cells, n_all), communicator());
@@ -122,6 +124,8 @@ void BallSpace::lump_mass() {
   }
   if (account_)
     for (unsigned int c = 0; c < 2; ++c) inverse_mass_.local_element(*account_ + c) = 1;
+  if (companions_)
+    for (unsigned int c = 0; c < 3 * n_companions_; ++c) inverse_mass_.local_element(*companions_ + c) = 1;
   inverse_mass_.update_ghost_values();
 }
 

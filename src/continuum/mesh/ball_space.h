@@ -28,8 +28,9 @@ namespace pseudorigid::continuum {
 class BallSpace {
  public:
   /// `with_account` adds one node to the vectors that does not belong to the mesh. Two of its coordinates are for the
-  /// dissipated and the given energy (body/ball_body.h).
-  BallSpace(BallMesh mesh, int degree, bool with_account = false);
+  /// dissipated and the given energy (body/ball_body.h). `n_companions` nodes for point masses follow
+  /// (mechanics/core/orbit.h).
+  BallSpace(BallMesh mesh, int degree, bool with_account = false, unsigned int n_companions = 0);
 
   const BallMesh& mesh() const { return mesh_; }
   int degree() const { return degree_; }
@@ -38,7 +39,9 @@ class BallSpace {
   unsigned int n_cells() const { return static_cast<unsigned int>(cell_nodes_.size()); }
   std::size_t n_global_cells() const { return mesh_.triangulation().n_global_active_cells(); }
   unsigned int nodes_per_cell() const { return static_cast<unsigned int>(reference_.n * reference_.n * reference_.n); }
-  unsigned int n_nodes() const { return partitioner_->locally_owned_size() / 3 - (account_ ? 1 : 0); }
+  unsigned int n_nodes() const { return partitioner_->locally_owned_size() / 3 - n_additional(); }
+  /// Number of nodes of this rank that do not belong to the mesh. They follow the nodes of the mesh.
+  unsigned int n_additional() const { return (account_ ? 1 : 0) + (companions_ ? n_companions_ : 0); }
   std::size_t n_global_nodes() const { return dof_handler_->n_dofs(); }
   /// Dimension of P_{k−1}, the space of the multiplier in one cell.
   unsigned int n_pressure() const { return degree_ * (degree_ + 1) * (degree_ + 2) / 6; }
@@ -55,6 +58,9 @@ class BallSpace {
   /// coordinate, and if there is no additional node. The next index belongs to the coordinate of the given energy. The
   /// inverse masses of both are 1.
   std::optional<unsigned int> account() const { return account_; }
+  /// Local index of the first coordinate of the first companion. The other coordinates follow, and their masses are 1.
+  /// The result is empty on ranks that do not own these coordinates, and without companions.
+  std::optional<unsigned int> companions() const { return companions_; }
   Vector make_vector() const { return Vector(partitioner_); }
   Vector make_multiplier() const { return Vector(multiplier_partitioner_); }
 
@@ -70,7 +76,8 @@ class BallSpace {
   dealii::FE_Q<3> element_;
   std::unique_ptr<dealii::DoFHandler<3>> dof_handler_;
   std::vector<std::vector<unsigned int>> cell_nodes_;
-  std::optional<unsigned int> account_;
+  unsigned int n_companions_;
+  std::optional<unsigned int> account_, companions_;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_, multiplier_partitioner_;
   Vector X_, mass_, inverse_mass_;
 };

@@ -6,6 +6,7 @@
 #include "continuum/parallel/ranks.h"
 #include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/principal_axes.h"
+#include "observables/orbit.h"
 #include "observables/whole_body.h"
 
 namespace pseudorigid::continuum {
@@ -77,6 +78,9 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
     if (ball.time_dependent()) o.external -= ball.given(state.v);
     o.dissipated = ball.dissipated(state.v);
   }
+  if (request.orbit)
+    o.orbit = mechanics::observe_orbit(ball.orbit(), ball.companions(state.q), ball.companions(state.v),
+                                       ball.nodal_moment(x, x), mechanics::axial_vector(ball.nodal_moment(x, v)));
   if (request.momenta) {
     o.angular_momentum = mechanics::axial_vector(ball.nodal_moment(x, v));
     o.circulation = mechanics::axial_vector(ball.whole_ball(to_eigen(sums.X_pulled_back)));
@@ -116,10 +120,15 @@ mechanics::Status observe(const CompressibleBall& ball, const BallState& state, 
 
 Eigen::Vector2d energies(const BallBody& ball, const BallState& state) {
   mechanics::ContinuumObservables o;
-  const mechanics::ObservableRequest request{
-      {.state = false, .momenta = false, .multiplier = false, .axes = false, .nonaffine = false}};
+  const mechanics::ObservableRequest request{{.state = false,
+                                              .momenta = false,
+                                              .multiplier = false,
+                                              .axes = false,
+                                              .nonaffine = false,
+                                              .orbit = ball.orbit().n() > 0}};
   if (!observe_motion(ball, state, request, o)) return Eigen::Vector2d::Constant(NAN);
-  return {o.kinetic, o.energy() - o.kinetic};
+  const double kinetic = o.kinetic + o.orbit.kinetic;
+  return {kinetic, o.energy() - kinetic};
 }
 
 }  // namespace pseudorigid::continuum

@@ -1,0 +1,70 @@
+#pragma once
+/// Point masses in orbit about the body, which act on it by their tides and on which the body acts
+/// (mechanics/core/orbit.h).
+
+#include <algorithm>
+#include <optional>
+
+#include "loads/load.h"
+
+namespace pseudorigid::loads {
+
+struct CompanionMasses {
+  std::vector<double> masses, positions, velocities;  ///< m_i, and three numbers of r_i and ṙ_i for each companion
+
+  template <class Self, class Visit>
+  static void visit_entries(Self& self, Visit& visit) {
+    visit(
+        self.masses, scene::Rows{1, true},
+        scene::About{"Companions/Masses", "mass",
+                     "Masses of one or two companions, separated by ';'. A companion is a point mass that acts on the "
+                     "body by its gravity, to degree 2 in the size of the body, and on which the body acts in the same "
+                     "way. The constant of gravity is that of the body."});
+    visit(self.positions, scene::Rows{3, true},
+          scene::About{"Companions/Positions", "length",
+                       "Position of each companion at the start, relative to the centre of mass of the body, a row "
+                       "each. Initial state/Center and the columns x and v are the common centre of mass then."});
+    visit(
+        self.velocities, scene::Rows{3, true},
+        scene::About{"Companions/Velocities", "length/time",
+                     "Velocity of each companion at the start, relative to the centre of mass of the body, a row each. "
+                     "Without rows, each companion is on a circular orbit about the z axis, as one of point masses, "
+                     "about the centre of mass of the body and the companions before it."});
+  }
+
+  static constexpr std::string_view no_equilibria = "no body is looked for in equilibrium with a companion";
+  static constexpr bool has_static_equilibria = false;
+  static constexpr std::string_view skipped = "companions: Companions/Masses is empty; no orbit";
+  std::string needed(const BodyFacts&) const {
+    return "companions in orbit, and their tides: " + std::to_string(masses.size());
+  }
+  bool is_present() const { return !masses.empty(); }
+
+  /// The companions. Those without a position are omitted here; scene/companions.h rejects scenes with such companions.
+  Forcing forcing() const {
+    Forcing sum;
+    for (std::size_t i = 0; i < std::min(masses.size(), positions.size() / 3); ++i) {
+      mechanics::Companion companion{.mass = masses[i], .position = row(positions, i)};
+      if (3 * i + 2 < velocities.size()) companion.velocity = row(velocities, i);
+      sum.companions.push_back(companion);
+    }
+    return sum;
+  }
+
+  /// Returns a clause about the first companion that leaves the plane x_i = 0; empty if none does.
+  std::optional<std::string> breaks_plane(int i) const {
+    const mechanics::Companions list = forcing().companions;
+    for (std::size_t j = 0; j < list.size(); ++j) {
+      const bool moves_across = list[j].velocity ? (*list[j].velocity)[i] != 0 : i < 2;
+      if (list[j].position[i] != 0 || moves_across) return "companion " + std::to_string(j + 1) + " leaves this plane";
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static Eigen::Vector3d row(const std::vector<double>& numbers, std::size_t i) {
+    return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+  }
+};
+
+}  // namespace pseudorigid::loads

@@ -1,0 +1,181 @@
+#pragma once
+/// Point masses, the companions, that move under the gravity of the body and of each other. The body has the mass M,
+/// the centre of mass x_c and the second moment S = ∫ρ(x − x_c)(x − x_c)ᵀ. Companion i has the mass m_i and the
+/// position r_i relative to x_c. To second degree in the size of the body, the energy is
+///
+///   U = −Σ_i G m_i [M/|r_i| + (3 r̂_iᵀS r̂_i − tr S)/(2|r_i|³)] − Σ_{i<j} G m_i m_j/|r_i − r_j|.
+///
+/// On the body it acts as the quadratic potential ½(x − x_c)ᵀT(x − x_c) per mass,
+///
+///   T = Σ_i (G m_i/|r_i|³)(Id − 3 r̂_i r̂_iᵀ).
+///
+/// Jacobi's coordinates R_i separate the motion of the common centre of mass. R_i is the position of companion i
+/// relative to the centre of mass of the body and the companions before it. With M_i = M + m_1 + … + m_i,
+///
+///   r_i = R_i + Σ_{k<i} (m_k/M_k) R_k,   kinetic energy ½ Σ μ_k |Ṙ_k|²,   μ_k = m_k M_{k−1}/M_k.
+///
+/// The coordinates of the systems are s_k = √μ_k R_k, with unit mass. Uniform accelerations act on the common centre of
+/// mass alone. In a model with companions, the centre of mass of the model is therefore the common one, and the body is
+/// at the origin of the r_i.
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace pseudorigid::mechanics {
+
+struct Companion {
+  double mass = 0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< r_i at the start
+  std::optional<Eigen::Vector3d> velocity{};           ///< ṙ_i at the start; empty: a circular orbit about the z axis
+
+  bool operator==(const Companion& other) const {
+    return mass == other.mass && position == other.position && velocity == other.velocity;
+  }
+};
+
+/// A list of companions. The sum of two lists has the companions of both.
+struct Companions : std::vector<Companion> {
+  using std::vector<Companion>::vector;
+
+  Companions& operator+=(const Companions& others) {
+    insert(end(), others.begin(), others.end());
+    return *this;
+  }
+};
+
+class Orbit {
+ public:
+  static constexpr int most_companions = 2;
+  /// A column for each companion: s, or r, or their rates.
+  using Columns = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, most_companions>;
+
+  Orbit() = default;
+  Orbit(const Companions& companions, double gravity_constant, double mass)
+      : G_(gravity_constant), mass_(mass), n_(static_cast<int>(companions.size())) {
+    s_.resize(3, n_);
+    sdot_.resize(3, n_);
+    Columns R(3, n_), Rdot(3, n_);
+    double inner = mass;                                                                          // M_{k−1}
+    Eigen::Vector3d center = Eigen::Vector3d::Zero(), center_velocity = Eigen::Vector3d::Zero();  // of this mass
+    for (int k = 0; k < n_; ++k) {
+      const Companion& companion = companions[static_cast<std::size_t>(k)];
+      const double whole = inner + companion.mass, reduced = std::sqrt(companion.mass * (inner / whole));
+      masses_[k] = companion.mass;
+      R.col(k) = companion.position - center;
+      Rdot.col(k) = companion.velocity ? Eigen::Vector3d(*companion.velocity - center_velocity)
+                                       : circular_velocity(R.col(k), G_ * whole);
+      s_.col(k) = reduced * R.col(k);
+      sdot_.col(k) = reduced * Rdot.col(k);
+      for (int i = 0; i < n_; ++i) weights_[k][i] = i < k ? 0 : (i == k ? 1 : companion.mass / whole) / reduced;
+      center += companion.mass / whole * R.col(k);
+      center_velocity += companion.mass / whole * Rdot.col(k);
+      inner = whole;
+    }
+  }
+
+  int n() const { return n_; }
+  double body_mass() const { return mass_; }
+  /// The coordinates s_k and their rates at the start.
+  const Columns& position() const { return s_; }
+  const Columns& velocity() const { return sdot_; }
+  /// G(M + m_1), of the relative motion of the first companion.
+  double gravity_of_pair() const { return G_ * (mass_ + masses_[0]); }
+
+  /// The positions r_i for the coordinates s_k, or the velocities for their rates.
+  Columns relative(const Columns& s) const {
+    Columns r = Columns::Zero(3, n_);
+    for (int i = 0; i < n_; ++i)
+      for (int k = 0; k <= i; ++k) r.col(i) += weights_[k][i] * s.col(k);
+    return r;
+  }
+  Eigen::Matrix3d tide(const Columns& s) const {
+    const Columns r = relative(s);
+    Eigen::Matrix3d T = Eigen::Matrix3d::Zero();
+    for (int i = 0; i < n_; ++i) {
+      const double d = r.col(i).norm();
+      const Eigen::Vector3d u = r.col(i) / d;
+      T += G_ * masses_[i] / (d * d * d) * (Eigen::Matrix3d::Identity() - 3 * u * u.transpose());
+    }
+    return T;
+  }
+  /// U, for the second moment S.
+  double energy(const Eigen::Matrix3d& S, const Columns& s) const {
+    const Columns r = relative(s);
+    double sum = 0;
+    for (int i = 0; i < n_; ++i) {
+      const double d = r.col(i).norm();
+      const Eigen::Vector3d u = r.col(i) / d;
+      sum -= G_ * masses_[i] / d * (mass_ + (3 * u.dot(S * u) - S.trace()) / (2 * d * d));
+      for (int j = 0; j < i; ++j) sum -= G_ * masses_[i] * masses_[j] / (r.col(i) - r.col(j)).norm();
+    }
+    return sum;
+  }
+  /// −∂U/∂s_k
+  Columns force(const Eigen::Matrix3d& S, const Columns& s) const {
+    const Columns r = relative(s);
+    Columns on_r = Columns::Zero(3, n_);  // −∂U/∂r_i
+    for (int i = 0; i < n_; ++i) {
+      on_r.col(i) += attraction(i, S, r.col(i));
+      for (int j = 0; j < i; ++j) {
+        const Eigen::Vector3d apart = r.col(i) - r.col(j);
+        const double d = apart.norm();
+        const Eigen::Vector3d pull = G_ * masses_[i] * masses_[j] / (d * d * d) * apart;
+        on_r.col(i) -= pull;
+        on_r.col(j) += pull;
+      }
+    }
+    Columns f = Columns::Zero(3, n_);
+    for (int k = 0; k < n_; ++k)
+      for (int i = k; i < n_; ++i) f.col(k) += weights_[k][i] * on_r.col(i);
+    return f;
+  }
+  /// Whether a companion is nearer to the centre than the largest semi-axis of an ellipsoid with the second moment S.
+  bool is_inside(const Eigen::Matrix3d& S, const Columns& s) const {
+    if (n_ == 0) return false;
+    const double largest = std::sqrt(5 * S.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff() / mass_);
+    return relative(s).colwise().norm().minCoeff() <= largest;
+  }
+  /// The angular momentum Σ μ_k R_k × Ṙ_k.
+  static Eigen::Vector3d momentum(const Columns& s, const Columns& sdot) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (Eigen::Index k = 0; k < s.cols(); ++k) sum += cross(s.col(k), sdot.col(k));
+    return sum;
+  }
+  /// The torque of all companions on the body about its centre, −∫ρ x × T x with x relative to x_c.
+  Eigen::Vector3d torque(const Eigen::Matrix3d& S, const Columns& s) const {
+    const Columns r = relative(s);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int i = 0; i < n_; ++i) {
+      const double d = r.col(i).norm();
+      const Eigen::Vector3d u = r.col(i) / d;
+      sum -= 3 * G_ * masses_[i] / (d * d * d) * cross(u, S * u);
+    }
+    return sum;
+  }
+
+ private:
+  static Eigen::Vector3d cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+  static Eigen::Vector3d circular_velocity(const Eigen::Vector3d& R, double gravity) {
+    const Eigen::Vector3d along(-R[1], R[0], 0);
+    return std::sqrt(gravity / R.norm()) / along.norm() * along;
+  }
+  /// The attraction of companion i by the body.
+  Eigen::Vector3d attraction(int i, const Eigen::Matrix3d& S, const Eigen::Vector3d& r) const {
+    const double d = r.norm();
+    const Eigen::Vector3d u = r / d, Su = S * u;
+    return -G_ * masses_[i] / (d * d) * (mass_ * u + (1.5 / (d * d)) * ((5 * u.dot(Su) - S.trace()) * u - 2 * Su));
+  }
+
+  double G_ = 0, mass_ = 0;
+  int n_ = 0;
+  double masses_[most_companions] = {};
+  double weights_[most_companions][most_companions] = {};  ///< [k][i]: r_i = Σ_k weights_[k][i] s_k
+  Columns s_, sdot_;
+};
+
+}  // namespace pseudorigid::mechanics
