@@ -120,7 +120,8 @@ double energy_reference(std::initializer_list<const io::Table*> models, double u
   double of_motion = 0, others = 0;
   for (const io::Table* table : models) {
     of_motion = std::max(of_motion, largest(each(std::plus{}, table->column("kinetic"), table->column("elastic"))));
-    if (table->has_column("dissipated")) of_motion = std::max(of_motion, largest(table->column("dissipated")));
+    for (const char* name : {"dissipated", "orbital"})
+      if (table->has_column(name)) of_motion = std::max(of_motion, largest(table->column(name)));
     for (const char* name : {"gravitational", "external"})
       if (table->has_column(name)) others = std::max(others, largest(table->column(name)));
   }

@@ -61,11 +61,11 @@ struct Deformation {
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms,
                            bool loads_rise = false);
 
-/// Reference value for the energies of one or more models. Over all models, it is the larger of max_t (kinetic +
-/// elastic) and the largest dissipated energy, unless this value is round-off. The value is round-off if it is less
-/// than 1e-12 of the gravitational and external energies. It is also round-off if it is less than 1e-24 of the unit of
-/// energy `unit`. In these cases, the reference is the largest of the gravitational and external energies, or `unit` if
-/// these are zero.
+/// Reference value for the energies of one or more models. Over all models, it is the largest of max_t (kinetic +
+/// elastic), of the dissipated energy and of the kinetic energy of an orbit, unless this value is round-off. The value
+/// is round-off if it is less than 1e-12 of the gravitational and external energies. It is also round-off if it is less
+/// than 1e-24 of the unit of energy `unit`. In these cases, the reference is the largest of the gravitational and
+/// external energies, or `unit` if these are zero.
 double energy_reference(std::initializer_list<const io::Table*> models, double unit);
 
 /// Sets the drift of the energy relative to the reference value, its bound, and the first time beyond the bound. Let

@@ -32,7 +32,7 @@ std::optional<Refusal> refuses_loads(const Scene& scene) {
   const auto only = [](const char* path) {
     return Refusal{path, "it acts on the body alone and would change the orbit; it is not offered with companions"};
   };
-  if (loads::present(scene.loads.get<loads::Drag>())) return only("Loads/Drag");
+  if (loads::present(scene.loads.get<loads::Drag>())) return only("Material/Drag");
   if (loads::present(scene.loads.get<loads::RigidPlanes>())) return only("Loads/Plane normals");
   if (loads::present(scene.loads.get<loads::Tide>())) return only("Loads/Tidal matrix");
   if (loads::present(scene.loads.get<loads::PeriodicTide>())) return only("Loads/Tidal amplitude");
@@ -66,9 +66,9 @@ std::optional<Refusal> refuses_companions(const Scene& scene) {
       if (r == companions[j].position)
         return Refusal{positions_path, fmt::format("companions {} and {} are at one place", j + 1, i + 1)};
     if (!companions[i].velocity && r[0] == 0 && r[1] == 0)
-      return Refusal{velocities_path, fmt::format("companion {} is on the z axis, so its circular orbit about this "
-                                                  "axis is not defined; give velocities",
-                                                  i + 1)};
+      return Refusal{positions_path, fmt::format("companion {} is on the z axis, so its circular orbit about this "
+                                                 "axis is not defined; give {}",
+                                                 i + 1, velocities_path)};
   }
   return {};
 }

@@ -14,8 +14,9 @@ inline std::string_view owner_of(const Catalogue& catalogue, std::string_view pa
   const std::string_view section = path.substr(0, path.find('/'));
   for (const SystemDescription& system : catalogue.systems)
     if (section == system.section) return system.name;
-  for (const std::string_view of_ball : {"Models", "Body", "Material", "Gravity", "Loads", "Initial state",
-                                         "Equilibrium", "Modes", "Love numbers", "Polynomial", "Continuum"})
+  for (const std::string_view of_ball :
+       {"Models", "Body", "Material", "Gravity", "Loads", "Companions", "Initial state", "Equilibrium", "Modes",
+        "Love numbers", "Polynomial", "Continuum"})
     if (section == of_ball) return ball;
   for (const std::string_view of_ball :
        {"Output/Quantities", "Output/Graphics", "Output/Frames", "Output/Fields", "Output/Cells"})

@@ -124,6 +124,12 @@ Eigen::VectorXd numbers(const loads::Forcing& forcing) {
       for (const loads::Plane& plane : value)
         values.insert(values.end(), {plane.normal[0], plane.normal[1], plane.normal[2], plane.position, plane.stiffness,
                                      plane.damping});
+    else if constexpr (std::is_same_v<Value, mechanics::Companions>)
+      for (const mechanics::Companion& companion : value) {
+        values.push_back(companion.mass);
+        for (const Eigen::Vector3d& part : {companion.position, companion.velocity.value_or(Eigen::Vector3d::Zero())})
+          values.insert(values.end(), part.data(), part.data() + 3);
+      }
     else
       values.insert(values.end(), value.data(), value.data() + value.size());
   });
