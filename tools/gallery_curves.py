@@ -118,6 +118,20 @@ def tidal_passage(run, path):
 
 
 @picture
+def tidal_locking(run, path):
+    t = table(run("tidal_locking"), "reduced")
+    drawn, (left, right) = figure(1, 2, height=3.4)
+    r, v = ([t[f"companion{kind}{i}"] for i in (1, 2)] for kind in ("", "_velocity"))
+    left.plot(t["time"], t["spin3"], color=ORANGE, label="spin")
+    left.plot(t["time"], (r[0] * v[1] - r[1] * v[0]) / (r[0] ** 2 + r[1] ** 2), color=BLUE, label="orbit")
+    right.plot(t["time"], np.degrees(t["lag"]), color=ORANGE)
+    label_axes(left, TIME, "angular velocity")
+    label_axes(right, TIME, "bulge ahead of the companion (degrees)")
+    legend_above(left, 2)
+    save(drawn, path)
+
+
+@picture
 def bounce(run, path):
     """The ball rests on the floor at the height of 1."""
     directory = run("bounce", "Output/Graphics=none", "Output/Samples=600")

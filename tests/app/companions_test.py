@@ -119,6 +119,19 @@ class Companions(ProgramTest):
         self.run_done("run", "icy_moon.prm")
         self.assertAlmostEqual(self.table("output/icy_moon/reduced.csv").column("lag")[-1], -0.683623, delta=1e-4)
 
+    def test_tidal_locking(self):
+        self.scene((SOURCE / "params/tidal_locking.prm").read_text(), "tidal_locking.prm")
+        self.run_done("run", "tidal_locking.prm")
+        table = self.table("output/tidal_locking/reduced.csv")
+        self.constants(table, 1e-8, 1e-9)
+        d = [math.hypot(*(table.column(f"companion{i}")[n] for i in (1, 2))) for n in (0, -1)]
+        rates = [math.sqrt(G * (MASS + 40) / distance**3) for distance in d]
+        spins = [table.column("spin3")[n] for n in (0, -1)]
+        self.assertAlmostEqual(spins[0] / rates[0], 3, delta=0.1)
+        self.assertTrue(1 < spins[1] / rates[1] < 1.3, spins[1] / rates[1])
+        self.assertTrue(all(0 < lag < math.pi / 4 for lag in table.column("lag")[1:]))
+        self.assertGreater(table.column("semi_major_axis")[-1], 5.3)
+
     def test_sectors(self):
         """A companion in the plane z = 0 leaves one symmetry plane."""
         entries = {**MOON, "Polynomial/Degree": 3, "Continuum/Degree": 2, "Time/Method": "rattle", "Time/Step": 0.02, "Time/End": 1}
