@@ -17,8 +17,8 @@ struct CompanionMasses {
     visit(
         self.masses, scene::Rows{1, true},
         scene::About{"Companions/Masses", "mass",
-                     "Masses of one or two companions, separated by ';'. A companion is a point mass that acts on the "
-                     "body by its gravity, to degree 2 in the size of the body, and on which the body acts in the same "
+                     "Masses of one or two companions, separated by ';'. A companion is a point mass. It acts on the "
+                     "body by its gravity, to degree 2 in the size of the body, and the body acts on it in the same "
                      "way. The constant of gravity is that of the body."});
     visit(self.positions, scene::Rows{3, true},
           scene::About{"Companions/Positions", "length",
@@ -28,8 +28,8 @@ struct CompanionMasses {
         self.velocities, scene::Rows{3, true},
         scene::About{"Companions/Velocities", "length/time",
                      "Velocity of each companion at the start, relative to the centre of mass of the body, a row each. "
-                     "Without rows, each companion is on a circular orbit about the z axis, as one of point masses, "
-                     "about the centre of mass of the body and the companions before it."});
+                     "Without rows, each companion has the circular orbit of point masses about the z axis. The "
+                     "centre of this orbit is the centre of mass of the body and the companions before it."});
   }
 
   static constexpr std::string_view no_equilibria = "no body is looked for in equilibrium with a companion";

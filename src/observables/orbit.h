@@ -1,6 +1,6 @@
 #pragma once
-/// Observables of a body with companions (mechanics/core/orbit.h), for the first companion with the position r and the
-/// velocity v relative to the body, the second moment S and the angular momentum J of the body about its centre. With
+/// Observables of a body with companions (mechanics/core/orbit.h). The first companion has the position r and the
+/// velocity v relative to the body. The body has the second moment S and the angular momentum J about its centre. With
 /// g = G(M + m_1), the Kepler orbit of two point masses has
 ///
 ///   1/a = 2/|r| − |v|²/g,   e = |v × (r × v)/g − r̂|.
