@@ -130,6 +130,8 @@ def ball(rng, with_continuum):
     ranks = 2 if not reduced_only and rng.random() < 0.15 and shutil.which("mpirun") else 1
     if rng.random() < 0.06:
         stay_at_rest(rng, entries, rate**2 / density, with_continuum)
+    if "Gravity/Constant" in entries and "Analysis" not in entries and not planes and rng.random() < 0.5:
+        put_companions(rng, entries, radius, rate, density)
     return entries, ranks
 
 
@@ -174,6 +176,20 @@ def put_planes(rng, entries, radius, rate, modulus, Q):
         entries["Loads/Plane stiffness"] = repr(modulus / radius * 10 ** rng.uniform(0, 4))
     if rng.random() < 0.3:
         entries["Loads/Plane damping"] = repr(10 ** rng.uniform(-2, 1) / (radius * rate))
+
+
+def put_companions(rng, entries, radius, rate, density):
+    """One or two companions, far away or near, on bound orbits, flybys or towards the body; loads that they exclude are removed."""
+    for path in ("Material/Drag", "Loads/Tidal matrix"):
+        entries.pop(path, None)
+    n = rng.randint(1, 2)
+    positions = [[radius * 10 ** rng.uniform(0.4, 2) * rng.choice((-1, 1)) * rng.uniform(0.3, 1) for _ in range(3)] for _ in range(n)]
+    masses = [density * radius**3 * 10 ** rng.uniform(-3, 5) for _ in range(n)]
+    entries.update({"Companions/Masses": "; ".join(map(repr, masses)),
+                    "Companions/Positions": "; ".join(", ".join(map(repr, p)) for p in positions)})
+    if rng.random() < 0.5:
+        speed = radius * rate * 10 ** rng.uniform(-1, 1)
+        entries["Companions/Velocities"] = "; ".join(", ".join(repr(rng.gauss(0, speed)) for _ in range(3)) for _ in range(n))
 
 
 def bend(rng, entries):
@@ -279,7 +295,7 @@ def energy_drift(run):
         if "energy" not in table.header or "kinetic" not in table.header or len(table) < 2:
             continue
         energy = table.column("energy")
-        parts = [name for name in ("kinetic", "elastic", "gravitational", "external", "potential") if name in table.header]
+        parts = [name for name in ("kinetic", "elastic", "gravitational", "external", "potential", "orbital", "interaction") if name in table.header]
         scale = max(max(abs(x - table.column(name)[0]) for x in table.column(name)) for name in parts)
         scale = max(scale, max(map(abs, table.column("kinetic"))))
         if scale > 0:
