@@ -238,6 +238,13 @@ void compare_momentum(Workshop& w, const std::string& name, const Columns& colum
   w.out.reference.*drift_of = drift(c, reference);
 }
 
+/// The angular momentum of a body with companions is not constant. Its drift is then that of body and orbit.
+void judge_total_momentum(Workshop& w) {
+  for (const auto& [table, summary] : {std::pair{&w.r, &w.out.model}, std::pair{&w.c, &w.out.reference}})
+    if (table->has_column("total_J1"))
+      summary->angular_momentum_drift = momentum_drift(*table, columns_of_angular_momentum(*table));
+}
+
 void compare_multipliers(Workshop& w) {
   if (!w.available("multiplier", {"multiplier"})) return;
   const std::vector<double> r = w.r.column("multiplier"), c = w.c.column("multiplier");
@@ -278,6 +285,7 @@ Comparison compare(const ModelRunTable& model, const ModelRunTable& reference, c
   compare_dissipation(w);
   compare_stretches(w);
   compare_momentum(w, "angular_momentum", {"J1", "J2", "J3"}, &ModelSummary::angular_momentum_drift);
+  judge_total_momentum(w);
   compare_momentum(w, "circulation", {"Z1", "Z2", "Z3"}, &ModelSummary::circulation_drift);
   compare_multipliers(w);
   report_nonaffine_motion(w);

@@ -35,12 +35,6 @@ ColumnRange range_of(std::string label, const std::vector<double>& values) {
   return {std::move(label), *least, *greatest, values.back()};
 }
 
-std::optional<double> momentum_drift(const io::Table& table, const Columns& columns) {
-  if (!has_all(table, columns)) return std::nullopt;
-  const auto momenta = read<Vector3d>(table, columns);
-  return drift(momenta, momentum_reference(table, momenta));
-}
-
 MotionSummary begin_summary(const ModelRunTable& run) {
   MotionSummary s;
   s.model.name = run.name;
@@ -178,6 +172,16 @@ double momentum_reference(const io::Table& table, const std::vector<Vector3d>& m
   return own > spin_threshold * bound ? own : bound;
 }
 
+std::optional<double> momentum_drift(const io::Table& table, const Columns& columns) {
+  if (!has_all(table, columns)) return std::nullopt;
+  const auto momenta = read<Vector3d>(table, columns);
+  return drift(momenta, momentum_reference(table, momenta));
+}
+
+Columns columns_of_angular_momentum(const io::Table& table) {
+  return table.has_column("total_J1") ? Columns{"total_J1", "total_J2", "total_J3"} : Columns{"J1", "J2", "J3"};
+}
+
 MotionSummary summarize_motion(const ModelRunTable& run, const SceneFacts& facts) {
   const io::Table& table = run.table;
   MotionSummary s = begin_summary(run);
@@ -195,7 +199,7 @@ MotionSummary summarize_motion(const ModelRunTable& run, const SceneFacts& facts
     if (table.has_column(name)) s.ranges.push_back(range_of(label, table.column(name)));
   if (has_all(table, {"kinetic", "elastic", "energy"}))
     set_energy_drift(table, energy_reference({&table}, facts.energy_unit), facts.tolerance, s.model);
-  s.model.angular_momentum_drift = momentum_drift(table, {"J1", "J2", "J3"});
+  s.model.angular_momentum_drift = momentum_drift(table, columns_of_angular_momentum(table));
   s.model.circulation_drift = momentum_drift(table, {"Z1", "Z2", "Z3"});
   if (has_all(table, {"nonaffine_kinetic_fraction", "kinetic"}))
     s.mean_nonaffine_kinetic_fraction =

@@ -91,6 +91,12 @@ inline constexpr double round_off_drift = 1e-13;
 /// The text of a drift, for example "3.2e-07", or "round-off".
 std::string drift_in_words(double drift);
 
+/// Drift of an angular momentum or a circulation with these columns; empty if the table lacks a column.
+std::optional<double> momentum_drift(const io::Table& table, const std::vector<std::string>& columns);
+
+/// The columns of the angular momentum that is constant without other loads: that of body and orbit if there is one.
+std::vector<std::string> columns_of_angular_momentum(const io::Table& table);
+
 /// Reference value for angular momenta or circulations: the largest norm of `momenta`. If this norm is round-off, the
 /// reference is the product m̄|Q||Q̇| at the sample with the largest |Q̇|. Here m̄ follows from the kinetic energy
 /// K = ½m̄|Q̇|². The product bounds both norms at that sample up to a factor √2. If the table lacks the columns of Q,

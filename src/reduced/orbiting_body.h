@@ -100,8 +100,13 @@ class OrbitingBody {
     mechanics::VectorState<Vector> state{motion.t, Vector::Zero(), Vector::Zero()};
     state.q.template leftCols<n_inner>() = of_body.q;
     state.v.template leftCols<n_inner>() = of_body.v;
-    state.q.middleCols(n_inner, orbit_.n()) = orbit_.position();
-    state.v.middleCols(n_inner, orbit_.n()) = orbit_.velocity();
+    return with_companions(state, {orbit_.position(), orbit_.velocity()});
+  }
+  /// The state with this motion of the companions.
+  mechanics::VectorState<Vector> with_companions(mechanics::VectorState<Vector> state,
+                                                 const mechanics::Orbit::Motion& motion) const {
+    state.q.middleCols(n_inner, orbit_.n()) = motion.s;
+    state.v.middleCols(n_inner, orbit_.n()) = motion.sdot;
     return state;
   }
 

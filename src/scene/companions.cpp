@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <numbers>
 
 #include "scene/scene.h"
 
@@ -48,6 +49,18 @@ double reach(const Scene& scene) {
   return scene.body.radius * (Q * axes.asDiagonal()).jacobiSvd().singularValues()[0];
 }
 
+double mass_of(const Scene& scene) {
+  double volume = 4 * std::numbers::pi / 3 * scene.body.radius * scene.body.radius * scene.body.radius;
+  for (const double axis : scene.body.semi_axes) volume *= axis;
+  return scene.body.density * volume;
+}
+
+/// Whether r is so near to the z axis that the direction of a circular orbit is round-off or the error of a mesh.
+bool is_on_axis(const Eigen::Vector3d& r) {
+  constexpr double near = 1e-4;
+  return r.head<2>().norm() <= near * r.norm();
+}
+
 }  // namespace
 
 std::optional<Refusal> refuses_companions(const Scene& scene) {
@@ -57,6 +70,8 @@ std::optional<Refusal> refuses_companions(const Scene& scene) {
   if (auto refusal = refuses_loads(scene)) return refusal;
   const mechanics::Companions companions = load.forcing().companions;
   const double least = reach(scene);
+  double mass = mass_of(scene);  // of the body and the companions before
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < companions.size(); ++i) {
     const Eigen::Vector3d& r = companions[i].position;
     if (r.norm() <= least)
@@ -65,10 +80,12 @@ std::optional<Refusal> refuses_companions(const Scene& scene) {
     for (std::size_t j = 0; j < i; ++j)
       if (r == companions[j].position)
         return Refusal{positions_path, fmt::format("companions {} and {} are at one place", j + 1, i + 1)};
-    if (!companions[i].velocity && r[0] == 0 && r[1] == 0)
-      return Refusal{positions_path, fmt::format("companion {} is on the z axis, so its circular orbit about this "
-                                                 "axis is not defined; give {}",
+    if (!companions[i].velocity && is_on_axis(r - center))
+      return Refusal{positions_path, fmt::format("companion {} is on a z axis with the centre of its orbit, so its "
+                                                 "circular orbit about this axis is not defined; give {}",
                                                  i + 1, velocities_path)};
+    mass += companions[i].mass;
+    center += companions[i].mass / mass * (r - center);
   }
   return {};
 }

@@ -83,12 +83,34 @@ TEST(Orbit, CircularWithoutVelocities) {
   EXPECT_LT((v - Vector3d(-std::sqrt(G * (M + 3) / 5), 0, 0)).norm(), 1e-15);
 }
 
-TEST(Orbit, KnowsACompanionWithinTheBody) {
-  const Orbit orbit(Companions{{.mass = 3, .position = Vector3d(0, 5, 0)}}, G, M);
+TEST(Orbit, KnowsTheLeastDistanceOnALine) {
+  const Orbit orbit(Companions{{.mass = 3, .position = Vector3d(4, 0.5, 0)}}, G, M);
+  Orbit::Columns past = orbit.position();
+  EXPECT_NEAR(orbit.least_distance(past, past), std::hypot(4, 0.5), 1e-14);
+  past(0) *= -1;
+  EXPECT_NEAR(orbit.least_distance(orbit.position(), past), 0.5, 1e-14);
+  const Orbit two(Companions{{.mass = 3, .position = Vector3d(9, 0, 0)}, {.mass = 1, .position = Vector3d(9, 0.2, 0)}},
+                  G, M);
+  EXPECT_NEAR(two.least_distance(two.position(), two.position()), 0.2, 1e-13);
   const Matrix3d S = M / 5 * Vector3d(1.2, 0.9, 1).cwiseAbs2().asDiagonal();
-  EXPECT_FALSE(orbit.is_inside(S, 1.21 / 5 * orbit.position()));
-  EXPECT_TRUE(orbit.is_inside(S, 1.19 / 5 * orbit.position()));
-  EXPECT_FALSE(Orbit().is_inside(S, {}));
+  EXPECT_NEAR(orbit.largest_semi_axis(S), 1.2, 1e-14);
+}
+
+/// An orbit of eccentricity e from its apocentre; the pericentre is a half period later.
+TEST(Orbit, FindsThePericentre) {
+  const double mass = 3, e = 0.9, a = 10, g = G * (M + mass), n = std::sqrt(g / (a * a * a)),
+               half = std::numbers::pi / n;
+  const double speed = std::sqrt(g / a * (1 - e) / (1 + e));
+  const Orbit orbit(
+      Companions{{.mass = mass, .position = Vector3d(a * (1 + e), 0, 0), .velocity = Vector3d(0, speed, 0)}}, G, M);
+  const auto distance = [&](double end, double before) {
+    return orbit.relative(orbit.near_closest_approach(end, before).s).norm();
+  };
+  EXPECT_NEAR(distance(3 * half, 0), a * (1 - e), 0.01 * a);
+  EXPECT_GT(distance(3 * half, 0.1 * half), a * (1 - e) * 1.5);
+  EXPECT_NEAR(distance(3 * half, 3 * half), a * (1 + e), 1e-12) << "the start";
+  const Orbit circle(Companions{{.mass = mass, .position = Vector3d(5, 0, 0)}}, G, M);
+  EXPECT_EQ(circle.near_closest_approach(100, 0).s, circle.position());
 }
 
 }  // namespace

@@ -63,6 +63,10 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   }
   State start_of_pilot(const State& state) const override {
     State start = state;
+    if constexpr (has_orbit) {
+      const double end = context_.internal_time(context_.scene.time.end);
+      start = system_.with_companions(start, system_.orbit().near_closest_approach(end, pilot_window(end) / 2));
+    }
     if constexpr (on_planes)
       if (const auto flight = flight_to_contact(system_.contact(state.q), System::center(state.v),
                                                 loads::full_forcing(internal_loads(context_.scene)))) {
@@ -107,8 +111,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     if constexpr (on_planes) contacts_.look(state.t, system_.contact(state.q), System::center(state.v));
     const Eigen::Matrix3d Q = Q_of(state);
     if constexpr (has_orbit)
-      if (auto status =
-              meets_companion(system_.orbit(), Q * system_.body().E0() * Q.transpose(), system_.companions(state.q));
+      if (auto status = collisions_.look(state.t, system_.orbit(), Q * system_.body().E0() * Q.transpose(),
+                                         system_.companions(state.q));
           !status)
         return status;
     if constexpr (!mechanics::unconstrained<System>) return {};
@@ -264,6 +268,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   long n_noted_ = 0;
   mechanics::ReducedObservables observables_;
   ContactWatch contacts_;
+  CollisionWatch collisions_;
   std::optional<reduced::Bipolar> bipolar_;  ///< bipolar quantities at the last sample
   std::optional<io::BallBlocks> ball_;       ///< blocks of the pictures; empty until the first picture
 };

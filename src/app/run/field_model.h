@@ -67,6 +67,12 @@ class FieldModel : public RunnableModelOf<S> {
   }
   State start_of_pilot(const State& state) const final {
     State start = state;
+    if (context_.needs.orbit) {
+      const auto motion = near_pericentre(this->system().orbit());
+      this->system().set_companions(motion.s, start.q);
+      this->system().set_companions(motion.sdot, start.v);
+      return start;
+    }
     if (!context_.needs.contact) return start;
     const loads::Forcing forcing = loads::full_forcing(internal_loads(context_.scene));
     if (const auto flight = flight_to_contact(this->system().contact(state.q), mean(state.v), forcing)) {
@@ -138,8 +144,8 @@ class FieldModel : public RunnableModelOf<S> {
   /// Records the contact at the end of a step. Fails if a companion has come to the body. Collective.
   mechanics::Status judge(const State& state) final {
     if (context_.needs.orbit)
-      return meets_companion(this->system().orbit(), this->system().second_moment(state.q),
-                             this->system().companions(state.q));
+      return collisions_.look(state.t, this->system().orbit(), this->system().second_moment(state.q),
+                              this->system().companions(state.q));
     if (context_.needs.contact) contacts_.look(state.t, this->system().contact(state.q), mean(state.v));
     return {};
   }
@@ -191,6 +197,11 @@ class FieldModel : public RunnableModelOf<S> {
   const RunContext& context_;
 
  private:
+  /// The motion of the companions at the start of pilot runs, half of their duration before the closest approach.
+  mechanics::Orbit::Motion near_pericentre(const mechanics::Orbit& orbit) const {
+    const double end = context_.internal_time(context_.scene.time.end);
+    return orbit.near_closest_approach(end, pilot_window(end) / 2);
+  }
   long sample_at(double time) const {
     return std::lround(time / context_.scene.time.end * static_cast<double>(context_.scene.output.samples));
   }
@@ -202,6 +213,7 @@ class FieldModel : public RunnableModelOf<S> {
   NonaffineWatch nonaffine_;
   TensionWatch tension_;
   ContactWatch contacts_;
+  CollisionWatch collisions_;
   mutable std::optional<Faces> faces_;  ///< empty until the first shape
 };
 

@@ -124,9 +124,9 @@ function energySections() {
   const withEnergies = MODELS.filter(m => m.table.has("energy")), withMomenta = MODELS.filter(m => m.table.has("J1"));
   const content = [];
   if (withEnergies.length) {
-    content.push(...chartsOf(plain(["kinetic", "elastic", "gravitational", "external", "dissipated"]).map(q => ({...q, name: `${q.name} energy`})), SQUARED));
+    content.push(...chartsOf(plain(["kinetic", "elastic", "gravitational", "external", "dissipated", "orbital", "interaction"]).map(q => ({...q, name: `${q.name} energy`})), SQUARED));
     content.push(make("h3", {}, "Momenta"), make("div", {class: "charts"}, [
-      ...(withMomenta.length ? [["J", "angular momentum", "angular_momentum_difference"], ["Z", "circulation", "circulation_difference"]].map(([name, words, difference]) => {
+      ...(withMomenta.length ? [withMomenta.every(m => m.table.has("total_J1")) ? ["total_J", "angular momentum of body and orbit", ""] : ["J", "angular momentum", "angular_momentum_difference"], ["Z", "circulation", "circulation_difference"]].map(([name, words, difference]) => {
         const J0 = reference(difference, () => Math.max(...withMomenta.map(m => largest(column(m, `${name}1`).map((_, i) => Math.hypot(...indices.map(k => column(m, name + k)[i]))))))) || 1;
         const series = seriesOf(departure(name, J0));
         return series.every(s => largest(s.y) === 0) ? make("p", {class: "note"}, `The ${words} ${name} remains 0 by the symmetry of this motion.`)
@@ -139,7 +139,7 @@ function energySections() {
 // Of kinetic and elastic energy together or, if that is round-off of the others, the largest of them.
 function energyReference(models) {
   const others = Math.max(...models.map(m => Math.max(...["gravitational", "external", "dissipated"].filter(n => m.table.has(n)).map(n => largest(column(m, n))))), 0);
-  const ofMotion = Math.max(...models.map(m => largest(column(m, "kinetic").map((k, i) => k + column(m, "elastic")[i]))));
+  const ofMotion = Math.max(...models.map(m => largest(column(m, "kinetic").map((k, i) => k + column(m, "elastic")[i])), ...models.filter(m => m.table.has("orbital")).map(m => largest(column(m, "orbital"))));
   return ofMotion >= 1e-12 * others ? ofMotion : others;
 }
 

@@ -19,9 +19,12 @@
 /// at the origin of the r_i.
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace pseudorigid::mechanics {
@@ -132,11 +135,47 @@ class Orbit {
       for (int i = k; i < n_; ++i) f.col(k) += weights_[k][i] * on_r.col(i);
     return f;
   }
-  /// Whether a companion is nearer to the centre than the largest semi-axis of an ellipsoid with the second moment S.
-  bool is_inside(const Eigen::Matrix3d& S, const Columns& s) const {
-    if (n_ == 0) return false;
-    const double largest = std::sqrt(5 * S.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff() / mass_);
-    return relative(s).colwise().norm().minCoeff() <= largest;
+  /// The largest semi-axis of the ellipsoid with the second moment S.
+  double largest_semi_axis(const Eigen::Matrix3d& S) const {
+    return std::sqrt(5 * S.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff() / mass_);
+  }
+  /// The least distance of a companion from the centre of the body, or of two companions from each other, if all move
+  /// on straight lines from the coordinates s0 to s1.
+  double least_distance(const Columns& s0, const Columns& s1) const {
+    const Columns r0 = relative(s0), r1 = relative(s1);
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < n_; ++i) {
+      least = std::min(least, distance_from_line(r0.col(i), r1.col(i)));
+      for (int j = 0; j < i; ++j)
+        least = std::min(least, distance_from_line(r0.col(i) - r0.col(j), r1.col(i) - r1.col(j)));
+    }
+    return least;
+  }
+  /// A motion of the companions as of point masses.
+  struct Motion {
+    Columns s, sdot;
+  };
+  /// The motion of point masses at the time `before` before their closest approach until `end`, or at the start if it
+  /// is later. The motion is at the start if they do not come nearer than there by a tenth.
+  Motion near_closest_approach(double end, double before) const {
+    constexpr int most_steps = 100'000;
+    constexpr double part = 0.02, nearer = 0.9;  // of the time in which a companion falls or passes
+    std::vector<std::pair<double, Motion>> path{{0.0, {s_, sdot_}}};
+    double t = 0, closest_time = 0, closest = nearer * least_distance(s_, s_);
+    Motion now{s_, sdot_};
+    for (int n = 0; n < most_steps && t < end; ++n) {
+      const double d = least_distance(now.s, now.s), speed = relative(now.sdot).colwise().norm().maxCoeff();
+      double h = std::min(end - t, part / (speed / d + std::sqrt(G_ * total_mass() / (d * d * d))));
+      if (!(h > 0)) break;
+      now = as_point_masses(now, h);
+      path.emplace_back(t += h, now);
+      if (const double distance = least_distance(now.s, now.s); distance < closest)
+        closest = distance, closest_time = t;
+    }
+    Motion found = path.front().second;
+    for (const auto& [time, motion] : path)
+      if (time <= closest_time - before) found = motion;
+    return found;
   }
   /// The angular momentum Σ μ_k R_k × Ṙ_k.
   static Eigen::Vector3d momentum(const Columns& s, const Columns& sdot) {
@@ -159,6 +198,23 @@ class Orbit {
  private:
   static Eigen::Vector3d cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+  static double distance_from_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const Eigen::Vector3d along = b - a;
+    const double square = along.squaredNorm(), x = square > 0 ? std::clamp(-a.dot(along) / square, 0.0, 1.0) : 0;
+    return (a + x * along).norm();
+  }
+  double total_mass() const {
+    double sum = mass_;
+    for (int i = 0; i < n_; ++i) sum += masses_[i];
+    return sum;
+  }
+  /// A step of the classical method of Runge and Kutta.
+  Motion as_point_masses(const Motion& m, double h) const {
+    const auto a = [this](const Columns& s) { return force(Eigen::Matrix3d::Zero(), s); };
+    const Columns k1 = a(m.s), k2 = a(m.s + h / 2 * m.sdot), k3 = a(m.s + h / 2 * m.sdot + h * h / 4 * k1),
+                  k4 = a(m.s + h * m.sdot + h * h / 2 * k2);
+    return {m.s + h * m.sdot + h * h / 6 * (k1 + k2 + k3), m.sdot + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)};
   }
   static Eigen::Vector3d circular_velocity(const Eigen::Vector3d& R, double gravity) {
     const Eigen::Vector3d along(-R[1], R[0], 0);
