@@ -122,9 +122,9 @@ inline constexpr BodyColumn<O> common_columns[] = {
     {"gravitational", &Quantities::energies, "mass*length^2/time^2", "energy of the self-gravity",
      [](const O& o) { return o.gravitational; }},
     {"external", &Quantities::energies, "mass*length^2/time^2",
-     "energy of all loads, minus the energy that time-dependent loads have given to the body",
+     "energy of all loads, minus the energy that time-dependent loads and moving planes have given to the body",
      [](const O& o) { return o.external; }},
-    {"dissipated", &Quantities::energies, "mass*length^2/time^2", "energy dissipated by viscosity and drag",
+    {"dissipated", &Quantities::energies, "mass*length^2/time^2", "energy dissipated by viscosity, drag and contact",
      [](const O& o) { return o.dissipated; }},
     {"energy", &Quantities::energies, "mass*length^2/time^2", "their sum", [](const O& o) { return o.energy(); }},
     {"J", &Quantities::momenta, "mass*length^2/time", "angular momentum about the centre of mass",
@@ -160,7 +160,8 @@ inline constexpr BodyColumn<O> common_columns[] = {
     {"largest_force", &Quantities::contact, "mass*length/time^2", "largest contact_force at the ends of steps so far",
      [](const O& o) { return o.contact.largest_force; }},
     {"restitution", &Quantities::contact, "",
-     "normal velocity of the centre of mass after the last contact, over that towards the plane before the first one; "
+     "normal velocity of the centre of mass after the last contact, over that towards the plane before the first one, "
+     "both relative to the plane; "
      "0 before the end of a contact",
      [](const O& o) { return o.contact.restitution; }},
 };

@@ -86,7 +86,7 @@ void observe_motion(const PolynomialBody& body, const BodyState& state, const me
   o.F = sums.F / space.volume();
   o.volume_ratio = sums.volume / space.volume();
   if (request.energies) observe_energies(body, state, o);
-  o.contact.take(body.contact(state.q));
+  o.contact.take(body.contact(state.t, state.q));
   if (request.momenta) {
     o.angular_momentum = mechanics::axial_vector(space.moment(x, u));
     o.circulation = mechanics::axial_vector(sums.X_pulled_back);

@@ -77,7 +77,7 @@ TEST(EllipsoidContact, IsTheIntegralOverTheSurface) {
     const PlaneContact exact = contact(plane).contact();
     AffineForce f, of_damping;
     contact(plane).add_force(f);
-    const double taken = contact(plane).add_damping(Qdot, cdot, of_damping);
+    const double taken = contact(plane).add_damping(Qdot, cdot, of_damping).taken;
     const double midpoints = depth < 0.1 ? 1e-4 : 1e-6;  // the fewer of them touch, the larger their error
     EXPECT_NEAR(exact.energy, expected.energy, midpoints * exact.energy);
     EXPECT_NEAR(exact.force, expected.force, midpoints * exact.force);
@@ -128,7 +128,7 @@ double energy_of(const Body& body, const State& state, double acceleration) {
   const double mass = body.body().reference().mass;
   return body.body().kinetic_energy(body.matrix(state.v)) + body.body().potential_energy(body.matrix(state.q)) +
          0.5 * mass * body.center(state.v).squaredNorm() + mass * acceleration * body.center(state.q)[2] +
-         body.contact(state.q).energy;
+         body.contact(state.t, state.q).energy;
 }
 
 /// A tilted spheroid falls on a floor a hundred times. The floor leaves the horizontal momentum and J₃.
@@ -249,7 +249,7 @@ Impact impact(double v, double stiffness, double damping, double step) {
   EXPECT_TRUE(r.finished()) << r.result.reason;
   double last = 0;
   for (const State& s : r.states)
-    if (body.contact(s.q).height < 0) last = s.t;
+    if (body.contact(s.t, s.q).height < 0) last = s.t;
   return {body.center(r.last().v)[2] / v, last, r.last().v(0, 4) / (0.5 * body.body().reference().mass * v * v)};
 }
 
