@@ -160,9 +160,8 @@ inline constexpr BodyColumn<O> common_columns[] = {
     {"largest_force", &Quantities::contact, "mass*length/time^2", "largest contact_force at the ends of steps so far",
      [](const O& o) { return o.contact.largest_force; }},
     {"restitution", &Quantities::contact, "",
-     "normal velocity of the centre of mass after the last contact, over that towards the plane before the first one, "
-     "both relative to the plane; "
-     "0 before the end of a contact",
+     "normal velocity of the centre of mass relative to the plane after the last contact, over the approach velocity "
+     "before the first; 0 before the end of a contact",
      [](const O& o) { return o.contact.restitution; }},
 };
 

@@ -152,7 +152,10 @@ class PlaneMotion(RefusedInputTest):
             kept = sum(table.column(column)[-1] for column in ("kinetic", "elastic", "contact", "dissipated"))
             self.assertAlmostEqual(given, kept, delta=1e-3 * given, msg=name)
         self.run_done("run", "scene.prm", "--output", "whole", "--set", "Continuum/Symmetry=none", "--set", "Models=continuum")
-        self.assertLess(largest_difference(self.table("out/continuum.csv"), self.table("whole/continuum.csv")), 1e-9)
+        octant, whole = self.table("out/continuum.csv"), self.table("whole/continuum.csv")
+        for column in "Q11", "Q33", "kinetic", "elastic", "contact", "contact_force", "dissipated", "external":
+            difference = max(abs(a - b) for a, b in zip(octant.column(column), whole.column(column)))
+            self.assertLess(difference, 1e-9, column)
         self.run_done("run", "scene.prm", "--output", "one", "--set", "Loads/Plane speeds=0.02, 0", "--set", "Models=continuum",
                       "--set", "Time/End=0.1", "--set", "Output/Samples=1")
         self.assertIn("quarter (planes x, y)", (self.scratch / "one/log.txt").read_text())
@@ -203,7 +206,7 @@ class PlaneMotion(RefusedInputTest):
                 plane = -1 + 0.2 * frame.time + 0.05 * math.sin(2 * frame.time)
                 expected = [40 * max(0, plane - z) if radius > 0.999 else 0 for z, radius in zip(picture.points[:, 2], radii)]
                 self.assertLess(max(abs(pressures - expected)), 1e-12, model)
-            self.assertGreater(max(pressures), 0.5, model)
+            self.assertGreater(max(pressures), 0.02, model)  # the elastic surface gives way
 
     def test_only_the_start_must_be_in_front_of_the_plane(self):
         self.scene({**FLOOR, "Models": "reduced", "Loads/Plane speeds": 0.3, "Time/End": 1, "Output/Samples": 2})

@@ -8,9 +8,7 @@
 
 #include "loads/ellipsoid_friction.h"
 #include "mechanics/steps/largest_frequency.h"
-#include "reduced/body_on_planes.h"
-#include "reduced/potential.h"
-#include "reduced/pseudo_rigid_body.h"
+#include "reduced/bodies_on_planes.h"
 #include "support/differences.h"
 #include "support/order_fit.h"
 #include "support/runs.h"
@@ -27,17 +25,17 @@ using loads::Friction;
 using loads::Plane;
 using mechanics::Linearization;
 using reduced::ReferenceBody;
-using Body = reduced::BodyOnPlanes<reduced::PseudoRigidBody<reduced::Potential, true>>;
-using State = mechanics::State<Body>;
+using Body = BodyOnPlanes;
+using State = StateOnPlanes;
 
-struct Sums {
+struct FrictionSums {
   AffineForce force;
   double power = 0;
 };
 
 /// The friction as a sum over n × 4n midpoints of the contact, in the height and the angle.
-Sums sum_over_midpoints(const EllipsoidContact& contact, const Matrix3d& Qdot, const Vector3d& cdot, int n) {
-  Sums sums;
+FrictionSums sum_over_midpoints(const EllipsoidContact& contact, const Matrix3d& Qdot, const Vector3d& cdot, int n) {
+  FrictionSums sums;
   const Plane& plane = contact.plane();
   const Vector3d g = contact.direction(), e = g.unitOrthogonal(), f = g.cross(e);
   const double top = std::min(2.0, contact.deepest() / contact.slope());
@@ -55,23 +53,23 @@ Sums sum_over_midpoints(const EllipsoidContact& contact, const Matrix3d& Qdot, c
   return sums;
 }
 
-const Matrix3d sample_shape = Vector3d(1.2, 0.9, 1).asDiagonal();
-const Matrix3d sample_map = (Matrix3d() << 1.2, 0.2, -0.1, 0.1, 0.9, 0.15, -0.2, 0.1, 1).finished();
-const Matrix3d sample_rate = (Matrix3d() << 0.3, -0.1, 0.2, 0.4, 0.1, -0.3, 0.2, 0.5, -0.4).finished();
+const Matrix3d rough_shape = Vector3d(1.2, 0.9, 1).asDiagonal();
+const Matrix3d rough_map = (Matrix3d() << 1.2, 0.2, -0.1, 0.1, 0.9, 0.15, -0.2, 0.1, 1).finished();
+const Matrix3d rough_rate = (Matrix3d() << 0.3, -0.1, 0.2, 0.4, 0.1, -0.3, 0.2, 0.5, -0.4).finished();
 
 /// A plane that the sample body is behind by `depth`.
-Plane plane_at(double depth, double slip_speed) {
+Plane rough_plane(double depth, double slip_speed) {
   const Vector3d n = Vector3d(0.3, -0.4, 0.8).normalized();
-  const double reach = (sample_shape * sample_map.transpose() * n).norm();
+  const double reach = (rough_shape * rough_map.transpose() * n).norm();
   return {.normal = n, .position = depth - reach, .stiffness = 70, .friction = 0.4, .slip_speed = slip_speed};
 }
 
-double difference(const Sums& a, const Sums& b) {
+double distance_of_sums(const FrictionSums& a, const FrictionSums& b) {
   return (a.force.on_Q - b.force.on_Q).norm() + (a.force.on_center - b.force.on_center).norm() +
          std::abs(a.power - b.power);
 }
-Sums friction_of(const EllipsoidContact& contact, const Matrix3d& Qdot, const Vector3d& cdot) {
-  Sums sums;
+FrictionSums friction_of(const EllipsoidContact& contact, const Matrix3d& Qdot, const Vector3d& cdot) {
+  FrictionSums sums;
   sums.power = EllipsoidFriction(contact, Qdot, cdot).add_force(sums.force);
   return sums;
 }
@@ -81,46 +79,46 @@ Sums friction_of(const EllipsoidContact& contact, const Matrix3d& Qdot, const Ve
 TEST(EllipsoidFriction, IsTheIntegralOverTheContact) {
   const Vector3d cdot(0.9, -0.3, 0.2);
   for (const double depth : {0.02, 0.4, 4.0}) {  // in the last all of the body is behind the plane
-    const Plane plane = plane_at(depth, 0.05);
-    const EllipsoidContact contact(plane, sample_shape, sample_map, Vector3d::Zero());
-    const Matrix3d slow = 0.3 * sample_rate;
-    const Sums exact = sum_over_midpoints(contact, slow, cdot, 400), found = friction_of(contact, slow, cdot);
-    EXPECT_LT(difference(found, exact), 3e-5 * exact.force.on_Q.norm()) << depth;
+    const Plane plane = rough_plane(depth, 0.05);
+    const EllipsoidContact contact(plane, rough_shape, rough_map, Vector3d::Zero());
+    const Matrix3d slow = 0.3 * rough_rate;
+    const FrictionSums exact = sum_over_midpoints(contact, slow, cdot, 400), found = friction_of(contact, slow, cdot);
+    EXPECT_LT(distance_of_sums(found, exact), 3e-5 * exact.force.on_Q.norm()) << depth;
     EXPECT_GT(found.power, 0);
   }
   for (const auto& [slip_speed, tolerance] : {std::pair{0.2, 3e-5}, std::pair{0.02, 5e-3}}) {
-    const Plane plane = plane_at(0.05, slip_speed);
-    const EllipsoidContact contact(plane, sample_shape, sample_map, Vector3d::Zero());
+    const Plane plane = rough_plane(0.05, slip_speed);
+    const EllipsoidContact contact(plane, rough_shape, rough_map, Vector3d::Zero());
     const Matrix3d turn = Eigen::AngleAxisd(std::numbers::pi / 2, plane.normal).toRotationMatrix() -
                           plane.normal * plane.normal.transpose();  // x → n × x
-    const Matrix3d Qdot = turn * sample_map;
-    const Vector3d center = sample_map * (sample_shape * contact.direction());  // minus the deepest point
-    const Sums exact = sum_over_midpoints(contact, Qdot, turn * center, 400),
-               found = friction_of(contact, Qdot, turn * center);
-    EXPECT_LT(difference(found, exact), tolerance * exact.force.on_Q.norm()) << slip_speed;
+    const Matrix3d Qdot = turn * rough_map;
+    const Vector3d center = rough_map * (rough_shape * contact.direction());  // minus the deepest point
+    const FrictionSums exact = sum_over_midpoints(contact, Qdot, turn * center, 400),
+                       found = friction_of(contact, Qdot, turn * center);
+    EXPECT_LT(distance_of_sums(found, exact), tolerance * exact.force.on_Q.norm()) << slip_speed;
   }
 }
 
 TEST(EllipsoidFriction, LinearisationsAreThoseOfTheForce) {
-  const Plane plane = plane_at(0.3, 0.2);
-  const EllipsoidContact contact(plane, sample_shape, sample_map, Vector3d::Zero());
+  const Plane plane = rough_plane(0.3, 0.2);
+  const EllipsoidContact contact(plane, rough_shape, rough_map, Vector3d::Zero());
   const Vector3d cdot(0.9, -0.3, 0.2), dcdot(-0.2, 0.4, 0.1);
-  const Matrix3d dQdot = sample_rate.transpose();
+  const Matrix3d dQdot = rough_rate.transpose();
   const auto entries = [](const AffineForce& f) {
     return (Eigen::Matrix<double, 3, 4>() << f.on_Q, f.on_center).finished();
   };
   const auto force_at = [&](int k) {
-    return entries(friction_of(contact, sample_rate + 1e-2 * k * dQdot, cdot + 1e-2 * k * dcdot).force);
+    return entries(friction_of(contact, rough_rate + 1e-2 * k * dQdot, cdot + 1e-2 * k * dcdot).force);
   };
   AffineForce tangent, secant;
-  const EllipsoidFriction friction(contact, sample_rate, cdot);
+  const EllipsoidFriction friction(contact, rough_rate, cdot);
   friction.add_change(dQdot, dcdot, Linearization::tangent, tangent);
-  friction.add_change(sample_rate, cdot, Linearization::secant, secant);
+  friction.add_change(rough_rate, cdot, Linearization::secant, secant);
   const Eigen::Matrix<double, 3, 4> slope = first_difference(force_at, 1e-2);
   EXPECT_LT((slope - entries(tangent)).norm(), 1e-7 * slope.norm());
   EXPECT_LT((force_at(0) - entries(secant)).norm(), 1e-14 * force_at(0).norm());
-  const Sums sums = friction_of(contact, sample_rate, cdot);
-  EXPECT_NEAR(sums.power, -(sums.force.on_Q.cwiseProduct(sample_rate).sum() + sums.force.on_center.dot(cdot)),
+  const FrictionSums sums = friction_of(contact, rough_rate, cdot);
+  EXPECT_NEAR(sums.power, -(sums.force.on_Q.cwiseProduct(rough_rate).sum() + sums.force.on_center.dot(cdot)),
               1e-13 * sums.power);
 }
 
@@ -131,26 +129,14 @@ loads::RigidPlanes rough_floor(double stiffness, double friction, double slip_sp
           .friction = friction,
           .slip_speed = slip_speed};
 }
-Body ball_on(const loads::Loads& loads) {
-  const ReferenceBody reference = ReferenceBody::unit_ball();
-  const loads::Forcing forcing = loads::constant_forcing(loads);
-  return {{reduced::Potential(materials::CiarletGeymonat{1, 0}, reference, forcing), reference}, loads};
-}
 /// A ball at the distance of its radius from the floor, with the velocity of its centre and the spin about y.
-State thrown(const Vector3d& velocity, double spin) {
+State thrown_with_spin(const Vector3d& velocity, double spin) {
   const Matrix3d turn = (Matrix3d() << 0, 0, spin, 0, 0, 0, -spin, 0, 0).finished();
   return Body::state_of({0, Matrix3d::Identity(), turn}, Vector3d::Zero(), velocity);
 }
 Vector3d spin_momentum(const State& s) {
   return mechanics::axial_vector(Body::matrix(s.q) * ReferenceBody::unit_ball().E0 * Body::matrix(s.v).transpose());
 }
-double energy_of(const Body& body, const State& s, double acceleration = 0) {
-  const double mass = body.body().reference().mass;
-  return body.body().kinetic_energy(Body::matrix(s.v)) + body.body().potential_energy(Body::matrix(s.q)) +
-         mass * (0.5 * Body::center(s.v).squaredNorm() + acceleration * Body::center(s.q)[2]) +
-         body.contact(s.t, s.q).energy + body.dissipated(s) + body.driven_energy(s);
-}
-
 /// With v_t ≫ s all points slide in one direction during the impact. The impulse of friction is then f times the normal
 /// impulse, and its moment about the centre is that of a force at the distance 1. The contact of a ball that is pressed
 /// is nearer to the centre, by a part of the order of v_n/c. Backspin adds to v_t.
@@ -158,7 +144,7 @@ TEST(ObliqueImpact, OfASlidingBallHasCoulombsImpulse) {
   constexpr double f = 0.3, vn = 1e-3;
   for (const double spin : {0.0, -0.04}) {
     const Body body = ball_on(loads::Loads(rough_floor(1e5, f, 1e-5)));
-    const State start = thrown({0.05, 0, -vn}, spin);
+    const State start = thrown_with_spin({0.05, 0, -vn}, spin);
     const auto r = run<mechanics::Rattle>(body, start, 4, 1, 4000);
     ASSERT_TRUE(r.finished()) << r.result.reason;
     const Vector3d change = Body::center(r.last().v) - Body::center(start.v);
@@ -176,7 +162,7 @@ TEST(SlidingBall, BeginsToRollAtFiveSeventhsOfItsSpeed) {
   constexpr double g = 1e-4, v = 2e-3, k = 10, f = 0.2;
   const Body body =
       ball_on(loads::Loads(rough_floor(k, f, 1e-6), loads::Acceleration{{0, 0, -g}}, loads::Viscosity{0.3}));
-  State start = thrown({v, 0, 0}, 0);
+  State start = thrown_with_spin({v, 0, 0}, 0);
   start.q(2, 3) = -std::sqrt(4 * g / (3 * k));  // the depth at rest
   const double end = 4 * v / (f * g);
   const auto r = run<mechanics::Rattle>(body, start, end, 100, 200);
@@ -194,7 +180,7 @@ TEST(ObliqueImpact, HasOrderTwo) {
   constexpr double end = 3;
   const std::vector<double> heights{0.13, 0.1327, 0.1341, 0.1366, 0.1382};
   const auto at_end = [&](double height, long n) {
-    State start = thrown({0.3, 0.1, -0.5}, 0.2);
+    State start = thrown_with_spin({0.3, 0.1, -0.5}, 0.2);
     start.q(2, 3) = height;
     return std::pair(run<mechanics::Rattle>(body, start, end, 1, n).last(), energy_of(body, start));
   };
@@ -224,7 +210,7 @@ TEST(ObliqueImpact, HasOrderTwo) {
 TEST(Friction, HasItsLargestDampingRateAtRest) {
   constexpr double f = 0.5, slip_speed = 1e-4, depth = 0.01;
   const Body body = ball_on(loads::Loads(rough_floor(200, f, slip_speed)));
-  State state = thrown({0, 0, 0}, 0);
+  State state = thrown_with_spin({0, 0, 0}, 0);
   state.q(2, 3) = -depth;
   auto workspace = body.make_workspace();
   const auto at_rest = mechanics::largest_damping(body, state, workspace, 10, 24);

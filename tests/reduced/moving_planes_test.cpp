@@ -5,9 +5,7 @@
 
 #include <numbers>
 
-#include "reduced/body_on_planes.h"
-#include "reduced/potential.h"
-#include "reduced/pseudo_rigid_body.h"
+#include "reduced/bodies_on_planes.h"
 #include "support/differences.h"
 #include "support/runs.h"
 
@@ -17,16 +15,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using loads::Plane;
-using reduced::ReferenceBody;
-using Body = reduced::BodyOnPlanes<reduced::PseudoRigidBody<reduced::Potential, true>>;
-using State = mechanics::State<Body>;
+using Body = BodyOnPlanes;
+using State = StateOnPlanes;
 
-Body ball_on(const loads::Loads& loads) {
-  const ReferenceBody reference = ReferenceBody::unit_ball();
-  const loads::Forcing forcing = loads::constant_forcing(loads);
-  return {{reduced::Potential(materials::CiarletGeymonat{1, 0}, reference, forcing), reference}, loads};
-}
-loads::RigidPlanes oblique(double damping, double friction) {
+loads::RigidPlanes oblique_plane(double damping, double friction) {
   return {.normals = {0.6, 0, 0.8},
           .points = {-0.6, 0, -0.8},
           .stiffness = 300,
@@ -34,18 +26,10 @@ loads::RigidPlanes oblique(double damping, double friction) {
           .friction = friction,
           .slip_speed = 0.05};
 }
-State thrown(const Vector3d& velocity) {
+State thrown_and_turning(const Vector3d& velocity) {
   const Matrix3d turn = (Matrix3d() << 0, 0.2, 0.3, -0.2, 0, 0, -0.3, 0, 0).finished();
   return Body::state_of({0, Matrix3d::Identity(), turn}, Vector3d::Zero(), velocity);
 }
-/// Energy minus the dissipated and the given energy.
-double balance(const Body& body, const State& s, double acceleration = 0) {
-  const double mass = body.body().reference().mass;
-  return body.body().kinetic_energy(Body::matrix(s.v)) + body.body().potential_energy(Body::matrix(s.q)) +
-         mass * (0.5 * Body::center(s.v).squaredNorm() + acceleration * Body::center(s.q)[2]) +
-         body.contact(s.t, s.q).energy + body.dissipated(s) + body.driven_energy(s);
-}
-
 TEST(PlaneMotion, HasTheSpeedOfItsPosition) {
   const Plane plane{.normal = Vector3d::UnitZ(), .position = -0.7, .speed = 0.3, .amplitude = 0.2, .frequency = 1.7};
   EXPECT_EQ(plane.at(0).position, -0.7);
@@ -62,7 +46,7 @@ TEST(PlaneMotion, HasTheSpeedOfItsPosition) {
 
 /// Loads depend on time if a plane moves, and only then.
 TEST(PlaneMotion, MakesTheLoadsDependOnTime) {
-  loads::RigidPlanes planes = oblique(0, 0);
+  loads::RigidPlanes planes = oblique_plane(0, 0);
   EXPECT_FALSE(loads::depend_on_time(loads::Loads(planes)));
   EXPECT_TRUE(loads::angular_frequencies(loads::Loads(planes)).empty());
   planes.frequency = 2;
@@ -82,12 +66,12 @@ TEST(MovingPlane, IsAPlaneAtRestForAnotherObserver) {
   constexpr double u = 0.4, end = 3;
   const Vector3d n(0.6, 0, 0.8), velocity(0.1, 0.2, -0.1);
   for (const auto& [damping, friction] : {std::pair{0.0, 0.0}, std::pair{0.7, 0.0}, std::pair{0.7, 0.4}}) {
-    loads::RigidPlanes planes = oblique(damping, friction);
+    loads::RigidPlanes planes = oblique_plane(damping, friction);
     const Body at_rest = ball_on(loads::Loads(planes));
     planes.speeds = {u};
     const Body moving = ball_on(loads::Loads(planes));
-    const auto a = run<mechanics::Rattle>(at_rest, thrown(velocity - u * n), end, 10, 300),
-               b = run<mechanics::Rattle>(moving, thrown(velocity), end, 10, 300);
+    const auto a = run<mechanics::Rattle>(at_rest, thrown_and_turning(velocity - u * n), end, 10, 300),
+               b = run<mechanics::Rattle>(moving, thrown_and_turning(velocity), end, 10, 300);
     ASSERT_TRUE(a.finished() && b.finished());
     for (std::size_t k = 0; k < a.states.size(); ++k) {
       const State &x = a.states[k], &y = b.states[k];
@@ -99,7 +83,7 @@ TEST(MovingPlane, IsAPlaneAtRestForAnotherObserver) {
     }
     EXPECT_GT(n.dot(Body::center(b.last().v)), u) << "it has been hit";
     EXPECT_TRUE(friction == 0 || moving.dissipated(b.last()) > 1e-2);
-    EXPECT_NEAR(balance(moving, b.last()), balance(moving, b.states[0]), 1e-4);
+    EXPECT_NEAR(energy_of(moving, b.last()), energy_of(moving, b.states[0]), 1e-4);
   }
 }
 
@@ -115,7 +99,7 @@ TEST(MovingPlane, GivesTheWorkOfItsForce) {
   double work = 0;
   for (std::size_t k = 0; k < r.states.size(); ++k) {
     const State& s = r.states[k];
-    EXPECT_NEAR(balance(body, s), 0, 1e-5);
+    EXPECT_NEAR(energy_of(body, s), 0, 1e-5);
     const double ends = k == 0 || k + 1 == r.states.size() ? 0.5 : 1;
     const loads::EllipsoidContact lower(Plane{.position = -1 + u * s.t, .stiffness = 50}, Matrix3d::Identity(),
                                         Body::matrix(s.q), Body::center(s.q));
@@ -146,19 +130,19 @@ TEST(MovingPlane, CarriesABall) {
     EXPECT_LT(body.contact(s.t, s.q).height, 0) << "it touches the plate";
   }
   EXPECT_LT(most - least, 0.02 * A) << "the depth follows the weight, which the plate changes by A Ω²/g = 2.5 %";
-  EXPECT_NEAR(balance(body, r.last(), g), balance(body, r.states[0], g), 1e-3 * A);
+  EXPECT_NEAR(energy_of(body, r.last(), g), energy_of(body, r.states[0], g), 1e-3 * A);
 }
 
 /// The restitution of the velocities relative to the plane, which contact_watch.h uses, needs the speed of the plane.
 TEST(MovingPlane, HasItsSpeedInTheSummaryOfTheContact) {
-  loads::RigidPlanes planes = oblique(0, 0);
+  loads::RigidPlanes planes = oblique_plane(0, 0);
   planes.speeds = {0.2};
   planes.amplitudes = {0.1};
   planes.frequency = 3;
   const Body body = ball_on(loads::Loads(planes));
-  EXPECT_DOUBLE_EQ(body.contact(0, thrown({0, 0, 0}).q).speed, 0.2 + 0.3);
-  EXPECT_DOUBLE_EQ(body.contact(1, thrown({0, 0, 0}).q).speed, 0.2 + 0.3 * std::cos(3));
-  EXPECT_NEAR(body.contact(1, thrown({0, 0, 0}).q).height, -(0.2 + 0.1 * std::sin(3)), 1e-15);
+  EXPECT_DOUBLE_EQ(body.contact(0, thrown_and_turning({0, 0, 0}).q).speed, 0.2 + 0.3);
+  EXPECT_DOUBLE_EQ(body.contact(1, thrown_and_turning({0, 0, 0}).q).speed, 0.2 + 0.3 * std::cos(3));
+  EXPECT_NEAR(body.contact(1, thrown_and_turning({0, 0, 0}).q).height, -(0.2 + 0.1 * std::sin(3)), 1e-15);
 }
 
 }  // namespace

@@ -117,9 +117,9 @@ struct RattleVelocity {
     return Status::failure("the velocity that the friction leaves is not found; use a smaller step");
   }
 
-  /// Adds a correction αu to v, with the solution u of the linear system for the residual r at v. The velocity v + αu
-  /// minimises a convex function of α approximately, whose negative derivative is the slope uᵀM r. α is 1, or is found
-  /// by bisection if the slope at α = 1 shows that v + u is beyond the minimum. Sets w.damping.residual to r at the new
+  /// Adds a correction αu to v, with the solution u of the linear system for the residual r at v. A convex function of
+  /// α has its minimum near this α. The negative derivative of this function is the slope uᵀM r. The factor α is 1 if
+  /// v + u is not far beyond the minimum, and is found by bisection otherwise. Sets w.damping.residual to r at the new
   /// v, and `change` to the size of αu.
   template <Damped S>
   static Status search_along_correction(const S& system, double h, const typename S::Vector& rounding_half,
