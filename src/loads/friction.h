@@ -6,8 +6,7 @@
 ///
 ///   secant   −f p u_t/w,     tangent   −(f p/w) [u_t − v_t (v_t·u_t)/w²]
 ///
-/// for a change u of the velocity with the tangential part u_t. Both are symmetric, and both are −f p u_t/s for v_t =
-/// 0.
+/// for a change u of the velocity with the tangential part u_t. Both are symmetric. For v_t = 0, both are −f p u_t/s.
 
 #include <Eigen/Core>
 #include <cmath>

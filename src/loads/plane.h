@@ -10,9 +10,8 @@
 /// fast separation, ḋ < −1/β, the plane attracts the body.
 ///
 /// The second term is Coulomb's friction with the coefficient f, regularised by the slip speed s. For |v_t| ≫ s the
-/// point slides, and the friction is f k d. For |v_t| ≪ s it sticks, and creeps with the velocity that the friction f k
-/// d v_t/s needs. The friction dissipates the power f k d |v_t|²/√(|v_t|² + s²) per area. Friction does not depend on
-/// β.
+/// point slides, and the friction is f k d. For |v_t| ≪ s the point sticks, and creeps with a part of s. The friction
+/// dissipates the power f k d |v_t|²/√(|v_t|² + s²) per area. It does not depend on β.
 ///
 /// A plane can move along its normal,
 ///

@@ -13,7 +13,7 @@
 /// with the symmetric and positive semidefinite operator C = ∂²R/∂v² at v. A force that is linear in v has one operator
 /// C(q), and v + u is exact. For other forces, such as friction, u is the correction of Newton's method. The residual
 /// is then the negative derivative of the convex function ½(v − v_half)ᵀM (v − v_half) + sR, up to forces that do not
-/// depend on v. The force itself has the operator of the secant, F(v) = −C v + F₀ with F₀ = F(0).
+/// depend on v. The function add_damping also computes the operator S of the secant, F(v) = F(0) − S v.
 ///
 /// On ker G the equation is P(1 + s M⁻¹C) u = P r with the projection P = 1 − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G. The operator on the
 /// left is symmetric and positive in the inner product ⟨x, y⟩ = xᵀM y, so conjugate gradients solve the equation. The
@@ -31,12 +31,11 @@
 
 namespace pseudorigid::mechanics {
 
-/// A system that also computes C at a state, f += −C u. No other part of the force may depend on the velocity, except a
-/// part that does not change with v.
+/// A system that also computes C at a state, f += −C u. The velocity may change the force only by the damping.
 template <class S>
 concept Damped = ConstrainedSystem<S> &&
     requires(const S s, const State<S> state, const typename S::Vector v, typename S::Vector f) {
-  s.add_damping(state, v, Linearization::tangent, f);  // (state, u, kind of C, f)
+  s.add_damping(state, v, Linearization::tangent, f);  // (state, u, kind, f): f += −C u, or f += −S u
   s.apply_mass(v, f);                                  // f = M v
   s.add_taken(0.0, f);                                 // (energy, v): adds to the dissipated energy, which v contains
 };
