@@ -271,7 +271,7 @@ std::string Words::print(const std::vector<std::string>& value) const {
 
 Problem Numbers::read(std::string_view text, std::vector<double>& value) const {
   const auto entries = parts_of(text, ',');
-  if (entries.empty() || (n > 0 && entries.size() != n))
+  if ((entries.empty() && !may_be_empty) || (n > 0 && entries.size() != n))
     return got(text) + ", which has " + counted(entries.size(), "entry", "entries");
   std::vector<double> numbers(entries.size());
   for (std::size_t i = 0; i < entries.size(); ++i)
@@ -284,7 +284,9 @@ Problem Numbers::read(std::string_view text, std::vector<double>& value) const {
 std::string Numbers::print(const std::vector<double>& value) const { return print_row(value); }
 
 std::string Numbers::expected() const {
-  if (n == 0) return "one or more numbers separated by \",\", each " + number.expected();
+  if (n == 0)
+    return std::string(may_be_empty ? "nothing, or " : "") + "one or more numbers separated by \",\", each " +
+           number.expected();
   return std::to_string(n) + " numbers separated by \",\", each " + number.expected();
 }
 

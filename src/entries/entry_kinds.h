@@ -175,6 +175,7 @@ struct AutoOrMatrix {
 struct Numbers {
   std::size_t n = 0;  ///< number of entries; 0: any positive number
   Number number{};
+  bool may_be_empty = false;
 
   static constexpr std::string_view type = "list of numbers";
   Problem read(std::string_view text, std::vector<double>& value) const;

@@ -5,6 +5,8 @@
 ///
 ///   energy V = Σ w k d²/2,   force along n  N = Σ w p,   area Σ w,   moment Σ w p x.
 ///
+/// A plane that moves with the speed ż₀ along n gives the power N ż₀, and N then includes the damping force.
+///
 /// A model may compute these sums only for a sector of the body between symmetry planes. The set of planes then has the
 /// same symmetry, so reflections give the sums for the whole body.
 
@@ -45,6 +47,18 @@ struct PlaneContact {
   }
 };
 
+/// Powers of all planes at one time. `taken` is dissipated by damping and friction, and `given` is given by the motion
+/// of the planes.
+struct ContactPower {
+  double taken = 0, given = 0;
+
+  ContactPower& operator+=(const ContactPower& other) {
+    taken += other.taken;
+    given += other.given;
+    return *this;
+  }
+};
+
 /// Contact in the columns of the output. `energy` is the sum over all planes, and `height` is the least height. The
 /// other members are for the plane with the largest force. Without contact, `normal` is the normal of the nearest
 /// plane, and `force`, `radius` and `point` are 0.
@@ -54,9 +68,16 @@ struct Contact {
   double radius = 0;                                        ///< radius √(area/π) of a disk with the contact area
   Eigen::Vector3d point = Eigen::Vector3d::Zero();          ///< centre of pressure; 0 without contact
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  double speed = 0;  ///< speed along the normal of the plane that has the normal
 
   double penetration() const { return std::max(0.0, -height); }
 };
+
+/// The plane whose normal has the components of the given normal times the signs.
+inline Plane mirrored_plane(Plane plane, const Eigen::Vector3d& signs) {
+  plane.normal = signs.cwiseProduct(plane.normal);
+  return plane;
+}
 
 /// Returns the contact of the whole body from the contact of its computed sector. `reflect[i]` is true if the body is
 /// symmetric under the reflection of x_i. For such a reflection R, plane j touches the image R x of a point x as the
@@ -75,7 +96,7 @@ inline std::vector<PlaneContact> of_whole_body(const Planes& planes, const std::
     if (!belongs) continue;
     for (std::size_t j = 0; j < planes.size(); ++j)
       for (std::size_t k = 0; k < planes.size(); ++k)
-        if (planes[k].position == planes[j].position && planes[k].normal == signs.cwiseProduct(planes[j].normal)) {
+        if (planes[k] == mirrored_plane(planes[j], signs)) {
           whole[j].add(computed[k], signs);
           break;
         }
@@ -95,6 +116,7 @@ inline Contact summary(const Planes& planes, const std::vector<PlaneContact>& co
     if (is_first || presses_more || is_nearer) {
       pressing = &one;
       result.normal = planes[j].normal;
+      result.speed = planes[j].speed;
     }
     result.height = std::min(result.height, one.height);
   }

@@ -16,7 +16,8 @@
 ///
 /// The contact area on the sphere |ξ| = 1 is 2πδ/G, at most 4π. For a rigid unit ball and small δ it is a disk of
 /// radius √(2δ), like the intersection of the ball and the plane. At the first contact the second derivative of
-/// N = πkδ²/G jumps. The damping force with the coefficient β needs the moments
+/// N = πkδ²/G jumps. The damping force with the coefficient β needs the rate ḋ = ż₀ − n·(ċ + Q̇ S ξ) with the speed ż₀
+/// of the plane, and the moments
 ///
 ///   I_j = 2π ∫ d u^j du,   ∫d dA = I₀,   ∫d ξ dA = −I₁ ĝ,   ∫d ξξᵀ dA = I₂ ĝĝᵀ + ½(I₀ − I₂)(Id − ĝĝᵀ),   ĝ = g/G.
 
@@ -46,6 +47,14 @@ class EllipsoidContact {
   }
 
   bool touches() const { return deepest_ > 0; }
+  const Plane& plane() const { return plane_; }
+  const Eigen::Matrix3d& shape() const { return S_; }
+  const Eigen::Matrix3d& deformation() const { return Q_; }
+  const Eigen::Vector3d& direction() const { return direction_; }  ///< ĝ
+  double slope() const { return G_; }                              ///< G
+  double deepest() const { return deepest_; }                      ///< δ
+  /// The power N ż₀ that the conservative pressure gives to a body on a plane with the speed ż₀.
+  double given() const { return touches() ? by_h() * plane_.speed : 0; }
 
   PlaneContact contact() const {
     PlaneContact result;
@@ -80,19 +89,21 @@ class EllipsoidContact {
               by_G() / G_ * plane_.normal * (S_ * (dg - direction_ * dG)).transpose();
   }
 
-  /// Adds the damping force for the velocities Qdot and cdot to f. Returns the power that it dissipates.
-  double add_damping(const Eigen::Matrix3d& Qdot, const Eigen::Vector3d& cdot, AffineForce& f) const {
-    if (!touches() || plane_.damping == 0) return 0;
+  /// Adds the damping force for the velocities Qdot and cdot to f. Returns the power that it dissipates and the power
+  /// that the plane gives by this force.
+  ContactPower add_damping(const Eigen::Matrix3d& Qdot, const Eigen::Vector3d& cdot, AffineForce& f) const {
+    if (!touches() || plane_.damping == 0) return {};
     const double factor = plane_.stiffness * plane_.damping;
-    const Eigen::Vector3d of_Q = S_.transpose() * (Qdot.transpose() * plane_.normal);  // ḋ = −n·ċ − of_Q·ξ
+    const Eigen::Vector3d of_Q = S_.transpose() * (Qdot.transpose() * plane_.normal);  // ḋ = −of_c − of_Q·ξ
     const Eigen::Vector3d I = moments();
-    const double of_c = plane_.normal.dot(cdot), along = direction_.dot(of_Q);
+    const double of_c = plane_.normal.dot(cdot) - plane_.speed, along = direction_.dot(of_Q);
     const double rate = -of_c * I[0] + along * I[1];  // ∫d ḋ dA
     const Eigen::Vector3d rate_xi =                   // ∫d ḋ ξ dA
         (of_c * I[1] - along * I[2]) * direction_ - 0.5 * (I[0] - I[2]) * (of_Q - along * direction_);
     f.on_center += factor * rate * plane_.normal;
     f.on_Q += factor * plane_.normal * (S_ * rate_xi).transpose();
-    return -factor * (of_c * rate + of_Q.dot(rate_xi));  // the dissipated power ∫kβ d ḋ² dA
+    // The dissipated power is ∫kβ d ḋ² dA.
+    return {.taken = -factor * (of_c * rate + of_Q.dot(rate_xi)), .given = factor * rate * plane_.speed};
   }
 
  private:
@@ -113,7 +124,7 @@ class EllipsoidContact {
     return {of_t[0], of_t[0] - of_t[1], of_t[0] - 2 * of_t[1] + of_t[2]};
   }
 
-  const Plane& plane_;
+  Plane plane_;
   const Eigen::Matrix3d& S_;
   Eigen::Matrix3d Q_;
   Eigen::Vector3d c_, direction_;

@@ -7,7 +7,7 @@
 ///   on the surface the nominal stress P̄ − p cof F, which is a dead traction P̄N per reference area and the follower
 ///                  pressure −p n per current area; energy −P̄:∫F dX + p V
 ///   inside         the objective viscosity σ = 2ηd, and self-gravity with the constant G
-///   at planes      the pressure of contact with rigid planes (plane.h)
+///   at planes      the pressure and the friction of contact with rigid planes (plane.h)
 ///   companions     point masses in orbit, with the quadratic potential of their tides (mechanics/core/orbit.h)
 ///
 /// The values are in the user's units or in internal units, as the owner of the object decides.
@@ -54,7 +54,7 @@ struct Forcing {
     return *this;
   }
 
-  bool dissipative() const { return viscosity != 0 || drag != 0 || planes.damped(); }
+  bool dissipative() const { return viscosity != 0 || drag != 0 || planes.damped() || planes.rough(); }
   /// True if there is a load other than a pressure. The motion of a body of constant volume does not depend on a
   /// pressure.
   bool acts_at_constant_volume() const {

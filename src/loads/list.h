@@ -140,8 +140,10 @@ bool depend_on_time(const Loads& loads, const Condition& has) {
   });
   return any;
 }
+/// Whether a forcing depends on time or a plane moves. Planes are not a part of `driving`, because the bodies compute
+/// their contact at the time t.
 inline bool depend_on_time(const Loads& loads) {
-  return depend_on_time(loads, [](const Forcing& f) { return f.present(); });
+  return full_forcing(loads).planes.moving() || depend_on_time(loads, [](const Forcing& f) { return f.present(); });
 }
 
 /// Angular frequencies of the periodic loads that are present.
@@ -149,7 +151,7 @@ inline std::vector<double> angular_frequencies(const Loads& loads) {
   std::vector<double> frequencies;
   loads.for_each([&]<class L>(const L& load) {
     if constexpr (requires { load.angular_frequency(); })
-      if (present(load)) frequencies.push_back(load.angular_frequency());
+      if (present(load) && load.angular_frequency() != 0) frequencies.push_back(load.angular_frequency());
   });
   return frequencies;
 }

@@ -20,8 +20,9 @@
 ///
 /// A load that depends on time has forcing(t) and its derivative forcing_rate(t) instead of forcing(). It also has
 /// largest_forcing(), the forcing of largest size over all times. A periodic load also has angular_frequency(), so that
-/// the program does not mistake the forced motion for a pulsation of the body. The program computes everything else
-/// from the forcing, for example the energy and its rate, the dissipation and the scale of time.
+/// the program does not mistake the forced motion for a pulsation of the body. The frequency 0 means no oscillation.
+/// The program computes everything else from the forcing, for example the energy and its rate, the dissipation and the
+/// scale of time.
 
 #include <concepts>
 #include <string>

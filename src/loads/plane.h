@@ -1,13 +1,23 @@
 #pragma once
-/// Rigid planes n·x = z₀, with the body on the side n·x > z₀, and the law of contact with a plane. At a point of the
-/// surface with the penetration d = z₀ − n·x > 0, the pressure of the plane is
+/// Rigid planes n·x = z₀(t), with the body on the side n·x > z₀, and the law of contact with a plane. At a point of the
+/// surface with the penetration d = z₀ − n·x > 0 and the velocity v, the plane exerts the traction
 ///
-///   p = k d (1 + β ḋ)   along n, per area of the reference surface,
+///   p n − f k d v_t/√(|v_t|² + s²),   p = k d (1 + β ḋ),   ḋ = ż₀ − n·v,   v_t = v − (n·v) n,
 ///
-/// without friction. For a reference ellipsoid X = S ξ, the reference area is the area of the sphere |ξ| = 1. The
-/// energy k d²/2 of the contact is a penalty for d > 0, and k → ∞ enforces n·x ≥ z₀. The coefficient β of Hunt and
-/// Crossley (1975) is 0 for a conservative contact. The damping dissipates the power k β d ḋ² per area. At fast
-/// separation, ḋ < −1/β, the plane attracts the body.
+/// per area of the reference surface. For a reference ellipsoid X = S ξ, the reference area is the area of the sphere
+/// |ξ| = 1. The energy k d²/2 of the contact is a penalty for d > 0, and k → ∞ enforces n·x ≥ z₀. The coefficient β of
+/// Hunt and Crossley (1975) is 0 for a conservative contact. The damping dissipates the power k β d ḋ² per area. At
+/// fast separation, ḋ < −1/β, the plane attracts the body.
+///
+/// The second term is Coulomb's friction with the coefficient f, regularised by the slip speed s. For |v_t| ≫ s the
+/// point slides, and the friction is f k d. For |v_t| ≪ s the point sticks, and creeps with a part of s. The friction
+/// dissipates the power f k d |v_t|²/√(|v_t|² + s²) per area. It does not depend on β.
+///
+/// A plane can move along its normal,
+///
+///   z₀(t) = z₀ + u t + A sin Ωt.
+///
+/// The plane then gives the power ∫p ż₀ dA to the body and to the energy of the contact.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -21,17 +31,36 @@ struct Plane {
   double position = 0;                                ///< position z₀
   double stiffness = 0;                               ///< stiffness k
   double damping = 0;                                 ///< damping coefficient β
+  double friction = 0;                                ///< coefficient of friction f
+  double slip_speed = 1;                              ///< slip speed s
+  double speed = 0;                                   ///< speed u along n
+  double amplitude = 0, frequency = 0;                ///< amplitude A and angular frequency Ω
 
+  bool moves() const { return speed != 0 || (amplitude != 0 && frequency != 0); }
+  /// The plane with the position z₀(t) and the speed ż₀(t), without an oscillation.
+  Plane at(double t) const {
+    Plane now = *this;
+    if (!moves()) return now;
+    now.position += speed * t + amplitude * std::sin(frequency * t);
+    now.speed += amplitude * frequency * std::cos(frequency * t);
+    now.amplitude = 0;
+    return now;
+  }
+  /// A plane at rest with the position z₀(t).
+  Plane stopped_at(double t) const {
+    Plane now = at(t);
+    now.speed = 0;
+    return now;
+  }
   double height(const Eigen::Vector3d& x) const { return normal.dot(x) - position; }
+  /// The rate ḋ of the penetration of a point with the velocity v.
+  double rate(const Eigen::Vector3d& v) const { return speed - normal.dot(v); }
   /// The pressure p at a point of the surface with the position x and the velocity v.
   double pressure(const Eigen::Vector3d& x, const Eigen::Vector3d& v) const {
     const double d = std::max(0.0, -height(x));
-    return stiffness * d * (1 - damping * normal.dot(v));
+    return stiffness * d * (1 + damping * rate(v));
   }
-  bool operator==(const Plane& other) const {
-    return normal == other.normal && position == other.position && stiffness == other.stiffness &&
-           damping == other.damping;
-  }
+  bool operator==(const Plane& other) const = default;
 };
 
 /// A list of planes. The sum of two lists has the planes of both.
@@ -43,9 +72,24 @@ struct Planes : std::vector<Plane> {
     return *this;
   }
   bool damped() const {
-    for (const Plane& plane : *this)
-      if (plane.damping != 0) return true;
-    return false;
+    return std::any_of(begin(), end(), [](const Plane& plane) { return plane.damping != 0; });
+  }
+  bool rough() const {
+    return std::any_of(begin(), end(), [](const Plane& plane) { return plane.friction != 0; });
+  }
+  bool moving() const {
+    return std::any_of(begin(), end(), [](const Plane& plane) { return plane.moves(); });
+  }
+  /// The planes at the time t (Plane::at, Plane::stopped_at).
+  Planes at(double t) const {
+    Planes now = *this;
+    for (Plane& plane : now) plane = plane.at(t);
+    return now;
+  }
+  Planes stopped_at(double t) const {
+    Planes now = *this;
+    for (Plane& plane : now) plane = plane.stopped_at(t);
+    return now;
   }
   /// Returns an upper bound for the contact stiffness of a point of the surface, in any direction and with any number
   /// of planes. The stiffnesses of planes with the same normal n add up. A point cannot touch two planes that face each

@@ -137,9 +137,9 @@ inline constexpr BodyColumn<O> common_columns[] = {
     {"gravitational", &Quantities::energies, "mass*length^2/time^2", "energy of the self-gravity",
      [](const O& o) { return o.gravitational; }},
     {"external", &Quantities::energies, "mass*length^2/time^2",
-     "energy of all loads, minus the energy that time-dependent loads have given to the body",
+     "energy of all loads, minus the energy that time-dependent loads and moving planes have given to the body",
      [](const O& o) { return o.external; }},
-    {"dissipated", &Quantities::energies, "mass*length^2/time^2", "energy dissipated by viscosity and drag",
+    {"dissipated", &Quantities::energies, "mass*length^2/time^2", "energy dissipated by viscosity, drag and contact",
      [](const O& o) { return o.dissipated; }},
     {"energy", &Quantities::energies, "mass*length^2/time^2", "their sum", [](const O& o) { return o.energy(); }},
     {"J", &Quantities::momenta, "mass*length^2/time", "angular momentum about the centre of mass",
@@ -175,8 +175,8 @@ inline constexpr BodyColumn<O> common_columns[] = {
     {"largest_force", &Quantities::contact, "mass*length/time^2", "largest contact_force at the ends of steps so far",
      [](const O& o) { return o.contact.largest_force; }},
     {"restitution", &Quantities::contact, "",
-     "normal velocity of the centre of mass after the last contact, over that towards the plane before the first one; "
-     "0 before the end of a contact",
+     "normal velocity of the centre of mass relative to the plane after the last contact, over the approach velocity "
+     "before the first; 0 before the end of a contact",
      [](const O& o) { return o.contact.restitution; }},
     {"orbital", &Quantities::orbit, "mass*length^2/time^2",
      "kinetic energy of the orbit about the common centre of mass, if the scene has a companion, as the columns after "

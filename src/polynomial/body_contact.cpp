@@ -46,8 +46,8 @@ bool BodyContact::may_touch(const loads::Plane& plane, const Eigen::VectorXd& q)
   return reach > 0;
 }
 
-bool BodyContact::may_touch(const Eigen::VectorXd& q) const {
-  return std::any_of(planes_.begin(), planes_.end(), [&](const loads::Plane& plane) { return may_touch(plane, q); });
+bool BodyContact::may_touch(const loads::Planes& planes, const Eigen::VectorXd& q) const {
+  return std::any_of(planes.begin(), planes.end(), [&](const loads::Plane& plane) { return may_touch(plane, q); });
 }
 
 BodyContact::Field BodyContact::positions(const Eigen::VectorXd& q) const {
@@ -66,18 +66,26 @@ void BodyContact::add_at(Field& field, std::size_t place, const Eigen::Vector3d&
   for (std::size_t i = 0; i < 3; ++i) field[i * n + place] += value[static_cast<Eigen::Index>(i)];
 }
 
-std::vector<loads::PlaneContact> BodyContact::of_points(const Field& x) const {
-  std::vector<loads::PlaneContact> contacts(planes_.size());
-  for (std::size_t j = 0; j < planes_.size(); ++j)
-    for (std::size_t p = 0; p < places_.size(); ++p) contacts[j].add(planes_[j], at(x, places_[p]), weights_[p]);
+template <class Visit>
+void BodyContact::for_touching_points(const loads::Planes& planes, const Field& x, Visit&& visit) const {
+  for (const loads::Plane& plane : planes)
+    for (std::size_t p = 0; p < places_.size(); ++p)
+      if (const double d = -plane.height(at(x, places_[p])); d > 0) visit(plane, places_[p], weights_[p], d);
+}
+
+std::vector<loads::PlaneContact> BodyContact::of_points(const loads::Planes& planes, const Field& x) const {
+  std::vector<loads::PlaneContact> contacts(planes.size());
+  for (std::size_t j = 0; j < planes.size(); ++j)
+    for (std::size_t p = 0; p < places_.size(); ++p) contacts[j].add(planes[j], at(x, places_[p]), weights_[p]);
   return contacts;
 }
 
-loads::Contact BodyContact::contact(const Eigen::VectorXd& q) const {
-  if (!is_affine()) return summary(planes_, of_whole_body(planes_, of_points(positions(q)), space_->reflect()));
+loads::Contact BodyContact::contact(double t, const Eigen::VectorXd& q) const {
+  const loads::Planes planes = planes_.at(t);
+  if (!is_affine()) return summary(planes, of_whole_body(planes, of_points(planes, positions(q)), space_->reflect()));
   std::vector<loads::PlaneContact> contacts;
-  for (const loads::Plane& plane : planes_) contacts.push_back(affine_contact(plane, q).contact());
-  return summary(planes_, contacts);
+  for (const loads::Plane& plane : planes) contacts.push_back(affine_contact(plane, q).contact());
+  return summary(planes, contacts);
 }
 
 /// Adds the generalised force of a force field at the points to f. The tables have the functions of the whole body, and
@@ -95,63 +103,126 @@ void BodyContact::spread(const loads::AffineForce& force, Eigen::VectorXd& f) co
   f.head(space_->n_unknowns()) += coefficients;
 }
 
-void BodyContact::add_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
+double BodyContact::add_force(double t, const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
+  const loads::Planes planes = planes_.at(t);
+  double given = 0;
   if (is_affine()) {
     loads::AffineForce force;
-    for (const loads::Plane& plane : planes_) affine_contact(plane, q).add_force(force);
-    return spread(force, f);
+    for (const loads::Plane& plane : planes) {
+      const loads::EllipsoidContact contact = affine_contact(plane, q);
+      contact.add_force(force);
+      given += contact.given();
+    }
+    spread(force, f);
+    return given;
   }
-  if (!may_touch(q)) return;
+  if (!may_touch(planes, q)) return given;
   const Field x = positions(q);
   Field force(x.size(), 0.0);
-  for (const loads::Plane& plane : planes_)
-    for (std::size_t p = 0; p < places_.size(); ++p)
-      if (const double d = -plane.height(at(x, places_[p])); d > 0)
-        add_at(force, places_[p], weights_[p] * plane.stiffness * d * plane.normal);
+  for_touching_points(planes, x, [&](const loads::Plane& plane, std::size_t place, double weight, double d) {
+    add_at(force, place, weight * plane.stiffness * d * plane.normal);
+    given += space_->n_mirrors() * weight * plane.stiffness * d * plane.speed;
+  });
   spread(force, f);
+  return given;
 }
 
-void BodyContact::add_force_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::VectorXd& f) const {
+void BodyContact::add_force_rate(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& u,
+                                 Eigen::VectorXd& f) const {
+  const loads::Planes planes = planes_.at(t);
   if (is_affine()) {
     loads::AffineForce rate;
     const auto du = u.head(space_->n_unknowns());
-    for (const loads::Plane& plane : planes_)
+    for (const loads::Plane& plane : planes)
       affine_contact(plane, q).add_force_rate(space_->affine_part(du), space_->mean(du), rate);
     return spread(rate, f);
   }
-  if (!may_touch(q)) return;
+  if (!may_touch(planes, q)) return;
   const Field x = positions(q), du = positions(u);
   Field rate(x.size(), 0.0);
-  for (const loads::Plane& plane : planes_)
-    for (std::size_t p = 0; p < places_.size(); ++p)
-      if (plane.height(at(x, places_[p])) < 0)
-        add_at(rate, places_[p], -weights_[p] * plane.stiffness * plane.normal.dot(at(du, places_[p])) * plane.normal);
+  for_touching_points(planes, x, [&](const loads::Plane& plane, std::size_t place, double weight, double) {
+    add_at(rate, place, -weight * plane.stiffness * plane.normal.dot(at(du, place)) * plane.normal);
+  });
   spread(rate, f);
 }
 
-double BodyContact::add_damping(const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& f) const {
-  double power = 0;
+loads::ContactPower BodyContact::add_dissipation(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                                                 Eigen::VectorXd& f) const {
+  const loads::Planes planes = planes_.at(t);
+  loads::ContactPower power = add_plane_damping(planes, q, v, f);
+  power.taken += add_friction(planes, q, v, f);
+  return power;
+}
+
+loads::ContactPower BodyContact::add_plane_damping(const loads::Planes& planes, const Eigen::VectorXd& q,
+                                                   const Eigen::VectorXd& u, Eigen::VectorXd& f) const {
+  loads::ContactPower power;
   if (is_affine()) {
     loads::AffineForce force;
-    const auto u = v.head(space_->n_unknowns());
-    for (const loads::Plane& plane : planes_)
-      power += affine_contact(plane, q).add_damping(space_->affine_part(u), space_->mean(u), force);
+    const auto du = u.head(space_->n_unknowns());
+    for (const loads::Plane& plane : planes)
+      power += affine_contact(plane, q).add_damping(space_->affine_part(du), space_->mean(du), force);
     spread(force, f);
     return power;
   }
-  if (!planes_.damped() || !may_touch(q)) return 0;
-  const Field x = positions(q), u = positions(v);
+  if (!planes.damped() || !may_touch(planes, q)) return power;
+  const Field x = positions(q), at_points = positions(u);
   Field force(x.size(), 0.0);
-  for (const loads::Plane& plane : planes_)
-    for (std::size_t p = 0; p < places_.size(); ++p) {
-      const double d = -plane.height(at(x, places_[p]));
-      if (d <= 0) continue;
-      const double rate = -plane.normal.dot(at(u, places_[p])), c = weights_[p] * plane.stiffness * plane.damping * d;
-      add_at(force, places_[p], c * rate * plane.normal);
-      power += space_->n_mirrors() * c * rate * rate;
-    }
+  for_touching_points(planes, x, [&](const loads::Plane& plane, std::size_t place, double weight, double d) {
+    const double rate = plane.rate(at(at_points, place)), c = weight * plane.stiffness * plane.damping * d;
+    add_at(force, place, c * rate * plane.normal);
+    power += {.taken = space_->n_mirrors() * c * rate * rate, .given = space_->n_mirrors() * c * rate * plane.speed};
+  });
   spread(force, f);
   return power;
+}
+
+double BodyContact::add_friction(const loads::Planes& planes, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                                 Eigen::VectorXd& f) const {
+  double power = 0;
+  if (!planes.rough() || !may_touch(planes, q)) return power;
+  if (is_affine()) {
+    loads::AffineForce force;
+    const Eigen::Matrix3d Qdot = space_->affine_part(v.head(space_->n_unknowns()));
+    const Eigen::Vector3d cdot = space_->mean(v.head(space_->n_unknowns()));
+    for (const loads::Plane& plane : planes)
+      power += loads::EllipsoidFriction(affine_contact(plane, q), Qdot, cdot).add_force(force);
+    spread(force, f);
+    return power;
+  }
+  const Field x = positions(q), at_points = positions(v);
+  Field force(x.size(), 0.0);
+  for_touching_points(planes, x, [&](const loads::Plane& plane, std::size_t place, double weight, double d) {
+    const loads::Friction friction(plane, at(at_points, place));
+    const double pressure = weight * plane.stiffness * d;
+    add_at(force, place, friction.traction(pressure));
+    power += space_->n_mirrors() * friction.power(pressure);
+  });
+  spread(force, f);
+  return power;
+}
+
+void BodyContact::add_damping(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& u,
+                              mechanics::Linearization kind, Eigen::VectorXd& f) const {
+  const loads::Planes planes = planes_.stopped_at(t);
+  add_plane_damping(planes, q, u, f);
+  if (!planes.rough() || !may_touch(planes, q)) return;
+  if (is_affine()) {
+    loads::AffineForce change;
+    const auto of_v = v.head(space_->n_unknowns()), of_u = u.head(space_->n_unknowns());
+    const Eigen::Matrix3d Qdot = space_->affine_part(of_v), dQdot = space_->affine_part(of_u);
+    const Eigen::Vector3d cdot = space_->mean(of_v), dcdot = space_->mean(of_u);
+    for (const loads::Plane& plane : planes)
+      loads::EllipsoidFriction(affine_contact(plane, q), Qdot, cdot).add_change(dQdot, dcdot, kind, change);
+    return spread(change, f);
+  }
+  const Field x = positions(q), v_at_points = positions(v), u_at_points = positions(u);
+  Field change(x.size(), 0.0);
+  for_touching_points(planes, x, [&](const loads::Plane& plane, std::size_t place, double weight, double d) {
+    const loads::Friction friction(plane, at(v_at_points, place));
+    add_at(change, place, friction.change(weight * plane.stiffness * d, at(u_at_points, place), kind));
+  });
+  spread(change, f);
 }
 
 void BodyContact::add_holding_force(const Eigen::VectorXd& u, Eigen::VectorXd& f) const {

@@ -1,12 +1,13 @@
 #pragma once
 /// Contact of a polynomial body with rigid planes (loads/plane.h), by quadrature on the unit sphere of ξ. An octant of
-/// the sphere has n_points points in each direction, and the weights w are areas of the sphere. A plane n·x = z₀ has
+/// the sphere has n_points points in each direction, and the weights w are areas of the sphere. A plane n·x = z₀(t) has
 /// the stiffness k, and the position x has the coefficients q_a. With sums over the points with d > 0, the energy V and
 /// its force are
 ///
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ q_a φ_a,   −∂V/∂q_a = Σ w k d n φ_a.
 ///
-/// A body of degree 1 has the closed form of the pseudo-rigid body (loads/ellipsoid_contact.h). For higher degrees, the
+/// Damping and friction are sums over the same points. A body of degree 1 has the closed form of the pseudo-rigid body
+/// (loads/ellipsoid_contact.h), and its friction (loads/ellipsoid_friction.h). For higher degrees, the
 /// sum converges to this form on affine motions as n_points increases. The force is not computed if a lower bound of
 /// n·x shows that the body does not reach any plane. With X = S ξ (polynomial_space.h) and the affine part c + A X of
 /// x, the bound is
@@ -19,7 +20,7 @@
 #include <memory>
 #include <vector>
 
-#include "loads/ellipsoid_contact.h"
+#include "loads/ellipsoid_friction.h"
 #include "polynomial/polynomial_space.h"
 
 namespace pseudorigid::polynomial {
@@ -31,14 +32,18 @@ class BodyContact {
 
   BodyContact(const loads::Planes& planes, std::shared_ptr<const PolynomialSpace> space, int n_points = usual_points);
 
-  loads::Contact contact(const Eigen::VectorXd& q) const;
-  double energy(const Eigen::VectorXd& q) const { return contact(q).energy; }
-  /// f ← f − ∂V/∂q
-  void add_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
+  loads::Contact contact(double t, const Eigen::VectorXd& q) const;
+  double energy(double t, const Eigen::VectorXd& q) const { return contact(t, q).energy; }
+  /// f ← f − ∂V/∂q. Returns the power that the planes give.
+  double add_force(double t, const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
   /// f ← f − D²V(q)[u]
-  void add_force_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
-  /// f ← f + damping force; returns the power that this force dissipates.
-  double add_damping(const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& f) const;
+  void add_force_rate(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
+  /// f ← f + damping force + friction. Returns the powers of these forces.
+  loads::ContactPower add_dissipation(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                                      Eigen::VectorXd& f) const;
+  /// f ← f − C u for the damping and the friction at the velocity v (mechanics/core/damping.h).
+  void add_damping(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& u,
+                   mechanics::Linearization kind, Eigen::VectorXd& f) const;
   /// f ← f − ∂/∂u of ½k∮|u|² for a displacement u, with k = Planes::stiffness_of_all(). This is the force of springs
   /// that pull every point of the surface back by its displacement.
   void add_holding_force(const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
@@ -49,12 +54,21 @@ class BodyContact {
 
   bool is_affine() const { return space_->degree() == 1; }
   bool may_touch(const loads::Plane& plane, const Eigen::VectorXd& q) const;
-  bool may_touch(const Eigen::VectorXd& q) const;
+  bool may_touch(const loads::Planes& planes, const Eigen::VectorXd& q) const;
   Field positions(const Eigen::VectorXd& q) const;
   Eigen::Vector3d at(const Field& field, std::size_t place) const;
   void add_at(Field& field, std::size_t place, const Eigen::Vector3d& value) const;
   /// The contacts of the computed sector at the positions x of its points, one contact for each plane.
-  std::vector<loads::PlaneContact> of_points(const Field& x) const;
+  std::vector<loads::PlaneContact> of_points(const loads::Planes& planes, const Field& x) const;
+  /// Calls visit(plane, place, w d) for the points with d > 0.
+  template <class Visit>
+  void for_touching_points(const loads::Planes& planes, const Field& x, Visit&& visit) const;
+  /// f ← f + damping force at the velocity u. Returns the powers of this force.
+  loads::ContactPower add_plane_damping(const loads::Planes& planes, const Eigen::VectorXd& q, const Eigen::VectorXd& u,
+                                        Eigen::VectorXd& f) const;
+  /// f ← f + friction at the velocity v. Returns the dissipated power.
+  double add_friction(const loads::Planes& planes, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                      Eigen::VectorXd& f) const;
   loads::EllipsoidContact affine_contact(const loads::Plane& plane, const Eigen::VectorXd& q) const;
   void spread(Field& by_point, Eigen::VectorXd& f) const;
   void spread(const loads::AffineForce& force, Eigen::VectorXd& f) const;

@@ -80,7 +80,7 @@ mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const
     dense().add_multiple(n, wJ, A, T);
   }
   double taken = constant_.viscosity != 0 ? add_dissipation(v, F, T) : 0;
-  const double given = driven_ ? external_energy(loads::driving_rate(loads_, t), q, F) : 0;
+  double given = driven_ ? external_energy(loads::driving_rate(loads_, t), q, F) : 0;
   f.setZero();
   space_->gradients().add_transposed(space_->blocks(), 3, T, f.data());
   f = -f;
@@ -89,8 +89,10 @@ mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const
   if (gravity_) gravity_->add_force(q, f);
   if (contact_ && held_at) contact_->add_holding_force(q - *held_at, f);
   if (contact_ && !held_at) {
-    contact_->add_force(q, f);
-    taken += contact_->add_damping(q, v, f);
+    given += contact_->add_force(t, q, f);
+    const loads::ContactPower power = contact_->add_dissipation(t, q, v, f);
+    taken += power.taken;
+    given += power.given;
   }
   if (orbit_.n() > 0) add_companions(q, f);
   if (n_accounts() == 0) return {};
@@ -160,19 +162,20 @@ double PolynomialBody::add_dissipation(const Vector& v, const double* F, double*
   return dense().add_viscous_stress(n, space_->weights().data(), constant_.viscosity, F, A, B, T);
 }
 
-void PolynomialBody::add_damping(const Vector& q, const Vector& v, Vector& f) const {
+void PolynomialBody::add_damping(const mechanics::VectorState<Vector>& state, const Vector& u,
+                                 mechanics::Linearization kind, Vector& f) const {
   const int n_unknowns = space_->n_unknowns();
   if (constant_.viscosity != 0) {
     ScratchArray F(space_->gradients().size(3)), T(space_->gradients().size(3));
-    space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
+    space_->gradients().evaluate(space_->blocks(), 3, state.q.data(), F);
     std::fill_n(static_cast<double*>(T), space_->gradients().size(3), 0.0);
-    add_dissipation(v, F, T);
+    add_dissipation(u, F, T);
     Vector taken = Vector::Zero(f.size());
     space_->gradients().add_transposed(space_->blocks(), 3, T, taken.data());
     f -= taken;
   }
-  if (contact_) contact_->add_damping(q, v, f);
-  f.head(n_unknowns) -= constant_.drag * v.head(n_unknowns);
+  if (contact_) contact_->add_damping(state.t, state.q, state.v, u, kind, f);
+  f.head(n_unknowns) -= constant_.drag * u.head(n_unknowns);
 }
 
 PotentialEnergies PolynomialBody::potential_energies(double t, const Vector& q) const {
@@ -184,7 +187,7 @@ PotentialEnergies PolynomialBody::potential_energies(double t, const Vector& q) 
   if (gravity_) V.gravitational = gravity_->energy(q);
   V.external = external_energy(constant_, q, F);
   if (driven_) V.external += external_energy(loads::driving(loads_, t), q, F);
-  if (contact_) V.contact = contact_->energy(q);
+  if (contact_) V.contact = contact_->energy(t, q);
   if (orbit_.n() > 0) V.interaction = orbit_.energy(second_moment(q), companions(q));
   return V;
 }
@@ -217,7 +220,7 @@ void PolynomialBody::add_force_rate(const Vector& q, const Vector& u, Vector& f)
   linear.quadratic = constant_.quadratic;
   add_loads(linear, u, f);
   if (gravity_) gravity_->add_force_rate(q, u, f);
-  if (contact_) contact_->add_force_rate(q, u, f);
+  if (contact_) contact_->add_force_rate(0, q, u, f);
 }
 
 void PolynomialBody::symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {

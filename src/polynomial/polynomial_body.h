@@ -17,8 +17,9 @@
 ///   companions               the quadratic potential T about the centre of mass (mechanics/core/orbit.h)
 ///
 /// With dissipation or loads that depend on time, the body has two further coordinates s and s'. Their accelerations s̈
-/// and s̈' are the dissipated power and the power that loads give by their change in time. Therefore the velocities ṡ
-/// and ṡ' are the dissipated and the given energy. The coordinates of companions are the last ones.
+/// and s̈' are the dissipated power and the power that loads give by their change in time. Planes in motion are such
+/// loads. Therefore the velocities ṡ and ṡ' are the dissipated and the given energy. The coordinates of companions are
+/// the last ones.
 ///
 /// All integrals are over the whole body, in internal units.
 
@@ -71,6 +72,7 @@ class PolynomialBody {
   bool time_dependent() const { return driven_; }
   bool velocity_dependent() const { return constant_.dissipative(); }
   bool dissipative() const { return constant_.dissipative(); }
+  bool damping_is_linear() const { return !constant_.planes.rough(); }
   Vector make_vector() const { return Vector::Zero(first_of_orbit() + 3 * orbit_.n()); }
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.head(space_->n_unknowns()).squaredNorm(); }
@@ -82,19 +84,21 @@ class PolynomialBody {
   int n_symmetries() const { return static_cast<int>(turns_.size()); }
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
 
-  /// f ← f + viscous force, damping force of contacts and drag. These forces are linear in v
-  /// (mechanics/core/linear_damping.h).
-  void add_damping(const Vector& q, const Vector& v, Vector& f) const;
-  /// f ← f + rate of the conservative forces along u. The result does not include the forces of loads that depend on
-  /// time.
+  /// f ← f − C u for viscosity, drag, and the damping and friction of contacts (mechanics/core/damping.h).
+  void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization kind,
+                   Vector& f) const;
+  /// f ← f + rate of the conservative forces along u at t = 0. The result does not include the forces of loads that
+  /// depend on time, except planes.
   void add_force_rate(const Vector& q, const Vector& u, Vector& f) const;
 
   const PolynomialSpace& space() const { return *space_; }
   const materials::AnyLaw& law() const { return law_; }
   /// The self-gravity, or null if there is none.
   const BodyGravity* gravity() const { return gravity_.get(); }
-  /// The contact with rigid planes at q. It is empty if there are no planes.
-  loads::Contact contact(const Vector& q) const { return contact_ ? contact_->contact(q) : loads::Contact{}; }
+  /// The contact with rigid planes at the time t and the position q. It is empty if there are no planes.
+  loads::Contact contact(double t, const Vector& q) const {
+    return contact_ ? contact_->contact(t, q) : loads::Contact{};
+  }
   double volumetric_stiffness() const { return volumetric_stiffness_; }
   const loads::Forcing& constant_forcing() const { return constant_; }
 

@@ -1,18 +1,20 @@
 #pragma once
-/// The pseudo-rigid body x = c + Q X in contact with rigid planes. The contact energy V_c(Q, c)
-/// (loads/ellipsoid_contact.h) couples the centre of mass c to Q,
+/// The pseudo-rigid body x = c + Q X in contact with rigid planes, which may move along their normals. The contact
+/// energy V_c(Q, c, t) (loads/ellipsoid_contact.h) couples the centre of mass c to Q,
 ///
 ///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ + Λ Q⁻ᵀ,   M c̈ = M (b − T c) − ∂V_c/∂c − ∂R/∂ċ,
 ///
 /// with the mass M, the loads b and T (center_of_mass.h) and the multiplier Λ. Rayleigh's function R contains the
-/// viscosity, the drag and the damping of the planes. The term f_Q is the force on Q without planes and dissipation.
-/// Loads that depend on time add −∂V_t/∂Q and −∂V_t/∂c with their energy V_t(Q, c, t). As in dissipative_body.h, the
-/// velocities of two further coordinates s and s' are energies: the dissipated energy D, and the energy W that loads
-/// have given. The vectors are q = [Q | c | (s, s', 0)ᵀ] and v = [Q̇ | ċ | (D, W, 0)ᵀ].
+/// viscosity, the drag, the damping of the planes and the friction on the planes. The term f_Q is the force on Q
+/// without planes and dissipation. Loads that depend on time add −∂V_t/∂Q and −∂V_t/∂c with their energy V_t(Q, c, t).
+/// As in dissipative_body.h, the velocities of two further coordinates s and s' are energies: the dissipated energy D,
+/// and the energy W that loads and moving planes have given. The vectors are q = [Q | c | (s, s', 0)ᵀ] and v = [Q̇ | ċ |
+/// (D, W, 0)ᵀ].
 
-#include "loads/ellipsoid_contact.h"
+#include "loads/ellipsoid_friction.h"
 #include "loads/list.h"
 #include "mechanics/core/constrained_system.h"
+#include "mechanics/core/linearization.h"
 #include "mechanics/core/second_order_field.h"
 #include "reduced/dissipation.h"
 #include "reduced/external_potential.h"
@@ -43,6 +45,7 @@ class BodyOnPlanes {
   bool time_dependent() const { return driven_; }
   bool velocity_dependent() const { return constant_.dissipative(); }
   bool dissipative() const { return constant_.dissipative(); }
+  bool damping_is_linear() const { return !constant_.planes.rough(); }
 
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& w, Vector& f) const {
     const Eigen::Matrix3d Q = matrix(q), Qdot = matrix(v);
@@ -51,13 +54,16 @@ class BodyOnPlanes {
     const Eigen::Vector3d c = center(q), cdot = center(v);
     const double mass = body_.reference().mass;
     F.on_center = mass * (constant_.acceleration - constant_.quadratic * c);
+    loads::ContactPower power;
     if (w.held_at)
       hold(Q - matrix(*w.held_at), c - center(*w.held_at), F);
     else
-      for (const loads::Plane& plane : constant_.planes) contact_with(plane, Q, c).add_force(F);
-    const double taken = add_dissipation(Q, c, Qdot, cdot, F);
-    const double given = driven_ ? add_driving(t, Q, c, F) : 0;
-    f << F.on_Q, F.on_center, Eigen::Vector3d(taken, given, 0);
+      power.given += add_contact(t, Q, c, F);
+    power += add_dissipation(
+        Q, c, Qdot, cdot, [t](const loads::Plane& plane) { return plane.at(t); }, F);
+    if (!w.held_at) power.taken += add_friction(t, Q, c, Qdot, cdot, F);
+    if (driven_) power.given += add_driving(t, Q, c, F);
+    f << F.on_Q, F.on_center, Eigen::Vector3d(power.taken, power.given, 0);
     return {};
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const {
@@ -72,10 +78,19 @@ class BodyOnPlanes {
     const Eigen::Vector3d of_center = center(v) * body_.reference().mass, last = v.col(4);
     f << F, of_center, last;
   }
-  /// f ← f − ∂R/∂v. This force is linear in v (mechanics/core/linear_damping.h).
-  void add_damping(const Vector& q, const Vector& v, Vector& f) const {
+  /// f ← f − C u for the damping at a state (mechanics/core/damping.h). The speed of planes does not change with u.
+  void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization kind,
+                   Vector& f) const {
+    const Eigen::Matrix3d Q = matrix(state.q), Qdot = matrix(state.v), dQdot = matrix(u);
+    const Eigen::Vector3d c = center(state.q), cdot = center(state.v), dcdot = center(u);
     loads::AffineForce F;
-    add_dissipation(matrix(q), center(q), matrix(v), center(v), F);
+    const auto stopped = [&](const loads::Plane& plane) { return plane.stopped_at(state.t); };
+    add_dissipation(Q, c, dQdot, dcdot, stopped, F);
+    if (!damping_is_linear())
+      for (const loads::Plane& plane : constant_.planes) {
+        const loads::EllipsoidContact contact = contact_with(plane.at(state.t), Q, c);
+        loads::EllipsoidFriction(contact, Qdot, cdot).add_change(dQdot, dcdot, kind, F);
+      }
     f.template leftCols<3>() += F.on_Q;
     f.col(3) += F.on_center;
   }
@@ -109,18 +124,18 @@ class BodyOnPlanes {
   }
   void add_taken(double energy, Vector& v) const { v(0, 4) += energy; }
   double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, 4); }
-  /// V_t − W, with the energy V_t(Q, c, t) of the loads that depend on time. The result is 0 if there are no such
-  /// loads.
+  /// V_t − W, with the energy V_t(Q, c, t) of the loads that depend on time. The result is 0 if there are no such loads
+  /// and no planes in motion.
   double driven_energy(const mechanics::VectorState<Vector>& state) const {
     if (!driven_) return 0;
     return energy_of(loads::driving(loads_, state.t), matrix(state.q), center(state.q)) - state.v(1, 4);
   }
-  /// Summary of the contacts with all planes at q.
-  loads::Contact contact(const Vector& q) const {
+  /// Summary of the contacts with all planes at the time t and the position q.
+  loads::Contact contact(double t, const Vector& q) const {
+    const loads::Planes planes = constant_.planes.at(t);
     std::vector<loads::PlaneContact> contacts;
-    for (const loads::Plane& plane : constant_.planes)
-      contacts.push_back(contact_with(plane, matrix(q), center(q)).contact());
-    return loads::summary(constant_.planes, contacts);
+    for (const loads::Plane& plane : planes) contacts.push_back(contact_with(plane, matrix(q), center(q)).contact());
+    return loads::summary(planes, contacts);
   }
 
   static mechanics::VectorState<Vector> state_of(const mechanics::VectorState<Eigen::Matrix3d>& motion,
@@ -145,15 +160,40 @@ class BodyOnPlanes {
     F.on_center -= k * area * c;
     F.on_Q -= k * area / 3 * Q * S * S.transpose();
   }
-  /// F ← F − ∂R/∂(Q̇, ċ) with Rayleigh's function R. Returns the dissipated power.
-  double add_dissipation(const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, const Eigen::Matrix3d& Qdot,
-                         const Eigen::Vector3d& cdot, loads::AffineForce& F) const {
-    if (!constant_.dissipative()) return 0;
-    double power = dissipation_.add_force(body_.reference(), Q, Qdot, F.on_Q);
+  /// F ← F − ∂V_c/∂(Q, c). Returns the power that planes give.
+  double add_contact(double t, const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, loads::AffineForce& F) const {
+    double given = 0;
+    for (const loads::Plane& plane : constant_.planes) {
+      const loads::EllipsoidContact contact = contact_with(plane.at(t), Q, c);
+      contact.add_force(F);
+      given += contact.given();
+    }
+    return given;
+  }
+  /// Adds the forces that are linear in the velocity: viscosity, drag and the damping of planes. plane_now(plane) is a
+  /// plane at the present time.
+  template <class PlaneNow>
+  loads::ContactPower add_dissipation(const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, const Eigen::Matrix3d& Qdot,
+                                      const Eigen::Vector3d& cdot, const PlaneNow& plane_now,
+                                      loads::AffineForce& F) const {
+    if (!constant_.dissipative()) return {};
+    loads::ContactPower power{.taken = dissipation_.add_force(body_.reference(), Q, Qdot, F.on_Q)};
     const Eigen::Vector3d drag = constant_.drag * body_.reference().mass * cdot;
     F.on_center -= drag;
-    power += drag.dot(cdot);
-    for (const loads::Plane& plane : constant_.planes) power += contact_with(plane, Q, c).add_damping(Qdot, cdot, F);
+    power.taken += drag.dot(cdot);
+    for (const loads::Plane& plane : constant_.planes)
+      power += contact_with(plane_now(plane), Q, c).add_damping(Qdot, cdot, F);
+    return power;
+  }
+  /// Adds the friction of all planes to F. Returns the power that it dissipates.
+  double add_friction(double t, const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, const Eigen::Matrix3d& Qdot,
+                      const Eigen::Vector3d& cdot, loads::AffineForce& F) const {
+    double power = 0;
+    if (damping_is_linear()) return power;
+    for (const loads::Plane& plane : constant_.planes) {
+      const loads::EllipsoidContact contact = contact_with(plane.at(t), Q, c);
+      power += loads::EllipsoidFriction(contact, Qdot, cdot).add_force(F);
+    }
     return power;
   }
   /// F ← F − ∂V_t/∂(Q, c). Returns ∂V_t/∂t.

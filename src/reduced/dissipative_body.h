@@ -12,6 +12,7 @@
 
 #include "loads/list.h"
 #include "mechanics/core/constrained_system.h"
+#include "mechanics/core/linearization.h"
 #include "mechanics/core/second_order_field.h"
 #include "reduced/body_of_stages.h"
 #include "reduced/dissipation.h"
@@ -67,10 +68,11 @@ class DissipativeBody {
     const Eigen::Vector3d last = v.col(3);
     f << F, last;
   }
-  /// f ← f − ∂R/∂Q̇. This force is linear in Q̇ (mechanics/core/linear_damping.h).
-  void add_damping(const Vector& q, const Vector& v, Vector& f) const {
+  /// f ← f − ∂R/∂Q̇ at the velocity u. This force is linear in u (mechanics/core/damping.h).
+  void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization,
+                   Vector& f) const {
     Eigen::Matrix3d F = matrix(f);
-    dissipation_.add_force(body_.reference(), matrix(q), matrix(v), F);
+    dissipation_.add_force(body_.reference(), matrix(state.q), matrix(u), F);
     f.leftCols<3>() = F;
   }
   mechanics::Status constraint(const Vector& q, Multiplier& g) const { return body_.constraint(matrix(q), g); }

@@ -41,7 +41,7 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
       if (mechanics::time_dependent(system)) o.external += system.driven_energy(state);
     o.dissipated = system.dissipated(state);
   }
-  if constexpr (requires { system.contact(state.q); }) o.contact.take(system.contact(state.q));
+  if constexpr (requires { system.contact(state.t, state.q); }) o.contact.take(system.contact(state.t, state.q));
   if (request.momenta) {
     o.angular_momentum = mechanics::axial_vector(Q * body.E0() * Qdot.transpose());
     o.circulation = mechanics::axial_vector(body.E0() * Qdot.transpose() * Q);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "mechanics/core/constrained_system.h"
+#include "mechanics/core/linearization.h"
 #include "mechanics/core/orbit.h"
 #include "mechanics/core/second_order_field.h"
 
@@ -50,9 +51,10 @@ class OrbitingBody {
   void apply_mass(const Vector& v, Vector& f) const {
     map(v, f, [this](const auto& x, auto& y) { inner_.apply_mass(x, y); });
   }
-  void add_damping(const Vector& q, const Vector& v, Vector& f) const {
+  void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization kind,
+                   Vector& f) const {
     typename Inner::Vector F = inner(f);
-    inner_.add_damping(inner(q), inner(v), F);
+    inner_.add_damping(inner_state(state), inner(u), kind, F);
     f.template leftCols<n_inner>() = F;
   }
   mechanics::Status constraint(const Vector& q, Multiplier& g) const { return inner_.constraint(inner(q), g); }

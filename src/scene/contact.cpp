@@ -37,6 +37,17 @@ std::optional<Refusal> refuses_rows(const loads::RigidPlanes& load) {
   return {};
 }
 
+/// Refuses speeds and amplitudes that are not one for each plane.
+std::optional<Refusal> refuses_motion_of_planes(const loads::RigidPlanes& load) {
+  const std::size_t n_planes = load.normals.size() / 3;
+  for (const auto& [path, values] :
+       {std::pair{"Loads/Plane speeds", &load.speeds}, std::pair{"Loads/Plane amplitudes", &load.amplitudes}})
+    if (!values->empty() && values->size() != n_planes)
+      return Refusal{path, fmt::format("expected a number for each plane or nothing, got {} for {} planes",
+                                       values->size(), n_planes)};
+  return {};
+}
+
 std::optional<Refusal> refuses_body(const Scene& scene) {
   if (scene.body.inertia)
     return Refusal{"Body/Inertia",
@@ -51,8 +62,9 @@ std::optional<Refusal> refuses_body(const Scene& scene) {
 
 std::optional<Refusal> refuses_planes(const Scene& scene) {
   const auto& load = scene.loads.get<loads::RigidPlanes>();
-  if (load.normals.empty() && load.points.empty()) return {};
   if (auto refusal = refuses_rows(load)) return refusal;
+  if (auto refusal = refuses_motion_of_planes(load)) return refusal;
+  if (load.normals.empty()) return {};
   if (auto refusal = refuses_body(scene)) return refusal;
   const loads::Planes planes = load.forcing().planes;
   for (std::size_t i = 0; i < planes.size(); ++i)

@@ -1,7 +1,8 @@
 #pragma once
-/// Checks of rigid planes (loads/rigid_planes.h). Each normal must be nonzero, and each plane must have a point. The
-/// surface of the body must be known. The initial body must be in front of each plane n·x = z₀, where n is the unit
-/// normal. For a body with radius r, centre x_c and deformation Q₀, this condition is
+/// Checks of rigid planes (loads/rigid_planes.h). Each normal must be nonzero, and each plane must have a point. Speeds
+/// and amplitudes are empty or have a number for each plane. The surface of the body must be known. The initial body
+/// must be in front of each plane n·x = z₀, where n is the unit normal and z₀ the position at time 0. For a body with
+/// radius r, centre x_c and deformation Q₀, this condition is
 ///
 ///   n·x ≥ z₀ for all x of the body,   that is   n·x_c − |S Q₀ᵀn| r ≥ z₀,   S = diag(semi-axes).
 ///

@@ -38,7 +38,8 @@ inline bool is_free(const Scene& scene) {
 
 /// Whether the scene has a load that rises from 0 (loads/rise.h).
 inline bool loads_rise(const Scene& scene) {
-  return loads::present(scene.loads.get<loads::Rise>()) && loads::depend_on_time(scene.loads);
+  const auto is_present = [](const loads::Forcing& forcing) { return forcing.present(); };
+  return loads::present(scene.loads.get<loads::Rise>()) && loads::depend_on_time(scene.loads, is_present);
 }
 
 /// The largest rate that a load other than self-gravity would cause in a body without other forces.

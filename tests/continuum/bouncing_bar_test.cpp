@@ -56,7 +56,7 @@ Bounce bounce(int n, double stiffness) {
   int n_middle = 0;
   double first_energy = 0;
   for (const auto& at : recorded.states) {
-    const double p = body.contact(at.q).force / area / exact_pressure, t = at.t / end_of_contact;
+    const double p = body.contact(at.t, at.q).force / area / exact_pressure, t = at.t / end_of_contact;
     result.pressure += std::abs(p - (t < 1 ? 1 : 0)) / static_cast<double>(n_samples);
     if (t > 0.1 && t < 0.9) {
       result.oscillation += (p - 1) * (p - 1);

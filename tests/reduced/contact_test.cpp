@@ -9,9 +9,7 @@
 #include <utility>
 
 #include "mechanics/steps/largest_frequency.h"
-#include "reduced/body_on_planes.h"
-#include "reduced/potential.h"
-#include "reduced/pseudo_rigid_body.h"
+#include "reduced/bodies_on_planes.h"
 #include "support/differences.h"
 #include "support/order_fit.h"
 #include "support/runs.h"
@@ -26,8 +24,8 @@ using loads::EllipsoidContact;
 using loads::Plane;
 using loads::PlaneContact;
 using reduced::ReferenceBody;
-using Body = reduced::BodyOnPlanes<reduced::PseudoRigidBody<reduced::Potential, true>>;
-using State = mechanics::State<Body>;
+using Body = BodyOnPlanes;
+using State = StateOnPlanes;
 
 const Matrix3d sample_shape = Vector3d(1.2, 0.9, 1).asDiagonal();
 Matrix3d sample_map() { return (Matrix3d() << 1.2, 0.2, -0.1, 0.1, 0.9, 0.15, -0.2, 0.1, 1).finished(); }
@@ -77,7 +75,7 @@ TEST(EllipsoidContact, IsTheIntegralOverTheSurface) {
     const PlaneContact exact = contact(plane).contact();
     AffineForce f, of_damping;
     contact(plane).add_force(f);
-    const double taken = contact(plane).add_damping(Qdot, cdot, of_damping);
+    const double taken = contact(plane).add_damping(Qdot, cdot, of_damping).taken;
     const double midpoints = depth < 0.1 ? 1e-4 : 1e-6;  // the fewer of them touch, the larger their error
     EXPECT_NEAR(exact.energy, expected.energy, midpoints * exact.energy);
     EXPECT_NEAR(exact.force, expected.force, midpoints * exact.force);
@@ -116,19 +114,6 @@ TEST(EllipsoidContact, ForceAndRateAreDerivatives) {
 
 loads::RigidPlanes floor_at(double height, double stiffness, double damping = 0) {
   return {.normals = {0, 0, 1}, .points = {0, 0, height}, .stiffness = stiffness, .damping = damping};
-}
-
-Body ball_on(const loads::Loads& loads) {
-  const ReferenceBody reference = ReferenceBody::unit_ball();
-  const loads::Forcing forcing = loads::constant_forcing(loads);
-  return {{reduced::Potential(materials::CiarletGeymonat{1, 0}, reference, forcing), reference}, loads};
-}
-
-double energy_of(const Body& body, const State& state, double acceleration) {
-  const double mass = body.body().reference().mass;
-  return body.body().kinetic_energy(body.matrix(state.v)) + body.body().potential_energy(body.matrix(state.q)) +
-         0.5 * mass * body.center(state.v).squaredNorm() + mass * acceleration * body.center(state.q)[2] +
-         body.contact(state.q).energy;
 }
 
 /// A tilted spheroid falls on a floor a hundred times. The floor leaves the horizontal momentum and J₃.
@@ -249,7 +234,7 @@ Impact impact(double v, double stiffness, double damping, double step) {
   EXPECT_TRUE(r.finished()) << r.result.reason;
   double last = 0;
   for (const State& s : r.states)
-    if (body.contact(s.q).height < 0) last = s.t;
+    if (body.contact(s.t, s.q).height < 0) last = s.t;
   return {body.center(r.last().v)[2] / v, last, r.last().v(0, 4) / (0.5 * body.body().reference().mass * v * v)};
 }
 

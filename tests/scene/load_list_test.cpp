@@ -20,19 +20,19 @@ bool has_line(const std::vector<std::string>& lines, std::string_view text) {
   return std::ranges::find(lines, text) != lines.end();
 }
 
-/// Calls check(load, filled) for every load, `filled` with diagonal matrices and numbers about 0.1.
+/// Calls check(load, filled) for every load, `filled` with diagonal matrices and numbers about 0.1, and with one plane.
 template <class Check>
 void for_each_load(const Check& check) {
   loads::Loads().for_each([&]<class L>(const L& absent) {
     L filled = absent;
     double next = 0.1;
-    const auto fill = [&]<class Value>(Value& member, const auto&, const About& about) {
+    const auto fill = [&]<class Value, class Kind>(Value& member, const Kind&, const About& about) {
       SCOPED_TRACE(about.path);
       EXPECT_EQ(owner_of(test::test_catalogue(), about.path), ball) << "its section is one of the ball's";
       if constexpr (std::is_same_v<Value, Matrix3>)
         for (int i = 0; i < 3; ++i) member[i][i] = next += 0.01;
       else if constexpr (std::is_same_v<Value, std::vector<double>>)
-        member.assign(3, next += 0.01);
+        member.assign(std::is_same_v<Kind, Numbers> && about.path.starts_with("Loads/Plane") ? 1 : 3, next += 0.01);
       else
         member = next += 0.01;
     };
@@ -122,8 +122,9 @@ Eigen::VectorXd numbers(const loads::Forcing& forcing) {
       values.push_back(value);
     else if constexpr (std::is_same_v<Value, loads::Planes>)
       for (const loads::Plane& plane : value)
-        values.insert(values.end(), {plane.normal[0], plane.normal[1], plane.normal[2], plane.position, plane.stiffness,
-                                     plane.damping});
+        values.insert(values.end(),
+                      {plane.normal[0], plane.normal[1], plane.normal[2], plane.position, plane.stiffness,
+                       plane.damping, plane.friction, plane.slip_speed, plane.speed, plane.amplitude, plane.frequency});
     else if constexpr (std::is_same_v<Value, mechanics::Companions>)
       for (const mechanics::Companion& companion : value) {
         values.push_back(companion.mass);

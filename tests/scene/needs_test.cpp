@@ -133,6 +133,24 @@ TEST(SectorOfLoads, OfRigidPlanesNeedsTheirMirrorImages) {
   EXPECT_EQ(name({0.1, 0.2, 1}, {0, 0, -3}), "full ball");
 }
 
+/// Planes in motion need images that move alike.
+TEST(SectorOfLoads, OfPlanesInMotionNeedsImagesWithTheSameMotion) {
+  const auto name = [](std::vector<double> speeds, std::vector<double> amplitudes) {
+    Scene scene = test::ball_scene();
+    auto& planes = scene.loads.get<loads::RigidPlanes>();
+    planes.normals = {0, 0, 1, 0, 0, -1};
+    planes.points = {0, 0, -2, 0, 0, 2};
+    planes.speeds = std::move(speeds);
+    planes.amplitudes = std::move(amplitudes);
+    planes.frequency = 3;
+    return sector(scene).name();
+  };
+  EXPECT_EQ(name({}, {}), "octant");
+  EXPECT_EQ(name({0.1, 0.1}, {0.2, 0.2}), "octant");
+  EXPECT_EQ(name({0.1, 0}, {}), "quarter (planes x, y)");
+  EXPECT_EQ(name({}, {0.1, -0.1}), "quarter (planes x, y)");
+}
+
 TEST(Contact, HasItsColumnsOnlyWithPlanes) {
   Scene scene = test::ball_scene();
   EXPECT_FALSE(needs(scene).contact);

@@ -158,7 +158,7 @@ def stay_at_rest(rng, entries, unit_of_gravity, with_continuum):
 
 
 def put_planes(rng, entries, radius, rate, modulus, Q):
-    """One to three planes near the body, now and then through it, towards which it flies."""
+    """One to three planes near the body, now and then through it, towards which it flies. Some of them are rough or move."""
     axes = [float(a) for a in entries.get("Body/Semi-axes", "1, 1, 1").split(",")]
     normals, points = [], []
     for _ in range(rng.randint(1, 3)):
@@ -176,6 +176,16 @@ def put_planes(rng, entries, radius, rate, modulus, Q):
         entries["Loads/Plane stiffness"] = repr(modulus / radius * 10 ** rng.uniform(0, 4))
     if rng.random() < 0.3:
         entries["Loads/Plane damping"] = repr(10 ** rng.uniform(-2, 1) / (radius * rate))
+    if rng.random() < 0.4:
+        entries["Loads/Plane friction"] = repr(10 ** rng.uniform(-2, 0.5))
+        if rng.random() < 0.5:
+            entries["Loads/Plane slip speed"] = repr(radius * rate * 10 ** rng.uniform(-7, 0))
+    if rng.random() < 0.4:
+        n_numbers = len(normals) + (rng.random() < 0.05)
+        entries["Loads/Plane speeds"] = ", ".join(repr(radius * rate * rng.uniform(-0.3, 0.3)) for _ in range(n_numbers))
+    if rng.random() < 0.3:
+        entries["Loads/Plane amplitudes"] = ", ".join(repr(radius * rng.uniform(-0.1, 0.1)) for _ in normals)
+        entries["Loads/Plane frequency"] = repr(rate * 10 ** rng.uniform(-1, 1.5))
 
 
 def put_companions(rng, entries, radius, rate, density):

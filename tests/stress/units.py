@@ -28,6 +28,8 @@ LOADS = {"Loads/Tidal matrix": text(diagonal(0.2, 0.1, -0.3)), "Loads/Nominal tr
          "Loads/Acceleration": "0.1, 0.2, -0.1", "Material/Viscosity": 0.02, "Material/Drag": 0.01}
 IMPACT = {"Loads/Plane normals": "0, 0, 1", "Loads/Plane points": "0, 0, -1.2", "Loads/Plane damping": 0.5,
           "Initial state/Center velocity": "0.1, 0, -0.5"}
+SHAKEN = {**IMPACT, "Loads/Plane friction": 0.3, "Loads/Plane slip speed": 0.05, "Loads/Plane speeds": 0.1,
+          "Loads/Plane amplitudes": 0.05, "Loads/Plane frequency": 2, "Time/Step": 0.01, "Time/Method": "rattle"}
 SCENES = {
     "reduced": {"Models": "reduced", **START},
     "reduced with gravity": {"Models": "reduced", **START, "Gravity/Constant": 1.5},
@@ -35,6 +37,7 @@ SCENES = {
     "reduced with loads and dissipation": {"Models": "reduced", **START, **LOADS},
     "reduced, compressible": {"Models": "reduced", **START, "Body/Incompressible": "false", "Material/Lame lambda": 2.5},
     "reduced on a plane": {"Models": "reduced", **START, **IMPACT},
+    "reduced on a rough plane in motion": {"Models": "reduced", **START, **SHAKEN},
     "polynomial": {**POLYNOMIAL, **START},
     "polynomial with gravity": {**POLYNOMIAL, **START, "Gravity/Constant": 1.5},
     "polynomial with loads and dissipation": {**POLYNOMIAL, **RELEASE, **LOADS},

@@ -68,12 +68,23 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
       start = system_.with_companions(start, system_.orbit().near_closest_approach(end, pilot_window(end) / 2));
     }
     if constexpr (on_planes)
-      if (const auto flight = flight_to_contact(system_.contact(state.q), System::center(state.v),
+      if (const auto flight = flight_to_contact(system_.contact(state.t, state.q), System::center(state.v),
                                                 loads::full_forcing(internal_loads(context_.scene)))) {
         start.q.col(3) += flight->displacement;
         start.v.col(3) += flight->velocity_change;
       }
     return start;
+  }
+  State in_contact(const State& state) const override {
+    State pressed = start_of_pilot(state);
+    if constexpr (on_planes) {
+      const loads::Contact now = system_.contact(pressed.t, pressed.q);
+      const loads::Forcing loads = loads::full_forcing(internal_loads(context_.scene));
+      const double depth = depth_of_contact(now, System::center(pressed.v), loads);
+      pressed.q.col(3) -= (now.height + depth) * now.normal;
+      pressed.v.setZero();
+    }
+    return pressed;
   }
   double rate(const State& state) const override {
     const auto motion = system_.motion(state);
@@ -95,7 +106,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     if (auto status = add_center_of_mass(state); !status) return status;
     if constexpr (on_planes) {
       // `judge` is called after steps only. This call records a contact that exists at the start.
-      if (state.t == 0) contacts_.look(0, system_.contact(state.q), System::center(state.v));
+      if (state.t == 0) contacts_.look(0, system_.contact(state.t, state.q), System::center(state.v));
       contacts_.write(observables_.contact);
     }
     tension_.look(time, observables_.multiplier * context_.units.multiplier());
@@ -108,7 +119,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   /// This value is the distance of Q from the nearest singular matrix (Eckart and Young). If it is at most the
   /// tolerance of Q, the exact motion may have collapsed already, and the function fails.
   mechanics::Status judge(const State& state) override {
-    if constexpr (on_planes) contacts_.look(state.t, system_.contact(state.q), System::center(state.v));
+    if constexpr (on_planes) contacts_.look(state.t, system_.contact(state.t, state.q), System::center(state.v));
     const Eigen::Matrix3d Q = Q_of(state);
     if constexpr (has_orbit)
       if (auto status = collisions_.look(state.t, system_.orbit(), Q * system_.body().E0() * Q.transpose(),
@@ -172,7 +183,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
 
  private:
   /// True if the centre of mass is a part of the state.
-  static constexpr bool on_planes = requires(const System& s, const State& state) { s.contact(state.q); };
+  static constexpr bool on_planes = requires(const System& s, const State& state) { s.contact(state.t, state.q); };
   static constexpr bool has_orbit = requires(const System& s) { s.orbit(); };
 
   Eigen::Matrix3d Q_of(const State& state) const { return system_.motion(state).q; }

@@ -2,13 +2,13 @@
 /// Summary of the contacts of a body with rigid planes, updated after every step. The summary has the start of the
 /// first contact, the end of the last contact, the largest force, and the coefficient of restitution
 ///
-///   e = (n·ẋ_c at the end of the last contact) / (−n·ẋ_c at the start of the first contact)
+///   e = (n·ẋ_c − ż₀ at the end of the last contact) / (ż₀ − n·ẋ_c at the start of the first contact)
 ///
-/// with the normal n of the nearest plane and the centre of mass x_c. A contact starts or ends when the height of the
-/// body above the nearest plane is zero. The height is interpolated linearly within a step. The velocity is not
-/// interpolated. The formula uses two velocities. One is the velocity after the last step before the first contact. The
-/// other is the velocity after the step in which the last contact ends. A contact that exists at time 0 starts there.
-/// Each quantity of the summary is 0 until its event occurs. All quantities are in internal units.
+/// with the normal n and the speed ż₀ of the nearest plane, and the centre of mass x_c. A contact starts or ends when
+/// the height of the body above the nearest plane is zero. The height is interpolated linearly within a step. The
+/// velocity is not interpolated. The formula uses two velocities. One is the velocity after the last step before the
+/// first contact. The other is the velocity after the step in which the last contact ends. A contact that exists at
+/// time 0 starts there. Each quantity of the summary is 0 until its event occurs. All quantities are in internal units.
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ class ContactWatch {
   /// not after the last recorded time, because the step is then a repetition of an earlier step.
   void look(double t, const loads::Contact& now, const Eigen::Vector3d& velocity) {
     if (is_begun_ && t <= t_) return;
-    const double v = now.normal.dot(velocity);
+    const double v = now.normal.dot(velocity) - now.speed;
     largest_force_ = std::max(largest_force_, now.force);
     const bool was_touching = is_begun_ && height_ < 0, touches = now.height < 0;
     const double crossing = is_begun_ ? t_ + (t - t_) * height_ / (height_ - now.height) : t;
@@ -72,7 +72,7 @@ class ContactWatch {
 
  private:
   bool is_begun_ = false, has_touched_ = false;
-  double t_ = 0, height_ = 0, v_ = 0;  ///< time, height and n·ẋ_c at the end of the last step
+  double t_ = 0, height_ = 0, v_ = 0;  ///< time, height and n·ẋ_c − ż₀ at the end of the last step
   double first_ = 0, speed_before_ = 0, last_ = 0, largest_force_ = 0, restitution_ = 0;
 };
 

@@ -75,11 +75,20 @@ class FieldModel : public RunnableModelOf<S> {
     }
     if (!context_.needs.contact) return start;
     const loads::Forcing forcing = loads::full_forcing(internal_loads(context_.scene));
-    if (const auto flight = flight_to_contact(this->system().contact(state.q), mean(state.v), forcing)) {
+    if (const auto flight = flight_to_contact(this->system().contact(state.t, state.q), mean(state.v), forcing)) {
       mechanics::axpy(1.0, affine(Eigen::Matrix3d::Zero(), flight->displacement), start.q);
       mechanics::axpy(1.0, affine(Eigen::Matrix3d::Zero(), flight->velocity_change), start.v);
     }
     return start;
+  }
+  State in_contact(const State& state) const final {
+    State pressed = start_of_pilot(state);
+    const loads::Contact now = this->system().contact(pressed.t, pressed.q);
+    const loads::Forcing loads = loads::full_forcing(internal_loads(context_.scene));
+    const double depth = depth_of_contact(now, mean(pressed.v), loads);
+    mechanics::axpy(-(now.height + depth), affine(Eigen::Matrix3d::Zero(), now.normal), pressed.q);
+    mechanics::scale(0.0, pressed.v);
+    return pressed;
   }
   double rate(const State& state) const final {
     return mechanics::affine_rate(affine_part(state.q), affine_part(state.v));
@@ -113,7 +122,8 @@ class FieldModel : public RunnableModelOf<S> {
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) override {
     if (auto status = observe(this->system(), state, workspace, request_, observables_); !status) return status;
     // `judge` is called after steps only. This call records a contact that exists at the start.
-    if (context_.needs.contact && state.t == 0) contacts_.look(0, this->system().contact(state.q), mean(state.v));
+    if (context_.needs.contact && state.t == 0)
+      contacts_.look(0, this->system().contact(state.t, state.q), mean(state.v));
     contacts_.write(observables_.contact);
     trajectory_.row(time, observables_, row);
     if (trace_) (*trace_)[sample_at(time)] = affine_part(state.q);
@@ -146,7 +156,7 @@ class FieldModel : public RunnableModelOf<S> {
     if (context_.needs.orbit)
       return collisions_.look(state.t, this->system().orbit(), this->system().second_moment(state.q),
                               this->system().companions(state.q));
-    if (context_.needs.contact) contacts_.look(state.t, this->system().contact(state.q), mean(state.v));
+    if (context_.needs.contact) contacts_.look(state.t, this->system().contact(state.t, state.q), mean(state.v));
     return {};
   }
 

@@ -276,7 +276,7 @@ class ModelRun final : public ModelRunBase {
       if constexpr (requires { workspace.held_at; }) workspace.held_at = nullptr;
       if (!frequency.status) return frequency.status;
       limit = mechanics::rattle_step_limit(frequency.omega, model_.rate(state_), safety);
-      if constexpr (!mechanics::LinearlyDamped<System>) {
+      if constexpr (!mechanics::Damped<System>) {
         const auto damping =
             mechanics::largest_damping(model_.system(), state_, workspace, frequency.omega, n_lanczos, accuracy);
         if (!damping.status) return damping.status;
@@ -286,17 +286,17 @@ class ModelRun final : public ModelRunBase {
     return {};
   }
 
-  /// Sets request.stiff for damping linear in the velocity if an explicit method would need too many steps. Such a
-  /// method needs about γh steps for each step h of RATTLE, with the largest damping rate γ.
+  /// Sets request.stiff if an explicit method needs too many steps, about γh for a step h of RATTLE. The rate γ is the
+  /// largest damping rate. With friction, it is that of a body at rest in contact.
   Status judge_stiffness([[maybe_unused]] mechanics::StepRequest& request) const override {
-    if constexpr (mechanics::LinearlyDamped<System>) {
+    if constexpr (mechanics::Damped<System>) {
       if (!mechanics::dissipative(model_.system())) return {};
-      constexpr double most_steps = traits.has_costly_force ? 30 : 100;
       auto workspace = model_.system().make_workspace();
       const double h = request.rattle_limit, omega = mechanics::Rattle::stability_limit / h;
-      const auto damping = mechanics::largest_damping(model_.system(), state_, workspace, omega, n_lanczos, 0.1);
+      const State state = mechanics::damping_is_linear(model_.system()) ? state_ : model_.in_contact(state_);
+      const auto damping = mechanics::largest_damping(model_.system(), state, workspace, omega, n_lanczos, 0.1);
       if (!damping.status) return damping.status;
-      request.stiff = damping.gamma * h > most_steps;
+      request.stiff = damping.gamma * h > (traits.has_costly_force ? 30 : 100);
     }
     return {};
   }

@@ -26,8 +26,9 @@ void write_pieces(const RunContext& context, std::filesystem::path path, const i
 void write_picture(const RunContext& context, const std::filesystem::path& path, double time,
                    const mechanics::PointBlocks& blocks, const mechanics::BodyFields& fields) {
   const scene::Scene& scene = context.scene;
-  const io::PicturedContact contact{loads::constant_forcing(internal_loads(scene)).planes,
-                                    to_eigen(scene.body.semi_axes)};
+  const io::PicturedContact contact{
+      loads::constant_forcing(internal_loads(scene)).planes.at(context.internal_time(time)),
+      to_eigen(scene.body.semi_axes)};
   const io::UnstructuredGrid grid =
       io::body_picture(blocks, fields, time, context.units, scene.output.fields, scene.output.cells, contact);
   on_all_ranks(*context.ranks, [&] { write_pieces(context, path, grid); });

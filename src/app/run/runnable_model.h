@@ -76,6 +76,9 @@ class RunnableModelOf : public RunnableModel {
   virtual bool keeps_volume(const State&, double /*h*/) const { return true; }
   /// The state at the start of the pilot runs, for a run that begins with `state`.
   virtual State start_of_pilot(const State& state) const { return state; }
+  /// A state of the body at rest in its first contact, for the largest rate of damping by friction; by default `state`
+  /// itself. Called only for systems with friction.
+  virtual State in_contact(const State& state) const { return state; }
   /// `choose_quadrature` chooses the quadrature rule before the search for the step. `estimate_quadrature` estimates
   /// the error of the rule after the search. `stable_step` is the stable step of RATTLE, or 0 if this step is not
   /// known.

@@ -74,7 +74,7 @@ double damping_of_step(const scene::Scene& scene, const scene::Discretization& d
 }
 
 /// Cost of a step of RATTLE in force evaluations; 1 without viscosity. Products with the viscosity matrix count as
-/// force evaluations. `gamma_h` is γh (mechanics/core/linear_damping.h).
+/// force evaluations. `gamma_h` is γh (mechanics/core/damping.h).
 double work_of_viscous_step(double gamma_h) { return gamma_h > 0 ? 3 + 5 * std::pow(1 + gamma_h / 2, 0.4) : 1; }
 
 double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs, double n_steps, double step) {

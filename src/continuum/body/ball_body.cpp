@@ -75,8 +75,10 @@ mechanics::Status BallBody::complete_force(double t, const Vector& x, const Vect
     contact_->add_holding(x, *held_at, f);
     return {};
   }
-  contact_->add(x, f);
-  add_taken(contact_->add_damping(x, v, f), f);
+  const double given = contact_->add(t, x, f);
+  const loads::ContactPower power = contact_->add_dissipation(t, x, v, f);
+  add_taken(power.taken, f);
+  add_given(given + power.given, f);
   return {};
 }
 
@@ -120,8 +122,9 @@ Eigen::Vector3d BallBody::mean(const Vector& x) const {
 
 double BallBody::mass() const { return space_.mesh().sector().n_images() * space_.mass().l1_norm() / 3; }
 
-void BallBody::add_taken(double energy, Vector& v) const {
-  if (const auto entry = space_.account()) v.local_element(*entry) += space_.mesh().sector().n_images() * energy;
+void BallBody::add_to_account(double energy, unsigned int component, Vector& v) const {
+  if (const auto entry = space_.account())
+    v.local_element(*entry + component) += space_.mesh().sector().n_images() * energy;
 }
 
 double BallBody::dissipated(const Vector& v) const { return account_entry(v, 0); }

@@ -8,7 +8,7 @@
 /// is lumped. With dissipation or loads that depend on time, the ball has one more node (BallSpace::account). Two
 /// coordinates s and s' of this node obey
 ///
-///   s̈ = dissipated power,   s̈' = power that loads give by their change in time.
+///   s̈ = dissipated power,   s̈' = power that loads give by their change in time, and planes by their motion.
 ///
 /// Therefore ṡ and ṡ' are the dissipated and the given energy, and every method integrates these energies with its own
 /// order. Companions in orbit (mechanics/core/orbit.h) are further nodes. Their tide acts on the nodes by the forces
@@ -55,12 +55,13 @@ class BallBody {
 
   void apply_inverse_mass(const Vector& f, Vector& a) const;
   void apply_mass(const Vector& v, Vector& f) const;
-  /// f ← f + viscous force, damping force of contacts and drag. These forces are linear in v
-  /// (mechanics/core/linear_damping.h).
-  void add_damping(const Vector& x, const Vector& v, Vector& f) const {
-    loads_.add_dissipation(x, v, f);
-    if (contact_) contact_->add_damping(x, v, f);
+  /// f ← f − C u for viscosity, drag, and the damping and friction of contacts (mechanics/core/damping.h).
+  void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization kind,
+                   Vector& f) const {
+    loads_.add_dissipation(state.q, u, f);
+    if (contact_) contact_->add_damping(state.t, state.q, state.v, u, kind, f);
   }
+  bool damping_is_linear() const { return !loads_.rough(); }
   bool time_dependent() const { return loads_.time_dependent(); }
   bool velocity_dependent() const { return loads_.dissipative(); }
   bool dissipative() const { return loads_.dissipative(); }
@@ -76,8 +77,10 @@ class BallBody {
   /// Mass-weighted mean of a field over the whole ball. Components normal to a symmetry plane are 0. Collective.
   Eigen::Vector3d mean(const Vector& x) const;
   /// Multiplies `energy`, which the sector has dissipated on all ranks, by the number of images of the sector. Adds the
-  /// product to the dissipated energy in v. If v is a force, `energy` is a power.
-  void add_taken(double energy, Vector& v) const;
+  /// product to the dissipated energy in v. If v is a force, `energy` is a power. The second function does the same for
+  /// an energy that the planes have given to the sector.
+  void add_taken(double energy, Vector& v) const { add_to_account(energy, 0, v); }
+  void add_given(double energy, Vector& v) const { add_to_account(energy, 1, v); }
   /// The dissipated energy and the energy given by loads that depend on time, for the whole ball. Both are entries of
   /// v. Collective.
   double dissipated(const Vector& v) const;
@@ -90,9 +93,11 @@ class BallBody {
   /// Σ m_n (x_n − x_c)(x_n − x_c)ᵀ over the nodes of the whole ball. Collective.
   Eigen::Matrix3d second_moment(const Vector& x) const;
 
-  /// The contact of the whole ball with rigid planes at the position x. Without planes, the force is 0 and the height
-  /// is infinite. Collective.
-  loads::Contact contact(const Vector& x) const { return contact_ ? contact_->contact(x) : loads::Contact{}; }
+  /// The contact of the whole ball with rigid planes at the time t and the position x. Without planes, the force is 0
+  /// and the height is infinite. Collective.
+  loads::Contact contact(double t, const Vector& x) const {
+    return contact_ ? contact_->contact(t, x) : loads::Contact{};
+  }
 
   /// Inertia E₀ = Σ m_n X_n X_nᵀ, volume and mass of the mesh for the whole ball. Node n has the mass m_n and the
   /// reference position X_n.
@@ -138,6 +143,7 @@ class BallBody {
  private:
   double account_entry(const Vector& v, unsigned int component) const;
   void add_companions(const Vector& x, Vector& f) const;
+  void add_to_account(double energy, unsigned int component, Vector& v) const;
   LeastPlace of_all_ranks(LeastPlace of_this_one) const;
 
   BallSpace space_;

@@ -30,6 +30,7 @@ class LoadForces {
   LoadForces(const loads::Loads& loads, const BallSpace& space, const CellKernels& kernels);
 
   bool dissipative() const { return constant_.dissipative(); }
+  bool rough() const { return constant_.planes.rough(); }  ///< true if planes have friction
   bool time_dependent() const { return driven_; }
 
   /// f ← f + the forces of the loads. If there is a node BallSpace::account, sets the force on it to the powers of the

@@ -7,6 +7,7 @@
 
 #include "continuum/parallel/ghost_values.h"
 #include "continuum/parallel/ranks.h"
+#include "loads/friction.h"
 
 namespace pseudorigid::continuum {
 namespace {
@@ -16,6 +17,9 @@ using Eigen::Vector3d;
 
 Vector3d node_value(const Vector& u, unsigned int node) {
   return {u.local_element(3 * node), u.local_element(3 * node + 1), u.local_element(3 * node + 2)};
+}
+Vector3d at_point(const std::array<MatrixXd, 3>& field, Eigen::Index p) {
+  return {field[0](p), field[1](p), field[2](p)};
 }
 
 }  // namespace
@@ -74,35 +78,105 @@ void ContactForces::spread(const MatrixXd& pressures, const Vector3d& normal, co
     for (int c = 0; c < 3; ++c) f.local_element(3 * face.nodes[k] + c) += nodal(k) * normal[c];
 }
 
-void ContactForces::add(const Vector& x, Vector& f) const {
-  const GhostValues of_x(x);
-  for (const loads::Plane& plane : planes_)
-    for (const Face& face : faces_) {
-      const MatrixXd nodal = along(plane, plane.position, face, x);
-      if (!may_touch(nodal)) continue;
-      const MatrixXd heights = at_points(nodal);
-      if (heights.minCoeff() >= 0) continue;
-      spread(-plane.stiffness * face.weights.cwiseProduct(heights.cwiseMin(0)), plane.normal, face, f);
-    }
-  add_to_owners(f);
+ContactForces::VectorAtPoints ContactForces::vector_at_points(const Face& face, const Vector& u) const {
+  VectorAtPoints field;
+  for (int c = 0; c < 3; ++c) field[c] = at_points(along({.normal = Vector3d::Unit(c)}, 0, face, u));
+  return field;
 }
 
-double ContactForces::add_damping(const Vector& x, const Vector& v, Vector& f) const {
-  if (!planes_.damped()) return 0;
-  const GhostValues of_x(x), of_v(v);
-  double power = 0;
-  for (const loads::Plane& plane : planes_)
-    for (const Face& face : faces_) {
-      const MatrixXd nodal = along(plane, plane.position, face, x);
-      if (plane.damping == 0 || !may_touch(nodal)) continue;
-      const MatrixXd rates = -at_points(along(plane, 0, face, v));  // ḋ, the rate of the penetration
-      const MatrixXd pressures = -plane.stiffness * plane.damping *
-                                 face.weights.cwiseProduct(at_points(nodal).cwiseMin(0)).cwiseProduct(rates);
-      power += pressures.cwiseProduct(rates).sum();
+template <class Visit>
+void ContactForces::for_touching_faces(const loads::Plane& plane, const Vector& x, Visit&& visit) const {
+  for (const Face& face : faces_) {
+    const MatrixXd nodal = along(plane, plane.position, face, x);
+    if (!may_touch(nodal)) continue;
+    const MatrixXd heights = at_points(nodal);
+    if (heights.minCoeff() >= 0) continue;
+    visit(face, heights);
+  }
+}
+
+double ContactForces::add(double t, const Vector& x, Vector& f) const {
+  const GhostValues of_x(x);
+  double given = 0;
+  for (const loads::Plane& at_start : planes_) {
+    const loads::Plane plane = at_start.at(t);
+    for_touching_faces(plane, x, [&](const Face& face, const MatrixXd& heights) {
+      const MatrixXd pressures = -plane.stiffness * face.weights.cwiseProduct(heights.cwiseMin(0));
+      if (plane.speed != 0) given += plane.speed * pressures.sum();
       spread(pressures, plane.normal, face, f);
-    }
+    });
+  }
   add_to_owners(f);
-  return sum_over_ranks(power, space_.communicator());
+  return planes_.moving() ? sum_over_ranks(given, space_.communicator()) : 0;
+}
+
+loads::ContactPower ContactForces::add_dissipation(double t, const Vector& x, const Vector& v, Vector& f) const {
+  if (!planes_.damped() && !planes_.rough()) return {};
+  const GhostValues of_x(x), of_v(v);
+  const loads::Planes planes = planes_.at(t);
+  loads::ContactPower power = add_plane_damping(planes, x, v, f);
+  const auto friction_on = [&](const loads::Plane& plane, const Face& face) {
+    return [&, velocities = vector_at_points(face, v)](Eigen::Index p, double pressure) {
+      const loads::Friction friction(plane, at_point(velocities, p));
+      power.taken += friction.power(pressure);
+      return friction.traction(pressure);
+    };
+  };
+  add_tractions(planes, x, friction_on, f);
+  add_to_owners(f);
+  const auto [taken, given] = sum_over_ranks(std::array{power.taken, power.given}, space_.communicator());
+  return {taken, given};
+}
+
+loads::ContactPower ContactForces::add_plane_damping(const loads::Planes& planes, const Vector& x, const Vector& u,
+                                                     Vector& f) const {
+  loads::ContactPower power;
+  for (const loads::Plane& plane : planes) {
+    if (plane.damping == 0) continue;
+    for_touching_faces(plane, x, [&](const Face& face, const MatrixXd& heights) {
+      const MatrixXd rates = -at_points(along(plane, plane.speed, face, u));  // ḋ, the rate of the penetration
+      const MatrixXd pressures =
+          -plane.stiffness * plane.damping * face.weights.cwiseProduct(heights.cwiseMin(0)).cwiseProduct(rates);
+      power += {.taken = pressures.cwiseProduct(rates).sum(), .given = plane.speed * pressures.sum()};
+      spread(pressures, plane.normal, face, f);
+    });
+  }
+  return power;
+}
+
+template <class TractionOn>
+void ContactForces::add_tractions(const loads::Planes& planes, const Vector& x, TractionOn&& traction_on,
+                                  Vector& f) const {
+  for (const loads::Plane& plane : planes) {
+    if (plane.friction == 0) continue;
+    for_touching_faces(plane, x, [&](const Face& face, const MatrixXd& heights) {
+      const auto traction = traction_on(plane, face);
+      VectorAtPoints forces;
+      forces.fill(MatrixXd::Zero(heights.rows(), heights.cols()));
+      for (Eigen::Index p = 0; p < heights.size(); ++p) {
+        if (heights(p) >= 0) continue;
+        const Vector3d force = traction(p, -plane.stiffness * face.weights(p) * heights(p));
+        for (int c = 0; c < 3; ++c) forces[c](p) = force[c];
+      }
+      for (int c = 0; c < 3; ++c) spread(forces[c], Vector3d::Unit(c), face, f);
+    });
+  }
+}
+
+void ContactForces::add_damping(double t, const Vector& x, const Vector& v, const Vector& u,
+                                mechanics::Linearization kind, Vector& f) const {
+  if (!planes_.damped() && !planes_.rough()) return;
+  const GhostValues of_x(x), of_v(v), of_u(u);
+  const loads::Planes planes = planes_.stopped_at(t);
+  add_plane_damping(planes, x, u, f);
+  const auto change_on = [&](const loads::Plane& plane, const Face& face) {
+    return [&, velocities = vector_at_points(face, v), changes = vector_at_points(face, u)](Eigen::Index p,
+                                                                                            double pressure) {
+      return loads::Friction(plane, at_point(velocities, p)).change(pressure, at_point(changes, p), kind);
+    };
+  };
+  add_tractions(planes, x, change_on, f);
+  add_to_owners(f);
 }
 
 void ContactForces::add_holding(const Vector& x, const Vector& x0, Vector& f) const {
@@ -117,15 +191,15 @@ void ContactForces::add_holding(const Vector& x, const Vector& x0, Vector& f) co
   add_to_owners(f);
 }
 
-loads::Contact ContactForces::contact(const Vector& x) const {
+loads::Contact ContactForces::contact(double t, const Vector& x) const {
   const GhostValues of_x(x);
+  const loads::Planes planes = planes_.at(t);
   std::vector<loads::PlaneContact> contacts(planes_.size());
   for (const Face& face : faces_) {
-    std::array<MatrixXd, 3> positions;
-    for (int c = 0; c < 3; ++c) positions[c] = at_points(along({.normal = Vector3d::Unit(c)}, 0, face, x));
-    for (std::size_t j = 0; j < planes_.size(); ++j)
+    const VectorAtPoints positions = vector_at_points(face, x);
+    for (std::size_t j = 0; j < planes.size(); ++j)
       for (Eigen::Index p = 0; p < face.weights.size(); ++p)
-        contacts[j].add(planes_[j], {positions[0](p), positions[1](p), positions[2](p)}, face.weights(p));
+        contacts[j].add(planes[j], at_point(positions, p), face.weights(p));
   }
   for (loads::PlaneContact& one : contacts) {
     const auto [energy, force, area, x0, x1, x2] =
@@ -133,7 +207,7 @@ loads::Contact ContactForces::contact(const Vector& x) const {
                        space_.communicator());
     one = {energy, force, area, least_over_ranks(one.height, space_.communicator()), {x0, x1, x2}};
   }
-  return summary(planes_, of_whole_body(planes_, contacts, space_.mesh().sector().reflect));
+  return summary(planes, of_whole_body(planes, contacts, space_.mesh().sector().reflect));
 }
 
 }  // namespace pseudorigid::continuum

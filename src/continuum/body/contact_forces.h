@@ -4,11 +4,11 @@
 ///
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ φ_m x_m,   f_m = −∂V/∂x_m = Σ w k d n φ_m,
 ///
-/// with the stiffness k and the unit normal n of a plane n·x = z₀. Only points with d > 0 count. The weight w of a
-/// point is its share of the reference area. Node m has the basis function φ_m and the position x_m. The sums are
-/// factorised on each face. A face is skipped if a bound shows that its points do not reach the plane. Let Λ be the
-/// Lebesgue constant of the nodes at the points. With the maximum and minimum of n·x at the nodes of the face, the
-/// bound is
+/// with the stiffness k and the unit normal n of a plane n·x = z₀(t). Damping and friction are sums over the same
+/// points. Only points with d > 0 count. The weight w of a point is its share of the reference area. Node m has the
+/// basis function φ_m and the position x_m. The sums are factorised on each face. A face is skipped if a bound shows
+/// that its points do not reach the plane. Let Λ be the Lebesgue constant of the nodes at the points. With the maximum
+/// and minimum of n·x at the nodes of the face, the bound is
 ///
 ///   n·x ≥ (max + min)/2 − Λ² (max − min)/2.
 ///
@@ -16,10 +16,12 @@
 /// sector.
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "continuum/mesh/surface_faces.h"
 #include "loads/contact.h"
+#include "mechanics/core/linearization.h"
 
 namespace pseudorigid::continuum {
 
@@ -31,16 +33,19 @@ class ContactForces {
  public:
   ContactForces(const loads::Planes& planes, const BallSpace& space, int n_points);
 
-  /// f ← f − ∂V/∂x. Collective.
-  void add(const Vector& x, Vector& f) const;
-  /// f ← f + damping force of the planes (loads/plane.h). Returns the power that this force dissipates in the computed
-  /// sector, summed over all ranks. Collective.
-  double add_damping(const Vector& x, const Vector& v, Vector& f) const;
+  /// f ← f − ∂V/∂x. Returns the power that the planes give. Powers are for the computed sector, summed over all ranks.
+  /// Collective.
+  double add(double t, const Vector& x, Vector& f) const;
+  /// f ← f + damping force and friction of the planes (loads/plane.h). Returns the powers of these forces. Collective.
+  loads::ContactPower add_dissipation(double t, const Vector& x, const Vector& v, Vector& f) const;
+  /// f ← f − C u for the damping and the friction at the velocity v (mechanics/core/damping.h). Collective.
+  void add_damping(double t, const Vector& x, const Vector& v, const Vector& u, mechanics::Linearization kind,
+                   Vector& f) const;
   /// f ← f − ∂/∂x of ½k∮|x − x₀|², with k = Planes::stiffness_of_all(). This is the force of springs that pull each
   /// point of the surface to its position in the configuration x₀. Collective.
   void add_holding(const Vector& x, const Vector& x0, Vector& f) const;
-  /// Contact of the whole ball. Collective.
-  loads::Contact contact(const Vector& x) const;
+  /// Contact of the whole ball at the time t. Collective.
+  loads::Contact contact(double t, const Vector& x) const;
 
  private:
   struct Face {
@@ -56,6 +61,18 @@ class ContactForces {
   }
   /// False if the bound shows that the face does not reach the plane. `heights` contains n·x − z₀ at the nodes.
   bool may_touch(const Eigen::MatrixXd& heights) const;
+  /// The three components of a vector field at the points of a face.
+  using VectorAtPoints = std::array<Eigen::MatrixXd, 3>;
+  VectorAtPoints vector_at_points(const Face& face, const Vector& u) const;
+  /// Calls visit(face, heights) for the faces with points in contact. `heights` contains n·x − z₀ at all points.
+  template <class Visit>
+  void for_touching_faces(const loads::Plane& plane, const Vector& x, Visit&& visit) const;
+  /// f ← f + damping force at the velocity u, for planes at one time. Returns the powers on this rank.
+  loads::ContactPower add_plane_damping(const loads::Planes& planes, const Vector& x, const Vector& u, Vector& f) const;
+  /// Adds the forces of friction to f. traction_on(plane, face) returns a function of the index of a point of the face
+  /// and of the product w k d. The value of this function is the force of the point.
+  template <class TractionOn>
+  void add_tractions(const loads::Planes& planes, const Vector& x, TractionOn&& traction_on, Vector& f) const;
   /// f_m ← f_m + Σ_points w p φ_m n with the pressure p. `pressures` contains the products w p.
   void spread(const Eigen::MatrixXd& pressures, const Eigen::Vector3d& normal, const Face& face, Vector& f) const;
 

@@ -67,7 +67,7 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
   const Eigen::Matrix3d F_integral = ball.whole_ball(to_eigen(sums.F));
   o.F = F_integral / ball.volume();
   o.volume_ratio = n_images * sums.volume / ball.volume();
-  o.contact.take(ball.contact(state.q));
+  o.contact.take(ball.contact(state.t, state.q));
   if (request.energies) {
     o.kinetic = 0.5 * n_images * squared_norm(ball, state.v);
     o.volumetric = n_images * sums.volumetric;

@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "mechanics/core/constrained_system.h"
+#include "mechanics/core/damping.h"
 #include "mechanics/core/second_order_field.h"
 
 namespace pseudorigid::mechanics {
@@ -129,8 +130,16 @@ class TangentOperator {
   }
 
  private:
-  /// Computes w = K u, or w = C u if `of_velocity_` is true, by a difference of forces.
+  /// Computes w = K u, or w = C u if `of_velocity_` is true, by a difference of forces. If the damping is not linear in
+  /// the velocity, the system computes its tangent C, because a difference would need changes far below the slip speed.
   Status difference(const typename S::Vector& u, typename S::Vector& w) {
+    if constexpr (Damped<S>)
+      if (of_velocity_ && !damping_is_linear(system_)) {
+        scale(0.0, w);
+        system_.add_damping(state_, u, Linearization::tangent, w);
+        scale(-1.0, w);
+        return {};
+      }
     const double increment = increment_ / max_norm(u);
     typename S::Vector& changed = of_velocity_ ? moved_.v : moved_.q;
     scale(0.0, w);

@@ -1,0 +1,146 @@
+#pragma once
+/// Damping: forces F(q, v) = −∂R/∂v, where R is a convex function of v, such as viscosity, drag and friction. The mass
+/// is M, and the constraint g = 0 has the derivative G = Dg. Let r be the residual of an implicit step of size 2s at
+/// the velocity v,
+///
+///   M r = M (v_half − v) + s f(q, v),
+///
+/// with the force f and the velocity v_half after the explicit half step. The step ends with the velocity v + u. The
+/// correction u and the multiplier μ satisfy
+///
+///   (M + s C) u + G(q)ᵀμ = M r,   G(q) u = 0,
+///
+/// with the symmetric and positive semidefinite operator C = ∂²R/∂v² at v. A force that is linear in v has one operator
+/// C(q), and v + u is exact. For other forces, such as friction, u is the correction of Newton's method. The residual
+/// is then the negative derivative of the convex function ½(v − v_half)ᵀM (v − v_half) + sR, up to forces that do not
+/// depend on v. The function add_damping also computes the operator S of the secant, F(v) = F(0) − S v.
+///
+/// On ker G the equation is P(1 + s M⁻¹C) u = P r with the projection P = 1 − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G. The operator on the
+/// left is symmetric and positive in the inner product ⟨x, y⟩ = xᵀM y, so conjugate gradients solve the equation. The
+/// eigenvalues of the operator are between 1 and 1 + sγ, with the largest damping rate γ. From the lower bound, the
+/// error of u is at most the residual. From the upper bound, the number of iterations grows like √(sγ). The implicit
+/// step is stable for every γ.
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "mechanics/core/constrained_system.h"
+#include "mechanics/core/constraint_newton.h"
+#include "mechanics/core/linearization.h"
+
+namespace pseudorigid::mechanics {
+
+/// A system that also computes C at a state, f += −C u. The velocity may change the force only by the damping.
+template <class S>
+concept Damped = ConstrainedSystem<S> &&
+    requires(const S s, const State<S> state, const typename S::Vector v, typename S::Vector f) {
+  s.add_damping(state, v, Linearization::tangent, f);  // (state, u, kind, f): f += −C u, or f += −S u
+  s.apply_mass(v, f);                                  // f = M v
+  s.add_taken(0.0, f);                                 // (energy, v): adds to the dissipated energy, which v contains
+};
+
+/// True if C does not depend on v. A system without the function `damping_is_linear` has such a C.
+template <class S>
+bool damping_is_linear(const S& system) {
+  if constexpr (requires { system.damping_is_linear(); }) return system.damping_is_linear();
+  return true;
+}
+
+/// Temporaries of `solve_damping`. They are empty if the system has no damping or if `used` is false.
+template <class S>
+struct DampingTemporaries {
+  DampingTemporaries(const S&, bool) {}
+};
+template <Damped S>
+struct DampingTemporaries<S> {
+  explicit DampingTemporaries(const S& system, bool used)
+      : residual(vector_if(used, system)),
+        solution(residual),
+        direction(residual),
+        product(residual),
+        force(residual),
+        momentum(residual) {}
+
+  typename S::Vector residual;  ///< r, or P r after the projection
+  typename S::Vector solution;  ///< u
+  typename S::Vector direction, product, force, momentum;
+  long n_products = 0;  ///< number of products with C
+
+ private:
+  static typename S::Vector vector_if(bool used, const S& system) {
+    return used ? system.make_vector() : typename S::Vector{};
+  }
+};
+
+namespace detail {
+
+/// Fraction of the permitted residual that projections may leave.
+inline constexpr double left_by_projections = 0.1;
+
+/// x ← P x at the configuration q. Fails if the iteration for the constraint does not converge.
+template <ConstrainedSystem S>
+Status project_onto_tangent_space(const S& system, double tolerance, const typename S::Vector& q, typename S::Vector& x,
+                                  typename S::Workspace& system_workspace, ConstraintTemporaries<S>& constraint) {
+  if constexpr (unconstrained<S>)
+    return {};
+  else
+    return meet_velocity_constraint(system, tolerance, q, x, system_workspace, constraint,
+                                    [&] { axpy(1.0, constraint.reaction, x); });
+}
+
+}  // namespace detail
+
+/// Replaces r = w.residual by P r. Fails if the iteration for the constraint does not converge.
+template <Damped S>
+Status project_residual(const S& system, const typename S::Vector& q, double enough,
+                        typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
+                        DampingTemporaries<S>& w) {
+  return detail::project_onto_tangent_space(system, detail::left_by_projections * enough, q, w.residual,
+                                            system_workspace, constraint);
+}
+
+/// Sets w.solution to u for the projected residual P r = w.residual. On return w.residual is the remaining residual.
+/// The operator C is taken at `state`. The iteration ends when the remaining residual is at most `enough` or is
+/// round-off. It fails if a projection fails, if 2000 iterations are not enough, or if the operator is not positive. A
+/// long step backwards in time has an operator that is not positive.
+template <Damped S>
+Status solve_damping(const S& system, double s, const State<S>& state, double enough,
+                     typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
+                     DampingTemporaries<S>& w) {
+  constexpr int most_iterations = 2000;
+  const auto project = [&](typename S::Vector& x) {
+    return detail::project_onto_tangent_space(system, detail::left_by_projections * enough, state.q, x,
+                                              system_workspace, constraint);
+  };
+  const auto squared = [&](const typename S::Vector& x) {
+    system.apply_mass(x, w.momentum);
+    return dot(x, w.momentum);
+  };
+  scale(0.0, w.solution);
+  const double round_off = 64 * std::numeric_limits<double>::epsilon() * max_norm(w.residual);
+  const double sufficient = std::max(enough, round_off);
+  w.direction = w.residual;
+  double square = squared(w.residual);
+  for (int i = 0; i < most_iterations; ++i) {
+    if (max_norm(w.residual) <= sufficient) return {};
+    scale(0.0, w.force);
+    system.add_damping(state, w.direction, Linearization::tangent, w.force);
+    ++w.n_products;
+    const double curvature = squared(w.direction) - s * dot(w.direction, w.force);
+    if (!(curvature > 0)) break;
+    system.apply_inverse_mass(w.force, w.product);
+    if (Status status = project(w.product); !status) return status;
+    scale(-s, w.product);
+    axpy(1.0, w.direction, w.product);
+    const double alpha = square / curvature;
+    axpy(alpha, w.direction, w.solution);
+    axpy(-alpha, w.product, w.residual);
+    const double before = std::exchange(square, squared(w.residual));
+    scale(square / before, w.direction);
+    axpy(1.0, w.residual, w.direction);
+  }
+  return Status::failure("the velocity that the dissipation leaves is not found; use a smaller step");
+}
+
+}  // namespace pseudorigid::mechanics

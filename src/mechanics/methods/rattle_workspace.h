@@ -1,0 +1,96 @@
+#pragma once
+/// The memory of RATTLE between its steps: counters, temporaries, cached values and initial guesses (rattle.h).
+
+#include "mechanics/core/constrained_system.h"
+#include "mechanics/core/constraint_newton.h"
+#include "mechanics/core/damping.h"
+#include "mechanics/core/second_order_field.h"
+#include "mechanics/methods/multiplier_history.h"
+
+namespace pseudorigid::mechanics {
+
+struct Counters {
+  long n_steps = 0, n_substeps = 0, n_force = 0, n_position_iterations = 0, n_projections = 0, n_gram_iterations = 0;
+};
+
+/// Returns a zero vector if sums of vectors are compensated (vector_space.h), otherwise an empty object.
+template <class S>
+typename S::Vector make_rounding(const S& system) {
+  if constexpr (VectorSpace<typename S::Vector>::compensated)
+    return system.make_vector();
+  else
+    return {};
+}
+
+/// Temporaries of the iteration on a force that depends on the velocity. They are empty for other forces.
+template <class S>
+struct VelocityIteration {
+  /// True if a solve for multipliers is costly. Each iteration then starts from the reactions of the iterations before.
+  static constexpr bool keeps_reactions = !unconstrained<S> && !VectorSpace<typename S::Vector>::dense;
+
+  explicit VelocityIteration(const S& system)
+      : half(vector_if(velocity_dependent(system), system)),
+        before(vector_if(velocity_dependent(system), system)),
+        free(vector_if(keeps_reactions && velocity_dependent(system), system)),
+        reaction(vector_if(keeps_reactions && velocity_dependent(system), system)) {}
+
+  typename S::Vector half;            // v_n, then v_{n+1/2}
+  typename S::Vector before;          // v_{n+1} of the previous iteration
+  typename S::Vector free, reaction;  // v_{n+1} before the last projection; all reactions so far
+
+ private:
+  static typename S::Vector vector_if(bool wanted, const S& system) {
+    return wanted ? system.make_vector() : typename S::Vector{};
+  }
+};
+
+/// Temporaries, cached values and initial guesses of one integration.
+template <ConstrainedSystem S>
+struct RattleWorkspace {
+  explicit RattleWorkspace(const S& system)
+      : system(system.make_workspace()),
+        acceleration(system.make_vector()),
+        q_start(system.make_vector()),
+        settling(system),
+        damping(system, velocity_dependent(system)),
+        q_rounding(make_rounding(system)),
+        v_rounding(make_rounding(system)),
+        constraint(system),
+        impulse(system.make_multiplier()),
+        history(system),
+        constraint_tolerance(system.constraint_tolerance()) {}
+
+  typename S::Workspace system;
+  typename S::Vector acceleration, q_start;  // M⁻¹f at the state (symmetric_multistep.h adds a reaction); q_n
+  VelocityIteration<S> settling;
+  [[no_unique_address]] DampingTemporaries<S> damping;
+  typename S::Vector q_rounding, v_rounding;  // remainders of the compensated sums of q and v
+  detail::ConstraintTemporaries<S> constraint;
+  typename S::Multiplier impulse;  // Λ
+  MultiplierHistory<S> history;
+  double constraint_tolerance;   // permitted |g|_∞ and |G v|_∞; the default is that of the system
+  double pending_weight = 0;     // length of the last half step, if its reaction is not yet in v; otherwise 0
+  double acceleration_time = 0;  // time of `acceleration`
+  bool acceleration_known = false;
+  bool begun = false;  ///< true after the first step of a damped system
+  bool stiff = false;  ///< true if the fixed-point iteration on the damping is slow and a linear system is solved
+  Counters counters;
+
+  /// Passes each member that a checkpoint must contain to `visit`. A resumed run computes the other members again.
+  template <class Visit>
+  void visit_memory(Visit&& visit) {
+    if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
+    history.visit_memory(visit);
+    visit(pending_weight);
+    if constexpr (Damped<S>) {
+      visit(begun);
+      visit(stiff);
+    }
+    if constexpr (VectorSpace<typename S::Vector>::compensated) {
+      visit(q_rounding);
+      visit(v_rounding);
+    }
+  }
+};
+
+}  // namespace pseudorigid::mechanics
