@@ -139,8 +139,8 @@ class Orbit {
   double largest_semi_axis(const Eigen::Matrix3d& S) const {
     return std::sqrt(5 * S.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff() / mass_);
   }
-  /// The least distance of a companion from the centre of the body, or of two companions from each other, if all move
-  /// on straight lines from the coordinates s0 to s1.
+  /// The least distance of a companion from the centre of the body, or of two companions from each other. All move on
+  /// straight lines from the coordinates s0 to s1.
   double least_distance(const Columns& s0, const Columns& s1) const {
     const Columns r0 = relative(s0), r1 = relative(s1);
     double least = std::numeric_limits<double>::infinity();
@@ -155,8 +155,9 @@ class Orbit {
   struct Motion {
     Columns s, sdot;
   };
-  /// The motion of point masses at the time `before` before their closest approach until `end`, or at the start if it
-  /// is later. The motion is at the start if they do not come nearer than there by a tenth.
+  /// The motion of point masses at the time `before` before their closest approach, or at the start if this is later.
+  /// The closest approach is searched until the time `end`. It must be nearer than the start by a tenth. Otherwise the
+  /// result is the motion at the start.
   Motion near_closest_approach(double end, double before) const {
     constexpr int most_steps = 100'000;
     constexpr double part = 0.02, nearer = 0.9;  // of the time in which a companion falls or passes
