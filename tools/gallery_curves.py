@@ -126,7 +126,7 @@ def tidal_locking(run, path):
     left.plot(t["time"], (r[0] * v[1] - r[1] * v[0]) / (r[0] ** 2 + r[1] ** 2), color=BLUE, label="orbit")
     right.plot(t["time"], np.degrees(t["lag"]), color=ORANGE)
     label_axes(left, TIME, "angular velocity")
-    label_axes(right, TIME, "bulge ahead of the companion (degrees)")
+    label_axes(right, TIME, "bulge ahead (degrees)")
     legend_above(left, 2)
     save(drawn, path)
 
