@@ -139,7 +139,7 @@ function energySections() {
 // Of kinetic and elastic energy together or, if that is round-off of the others, the largest of them.
 function energyReference(models) {
   const others = Math.max(...models.map(m => Math.max(...["gravitational", "external", "dissipated"].filter(n => m.table.has(n)).map(n => largest(column(m, n))))), 0);
-  const ofMotion = Math.max(...models.map(m => largest(column(m, "kinetic").map((k, i) => k + column(m, "elastic")[i])), ...models.filter(m => m.table.has("orbital")).map(m => largest(column(m, "orbital"))));
+  const ofMotion = Math.max(...models.map(m => largest(column(m, "kinetic").map((k, i) => k + column(m, "elastic")[i]))), ...models.filter(m => m.table.has("orbital")).map(m => largest(column(m, "orbital"))));
   return ofMotion >= 1e-12 * others ? ofMotion : others;
 }
 
