@@ -14,12 +14,11 @@ struct CompanionMasses {
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {
-    visit(
-        self.masses, scene::Rows{1, true},
-        scene::About{"Companions/Masses", "mass",
-                     "Masses of one or two companions, separated by ';'. A companion is a point mass. It acts on the "
-                     "body by its gravity, to degree 2 in the size of the body, and the body acts on it in the same "
-                     "way. The constant of gravity is that of the body."});
+    visit(self.masses, scene::Rows{1, true},
+          scene::About{"Companions/Masses", "mass",
+                       "Masses of one or two companions, separated by ';'. A companion is a point mass. It acts on the "
+                       "body by its gravity, to degree 2 in the size of the body, and the body acts on it in the same "
+                       "way. The constant of gravity is that of the body."});
     visit(self.positions, scene::Rows{3, true},
           scene::About{"Companions/Positions", "length",
                        "Position of each companion at the start, relative to the centre of mass of the body, a row "
