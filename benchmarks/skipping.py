@@ -48,6 +48,7 @@ PARTS = [
     Part("traction", "traction: Loads", {"Loads/Nominal traction": ONE_ENTRY}),
     Part("contact", "contact: Loads", {"Loads/Plane normals": "0, 0, 1", "Loads/Plane points": "0, 0, -1e6"}),
     Part("viscosity", "dissipation: neither", {"Material/Viscosity": ZERO, "Time/Method": "auto"}),
+    Part("viscoelastic branches", "viscoelastic branches: Material", {"Material/Branch moduli": ZERO, "Material/Branch times": "1", "Time/Method": "rattle"}),
     Part("pictures", "Output/Graphics is none", {"Output/Graphics": "vtu"}),
     Part("quantities", "not among Output/Quantities)", {"Output/Quantities": "all"}),
     Part("modes", "modes: Analysis is motion",

@@ -7,6 +7,7 @@
 ///   on the surface the nominal stress P̄ − p cof F, which is a dead traction P̄N per reference area and the follower
 ///                  pressure −p n per current area; energy −P̄:∫F dX + p V
 ///   inside         the objective viscosity σ = 2ηd, and self-gravity with the constant G
+///   branches       viscoelastic branches with internal strains (materials/maxwell_branch.h)
 ///   at planes      the pressure and the friction of contact with rigid planes (plane.h)
 ///   companions     point masses in orbit, with the quadratic potential of their tides (mechanics/core/orbit.h)
 ///
@@ -16,10 +17,24 @@
 
 #include "entries/matrix3.h"
 #include "loads/plane.h"
+#include "materials/maxwell_branch.h"
 #include "mechanics/core/by_name.h"
 #include "mechanics/core/orbit.h"
 
 namespace pseudorigid::loads {
+
+struct Branches {
+  materials::MaxwellBranches list{};
+  bool relaxed = false;  ///< true if the branches have no stress at the start
+
+  bool empty() const { return list.empty(); }
+  bool operator==(const Branches&) const = default;
+  Branches& operator+=(const Branches& others) {
+    list.insert(list.end(), others.list.begin(), others.list.end());
+    relaxed = relaxed || others.relaxed;
+    return *this;
+  }
+};
 
 struct Forcing {
   ByName by_name{};
@@ -31,13 +46,14 @@ struct Forcing {
   double viscosity = 0, drag = 0;                              ///< viscosity η and drag coefficient c
   Planes planes{};                                             ///< planes that the body may touch
   mechanics::Companions companions{};                          ///< point masses in orbit about the body
+  Branches branches{};                                         ///< viscoelastic branches
 
   /// Calls visit(member of a, member of b) for every member except `by_name`. If the lists below lack a new member, the
   /// function does not compile.
   template <class A, class B, class Visit>
   static void visit_pairs(A& a, B& b, Visit&& visit) {
-    auto& [name_a, G_a, T_a, b_a, P_a, p_a, eta_a, c_a, planes_a, companions_a] = a;
-    auto& [name_b, G_b, T_b, b_b, P_b, p_b, eta_b, c_b, planes_b, companions_b] = b;
+    auto& [name_a, G_a, T_a, b_a, P_a, p_a, eta_a, c_a, planes_a, companions_a, branches_a] = a;
+    auto& [name_b, G_b, T_b, b_b, P_b, p_b, eta_b, c_b, planes_b, companions_b, branches_b] = b;
     visit(G_a, G_b);
     visit(T_a, T_b);
     visit(b_a, b_b);
@@ -47,6 +63,7 @@ struct Forcing {
     visit(c_a, c_b);
     visit(planes_a, planes_b);
     visit(companions_a, companions_b);
+    visit(branches_a, branches_b);
   }
 
   Forcing& operator+=(const Forcing& other) {
@@ -54,7 +71,9 @@ struct Forcing {
     return *this;
   }
 
-  bool dissipative() const { return viscosity != 0 || drag != 0 || planes.damped() || planes.rough(); }
+  /// True if a force depends on the velocity.
+  bool damped() const { return viscosity != 0 || drag != 0 || planes.damped() || planes.rough(); }
+  bool dissipative() const { return damped() || !branches.empty(); }
   /// True if there is a load other than a pressure. The motion of a body of constant volume does not depend on a
   /// pressure.
   bool acts_at_constant_volume() const {

@@ -16,21 +16,23 @@
 #include "loads/self_gravity.h"
 #include "loads/tide.h"
 #include "loads/traction.h"
+#include "loads/viscoelasticity.h"
 #include "loads/viscosity.h"
 
 namespace pseudorigid::loads {
 
 /// The loads in the order of a parameter file.
-using LoadList = std::tuple<Viscosity,     //
-                            Drag,          //
-                            SelfGravity,   //
-                            Tide,          //
-                            PeriodicTide,  //
-                            Acceleration,  //
-                            Traction,      //
-                            Pressure,      //
-                            Rise,          //
-                            RigidPlanes,   //
+using LoadList = std::tuple<Viscosity,        //
+                            Drag,             //
+                            Viscoelasticity,  //
+                            SelfGravity,      //
+                            Tide,             //
+                            PeriodicTide,     //
+                            Acceleration,     //
+                            Traction,         //
+                            Pressure,         //
+                            Rise,             //
+                            RigidPlanes,      //
                             CompanionMasses>;
 
 namespace detail {

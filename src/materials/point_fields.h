@@ -1,7 +1,7 @@
 #pragma once
-/// Fields of a picture that depend on the law: the Cauchy stress σ = (P(F) Fᵀ − p Id)/det F and the energy density
-/// W(F). P is the stress of the law, and p is the Kirchhoff pressure by which the constraint of an incompressible body
-/// reacts.
+/// Fields of a picture that depend on the material: the Cauchy stress σ = (P Fᵀ − p Id)/det F and the energy density W.
+/// P and W are those of the law and of the viscoelastic branches. p is the Kirchhoff pressure by which the constraint
+/// of an incompressible body reacts.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -10,6 +10,7 @@
 
 #include "materials/eigen_tensor.h"
 #include "materials/law_table.h"
+#include "materials/maxwell_branch.h"
 #include "mechanics/core/body_fields.h"
 #include "mechanics/core/status.h"
 
@@ -19,7 +20,7 @@ namespace pseudorigid::materials {
 /// F ≤ 0 or if it is not finite.
 inline mechanics::Status add_point(const AnyLaw& law, const Eigen::Vector3d& X, const Eigen::Vector3d& x,
                                    const Eigen::Vector3d& v, const Eigen::Matrix3d& F, double pressure,
-                                   mechanics::BodyFields& fields) {
+                                   const BranchesAtPoint& branches, mechanics::BodyFields& fields) {
   const double J = F.determinant();
   if (!(J > 0 && std::isfinite(J))) {
     char text[160];
@@ -30,8 +31,9 @@ inline mechanics::Status add_point(const AnyLaw& law, const Eigen::Vector3d& X, 
   std::visit(
       [&](const auto& l) {
         const Tensor<double> f = to_tensor(F);
-        const Eigen::Matrix3d P = to_matrix(l.stress(f));
-        fields.add(X, x, v, F, (P * F.transpose() - pressure * Eigen::Matrix3d::Identity()) / J, l.energy(f));
+        const Eigen::Matrix3d P = to_matrix(l.stress(f)) + to_matrix(stress_of_branches(f, branches.inverse_sum));
+        fields.add(X, x, v, F, (P * F.transpose() - pressure * Eigen::Matrix3d::Identity()) / J,
+                   l.energy(f) + energy_of_branches(f, branches.inverse_sum, branches.sum_of_moduli));
       },
       law);
   return {};

@@ -109,6 +109,7 @@ struct BodyObservables {
   Eigen::Vector3d velocity = Eigen::Vector3d::Constant(not_observed);  ///< velocity v of the centre of mass
   double kinetic = not_observed, elastic = not_observed, gravitational = not_observed, external = not_observed,
          dissipated = not_observed;
+  double viscoelastic = not_observed;  ///< energy stored by viscoelastic branches, a part of `elastic`
   Eigen::Vector3d angular_momentum = Eigen::Vector3d::Constant(not_observed);  ///< J about the centre of mass
   Eigen::Vector3d circulation = Eigen::Vector3d::Constant(not_observed);       ///< Z about the centre of mass
   double volume_ratio = not_observed;                                          ///< current volume / reference volume
@@ -134,13 +135,16 @@ inline constexpr BodyColumn<O> common_columns[] = {
     {"v", &Quantities::state, "length/time", "velocity of the centre of mass", [](const O& o) { return o.velocity; }},
     {"kinetic", &Quantities::energies, "mass*length^2/time^2", "kinetic energy", [](const O& o) { return o.kinetic; }},
     {"elastic", &Quantities::energies, "mass*length^2/time^2", "stored energy", [](const O& o) { return o.elastic; }},
+    {"viscoelastic", &Quantities::branches, "mass*length^2/time^2",
+     "part of the elastic energy that viscoelastic branches store; with the energies, if the scene has branches",
+     [](const O& o) { return o.viscoelastic; }},
     {"gravitational", &Quantities::energies, "mass*length^2/time^2", "energy of the self-gravity",
      [](const O& o) { return o.gravitational; }},
     {"external", &Quantities::energies, "mass*length^2/time^2",
      "energy of all loads, minus the energy that time-dependent loads and moving planes have given to the body",
      [](const O& o) { return o.external; }},
-    {"dissipated", &Quantities::energies, "mass*length^2/time^2", "energy dissipated by viscosity, drag and contact",
-     [](const O& o) { return o.dissipated; }},
+    {"dissipated", &Quantities::energies, "mass*length^2/time^2",
+     "energy dissipated by viscosity, branches, drag and contact", [](const O& o) { return o.dissipated; }},
     {"energy", &Quantities::energies, "mass*length^2/time^2", "their sum", [](const O& o) { return o.energy(); }},
     {"J", &Quantities::momenta, "mass*length^2/time", "angular momentum about the centre of mass",
      [](const O& o) { return o.angular_momentum; }},

@@ -19,6 +19,9 @@ struct Quantities {
   bool contact = false;
   /// Groups without a word in parameter files, which are written if the scene has a first and a second companion.
   bool orbit = false, second_orbit = false;
+  /// A group without a word in parameter files, which is written if the energies are requested and the scene has
+  /// viscoelastic branches.
+  bool branches = false;
 };
 
 struct QuantityGroup {
@@ -45,8 +48,9 @@ inline constexpr QuantityGroup quantity_groups[] = {
     {"stretches", &Quantities::stretches,
      "the principal stretches of the mean deformation, and of a body that bends the largest and the least anywhere"},
 };
-static_assert(sizeof(Quantities) == std::size(quantity_groups) + 4,
-              "every group but `volumetric`, `contact`, `orbit` and `second_orbit` has one line of quantity_groups");
+static_assert(
+    sizeof(Quantities) == std::size(quantity_groups) + 5,
+    "every group but `volumetric`, `contact`, `orbit`, `second_orbit` and `branches` has one line of quantity_groups");
 
 /// Number of groups that are true by default.
 inline constexpr std::size_t n_default_groups = [] {

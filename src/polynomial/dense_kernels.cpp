@@ -1,41 +1,15 @@
 #include "polynomial/dense_kernels.h"
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <type_traits>
 #include <variant>
 
-#include "mechanics/core/lanes.h"
+#include "polynomial/branch_loops.h"
 
 namespace pseudorigid::polynomial {
 namespace {
 
-constexpr int n_lanes = mechanics::native_lanes;
-using L = mechanics::Lanes<n_lanes>;
-using Tensor = materials::Tensor<L>;
-static_assert(point_block % n_lanes == 0);
-
-[[gnu::always_inline]] inline L load(const double* x) {
-  L lanes;
-  std::memcpy(&lanes.v, x, sizeof lanes.v);
-  return lanes;
-}
-[[gnu::always_inline]] inline void store(const L& lanes, double* x) { std::memcpy(x, &lanes.v, sizeof lanes.v); }
-
-/// The tensors of a field at the points p, p + 1, … , one in each lane.
-[[gnu::always_inline]] inline Tensor load(const double* field, int n, int p) {
-  const auto entry = [&](int k) { return load(field + static_cast<long>(k) * n + p); };
-  return {{{entry(0), entry(1), entry(2)}, {entry(3), entry(4), entry(5)}, {entry(6), entry(7), entry(8)}}};
-}
-[[gnu::always_inline]] inline void store(const Tensor& T, double* field, int n, int p) {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) store(T(i, j), field + static_cast<long>(3 * i + j) * n + p);
-}
-
-[[gnu::always_inline]] inline Tensor add(const Tensor& A, const Tensor& B) {
-  return materials::entrywise([](const L& a, const L& b) { return a + b; }, A, B);
-}
 [[gnu::always_inline]] inline Tensor transposed(const Tensor& A) {
   return {{{A(0, 0), A(1, 0), A(2, 0)}, {A(0, 1), A(1, 1), A(2, 1)}, {A(0, 2), A(1, 2), A(2, 2)}}};
 }
@@ -397,4 +371,7 @@ extern const polynomial::DenseKernels PSEUDORIGID_KERNEL_TABLE{.combine = polyno
                                                                .weighted_curvature = polynomial::weighted_curvature,
                                                                .add_rate_of_inverse = polynomial::add_rate_of_inverse,
                                                                .add_viscous_stress = polynomial::add_viscous_stress,
+                                                               .add_branch_stress = polynomial::add_branch_stress,
+                                                               .branch_energy = polynomial::branch_energy,
+                                                               .relax_branches = polynomial::relax_branches,
                                                                .transform_images = polynomial::transform_images};

@@ -4,6 +4,7 @@
 /// are plain arrays.
 
 #include "materials/law_table.h"
+#include "materials/maxwell_branch.h"
 #include "mechanics/core/kernel_builds.h"
 
 namespace pseudorigid::polynomial {
@@ -78,6 +79,19 @@ struct DenseKernels {
   /// T ← T + w 2η J d A with d = sym(B Aᵀ) and A = F⁻ᵀ; returns the power Σ w 2ηJ d:d.
   double (*add_viscous_stress)(int n, const double* w, double eta, const double* F, const double* A, const double* B,
                                double* T);
+
+  /// Functions for viscoelastic branches (materials/maxwell_branch.h). In `metrics`, entry k of the internal metric of
+  /// branch b at point p has the index (6b + k) n + p.
+
+  /// T ← T + w Σ P_b
+  void (*add_branch_stress)(const materials::MaxwellBranches& branches, int n, const double* w, const double* metrics,
+                            const double* F, double* T);
+  /// Returns Σ w W_b.
+  double (*branch_energy)(const materials::MaxwellBranches& branches, int n, const double* w, const double* metrics,
+                          const double* F);
+  /// Lets the metrics relax for the time h, for the mean strain of F0 and F1. Returns the lost energy.
+  double (*relax_branches)(const materials::MaxwellBranches& branches, double h, int n, const double* w,
+                           const double* F0, const double* F1, double* metrics);
 
   /// A Walsh–Hadamard transform over the mirror images of points. `slots` has one slot of `length` numbers for each set
   /// of reflections. The bits of the index of a slot are the reflections of the set. The slot y_m becomes the sum Σ_c

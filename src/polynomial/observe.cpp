@@ -68,6 +68,7 @@ void observe_energies(const PolynomialBody& body, const BodyState& state, mechan
   o.kinetic = body.kinetic_energy(state.v);
   o.elastic = V.elastic;
   o.volumetric = V.volumetric;
+  o.viscoelastic = V.viscoelastic;
   o.gravitational = V.gravitational;
   o.external = V.external - body.given(state.v);
   o.dissipated = body.dissipated(state.v);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "materials/eigen_tensor.h"
 #include "polynomial/dense_kernels.h"
 #include "polynomial/scratch.h"
 
@@ -71,6 +72,8 @@ mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const
   space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
   const double least = dense().stress(law_, volumetric_stiffness_, n, space_->weights().data(), F, T);
   if (!(least > 0 && std::isfinite(least))) return inadmissible(q);
+  if (relaxes())
+    dense().add_branch_stress(constant_.branches.list, n, space_->weights().data(), q.data() + first_metric(), F, T);
   const loads::Forcing now = driven_ ? loads::driving(loads_, t) : loads::Forcing{};
   if (const double p = constant_.pressure + now.pressure; p != 0) {
     ScratchArray A(space_->gradients().size(3)), wJ(n);
@@ -154,6 +157,53 @@ double PolynomialBody::external_energy(const loads::Forcing& forcing, const Vect
   return energy + forcing.pressure * sum_of_products(space.weights(), J, space.n_points());
 }
 
+double PolynomialBody::relax(double h, const Vector& before, Vector& q) const {
+  const std::size_t size = space_->gradients().size(3);
+  ScratchArray F0(size), F1(size);
+  space_->gradients().evaluate(space_->blocks(), 3, before.data(), F0);
+  space_->gradients().evaluate(space_->blocks(), 3, q.data(), F1);
+  return dense().relax_branches(constant_.branches.list, h, space_->n_points(), space_->weights().data(), F0, F1,
+                                q.data() + first_metric());
+}
+
+void PolynomialBody::start_branches(bool relaxed, Vector& q) const {
+  const int n = space_->n_points();
+  ScratchArray F(space_->gradients().size(3));
+  space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
+  double* at = q.data() + first_metric();
+  for (std::size_t b = 0; b < constant_.branches.list.size(); ++b, at += 6 * n)
+    for (int p = 0; p < n; ++p) {
+      const auto metric =
+          relaxed ? materials::isochoric_strain(materials::to_tensor(tensor_at(F, n, p))) : materials::identity_metric;
+      for (int k = 0; k < 6; ++k) at[k * n + p] = metric.a[k];
+    }
+}
+
+materials::BranchesAtPoint PolynomialBody::branches_at(const Vector& q, int point) const {
+  const int n = space_->n_points();
+  materials::BranchesAtPoint result{.sum_of_moduli = materials::sum_of_moduli(constant_.branches.list)};
+  const double* at = q.data() + first_metric() + point;
+  for (const materials::MaxwellBranch& branch : constant_.branches.list) {
+    materials::Symmetric<double> metric;
+    for (int k = 0; k < 6; ++k, at += n) metric.a[k] = *at;
+    materials::add_branch(branch.modulus, metric, result.inverse_sum);
+  }
+  return result;
+}
+
+mechanics::VectorState<PolynomialBody::Vector> PolynomialBody::with_points_of_body(
+    mechanics::VectorState<Vector> state) const {
+  const Vector zero = make_vector();
+  if (state.q.size() == zero.size()) return state;
+  for (Vector* x : {&state.q, &state.v}) {
+    Vector resized = zero;
+    resized.head(first_metric()) = x->head(first_metric());
+    *x = resized;
+  }
+  start_branches(constant_.branches.relaxed, state.q);
+  return state;
+}
+
 double PolynomialBody::add_dissipation(const Vector& v, const double* F, double* T) const {
   const int n = space_->n_points();
   ScratchArray A(space_->gradients().size(3)), B(space_->gradients().size(3));
@@ -184,6 +234,9 @@ PotentialEnergies PolynomialBody::potential_energies(double t, const Vector& q) 
   space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
   const EnergySums stored = dense().energy(law_, volumetric_stiffness_, n, space_->weights().data(), F);
   PotentialEnergies V{.elastic = stored.elastic + stored.volumetric, .volumetric = stored.volumetric};
+  if (relaxes())
+    V.elastic += V.viscoelastic =
+        dense().branch_energy(constant_.branches.list, n, space_->weights().data(), q.data() + first_metric(), F);
   if (gravity_) V.gravitational = gravity_->energy(q);
   V.external = external_energy(constant_, q, F);
   if (driven_) V.external += external_energy(loads::driving(loads_, t), q, F);

@@ -13,13 +13,14 @@
 ///   quadratic potential      V = ½ T:∫ρ x xᵀ            uniform acceleration     V = −b·∫ρ x
 ///   nominal traction         V = −P̄:∫F                  pressure                 V = p ∫J
 ///   viscosity                −∫2ηJ d F⁻ᵀ:∇φ             drag                     −c q̇
+///   viscoelastic branches    −∫ΣP_b:∇φ, with an internal metric C_b at each point (materials/maxwell_branch.h)
 ///   rigid planes             body_contact.h
 ///   companions               the quadratic potential T about the centre of mass (mechanics/core/orbit.h)
 ///
 /// With dissipation or loads that depend on time, the body has two further coordinates s and s'. Their accelerations s̈
 /// and s̈' are the dissipated power and the power that loads give by their change in time. Planes in motion are such
-/// loads. Therefore the velocities ṡ and ṡ' are the dissipated and the given energy. The coordinates of companions are
-/// the last ones.
+/// loads. Therefore the velocities ṡ and ṡ' are the dissipated and the given energy. The coordinates of companions
+/// follow. The internal metrics are the last entries, which have no velocity (mechanics/core/relaxation.h).
 ///
 /// All integrals are over the whole body, in internal units.
 
@@ -55,8 +56,8 @@ struct BodySetup {
 };
 
 struct PotentialEnergies {
-  double elastic = 0;  ///< stored energy, including the volumetric part
-  double volumetric = 0, gravitational = 0, external = 0, contact = 0, interaction = 0;
+  double elastic = 0;  ///< stored energy, including the volumetric part and that of the branches
+  double volumetric = 0, viscoelastic = 0, gravitational = 0, external = 0, contact = 0, interaction = 0;
   double total() const { return elastic + gravitational + external + contact + interaction; }
 };
 
@@ -70,10 +71,25 @@ class PolynomialBody {
   void apply_inverse_mass(const Vector& f, Vector& a) const { a = f; }
   void apply_mass(const Vector& v, Vector& f) const { f = v; }
   bool time_dependent() const { return driven_; }
-  bool velocity_dependent() const { return constant_.dissipative(); }
+  bool velocity_dependent() const { return constant_.damped(); }
   bool dissipative() const { return constant_.dissipative(); }
   bool damping_is_linear() const { return !constant_.planes.rough(); }
-  Vector make_vector() const { return Vector::Zero(first_of_orbit() + 3 * orbit_.n()); }
+  bool drifts() const { return orbit_.n() > 0; }
+  void drift(double h, const Vector& before, Vector& q, Vector& v) const {
+    mechanics::Orbit::Columns s = companions(before), sdot = companions(v);
+    orbit_.drift(h, s, sdot);
+    set_companions(s, q);
+    set_companions(sdot, v);
+  }
+  bool relaxes() const { return !constant_.branches.empty(); }
+  double relax(double h, const Vector& before, Vector& q) const;
+  /// The branches at a quadrature point.
+  materials::BranchesAtPoint branches_at(const Vector& q, int point) const;
+  /// Sets the internal metrics in q to Ĉ if `relaxed` is true, and otherwise to the metric of the reference body.
+  void start_branches(bool relaxed, Vector& q) const;
+  /// The state of a body that differs from this one in its points of integration. Branches begin again at this state.
+  mechanics::VectorState<Vector> with_points_of_body(mechanics::VectorState<Vector> state) const;
+  Vector make_vector() const { return Vector::Zero(first_metric() + n_metric_entries()); }
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.head(space_->n_unknowns()).squaredNorm(); }
   /// The total potential energy at t = 0. It is infinite if q is not an admissible deformation.
@@ -137,6 +153,11 @@ class PolynomialBody {
  private:
   int n_accounts() const { return driven_ || constant_.dissipative() ? 2 : 0; }
   int first_of_orbit() const { return space_->n_unknowns() + n_accounts(); }
+  int first_metric() const { return first_of_orbit() + 3 * orbit_.n(); }
+  int n_metric_entries() const {
+    return static_cast<int>(constant_.branches.list.size()) * materials::Symmetric<double>::n_entries *
+           space_->n_points();
+  }
   void add_companions(const Vector& q, Vector& f) const;
   void add_loads(const loads::Forcing& forcing, const Vector& q, Vector& f) const;
   double external_energy(const loads::Forcing& forcing, const Vector& q, const double* F) const;

@@ -44,6 +44,8 @@ class PolynomialSpace {
   int n_images() const { return n_images_; }
 
   int n_functions() const { return static_cast<int>(functions_.size()); }
+  /// The parity of a function: bit i is set if the function is odd in ξ_i.
+  Parity parity(int function) const { return functions_[function].parity(); }
   /// Orientation of an image relative to the octant: −1 for an odd number of reflections, otherwise 1.
   double orientation(int image) const;
 

@@ -127,7 +127,7 @@ class QuadratureSearch {
       return body.space().affine_part(state.q.head(body.space().n_unknowns()));
     };
     PilotRun run = mechanics::detail::run_pilot<mechanics::Rattle>(
-        body, state_, request, Q_of, window_, n_samples, n_steps, [&](auto& workspace) {
+        body, body.with_points_of_body(state_), request, Q_of, window_, n_samples, n_steps, [&](auto& workspace) {
           if constexpr (requires { workspace.constraint_tolerance; })
             workspace.constraint_tolerance =
                 std::max(workspace.constraint_tolerance, mechanics::detail::pilot_constraint * request_.tolerance *

@@ -43,7 +43,7 @@ class BodyOnPlanes {
         driven_(loads::depend_on_time(loads)) {}
 
   bool time_dependent() const { return driven_; }
-  bool velocity_dependent() const { return constant_.dissipative(); }
+  bool velocity_dependent() const { return constant_.damped(); }
   bool dissipative() const { return constant_.dissipative(); }
   bool damping_is_linear() const { return !constant_.planes.rough(); }
 
@@ -176,7 +176,7 @@ class BodyOnPlanes {
   loads::ContactPower add_dissipation(const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, const Eigen::Matrix3d& Qdot,
                                       const Eigen::Vector3d& cdot, const PlaneNow& plane_now,
                                       loads::AffineForce& F) const {
-    if (!constant_.dissipative()) return {};
+    if (!constant_.damped()) return {};
     loads::ContactPower power{.taken = dissipation_.add_force(body_.reference(), Q, Qdot, F.on_Q)};
     const Eigen::Vector3d drag = constant_.drag * body_.reference().mass * cdot;
     F.on_center -= drag;

@@ -40,6 +40,8 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
     if constexpr (requires { system.driven_energy(state); })
       if (mechanics::time_dependent(system)) o.external += system.driven_energy(state);
     o.dissipated = system.dissipated(state);
+    if constexpr (requires { system.energy_of_branches(state.q); })
+      o.elastic += o.viscoelastic = system.energy_of_branches(state.q);
   }
   if constexpr (requires { system.contact(state.t, state.q); }) o.contact.take(system.contact(state.t, state.q));
   if (request.momenta) {

@@ -45,6 +45,13 @@ class OrbitingBody {
     f.middleCols(n_inner, orbit_.n()) = orbit_.force(QE0 * Q.transpose(), s);
     return {};
   }
+  bool drifts() const { return orbit_.n() > 0; }
+  void drift(double h, const Vector& before, Vector& q, Vector& v) const {
+    mechanics::Orbit::Columns s = companions(before), sdot = companions(v);
+    orbit_.drift(h, s, sdot);
+    q.middleCols(n_inner, orbit_.n()) = s;
+    v.middleCols(n_inner, orbit_.n()) = sdot;
+  }
   void apply_inverse_mass(const Vector& f, Vector& a) const {
     map(f, a, [this](const auto& x, auto& y) { inner_.apply_inverse_mass(x, y); });
   }

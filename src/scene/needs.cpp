@@ -88,7 +88,7 @@ void describe_models(const Scene& scene, Needs& needs) {
     if (!L::skipped.empty()) sort_out(needs, loads::present(load), load.needed(facts), std::string(L::skipped));
   });
   sort_out(needs, loads::constant_forcing(scene.loads).dissipative(), "dissipation, and the energy that it takes",
-           "dissipation: neither viscosity nor drag");
+           "dissipation: neither viscosity nor drag nor branches");
   sort_out(needs, needs.comparison,
            needs.models.size() == 2 && n_runs_of_models(scene, needs) == 2
                ? "comparison of the two models"
@@ -198,6 +198,8 @@ Needs needs(const Scene& scene) {
   needs.orbit = n_companions > 0;
   needs.quantities.orbit = needs.orbit && scene.analysis == Analysis::motion;
   needs.quantities.second_orbit = needs.quantities.orbit && n_companions > 1;
+  needs.quantities.branches = needs.quantities.energies && loads::present(scene.loads.get<loads::Viscoelasticity>()) &&
+                              scene.analysis == Analysis::motion;
   needs.quantities.contact = needs.contact && scene.analysis == Analysis::motion;
   const bool nonaffine = std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine);
   needs.quantities.nonaffine = needs.quantities.nonaffine && nonaffine;

@@ -28,6 +28,11 @@ inline materials::AnyLaw law_of(const Scene& scene) {
 
 inline bool is_fluid(const Scene& scene) { return materials::is_fluid(law_of(scene)); }
 
+/// Whether the body resists no change of its shape. A body of the law `none` with viscoelastic branches does.
+inline bool is_ideal_fluid(const Scene& scene) {
+  return is_fluid(scene) && !loads::present(scene.loads.get<loads::Viscoelasticity>());
+}
+
 /// Whether no load acts on the ball, so that elasticity and pressure are the only forces. Self-gravity is a load. A
 /// rise alone is not a load, because it only changes other loads.
 inline bool is_free(const Scene& scene) {
@@ -51,7 +56,8 @@ inline double rate_of_loads(const Scene& scene) {
     const loads::Forcing forcing = loads::largest_forcing(load);
     rate = std::max({rate, std::sqrt(forcing.quadratic.cwiseAbs().maxCoeff()),
                      std::sqrt(forcing.nominal_traction.cwiseAbs().maxCoeff() / inertia),
-                     std::sqrt(std::abs(forcing.pressure) / inertia)});
+                     std::sqrt(std::abs(forcing.pressure) / inertia),
+                     std::sqrt(materials::sum_of_moduli(forcing.branches.list) / inertia)});
   });
   return rate;
 }

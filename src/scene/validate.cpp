@@ -16,6 +16,7 @@
 #include "entries/units.h"
 #include "scene/advice.h"
 #include "scene/analyses_of_ball.h"
+#include "scene/branches.h"
 #include "scene/companions.h"
 #include "scene/contact.h"
 #include "scene/entries.h"
@@ -75,6 +76,7 @@ class Validator {
     if (const auto refusal = refuses_initial_state(scene_)) refuse(*refusal);
     if (const auto refusal = refuses_planes(scene_)) refuse(*refusal);
     if (const auto refusal = refuses_companions(scene_)) refuse(*refusal);
+    if (const auto refusal = refuses_branches(scene_)) refuse(*refusal);
     if (scene_.body.incompressible)
       if (const auto refusal = make_isochoric(scene_)) refuse(*refusal);
     check_models();

@@ -113,4 +113,21 @@ TEST(Orbit, FindsThePericentre) {
   EXPECT_EQ(circle.near_closest_approach(100, 0).s, circle.position());
 }
 
+/// With the half steps of the whole force, the drift is Kepler's motion if the body is a sphere and has one companion.
+TEST(Orbit, DriftBetweenTwoHalfStepsIsKeplersMotion) {
+  const Orbit orbit({planet_and_sun()[0]}, G, M);
+  const Matrix3d sphere = 0.3 * M * Matrix3d::Identity();
+  const Orbit::Columns start = orbit.position();
+  for (const double h : {0.01, 3.0, -20.0}) {
+    Orbit::Columns s = start, sdot = orbit.velocity() + h / 2 * orbit.force(sphere, start);
+    orbit.drift(h, s, sdot);
+    sdot += h / 2 * orbit.force(sphere, s);
+    const double m = planet_and_sun()[0].mass, whole = M + m, mu = m * M / whole;
+    const auto exact = pseudorigid::mechanics::kepler_increments(G * whole, start / std::sqrt(mu),
+                                                                 orbit.velocity() / std::sqrt(mu), h);
+    EXPECT_LT((s - start - std::sqrt(mu) * exact.s).norm(), 1e-12 * s.norm()) << h;
+    EXPECT_LT((sdot - orbit.velocity() - std::sqrt(mu) * exact.sdot).norm(), 1e-12 * sdot.norm()) << h;
+  }
+}
+
 }  // namespace

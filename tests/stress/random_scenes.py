@@ -87,6 +87,8 @@ def ball(rng, with_continuum):
                "Output/Samples": rng.randint(2, 30)}
     if rng.random() < 0.2:
         entries["Material/Viscosity"] = repr(modulus / rate * 10 ** rng.uniform(-3, 0))
+    if rng.random() < 0.2:
+        put_branches(rng, entries, rate, modulus)
     if rng.random() < 0.15:
         entries["Material/Drag"] = repr(rate * 10 ** rng.uniform(-3, 0))
     if rng.random() < 0.2:
@@ -142,7 +144,7 @@ def stay_at_rest(rng, entries, unit_of_gravity, with_continuum):
     entries["Models"] = rng.choice(("polynomial", "continuum", "reduced, polynomial, continuum") if with_continuum else
                                    ("polynomial", "reduced, polynomial"))
     if rng.random() < 0.9:
-        refused = ("Loads/", "Material/Viscosity", "Material/Drag", "Body/Semi-axes", "Initial state/", "Output/Graphics",
+        refused = ("Loads/", "Material/Viscosity", "Material/Branch", "Material/Drag", "Body/Semi-axes", "Initial state/", "Output/Graphics",
                    "Output/Frames", "Continuum/Symmetry", "Time/Method")
         for path in [path for path in entries if path.startswith(refused)]:
             del entries[path]
@@ -186,6 +188,14 @@ def put_planes(rng, entries, radius, rate, modulus, Q):
     if rng.random() < 0.3:
         entries["Loads/Plane amplitudes"] = ", ".join(repr(radius * rng.uniform(-0.1, 0.1)) for _ in normals)
         entries["Loads/Plane frequency"] = repr(rate * 10 ** rng.uniform(-1, 1.5))
+
+
+def put_branches(rng, entries, rate, modulus):
+    """Up to four viscoelastic branches, now and then five or with a time too few; soft or stiff, slow or fast."""
+    n = rng.choices((1, 2, 4, 5), (10, 6, 3, 1))[0]
+    entries["Material/Branch moduli"] = ", ".join(repr(modulus * 10 ** rng.uniform(-3, 2)) for _ in range(n))
+    entries["Material/Branch times"] = ", ".join(repr(10 ** rng.uniform(-6, 6) / rate) for _ in range(n - (rng.random() < 0.05)))
+    entries["Material/Branches relaxed"] = rng.choice(("true", "false"))
 
 
 def put_companions(rng, entries, radius, rate, density):

@@ -90,10 +90,10 @@ std::optional<Refusal> refuses_body(const Scene& scene) {
   };
   if (scene::is_fluid(scene) && !scene.body.incompressible)
     return offered_for_others("Material/Law", "none, where nothing resists a change of volume,");
-  if (scene::is_fluid(scene) && !is_held_together(scene))
+  if (scene::is_ideal_fluid(scene) && !is_held_together(scene))
     return offered_for_others("Material/Law",
                               "a fluid with neither self-gravity nor a positive definite Loads/Tidal matrix");
-  if (scene::is_fluid(scene) && scene::volumetric_stiffness(scene) == 0)
+  if (scene::is_ideal_fluid(scene) && scene::volumetric_stiffness(scene) == 0)
     return Refusal{"Continuum/Volumetric stiffness",
                    "expected a number > 0 for a fluid: nothing else holds its elements; or auto"};
   const bool builtin = !scene::has_mesh_file(scene);

@@ -66,10 +66,11 @@ class RunQuadrature {
  private:
   static constexpr double failed = -2;
 
+  /// The internal strains of viscoelastic branches belong to the points, so these bodies keep their rule.
   bool follows() const {
     const scene::Scene& scene = context_.scene;
-    return !scene.polynomial.quadrature_points && !scene.time.step &&
-           scene.time.tolerance < scene::Scene::Time{}.tolerance;
+    return setup_.loads.get<loads::Viscoelasticity>().moduli.empty() && !scene.polynomial.quadrature_points &&
+           !scene.time.step && scene.time.tolerance < scene::Scene::Time{}.tolerance;
   }
 
   polynomial::QuadratureRequest request(const polynomial::BodyState& state, double stable_step,

@@ -34,9 +34,9 @@ bool alike(const RunContext& a, const materials::AnyLaw& law_of_a, const RunCont
 /// True if the body is incompressible and has no forces other than the stress of its law.
 bool is_plain(const RunContext& context, const ReducedScene& s) {
   const ReducedForm form = form_of(s);
-  const bool has_more =
-      form == ReducedForm::dissipative || form == ReducedForm::touching || form == ReducedForm::orbiting;
-  return context.scene.body.incompressible && !has_more && s.forcing.gravity_constant == 0 &&
+  const bool has_potential =
+      form == ReducedForm::elastic || form == ReducedForm::general || form == ReducedForm::diagonal;
+  return context.scene.body.incompressible && has_potential && s.forcing.gravity_constant == 0 &&
          !reduced::ExternalPotential(s.forcing).present();
 }
 

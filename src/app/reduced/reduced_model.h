@@ -200,8 +200,12 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     const auto motion = system_.motion(state);
     const Eigen::Matrix3d &Q = motion.q, &Qdot = motion.v;
     const auto center = center_at(state);
-    const Eigen::Matrix3d stress = body.cauchy_stress(Q, Lambda / body.m_bar());
-    const double energy = std::visit([&](const auto& law) { return law.energy(materials::to_tensor(Q)); }, law_);
+    Eigen::Matrix3d stress = body.cauchy_stress(Q, Lambda / body.m_bar());
+    double energy = std::visit([&](const auto& law) { return law.energy(materials::to_tensor(Q)); }, law_);
+    if constexpr (requires { system_.energy_of_branches(state.q); }) {
+      stress += system_.stress_of_branches(state.q) * Q.transpose() / Q.determinant();
+      energy += system_.energy_of_branches(state.q) / body.reference().volume;
+    }
     mechanics::BodyFields fields;
     fields.center = center.x;
     fields.moment = Q * body.E0();

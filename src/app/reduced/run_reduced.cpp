@@ -26,6 +26,12 @@ ModelOutcome run_reduced(const RunContext& context) {
       return run_reduced_form<ReducedForm::touching>(scene, context);
     case ReducedForm::orbiting:
       return run_reduced_form<ReducedForm::orbiting>(scene, context);
+    case ReducedForm::viscoelastic:
+      return run_reduced_form<ReducedForm::viscoelastic>(scene, context);
+    case ReducedForm::viscoelastic_touching:
+      return run_reduced_form<ReducedForm::viscoelastic_touching>(scene, context);
+    case ReducedForm::viscoelastic_orbiting:
+      return run_reduced_form<ReducedForm::viscoelastic_orbiting>(scene, context);
   }
   return {};
 }

@@ -73,11 +73,8 @@ class CheckpointVectors<Model> {
   void take(const io::Checkpoint& file, State& state, Snapshot& snapshot, const std::string& prefix = "") {
     from_checkpoint(file, snapshot, prefix);
     state.t = snapshot.t;
-    const auto take_own = [&](const char* name, std::span<double> own) {
-      order_.take_field(file.get_doubles(prefix + name, order_.field_size()), own);
-    };
-    take_own("q", mechanics::local_values(state.q));
-    take_own("v", mechanics::local_values(state.v));
+    order_.take_position(file.get_doubles(prefix + "q", order_.position_size(state.q)), state.q);
+    order_.take_field(file.get_doubles(prefix + "v", order_.field_size()), mechanics::local_values(state.v));
     snapshot.memory = file.get_doubles(prefix + "memory");
     memory_is_whole_ = true;
   }
@@ -94,8 +91,7 @@ class CheckpointVectors<Model> {
   }
   /// Returns the complete vectors on the rank that writes the checkpoint. Collective.
   SavedVectors collect(State& state, const Snapshot& snapshot) const {
-    return {order_.collect_field(mechanics::local_values(state.q)),
-            order_.collect_field(mechanics::local_values(state.v)),
+    return {order_.collect_position(state.q), order_.collect_field(mechanics::local_values(state.v)),
             snapshot.memory.empty() ? std::vector<double>() : layout_->collect(snapshot.memory)};
   }
 

@@ -47,6 +47,8 @@ class FieldModel : public RunnableModelOf<S> {
       this->system().set_companions(this->system().orbit().position(), state.q);
       this->system().set_companions(this->system().orbit().velocity(), state.v);
     }
+    const loads::Branches branches = loads::constant_forcing(internal_loads(scene)).branches;
+    if (!branches.empty()) this->system().start_branches(branches.relaxed, state.q);
     return state;
   }
   double constraint_scale() const final {
@@ -97,6 +99,7 @@ class FieldModel : public RunnableModelOf<S> {
     State rest{state.t, affine(Eigen::Matrix3d::Identity(), mean(state.q)),
                affine(Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero())};
     if (context_.needs.orbit) this->system().set_companions(this->system().companions(state.q), rest.q);
+    if (mechanics::relaxes(this->system())) this->system().start_branches(false, rest.q);
     return rest;
   }
   double least_jacobian(const State& state) const final { return least_jacobian_at(state.q); }

@@ -46,6 +46,7 @@ inline void convert(const io::Units& units, scene::Unit unit, double& value) { v
 inline void convert(const io::Units& units, scene::Unit unit, std::optional<double>& value) {
   if (value) convert(units, unit, *value);
 }
+inline void convert(const io::Units&, scene::Unit, bool&) {}
 template <class Entries>
 void convert(const io::Units& units, scene::Unit unit, Entries& values) {
   for (auto& value : values) convert(units, unit, value);

@@ -19,7 +19,7 @@ class TensionWatch {
   TensionWatch(const RunContext& context, std::string_view model)
       : context_(context),
         model_(model),
-        is_fluid_(scene::is_fluid(context.scene) && context.scene.body.incompressible) {}
+        is_fluid_(scene::is_ideal_fluid(context.scene) && context.scene.body.incompressible) {}
 
   bool watches() const { return is_fluid_; }
 

@@ -23,6 +23,7 @@ BallBody::BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const 
       is_fluid_(std::holds_alternative<materials::Fluid>(stored.law)),
       kernels_(make_cell_kernels(space_, stored)),
       loads_(loads, space_, *kernels_),
+      branches_(loads::constant_forcing(loads).branches),
       volume_(space_.mesh().sector().n_images() * sum_over_ranks(kernels_->reference_volume(), space_.communicator())) {
   if (const double G = loads::constant_forcing(loads).gravity_constant; G > 0)
     gravity_.emplace(G, space_, n_points.value_or(n_gravity_points(space_, is_fluid_)));
@@ -68,6 +69,7 @@ mechanics::Status BallBody::complete_force(double t, const Vector& x, const Vect
                                            const Vector* held_at, Vector& f) const {
   if (auto status = judge(least, x); !status) return status;
   loads_.add(t, x, v, f);
+  if (relaxes()) kernels_->add_branch_force(branches_.list, x, f);
   if (gravity_) gravity_->add(x, f);
   if (orbit_.n() > 0) add_companions(x, f);
   if (!contact_) return {};
@@ -125,6 +127,12 @@ double BallBody::mass() const { return space_.mesh().sector().n_images() * space
 void BallBody::add_to_account(double energy, unsigned int component, Vector& v) const {
   if (const auto entry = space_.account())
     v.local_element(*entry + component) += space_.mesh().sector().n_images() * energy;
+}
+
+double BallBody::energy_of_branches(const Vector& x) const {
+  if (!relaxes()) return 0;
+  return space_.mesh().sector().n_images() *
+         sum_over_ranks(kernels_->branch_energy(branches_.list, x), space_.communicator());
 }
 
 double BallBody::dissipated(const Vector& v) const { return account_entry(v, 0); }

@@ -4,7 +4,8 @@
 ///
 ///   M ẍ = −∫P:∇φ + loads   [+ Gᵀλ,   elastic_ball.h]                       (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// with the first Piola–Kirchhoff stress P, and with the basis functions φ of the displacements in (Q_k)³. The mass M
+/// with the first Piola–Kirchhoff stress P, which contains the stresses of viscoelastic branches
+/// (kernels/cell_branches.h), and with the basis functions φ of the displacements in (Q_k)³. The mass M
 /// is lumped. With dissipation or loads that depend on time, the ball has one more node (BallSpace::account). Two
 /// coordinates s and s' of this node obey
 ///
@@ -62,8 +63,24 @@ class BallBody {
     if (contact_) contact_->add_damping(state.t, state.q, state.v, u, kind, f);
   }
   bool damping_is_linear() const { return !loads_.rough(); }
+  bool drifts() const { return orbit_.n() > 0; }
+  void drift(double h, const Vector& before, Vector& q, Vector& v) const {
+    mechanics::Orbit::Columns s = companions(before), sdot = companions(v);
+    orbit_.drift(h, s, sdot);
+    set_companions(s, q);
+    set_companions(sdot, v);
+  }
+  bool relaxes() const { return !branches_.empty(); }
+  const materials::MaxwellBranches& branches() const { return branches_.list; }
+  double relax(double h, const Vector& before, Vector& x) const {
+    return kernels_->relax_branches(branches_.list, h, before, x);
+  }
+  /// Sets the internal metrics of x to Ĉ if `relaxed` is true, and otherwise to the metric of the reference body.
+  void start_branches(bool relaxed, Vector& x) const { kernels_->start_branches(branches_.list.size(), relaxed, x); }
+  /// The energy that the branches of the whole ball store. Collective.
+  double energy_of_branches(const Vector& x) const;
   bool time_dependent() const { return loads_.time_dependent(); }
-  bool velocity_dependent() const { return loads_.dissipative(); }
+  bool velocity_dependent() const { return loads_.damped(); }
   bool dissipative() const { return loads_.dissipative(); }
 
   Vector make_vector() const { return space_.make_vector(); }
@@ -151,6 +168,7 @@ class BallBody {
   bool is_fluid_;
   std::unique_ptr<CellKernels> kernels_;
   LoadForces loads_;
+  loads::Branches branches_;
   std::optional<SurfaceGravityForces> gravity_;
   std::optional<ContactForces> contact_;  ///< empty without planes
   mechanics::Orbit orbit_;

@@ -48,7 +48,7 @@ void LoadForces::add(double t, const Vector& x, const Vector& v, Vector& f) cons
     add_driving(loads::driving(loads_, t), x, f);
     given = driving_power(loads::driving_rate(loads_, t), x);
   }
-  const double taken = constant_.dissipative() ? add_dissipation(x, v, f) : 0;
+  const double taken = constant_.damped() ? add_dissipation(x, v, f) : 0;
   if (!driven_ && !constant_.dissipative()) return;
   const auto whole_ball = [&](double power) {
     return space_.mesh().sector().n_images() * sum_over_ranks(power, space_.communicator());

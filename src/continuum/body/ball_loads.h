@@ -30,6 +30,7 @@ class LoadForces {
   LoadForces(const loads::Loads& loads, const BallSpace& space, const CellKernels& kernels);
 
   bool dissipative() const { return constant_.dissipative(); }
+  bool damped() const { return constant_.damped(); }
   bool rough() const { return constant_.planes.rough(); }  ///< true if planes have friction
   bool time_dependent() const { return driven_; }
 

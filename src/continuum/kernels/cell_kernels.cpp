@@ -1,5 +1,6 @@
 #include "continuum/kernels/cell_kernels.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -14,7 +15,7 @@ const mechanics::KernelBuild<KernelTable>& chosen_kernels() {
 }
 
 CellKernels::CellKernels(const BallSpace& space, std::unique_ptr<LocalKernels> local)
-    : local_(std::move(local)), degree_(space.degree()) {}
+    : local_(std::move(local)), degree_(space.degree()), n_cells_(space.n_cells()), n_points_(space.nodes_per_cell()) {}
 
 double CellKernels::force(const Vector& x, Vector& f) const {
   const GhostValues of_x(x);
@@ -83,6 +84,37 @@ double CellKernels::add_viscous_force(double viscosity, const Vector& x, const V
   const double power = local_->add_viscous_force(viscosity, x.begin(), v.begin(), f.begin());
   add_to_owners(f);
   return power;
+}
+
+void CellKernels::add_branch_force(const materials::MaxwellBranches& branches, const Vector& x, Vector& f) const {
+  const GhostValues of_x(x);
+  local_->branches().add_force(branches, x.metrics.data(), x.begin(), f.begin());
+  add_to_owners(f);
+}
+
+double CellKernels::branch_energy(const materials::MaxwellBranches& branches, const Vector& x) const {
+  const GhostValues of_x(x);
+  return local_->branches().energy(branches, x.metrics.data(), x.begin());
+}
+
+double CellKernels::relax_branches(const materials::MaxwellBranches& branches, double h, const Vector& x0,
+                                   Vector& x) const {
+  const GhostValues of_x0(x0), of_x(x);
+  return local_->branches().relax(branches, h, x0.begin(), x.begin(), x.metrics.data());
+}
+
+void CellKernels::start_branches(std::size_t n_branches, bool relaxed, Vector& x) const {
+  constexpr std::size_t n_entries = materials::Symmetric<double>::n_entries;
+  x.metrics.assign(n_cells_ * n_branches * n_entries * n_points_, 0.0);
+  if (relaxed) {
+    const GhostValues of_x(x);
+    local_->branches().set_to_strain(n_branches, x.begin(), x.metrics.data());
+    return;
+  }
+  for (std::size_t metric = 0; metric < n_cells_ * n_branches; ++metric)
+    for (std::size_t k = 0; k < n_entries; ++k)
+      std::fill_n(x.metrics.begin() + static_cast<std::ptrdiff_t>((metric * n_entries + k) * n_points_), n_points_,
+                  materials::identity_metric.a[k]);
 }
 
 CellIntegrals CellKernels::integrals(const Vector& x, const Vector& v) const {

@@ -49,6 +49,16 @@ class CellKernels {
   /// f ← f + viscous force; returns the power that this force dissipates.
   double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const;
 
+  /// Functions for viscoelastic branches with the internal metrics x.metrics (materials/maxwell_branch.h).
+  /// f ← f − ∫ΣP_b:∇φ.
+  void add_branch_force(const materials::MaxwellBranches& branches, const Vector& x, Vector& f) const;
+  /// ∫ΣW_b
+  double branch_energy(const materials::MaxwellBranches& branches, const Vector& x) const;
+  /// Lets the metrics of x relax for the time h, for the mean strain of x0 and x. Returns the lost energy.
+  double relax_branches(const materials::MaxwellBranches& branches, double h, const Vector& x0, Vector& x) const;
+  /// Sets the metrics of x to Ĉ, or to the metric of the reference body.
+  void start_branches(std::size_t n_branches, bool relaxed, Vector& x) const;
+
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
   /// Least det F over the quadrature points of this rank, with its reference position.
   LeastPlace locate_least_jacobian(const Vector& x) const;
@@ -78,6 +88,7 @@ class CellKernels {
 
   std::unique_ptr<LocalKernels> local_;
   int degree_;
+  std::size_t n_cells_, n_points_;  ///< numbers of cells of this rank and of Gauss points of a cell
 };
 
 /// The reference cell, the nodes of the cells and the reference positions, for the kernels.

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "continuum/kernels/cell_branches.h"
 #include "continuum/kernels/cell_planes.h"
 #include "continuum/kernels/constraint_tangents.h"
 #include "continuum/kernels/local_kernels.h"
@@ -35,7 +36,7 @@ class DegreeKernels final : public LocalKernels {
   DegreeKernels(const DegreeKernels&) = delete;  // because members refer to other members
   DegreeKernels& operator=(const DegreeKernels&) = delete;
   DegreeKernels(const LocalCells& cells, std::unique_ptr<PointLaw<n_lanes>> law)
-      : law_(std::move(law)), planes_(cells), tangents_(planes_) {
+      : law_(std::move(law)), planes_(cells), tangents_(planes_), branches_(planes_) {
     law_->reserve_points(planes_.n_batches() * n * plane);
     for (std::size_t b = 0; b < planes_.n_batches(); ++b) {
       planes_.load_layers(batches_.reference_positions, b, buffers_.X);
@@ -159,6 +160,8 @@ class DegreeKernels final : public LocalKernels {
     }
     return power;
   }
+
+  const BranchKernels& branches() const override { return branches_; }
 
   void constraint_rows(const double* x, const UseRows& use) const override { tangents_.rows(x, use); }
 
@@ -369,6 +372,7 @@ class DegreeKernels final : public LocalKernels {
   const Batches& batches_ = planes_.batches;
   typename Planes::Buffers& buffers_ = planes_.buffers();
   ConstraintTangents<degree, n_lanes> tangents_;
+  CellBranches<degree, n_lanes> branches_;
 };
 
 template <int degree>

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "continuum/kernels/branch_kernels.h"
 #include "continuum/kernels/stored_energy.h"
 #include "continuum/mesh/reference_cell.h"
 #include "continuum/parallel/least_place.h"
@@ -76,6 +77,7 @@ class LocalKernels {
   virtual void constraint_rate(const ConstraintTangent& at_x, const double* v, double* r) const = 0;
   virtual void add_reaction(const ConstraintTangent& at_x, const double* lambda, double* f) const = 0;
   virtual double add_viscous_force(double viscosity, const double* x, const double* v, double* f) const = 0;
+  virtual const BranchKernels& branches() const = 0;
   virtual CellIntegrals integrals(const double* x, const double* v) const = 0;
   virtual LeastPlace locate_least_jacobian(const double* x) const = 0;
   virtual LeastPlace locate_least(const double* x, const FunctionOfF& value) const = 0;

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "continuum/kernels/node_gradients.h"
+#include "continuum/output/branches_at_nodes.h"
 #include "continuum/parallel/ghost_values.h"
 #include "materials/point_fields.h"
 
@@ -76,10 +77,12 @@ mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, c
   if (ball.gravity())
     for (int i = 0; i < n_nodes; ++i)
       lambda[i] -= fields.potential[static_cast<std::size_t>(cell) * n_nodes + i] - mean_potential;
+  const auto branches = branches_at_nodes(ball, state.q, cell);
   for (int i = 0; i < n_nodes; ++i) {
     const Eigen::Matrix3d F =
         reference_gradient(space.reference_cell(), x, i) * reference_gradient(space.reference_cell(), X, i).inverse();
-    if (auto status = materials::add_point(law, X.col(i), x.col(i), v.col(i), F, lambda[i], fields); !status)
+    if (auto status = materials::add_point(law, X.col(i), x.col(i), v.col(i), F, lambda[i], branches[i], fields);
+        !status)
       return status;
   }
   return {};

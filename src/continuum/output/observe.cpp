@@ -71,7 +71,8 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
   if (request.energies) {
     o.kinetic = 0.5 * n_images * squared_norm(ball, state.v);
     o.volumetric = n_images * sums.volumetric;
-    o.elastic = n_images * sums.elastic + o.volumetric;
+    o.viscoelastic = ball.energy_of_branches(state.q);
+    o.elastic = n_images * sums.elastic + o.volumetric + o.viscoelastic;
     o.external = ball.loads().potential(state.t, ball.nodal_moment(state.q, state.q), ball.mass() * o.center,
                                         F_integral, n_images * sums.volume);
     o.gravitational = ball.gravity() ? n_images * ball.gravity()->energy(state.q) : 0;

@@ -57,7 +57,32 @@ RankOrder::Order RankOrder::make_order(const std::vector<std::size_t>& keys, std
   return order;
 }
 
+/// The order of the cells, with the metrics of a cell as a block.
+RankOrder::Order RankOrder::order_of_metrics(const Vector& x) const {
+  Order order = multipliers_;
+  const std::size_t n_own_cells = order.own.size(), n_cells = multipliers_.n_entries / multipliers_.block;
+  order.block = dealii::Utilities::MPI::max(n_own_cells > 0 ? x.metrics.size() / n_own_cells : 0, communicator_);
+  order.n_entries = order.block * n_cells;
+  return order;
+}
+
+std::vector<double> RankOrder::collect_position(const Vector& x) const {
+  std::vector<double> whole = collect_field({x.begin(), x.locally_owned_size()});
+  const std::vector<double> metrics = collect(x.metrics, order_of_metrics(x));
+  whole.insert(whole.end(), metrics.begin(), metrics.end());
+  return whole;
+}
+
+void RankOrder::take_position(std::span<const double> whole, Vector& x) const {
+  const Order order = order_of_metrics(x);
+  if (whole.size() != fields_.n_entries + order.n_entries)
+    throw std::invalid_argument("a saved vector has another size");
+  take_field(whole.first(fields_.n_entries), {x.begin(), x.locally_owned_size()});
+  take(whole.subspan(fields_.n_entries), x.metrics, order);
+}
+
 std::vector<double> RankOrder::collect(std::span<const double> own, const Order& order) const {
+  if (order.n_entries == 0) return {};
   const auto of_ranks = gather(communicator_, std::vector<double>(own.begin(), own.end()));
   std::vector<double> whole(of_ranks.empty() ? 0 : order.n_entries);
   for (std::size_t rank = 0; rank < of_ranks.size(); ++rank)
@@ -68,6 +93,7 @@ std::vector<double> RankOrder::collect(std::span<const double> own, const Order&
 
 void RankOrder::take(std::span<const double> whole, std::span<double> own, const Order& order) const {
   if (whole.size() != order.n_entries) throw std::invalid_argument("a saved vector has another size");
+  if (order.n_entries == 0) return;
   for (std::size_t i = 0; i < order.own.size(); ++i)
     std::copy_n(&whole[order.block * order.own[i]], order.block, &own[order.block * i]);
 }

@@ -25,6 +25,12 @@ class RankOrder {
   void take_field(std::span<const double> whole, std::span<double> own) const { take(whole, own, fields_); }
   void take_multiplier(std::span<const double> whole, std::span<double> own) const { take(whole, own, multipliers_); }
 
+  /// A position with its internal metrics, which follow the coordinates cell by cell. `position_size` is the size of
+  /// the whole list. All three functions are collective.
+  std::vector<double> collect_position(const Vector& x) const;
+  void take_position(std::span<const double> whole, Vector& x) const;
+  std::size_t position_size(const Vector& x) const { return fields_.n_entries + order_of_metrics(x).n_entries; }
+
   std::size_t field_size() const { return fields_.n_entries; }
   std::size_t multiplier_size() const { return multipliers_.n_entries; }
 
@@ -34,6 +40,7 @@ class RankOrder {
     std::vector<std::size_t> own;                    ///< place of each block of this rank in the whole vector
     std::vector<std::vector<std::size_t>> of_ranks;  ///< the lists `own` of all ranks, on rank 0
   };
+  Order order_of_metrics(const Vector& x) const;
   Order make_order(const std::vector<std::size_t>& keys, std::size_t block) const;
   std::vector<double> collect(std::span<const double> own, const Order& order) const;
   void take(std::span<const double> whole, std::span<double> own, const Order& order) const;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "mechanics/core/vector_space.h"
 
@@ -14,7 +15,17 @@ namespace pseudorigid::continuum {
 
 /// The vector type. Positions, velocities and forces have the entry 3·node + component. Multipliers have the entry
 /// n_pressure·cell + function.
-using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+class Vector : public dealii::LinearAlgebra::distributed::Vector<double> {
+  using Base = dealii::LinearAlgebra::distributed::Vector<double>;
+
+ public:
+  using Base::Base;
+  using Base::operator=;
+
+  /// The internal metrics of viscoelastic branches at the Gauss points of the own cells (kernels/cell_branches.h), if
+  /// the vector is a position. They are copied with the position, and are not a part of the vector space.
+  std::vector<double> metrics;
+};
 
 /// Σ x_i y_i, computed as eight independent sums, which the processor can add in parallel.
 inline double dot(const double* x, const double* y, std::size_t n) {

@@ -17,6 +17,7 @@
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/core/constraint_newton.h"
 #include "mechanics/core/gauss_stages.h"
+#include "mechanics/core/relaxation.h"
 #include "mechanics/core/second_order_field.h"
 
 namespace pseudorigid::mechanics {
@@ -77,6 +78,7 @@ class ExplicitMultiplier {
   bool velocity_dependent() const { return !unconstrained<S> || mechanics::velocity_dependent(system_); }
   bool dissipative() const { return mechanics::dissipative(system_); }
   bool time_dependent() const { return mechanics::time_dependent(system_); }
+  bool relaxes() const { return mechanics::relaxes(system_); }
 
   Status acceleration(double t, const Vector& q, const Vector& v, Workspace& w, Vector& a) const {
     if constexpr (requires { system_.acceleration(t, q, v, w.system, a); }) {

@@ -14,9 +14,10 @@
 ///
 ///   r_i = R_i + Σ_{k<i} (m_k/M_k) R_k,   kinetic energy ½ Σ μ_k |Ṙ_k|²,   μ_k = m_k M_{k−1}/M_k.
 ///
-/// The coordinates of the systems are s_k = √μ_k R_k, with unit mass. Uniform accelerations act on the common centre of
-/// mass alone. In a model with companions, the centre of mass of the model is therefore the common one, and the body is
-/// at the origin of the r_i.
+/// The coordinates of the systems are s_k = √μ_k R_k, with unit mass. Without the size of the body and the interaction
+/// of companions, each moves as s̈_k = −k_k s_k/|s_k|³ with k_k = G M_k μ_k^{3/2}, on a conic (kepler.h). Uniform
+/// accelerations act on the common centre of mass alone. In a model with companions, the centre of mass of the model is
+/// therefore the common one, and the body is at the origin of the r_i.
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -26,6 +27,8 @@
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "mechanics/core/kepler.h"
 
 namespace pseudorigid::mechanics {
 
@@ -67,6 +70,7 @@ class Orbit {
       const Companion& companion = companions[static_cast<std::size_t>(k)];
       const double whole = inner + companion.mass, reduced = std::sqrt(companion.mass * (inner / whole));
       masses_[k] = companion.mass;
+      kepler_[k] = G_ * whole * reduced * reduced * reduced;
       R.col(k) = companion.position - center;
       Rdot.col(k) = companion.velocity ? Eigen::Vector3d(*companion.velocity - center_velocity)
                                        : circular_velocity(R.col(k), G_ * whole);
@@ -134,6 +138,22 @@ class Orbit {
     for (int k = 0; k < n_; ++k)
       for (int i = k; i < n_; ++i) f.col(k) += weights_[k][i] * on_r.col(i);
     return f;
+  }
+  /// The motion of the companions from s to the time h later, for the velocity sdot after the half step of a symplectic
+  /// method. The method leaves out the drift of s. The drift of Kepler's motion replaces it, and takes back the two
+  /// half steps by Kepler's force. The step is then exact for a Kepler orbit (Wisdom and Holman, Astron. J. 102 (1991)
+  /// 1528).
+  void drift(double h, Columns& s, Columns& sdot) const {
+    for (int k = 0; k < n_; ++k) {
+      const auto half_kick = [&](const Eigen::Vector3d& at) {
+        const double d = at.norm();
+        return Eigen::Vector3d(0.5 * h * kepler_[k] / (d * d * d) * at);
+      };
+      const Eigen::Vector3d start = s.col(k), velocity = sdot.col(k) + half_kick(start);
+      const KeplerIncrements moved = kepler_increments(kepler_[k], start, velocity, h);
+      s.col(k) += moved.s;
+      sdot.col(k) += half_kick(start) + moved.sdot + half_kick(s.col(k));
+    }
   }
   /// The largest semi-axis of the ellipsoid with the second moment S.
   double largest_semi_axis(const Eigen::Matrix3d& S) const {
@@ -230,8 +250,8 @@ class Orbit {
 
   double G_ = 0, mass_ = 0;
   int n_ = 0;
-  double masses_[most_companions] = {};
-  double weights_[most_companions][most_companions] = {};  ///< [k][i]: r_i = Σ_k weights_[k][i] s_k
+  double masses_[most_companions] = {}, kepler_[most_companions] = {};  ///< m_k and k_k
+  double weights_[most_companions][most_companions] = {};               ///< [k][i]: r_i = Σ_k weights_[k][i] s_k
   Columns s_, sdot_;
 };
 

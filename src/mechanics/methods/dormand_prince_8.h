@@ -100,7 +100,8 @@ struct DormandPrince8 {
   static constexpr bool fits = SecondOrderField<F>;
 
   template <SecondOrderField F>
-  static Status accepts(const F&) {
+  static Status accepts(const F& field) {
+    if (relaxes(field)) return refuses_relaxation();
     return {};
   }
 

@@ -135,7 +135,8 @@ struct Gauss16 {
   }();
 
   template <class S>
-  static Status accepts(const S&) {
+  static Status accepts(const S& system) {
+    if (relaxes(system)) return refuses_relaxation();
     return {};
   }
 

@@ -24,6 +24,12 @@
 /// ẍ = −ω²x − cẋ is stable up to hω = 2 for every c. If the fixed-point iteration is already slow in the first step,
 /// the first half step is implicit as well. Otherwise an overdamped body would start with a fast transient.
 ///
+/// Coordinates on known orbits move along these orbits in place of straight lines (constrained_system.h, `Drifting`).
+/// The step then resolves only the forces that disturb the orbits.
+///
+/// Internal variables z (relaxation.h) relax for the time h between the two half steps, for the mean of the strains at
+/// q_n and q_{n+1}. This splitting is symmetric and of order 2, and needs no further force.
+///
 /// The increments of q and v are small compared with q and v, and are summed with compensation (vector_space.h). If the
 /// system supports it (`resolves_rounding`), the constraint is solved for the sum q + q_rounding.
 
@@ -31,6 +37,7 @@
 #include <string>
 #include <utility>
 
+#include "mechanics/core/relaxation.h"
 #include "mechanics/methods/rattle_velocity.h"
 
 namespace pseudorigid::mechanics {
@@ -42,6 +49,7 @@ struct Rattle {
   static constexpr int n_stages = 1;
   static constexpr bool symplectic = true, symmetric = true;
   static constexpr bool adaptive = false, chosen_by_auto = true, takes_any_vector = true;
+  static constexpr bool integrates_relaxation = true;
   /// Largest hω of the harmonic oscillator for which the step is stable.
   static constexpr double stability_limit = 2.0;
 
@@ -60,20 +68,18 @@ struct Rattle {
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if (Status status = kick(system, h, state, w); !status) return status;
+    if (relaxes(system) || drifts(system)) w.q_start = state.q;
     if (Status status = move_on_constraint(system, h, state, w); !status) return status;
-    state.t += h;
-    w.acceleration_known = false;
-    w.pending_weight = h / 2;
-    ++w.counters.n_substeps;
-    if (velocity_dependent(system)) {
-      scale(-1.0, w.settling.half);
-      axpy(2.0, state.v, w.settling.half);
-      std::swap(w.settling.half, state.v);
-      return RattleVelocity::settle_velocity(system, h, state, w);
+    if constexpr (Drifting<S>)
+      if (drifts(system)) system.drift(h, w.q_start, state.q, state.v);
+    if constexpr (Relaxing<S>) {
+      const double taken = relaxes(system) ? system.relax(h, w.q_start, state.q) : 0;
+      Status status = kick_again(system, h, state, w);
+      system.add_taken(taken, state.v);
+      return status;
+    } else {
+      return kick_again(system, h, state, w);
     }
-    if (Status status = ensure_acceleration(system, state, w); !status) return status;
-    add(h / 2, w.acceleration, state.v, w.v_rounding);
-    return {};
   }
 
   /// Completes the step of RATTLE by the projection of v (rattle_velocity.h).
@@ -89,6 +95,24 @@ struct Rattle {
   }
 
  private:
+  /// Makes the second half step.
+  template <ConstrainedSystem S>
+  static Status kick_again(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
+    state.t += h;
+    w.acceleration_known = false;
+    w.pending_weight = h / 2;
+    ++w.counters.n_substeps;
+    if (velocity_dependent(system)) {
+      scale(-1.0, w.settling.half);
+      axpy(2.0, state.v, w.settling.half);
+      std::swap(w.settling.half, state.v);
+      return RattleVelocity::settle_velocity(system, h, state, w);
+    }
+    if (Status status = ensure_acceleration(system, state, w); !status) return status;
+    add(h / 2, w.acceleration, state.v, w.v_rounding);
+    return {};
+  }
+
   /// Makes the first half step. If a force depends on the velocity, w.settling.half is v_n afterwards. The very first
   /// half step is implicit if the system is damped and stiff.
   template <ConstrainedSystem S>

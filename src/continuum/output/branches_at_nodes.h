@@ -1,0 +1,16 @@
+#pragma once
+/// Viscoelastic branches at the nodes, for pictures. The sum Σ μ_b C_b⁻¹ at the Gauss points of a cell is interpolated
+/// by the polynomials on these points.
+
+#include <vector>
+
+#include "continuum/body/ball_body.h"
+#include "materials/maxwell_branch.h"
+
+namespace pseudorigid::continuum {
+
+/// The branches at the nodes of a cell, with the first direction as the fastest index. Without branches, all results
+/// are zero.
+std::vector<materials::BranchesAtPoint> branches_at_nodes(const BallBody& ball, const Vector& x, unsigned int cell);
+
+}  // namespace pseudorigid::continuum

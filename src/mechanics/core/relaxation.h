@@ -1,0 +1,37 @@
+#pragma once
+/// Systems with internal variables z, such as the internal strains of viscoelastic branches:
+///
+///   M q̈ = f(t, q, q̇, z) + G(q)ᵀλ,   g(q) = 0,   ż = R(q, z).
+///
+/// The vector of the position contains z as further entries, which have no mass and no velocity. The system knows the
+/// exact flow of z for a constant strain, and a method composes this flow with steps for constant z (Strang's
+/// splitting; rattle.h). The flow dissipates energy.
+
+#include <concepts>
+
+#include "mechanics/core/constrained_system.h"
+
+namespace pseudorigid::mechanics {
+
+template <class S>
+concept Relaxing = ConstrainedSystem<S> &&
+    requires(const S s, double h, const typename S::Vector before, typename S::Vector q, typename S::Vector v) {
+  { s.relaxes() } -> std::same_as<bool>;  // false if the system has no internal variables
+  /// Replaces z in q by its value after the time h, for the mean strain of the positions `before` and q. Returns the
+  /// energy that the part of the body on this process dissipates.
+  { s.relax(h, before, q) } -> std::same_as<double>;
+  s.add_taken(0.0, v);  // (energy, v): adds to the dissipated energy, which v contains
+};
+
+template <class S>
+bool relaxes(const S& system) {
+  if constexpr (requires { system.relaxes(); }) return system.relaxes();
+  return false;
+}
+
+/// The reason why a method other than RATTLE refuses a system with internal variables.
+inline Status refuses_relaxation() {
+  return Status::failure("the internal strains of viscoelastic branches are integrated by rattle; use rattle");
+}
+
+}  // namespace pseudorigid::mechanics
