@@ -60,11 +60,14 @@ struct DampingTemporaries<S> {
         direction(residual),
         product(residual),
         force(residual),
-        momentum(residual) {}
+        momentum(residual),
+        at_rest(residual) {}
 
   typename S::Vector residual;  ///< r, or P r after the projection
   typename S::Vector solution;  ///< u
   typename S::Vector direction, product, force, momentum;
+  typename S::Vector at_rest;  ///< f(q, 0), if `rest_known` is true (rattle_velocity.h)
+  bool rest_known = false;
   long n_products = 0;  ///< number of products with C
 
  private:

@@ -100,6 +100,7 @@ struct Rattle {
   static Status kick_again(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     state.t += h;
     w.acceleration_known = false;
+    if constexpr (Damped<S>) w.damping.rest_known = false;
     w.pending_weight = h / 2;
     ++w.counters.n_substeps;
     if (velocity_dependent(system)) {

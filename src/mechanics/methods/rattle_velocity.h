@@ -46,9 +46,8 @@ struct RattleVelocity {
     // After a step the time loop sets the time again, with another round-off. A checkpoint contains this second time,
     // so a resumed run gives the same results only if the acceleration belongs to the second time.
     if (w.acceleration_known && (!time_dependent(system) || w.acceleration_time == state.t)) return {};
-    if (Status status = system.force(state.t, state.q, state.v, w.system, w.acceleration); !status) return status;
+    if (Status status = find_force(system, state, w); !status) return status;
     system.apply_inverse_mass(w.acceleration, w.acceleration);
-    ++w.counters.n_force;
     w.acceleration_known = true;
     w.acceleration_time = state.t;
     return {};
@@ -76,6 +75,30 @@ struct RattleVelocity {
   }
 
  private:
+  /// Sets w.acceleration to f at the state. If the damping is linear, f(q, v) is the sum of f(q, 0), which is known
+  /// after the first call at q, and of the damping. The iterations for v then do not evaluate the other forces again.
+  template <ConstrainedSystem S>
+  static Status find_force(const S& system, const State<S>& state, RattleWorkspace<S>& w) {
+    if constexpr (Damped<S>) {
+      if (velocity_dependent(system) && !time_dependent(system) && damping_is_linear(system)) {
+        scale(0.0, w.damping.force);
+        if (!w.damping.rest_known) {
+          if (Status status = system.force(state.t, state.q, w.damping.force, w.system, w.damping.at_rest); !status)
+            return status;
+          ++w.counters.n_force;
+          w.damping.rest_known = true;
+        }
+        system.add_damping(state, state.v, Linearization::tangent, w.damping.force);
+        w.acceleration = w.damping.at_rest;
+        axpy(1.0, w.damping.force, w.acceleration);
+        system.add_taken(-dot(state.v, w.damping.force), w.acceleration);
+        return {};
+      }
+    }
+    ++w.counters.n_force;
+    return system.force(state.t, state.q, state.v, w.system, w.acceleration);
+  }
+
   /// Solves the equation of `settle_velocity` if the force is damping. If it is linear in v, a second solve removes the
   /// residual of the first. The system therefore computes the power of its forces at a v that is final up to this
   /// residual.
