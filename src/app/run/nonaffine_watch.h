@@ -19,7 +19,9 @@ namespace pseudorigid::app {
 class NonaffineWatch {
  public:
   NonaffineWatch(const RunContext& context, std::string_view model)
-      : context_(context), model_(model), watches_(scene::is_ideal_fluid(context.scene) && stays_affine(context.scene)) {}
+      : context_(context),
+        model_(model),
+        watches_(scene::is_ideal_fluid(context.scene) && stays_affine(context.scene)) {}
 
   bool watches() const { return watches_; }
 
