@@ -110,13 +110,10 @@ class QuadratureSearch {
     auto workspace = body.make_workspace();
     const auto frequency = mechanics::largest_frequency(body, state_, workspace, n_lanczos, accuracy);
     if (!frequency.status) choice_.reason = frequency.status.reason();
-    const auto damping = mechanics::largest_damping(body, state_, workspace, frequency.omega, n_lanczos, accuracy);
-    if (!damping.status) choice_.reason = damping.status.reason();
     const PolynomialSpace& space = body.space();
     const double rate = mechanics::affine_rate(space.affine_part(state_.q.head(space.n_unknowns())),
                                                space.affine_part(state_.v.head(space.n_unknowns())));
-    return std::min({mechanics::rattle_step_limit(frequency.omega, rate, 1),
-                     mechanics::damped_step_limit(damping.gamma, 1), window_});
+    return std::min(mechanics::rattle_step_limit(frequency.omega, rate, 1), window_);
   }
 
   PilotRun pilot(const Body& body) {

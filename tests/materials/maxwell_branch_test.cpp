@@ -8,7 +8,8 @@ namespace pseudorigid::materials {
 namespace {
 
 using Metric = Symmetric<double>;
-using L = mechanics::Lanes<4>;
+constexpr int n_lanes = mechanics::native_lanes;
+using L = mechanics::Lanes<n_lanes>;
 
 double det(const Metric& m) { return determinant(m, adjugate(m)); }
 double energy(const Metric& strain, const Metric& metric) { return 0.5 * (dot(strain, adjugate(metric)) - 3); }
@@ -154,8 +155,8 @@ TEST(MaxwellBranch, LanesAreNumbersSideBySide) {
   Deformations random;
   for (const double x : {0.01, 0.5}) {
     Symmetric<L> strain, metric;
-    Metric strains[4], metrics[4];
-    for (int l = 0; l < 4; ++l) {
+    Metric strains[n_lanes], metrics[n_lanes];
+    for (int l = 0; l < n_lanes; ++l) {
       strains[l] = random.metric(0.2);
       metrics[l] = random.metric(0.2);
       for (int k = 0; k < 6; ++k) {
@@ -164,7 +165,7 @@ TEST(MaxwellBranch, LanesAreNumbersSideBySide) {
       }
     }
     const L lost = relax(strain, x, metric);
-    for (int l = 0; l < 4; ++l) {
+    for (int l = 0; l < n_lanes; ++l) {
       EXPECT_NEAR(lost[l], relax(strains[l], x, metrics[l]), 1e-15);
       for (int k = 0; k < 6; ++k) EXPECT_NEAR(metric.a[k][l], metrics[l].a[k], 1e-15);
     }
