@@ -176,6 +176,24 @@ class Companions(ProgramTest):
             self.assertAlmostEqual(table.column("energy")[0] / whole.column("energy")[0], 1, delta=1e-2 if model == "continuum" else 1e-12)  # a mesh has a slightly smaller mass
         self.assertIn("orbit", self.run_program("check", "scene.prm", "--set", "Output/Quantities=all").stdout)
 
+    def test_roche(self):
+        """Chandrasekhar, Ellipsoidal Figures, table XVI: the largest Ω² is 0.090093 πGρ, at the distance (4/(3·0.090093))^(1/3) = 2.4552 in
+        units of R (m/M)^(1/3). The axes 1 % outside are those of Roche's ellipsoid with Ω² = 0.090093/1.01³, by the equations (7.22) there."""
+        self.scene((SOURCE / "params/roche.prm").read_text(), "roche.prm")
+        self.run_done("run", "roche.prm")
+        table = self.table("output/roche/reduced.csv")
+        self.assertAlmostEqual(table.column("a2")[-1] / table.column("a1")[-1], 0.59161, delta=1e-3)
+        self.assertAlmostEqual(table.column("a3")[-1] / table.column("a1")[-1], 0.55759, delta=1e-3)
+        inside = 0.99
+        rate = math.sqrt(0.090093 / inside**3)
+        for model in ("reduced", "polynomial"):
+            result = self.run_program("run", "roche.prm", "--set", f"Companions/Semi-major axes={inside * 245.5176!r}", "--set", f"Models={model}",
+                                      "--set", "Polynomial/Degree=2", "--set", "Time/Method=rattle", "--set", "Time/Step=0.1",
+                                      "--set", f"Initial state/Velocity=0, {-rate!r}, 0; {rate!r}, 0, 0; 0, 0, 0")
+            self.assertEqual(result.returncode, 3)
+            self.assertIn("disruption", result.stderr)
+            self.assertNotIn("--resume", result.stderr)
+
     def test_sectors(self):
         """A companion in the plane z = 0 leaves one symmetry plane."""
         entries = {**MOON, "Polynomial/Degree": 3, "Continuum/Degree": 2, "Time/Method": "rattle", "Time/Step": 0.02, "Time/End": 1}
@@ -238,6 +256,7 @@ class Companions(ProgramTest):
                 result = self.run_program("run", "scene.prm")
                 self.assertEqual(result.returncode, 3)
                 self.assertIn("collision", result.stderr)
+                self.assertNotIn("--resume", result.stderr)
 
     def test_collision_ends_the_run(self):
         self.scene({**MOON, "Models": "reduced, polynomial", "Polynomial/Degree": 2, "Companions/Positions": "3, 0, 0",
