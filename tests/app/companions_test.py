@@ -194,6 +194,41 @@ class Companions(ProgramTest):
             self.assertIn("disruption", result.stderr)
             self.assertNotIn("--resume", result.stderr)
 
+    def test_double_synchronism(self):
+        """Darwin's instability. A rigid ball has J = (2/5) M n + mu sqrt(g d) on a synchronous orbit, least at 3 (2/5) M = mu d², and two
+        distances for larger J. A viscous body with a perturbed spin leaves the inner one, inwards or outwards, and stays near the outer one."""
+        gamma, mass = 2, 0.3 * MASS
+        g, mu = gamma * G * (MASS + mass), MASS * mass / (MASS + mass)
+        least = math.sqrt(1.2 * MASS / mu)
+        inner = 0.85 * least
+
+        def momentum(d):
+            return 0.4 * MASS * math.sqrt(g / d**3) + mu * math.sqrt(g * d)
+
+        def outer(J):
+            low, high = least, 10 * least
+            for _ in range(60):
+                middle = (low + high) / 2
+                low, high = (middle, high) if momentum(middle) < J else (low, middle)
+            return low
+
+        def entries(d, part):
+            spin = part * math.sqrt(g / d**3)
+            return {"Models": "reduced", "Gravity/Gamma": gamma, "Material/Viscosity": 10, "Companions/Masses": mass, "Companions/Semi-major axes": d,
+                    "Initial state/Velocity": f"0, {-spin!r}, 0; {spin!r}, 0, 0; 0, 0, 0", "Time/End": 3000, "Time/Method": "rattle", "Time/Step": 0.05}
+
+        self.scene(entries(inner, 0.9))
+        result = self.run_program("run", "scene.prm")
+        self.assertEqual(result.returncode, 3)
+        self.assertIn("collision", result.stderr)
+        for d, part in ((inner, 1.1), (1.3 * least, 0.95), (1.3 * least, 1.1)):
+            table = self.run_model(entries(d, part), "reduced")
+            x, y, vx, vy, spin, J, whole = (table.column(name)[-1] for name in ("companion1", "companion2", "companion_velocity1", "companion_velocity2", "spin3", "J3", "total_J3"))
+            end = math.hypot(x, y)
+            self.assertAlmostEqual(spin * end * end / (x * vy - y * vx), 1, delta=0.02, msg=(d, part))
+            self.assertGreater((whole - J) / J, 3)
+            self.assertAlmostEqual(end / outer(whole), 1, delta=0.04, msg=(d, part))  # 0.02 was seen: the spin flattens the body
+
     def test_sectors(self):
         """A companion in the plane z = 0 leaves one symmetry plane."""
         entries = {**MOON, "Polynomial/Degree": 3, "Continuum/Degree": 2, "Time/Method": "rattle", "Time/Step": 0.02, "Time/End": 1}
