@@ -176,6 +176,32 @@ class Companions(ProgramTest):
             self.assertAlmostEqual(table.column("energy")[0] / whole.column("energy")[0], 1, delta=1e-2 if model == "continuum" else 1e-12)  # a mesh has a slightly smaller mass
         self.assertIn("orbit", self.run_program("check", "scene.prm", "--set", "Output/Quantities=all").stdout)
 
+    def test_spin_orbit(self):
+        """The resonant angle 2 θ − 3 l is bounded, with the angle θ of the longest axis and the mean longitude l. A faster spin leaves the resonance."""
+        self.scene((SOURCE / "params/spin_orbit.prm").read_text(), "spin_orbit.prm")
+        n = math.sqrt(0.1 * G * (MASS + 4000) / 60**3)
+        for factor, is_bounded in ((1.52, True), (1.8, False)):
+            spin = factor * n
+            self.run_done("run", "spin_orbit.prm", "--set", f"Initial state/Velocity=0, {-spin!r}, 0; {spin!r}, 0, 0; 0, 0, 0")
+            table = self.table("output/spin_orbit/reduced.csv")
+            angles = [2 * (math.atan2(y, x) + lag) - 3 * (w + M) for x, y, lag, w, M in  # the node is the x axis
+                      zip(*(table.column(name) for name in ("companion1", "companion2", "lag", "argument_of_pericentre", "mean_anomaly")))]
+            largest = max(abs(math.remainder(angle, 2 * math.pi)) for angle in angles[1:])
+            self.assertEqual(largest < 1, is_bounded, largest)
+            if is_bounded:
+                self.assertAlmostEqual(sum(table.column("spin3")) / len(table) / n, 1.5, delta=0.01)
+
+    def test_binary(self):
+        """The orbit becomes circular and the spin synchronous."""
+        self.scene((SOURCE / "params/binary.prm").read_text(), "binary.prm")
+        self.run_done("run", "binary.prm")
+        table = self.table("output/binary/reduced.csv")
+        self.constants(table, 1e-6, 1e-9)
+        self.assertAlmostEqual(table.column("eccentricity")[0], 0.3, delta=1e-12)
+        self.assertLess(table.column("eccentricity")[-1], 0.05)
+        x, y, vx, vy, spin = (table.column(name)[-1] for name in ("companion1", "companion2", "companion_velocity1", "companion_velocity2", "spin3"))
+        self.assertAlmostEqual(spin * (x * x + y * y) / (x * vy - y * vx), 1, delta=0.02)
+
     def test_roche(self):
         """Chandrasekhar, Ellipsoidal Figures, table XVI: the largest Ω² is 0.090093 πGρ, at the distance (4/(3·0.090093))^(1/3) = 2.4552 in
         units of R (m/M)^(1/3). The axes 1 % outside are those of Roche's ellipsoid with Ω² = 0.090093/1.01³, by the equations (7.22) there."""
