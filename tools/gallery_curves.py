@@ -132,6 +132,30 @@ def tidal_locking(run, path):
 
 
 @picture
+def spin_orbit(run, path):
+    """Spin over mean motion, and the circular orbit of the binary."""
+    drawn, (left, right) = figure(1, 2, height=3.4)
+    t = table(run("spin_orbit"), "reduced")
+    orbits = t["time"] / (2 * np.pi) * rate_of_orbit(t)[1]
+    left.plot(orbits, t["spin3"] / rate_of_orbit(t)[1], color=ORANGE, linewidth=1)
+    left.axhline(1.5, color=GREY, linewidth=1)
+    label_axes(left, "orbits", "spin over mean motion")
+    t = table(run("binary"), "reduced")
+    right.plot(t["time"], t["eccentricity"], color=BLUE, label="eccentricity", linewidth=1)
+    right.plot(t["time"], t["spin3"] / rate_of_orbit(t)[1], color=ORANGE, label="spin over mean motion", linewidth=1)
+    label_axes(right, TIME, "")
+    legend_above(right, 2)
+    save(drawn, path)
+
+
+def rate_of_orbit(t):
+    """The angular velocity of the companion, and the mean motion of its Kepler orbit."""
+    x, y, vx, vy = (t[f"companion{kind}"] for kind in ("1", "2", "_velocity1", "_velocity2"))
+    area = x * vy - y * vx
+    return area / (x * x + y * y), area / (t["semi_major_axis"] ** 2 * np.sqrt(1 - t["eccentricity"] ** 2))
+
+
+@picture
 def bounce(run, path):
     """The ball rests on the floor at the height of 1."""
     directory = run("bounce", "Output/Graphics=none", "Output/Samples=600")

@@ -11,6 +11,8 @@ namespace pseudorigid::loads {
 
 struct CompanionMasses {
   std::vector<double> masses, positions, velocities;  ///< m_i, and three numbers of r_i and ṙ_i for each companion
+  std::vector<double> semi_major_axes, eccentricities, inclinations, ascending_nodes, arguments_of_pericentre,
+      mean_anomalies;  ///< elements of R_i, in place of r_i and ṙ_i
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {
@@ -29,6 +31,28 @@ struct CompanionMasses {
                      "Velocity of each companion at the start, relative to the centre of mass of the body, a row each. "
                      "Without rows, each companion has the circular orbit of point masses about the z axis. The "
                      "centre of this orbit is the centre of mass of the body and the companions before it."});
+    visit(self.semi_major_axes, scene::Rows{1, true},
+          scene::About{
+              "Companions/Semi-major axes", "length",
+              "Orbital elements in place of positions and velocities, a row for each companion: the semi-major "
+              "axis, negative for a hyperbola. The elements are those of a Kepler orbit about the centre of mass of "
+              "the body and the companions before. It has the sum of all these masses. Elements without rows "
+              "are 0."});
+    visit(self.eccentricities, scene::Rows{1, true},
+          scene::About{"Companions/Eccentricities", "",
+                       "Eccentricities: from 0 to less than 1, or more than 1 for a hyperbola."});
+    visit(self.inclinations, scene::Rows{1, true},
+          scene::About{"Companions/Inclinations", "",
+                       "Inclinations of the orbits to the plane z = 0, in radians, as all angles."});
+    visit(self.ascending_nodes, scene::Rows{1, true},
+          scene::About{"Companions/Ascending nodes", "", "Longitudes of the ascending nodes, from the x axis."});
+    visit(self.arguments_of_pericentre, scene::Rows{1, true},
+          scene::About{"Companions/Arguments of pericentre", "", "Angles from the ascending node to the pericentre."});
+    visit(self.mean_anomalies, scene::Rows{1, true},
+          scene::About{
+              "Companions/Mean anomalies", "",
+              "Mean anomalies at the start, 0 at the pericentre. A hyperbola with the eccentricity e has the mean "
+              "anomaly e sinh H - H."});
   }
 
   static constexpr std::string_view no_equilibria = "no body is looked for in equilibrium with a companion";
@@ -39,11 +63,18 @@ struct CompanionMasses {
   }
   bool is_present() const { return !masses.empty(); }
 
-  /// The companions. Those without a position are omitted here; scene/companions.h rejects scenes with such companions.
+  bool has_elements() const { return !semi_major_axes.empty(); }
+
+  /// The companions. Those without an orbit are omitted here; scene/companions.h rejects scenes with such companions.
   Forcing forcing() const {
     Forcing sum;
-    for (std::size_t i = 0; i < std::min(masses.size(), positions.size() / 3); ++i) {
-      mechanics::Companion companion{.mass = masses[i], .position = row(positions, i)};
+    const std::size_t n_orbits = has_elements() ? semi_major_axes.size() : positions.size() / 3;
+    for (std::size_t i = 0; i < std::min(masses.size(), n_orbits); ++i) {
+      mechanics::Companion companion{.mass = masses[i]};
+      if (has_elements())
+        companion.elements = elements(i);
+      else
+        companion.position = row(positions, i);
       if (3 * i + 2 < velocities.size()) companion.velocity = row(velocities, i);
       sum.companions.push_back(companion);
     }
@@ -54,13 +85,22 @@ struct CompanionMasses {
   std::optional<std::string> breaks_plane(int i) const {
     const mechanics::Companions list = forcing().companions;
     for (std::size_t j = 0; j < list.size(); ++j) {
+      const auto& elements = list[j].elements;
+      if (elements && (i < 2 || elements->inclination != 0)) return leaves(j);
+      if (elements) continue;
       const bool moves_across = list[j].velocity ? (*list[j].velocity)[i] != 0 : i < 2;
-      if (list[j].position[i] != 0 || moves_across) return "companion " + std::to_string(j + 1) + " leaves this plane";
+      if (list[j].position[i] != 0 || moves_across) return leaves(j);
     }
     return std::nullopt;
   }
 
  private:
+  static std::string leaves(std::size_t j) { return "companion " + std::to_string(j + 1) + " leaves this plane"; }
+  mechanics::KeplerElements elements(std::size_t i) const {
+    const auto of = [i](const std::vector<double>& list) { return i < list.size() ? list[i] : 0; };
+    return {of(semi_major_axes), of(eccentricities),          of(inclinations),
+            of(ascending_nodes), of(arguments_of_pericentre), of(mean_anomalies)};
+  }
   static Eigen::Vector3d row(const std::vector<double>& numbers, std::size_t i) {
     return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
   }

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "entries/unit.h"
+#include "mechanics/core/kepler.h"
 #include "mechanics/core/principal_axes.h"
 #include "observables/quantities.h"
 
@@ -98,7 +99,8 @@ struct OrbitObservables {
   double interaction = 0;                                                                   ///< U
   Eigen::Vector3d position = Eigen::Vector3d::Constant(not_observed), velocity = position;  ///< r₁, ṙ₁
   Eigen::Vector3d second_position = position, second_velocity = position;                   ///< r₂, ṙ₂
-  double semi_major_axis = not_observed, eccentricity = not_observed, lag = not_observed;
+  KeplerElements elements{not_observed, not_observed, not_observed, not_observed, not_observed, not_observed};
+  double lag = not_observed, k2 = not_observed, inverse_Q = not_observed, obliquity = not_observed;
   Eigen::Vector3d torque = position, spin = position, total_momentum = position;
 };
 
@@ -195,16 +197,34 @@ inline constexpr BodyColumn<O> common_columns[] = {
      [](const O& o) { return o.orbit.velocity; }},
     {"semi_major_axis", &Quantities::orbit, "length",
      "of the Kepler orbit of point masses with this position and velocity; negative for a hyperbola",
-     [](const O& o) { return o.orbit.semi_major_axis; }},
-    {"eccentricity", &Quantities::orbit, "", "of this Kepler orbit", [](const O& o) { return o.orbit.eccentricity; }},
+     [](const O& o) { return o.orbit.elements.semi_major_axis; }},
+    {"eccentricity", &Quantities::orbit, "", "of this Kepler orbit",
+     [](const O& o) { return o.orbit.elements.eccentricity; }},
+    {"inclination", &Quantities::orbit, "", "of this orbit to the plane z = 0, in radians, as all angles",
+     [](const O& o) { return o.orbit.elements.inclination; }},
+    {"ascending_node", &Quantities::orbit, "", "longitude of the ascending node from the x axis; 0 in the plane z = 0",
+     [](const O& o) { return o.orbit.elements.ascending_node; }},
+    {"argument_of_pericentre", &Quantities::orbit, "",
+     "angle from the ascending node to the pericentre; round-off in a circular orbit",
+     [](const O& o) { return o.orbit.elements.argument_of_pericentre; }},
+    {"mean_anomaly", &Quantities::orbit, "", "mean anomaly from this pericentre; of a hyperbola e sinh H - H",
+     [](const O& o) { return o.orbit.elements.mean_anomaly; }},
     {"lag", &Quantities::orbit, "",
      "angle in the orbital plane from the companion to the long axis of the second moment, in radians; positive if the "
      "bulge is ahead of the companion",
      [](const O& o) { return o.orbit.lag; }},
+    {"k2", &Quantities::orbit, "",
+     "size of the bulge in the orbital plane over that of a ball with Love number 1. It is |k2| of a ball with a small "
+     "tide in a circular orbit, with the spin along its normal, after the free oscillations",
+     [](const O& o) { return o.orbit.k2; }},
+    {"inverse_Q", &Quantities::orbit, "", "1/Q = |sin(2 lag)|, that of the tide under the same conditions",
+     [](const O& o) { return o.orbit.inverse_Q; }},
     {"torque", &Quantities::orbit, "mass*length^2/time^2", "torque of the companions on the body about its centre",
      [](const O& o) { return o.orbit.torque; }},
     {"spin", &Quantities::orbit, "1/time", "angular velocity of a rigid body with the same J and second moment",
      [](const O& o) { return o.orbit.spin; }},
+    {"obliquity", &Quantities::orbit, "", "angle from the normal of the orbit to the spin, in radians",
+     [](const O& o) { return o.orbit.obliquity; }},
     {"total_J", &Quantities::orbit, "mass*length^2/time", "angular momentum of body and orbit",
      [](const O& o) { return o.orbit.total_momentum; }},
     {"second_companion", &Quantities::second_orbit, "length",

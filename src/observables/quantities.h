@@ -11,14 +11,15 @@ namespace pseudorigid::mechanics {
 /// A member is true if its group is requested. The initial values are the defaults.
 struct Quantities {
   bool state = true, energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
+  bool orbit = true;  ///< written if the scene has companions
   bool pressure = false, bipolar = false, stretches = false;
   /// A group without a word in parameter files, for models with non-affine motions. The group is written if the
   /// energies are requested and the volumetric stabilisation is on.
   bool volumetric = false;
   /// A group without a word in parameter files, which is written if the scene has rigid planes.
   bool contact = false;
-  /// Groups without a word in parameter files, which are written if the scene has a first and a second companion.
-  bool orbit = false, second_orbit = false;
+  /// A group without a word in parameter files, which is written with `orbit` if the scene has a second companion.
+  bool second_orbit = false;
   /// A group without a word in parameter files, which is written if the energies are requested and the scene has
   /// viscoelastic branches.
   bool branches = false;
@@ -38,6 +39,10 @@ inline constexpr QuantityGroup quantity_groups[] = {
     {"multiplier", &Quantities::multiplier, "that of the constraint"},
     {"axes", &Quantities::axes, "volume ratio and semi-axes"},
     {"nonaffine", &Quantities::nonaffine, "how far a body that bends is from an affine motion"},
+    {"orbit", &Quantities::orbit,
+     "of a body with companions, their motion, orbital elements, the lag of the bulge, k2, 1/Q, torque, spin, "
+     "obliquity "
+     "and the angular momentum of body and orbit"},
     {"pressure", &Quantities::pressure,
      "of the reduced model, the pressure at the centre of a fluid or a loaded body (central_pressure = 5/2 times the "
      "multiplier's force per volume)"},
@@ -48,9 +53,8 @@ inline constexpr QuantityGroup quantity_groups[] = {
     {"stretches", &Quantities::stretches,
      "the principal stretches of the mean deformation, and of a body that bends the largest and the least anywhere"},
 };
-static_assert(
-    sizeof(Quantities) == std::size(quantity_groups) + 5,
-    "every group but `volumetric`, `contact`, `orbit`, `second_orbit` and `branches` has one line of quantity_groups");
+static_assert(sizeof(Quantities) == std::size(quantity_groups) + 4,
+              "every group but `volumetric`, `contact`, `second_orbit` and `branches` has one line of quantity_groups");
 
 /// Number of groups that are true by default.
 inline constexpr std::size_t n_default_groups = [] {

@@ -89,7 +89,7 @@ void observe_motion(const PolynomialBody& body, const BodyState& state, const me
   o.volume_ratio = sums.volume / space.volume();
   if (request.energies) observe_energies(body, state, o);
   o.contact.take(body.contact(state.t, state.q));
-  if (request.orbit)
+  if (body.orbit().n() > 0 && (request.orbit || request.energies))
     o.orbit = mechanics::observe_orbit(body.orbit(), body.companions(state.q), body.companions(state.v),
                                        space.moment(x, x), mechanics::axial_vector(space.moment(x, u)));
   if (request.momenta) {

@@ -12,7 +12,54 @@ namespace pseudorigid::scene {
 namespace {
 
 constexpr const char *masses_path = "Companions/Masses", *positions_path = "Companions/Positions",
-                     *velocities_path = "Companions/Velocities";
+                     *velocities_path = "Companions/Velocities", *axes_path = "Companions/Semi-major axes",
+                     *eccentricities_path = "Companions/Eccentricities";
+
+struct ElementsEntry {
+  const char* path;
+  const std::vector<double>& values;
+};
+std::vector<ElementsEntry> elements_of(const loads::CompanionMasses& load) {
+  return {{axes_path, load.semi_major_axes},
+          {eccentricities_path, load.eccentricities},
+          {"Companions/Inclinations", load.inclinations},
+          {"Companions/Ascending nodes", load.ascending_nodes},
+          {"Companions/Arguments of pericentre", load.arguments_of_pericentre},
+          {"Companions/Mean anomalies", load.mean_anomalies}};
+}
+bool has_any_elements(const loads::CompanionMasses& load) {
+  return std::ranges::any_of(elements_of(load), [](const ElementsEntry& entry) { return !entry.values.empty(); });
+}
+
+std::optional<Refusal> refuses_elements(const loads::CompanionMasses& load) {
+  const std::size_t n = load.masses.size();
+  for (const auto& [path, values] : {ElementsEntry{positions_path, load.positions}, {velocities_path, load.velocities}})
+    if (!values.empty())
+      return Refusal{path, fmt::format("the orbits of companions are given twice: give either {} and velocities, or "
+                                       "{} and other elements",
+                                       positions_path, axes_path)};
+  for (const auto& [path, values] : elements_of(load))
+    if (!values.empty() && !load.has_elements())
+      return Refusal{path, fmt::format("elements of an orbit include {}, which is missing", axes_path)};
+  for (const auto& [path, values] : elements_of(load))
+    if (values.size() != n && (path == axes_path || !values.empty()))
+      return Refusal{path, fmt::format("expected {}a row for each of {}, got {} for {}",
+                                       path == axes_path ? "" : "no row, or ", masses_path, values.size(), n)};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double a = load.semi_major_axes[i], e = load.eccentricities.empty() ? 0 : load.eccentricities[i];
+    if (a == 0) return Refusal{axes_path, "expected numbers > 0, or < 0 for a hyperbola, got 0"};
+    if (a > 0 && !(e >= 0 && e < 1))
+      return Refusal{eccentricities_path,
+                     fmt::format("an ellipse, with a semi-major axis > 0, has an eccentricity from 0 to less than 1, "
+                                 "got {}",
+                                 print_number(e))};
+    if (a < 0 && !(e > 1))
+      return Refusal{eccentricities_path, fmt::format("a hyperbola, with a semi-major axis < 0, has an eccentricity > "
+                                                      "1, got {}",
+                                                      print_number(e))};
+  }
+  return {};
+}
 
 std::optional<Refusal> refuses_rows(const loads::CompanionMasses& load) {
   const std::size_t n = load.masses.size(), n_positions = load.positions.size() / 3,
@@ -20,6 +67,7 @@ std::optional<Refusal> refuses_rows(const loads::CompanionMasses& load) {
   if (n > most) return Refusal{masses_path, fmt::format("expected at most {} companions, got {}", most, n)};
   for (const double mass : load.masses)
     if (mass <= 0) return Refusal{masses_path, fmt::format("expected numbers > 0, got {}", print_number(mass))};
+  if (has_any_elements(load)) return refuses_elements(load);
   if (n_positions != n)
     return Refusal{positions_path,
                    fmt::format("expected a row for each of {}, got {} for {}", masses_path, n_positions, n)};
@@ -65,22 +113,28 @@ bool is_on_axis(const Eigen::Vector3d& r) {
 
 std::optional<Refusal> refuses_companions(const Scene& scene) {
   const auto& load = scene.loads.get<loads::CompanionMasses>();
-  if (load.masses.empty() && load.positions.empty() && load.velocities.empty()) return {};
+  if (load.masses.empty() && load.positions.empty() && load.velocities.empty() && !has_any_elements(load)) return {};
   if (auto refusal = refuses_rows(load)) return refusal;
   if (auto refusal = refuses_loads(scene)) return refusal;
   const mechanics::Companions companions = load.forcing().companions;
+  constexpr double round_off = 1e-14;
   const double least = reach(scene);
-  double mass = mass_of(scene);  // of the body and the companions before
+  double mass = mass_of(scene);                       // of the body and the companions before
+  const mechanics::Orbit orbit(companions, 1, mass);  // positions do not depend on the constant of gravity
+  const mechanics::Orbit::Columns positions = orbit.relative(orbit.position());
+  const char* const path = load.has_elements() ? axes_path : positions_path;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < companions.size(); ++i) {
-    const Eigen::Vector3d& r = companions[i].position;
+    const Eigen::Vector3d r = positions.col(static_cast<Eigen::Index>(i));
+    if (!r.allFinite()) return Refusal{path, fmt::format("companion {} is beyond the range of numbers", i + 1)};
     if (r.norm() <= least)
-      return Refusal{positions_path, fmt::format("companion {} is within {} of the centre, where the body is", i + 1,
-                                                 print_upper_bound(least))};
+      return Refusal{path, fmt::format("companion {} is within {} of the centre, where the body is", i + 1,
+                                       print_upper_bound(least))};
     for (std::size_t j = 0; j < i; ++j)
-      if (r == companions[j].position)
-        return Refusal{positions_path, fmt::format("companions {} and {} are at one place", j + 1, i + 1)};
-    if (!companions[i].velocity && is_on_axis(r - center))
+      if (const Eigen::Vector3d other = positions.col(static_cast<Eigen::Index>(j));
+          (r - other).norm() <= round_off * r.norm())
+        return Refusal{path, fmt::format("companions {} and {} are at one place", j + 1, i + 1)};
+    if (!companions[i].velocity && !companions[i].elements && is_on_axis(r - center))
       return Refusal{positions_path, fmt::format("companion {} is on a z axis with the centre of its orbit, so its "
                                                  "circular orbit about this axis is not defined; give {}",
                                                  i + 1, velocities_path)};

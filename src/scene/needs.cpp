@@ -115,7 +115,7 @@ void describe_output(const Scene& scene, Needs& needs) {
     const auto& [name, member] = quantities_kind.table[i];
     if (needs.quantities.*member)
       evaluated.push_back(name);
-    else if (i < quantities_kind.n_in_all)
+    else if (i < quantities_kind.n_in_all && (needs.orbit || member != &Quantities::orbit))
       unwanted.push_back(name);
   }
   const auto nonaffine = names_where(scene, [](const auto& model) { return model.has_nonaffine; });
@@ -196,7 +196,7 @@ Needs needs(const Scene& scene) {
   needs.contact = loads::present(scene.loads.get<loads::RigidPlanes>());
   const auto n_companions = scene.loads.get<loads::CompanionMasses>().masses.size();
   needs.orbit = n_companions > 0;
-  needs.quantities.orbit = needs.orbit && scene.analysis == Analysis::motion;
+  needs.quantities.orbit = needs.quantities.orbit && needs.orbit && scene.analysis == Analysis::motion;
   needs.quantities.second_orbit = needs.quantities.orbit && n_companions > 1;
   needs.quantities.branches = needs.quantities.energies && loads::present(scene.loads.get<loads::Viscoelasticity>()) &&
                               scene.analysis == Analysis::motion;

@@ -17,7 +17,7 @@ using namespace synthetic;
 
 std::string sentence(const Motion& r, const Motion& c, const std::vector<double>& t = ten,
                      const ComparisonOptions& options = {}) {
-  Quantities affine;
+  Quantities affine{.orbit = false};
   affine.nonaffine = false;
   return summary_sentence(compare(reduced_run(r, t, affine), continuum_run(c, t, affine), options));
 }
@@ -109,7 +109,8 @@ TEST(ComparisonReport, SentenceOfAShortRecord) {
 
 TEST(ComparisonReport, SentenceTellsNonaffineMotion) {
   const auto change = [](double, ContinuumObservables& o) { o.nonaffine_kinetic_fraction = 0.031; };
-  const Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten, {}, change));
+  const Comparison c =
+      compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten, {.orbit = false}, change));
   EXPECT_TRUE(contains(summary_sentence(c),
                        "; on average 3.1 % of the elastic ball's kinetic energy is in non-affine motion."));
 }
@@ -158,7 +159,7 @@ TEST(ComparisonReport, TellsTheDiscretizationErrorAndWhetherTheTwoOverlap) {
 }
 
 TEST(ComparisonReport, TerminalTableNamesWhatIsMissing) {
-  Quantities q;
+  Quantities q{.orbit = false};
   q.axes = false;
   const Comparison c = compare(reduced_run(reduced_pulsation, ten, q), continuum_run(exact_pulsation, ten, q));
   EXPECT_TRUE(contains(terminal_table(c), "not compared: semi-axes (no column a1 in reduced.csv); volume ratio"));

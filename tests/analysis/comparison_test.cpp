@@ -111,7 +111,8 @@ TEST(Comparison, SpinDoesNotHideThePulsation) {
 
 TEST(Comparison, RoundOffMomentaAreNoDifference) {
   const auto noise = [](double t, ContinuumObservables& o) { o.angular_momentum = {1e-17 * std::sin(99 * t), 0, 0}; };
-  const Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(reduced_pulsation, ten, {}, noise));
+  const Comparison c =
+      compare(reduced_run(reduced_pulsation, ten), continuum_run(reduced_pulsation, ten, {.orbit = false}, noise));
   EXPECT_LT(c.find("angular_momentum_difference")->max, 1e-14);
   EXPECT_LT(*c.reference.angular_momentum_drift, 1e-14);
 }
@@ -122,7 +123,7 @@ TEST(Comparison, DriftsAreDeparturesFromTheInitialValue) {
     o.circulation[2] *= 1 + 1e-3 * t;
   };
   const Motion spinning = turning(pulsation(1, 0), 1);
-  const Comparison c = compare(reduced_run(spinning, ten), continuum_run(spinning, ten, {}, leak));
+  const Comparison c = compare(reduced_run(spinning, ten), continuum_run(spinning, ten, {.orbit = false}, leak));
   EXPECT_NEAR(*c.reference.energy_drift, 1e-3, 1e-9);
   EXPECT_NEAR(*c.reference.circulation_drift, 1e-2, 1e-12);
   EXPECT_LT(*c.model.energy_drift, 1e-14);
@@ -136,7 +137,8 @@ TEST(Comparison, NonaffineMeanIsWeightedByTheKineticEnergy) {
     o.volume_error = 0.01 - 1e-3 * o.kinetic;
     o.max_volume_error = 0.1 - o.kinetic;
   };
-  const Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten, {}, change));
+  const Comparison c =
+      compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten, {.orbit = false}, change));
   EXPECT_NEAR(*c.mean_nonaffine_kinetic_fraction, 0.03, 1e-5);
   EXPECT_EQ(c.find("nonaffine_kinetic_fraction")->max, 1);
   EXPECT_EQ(c.min_jacobian, 0.9);
@@ -146,7 +148,7 @@ TEST(Comparison, NonaffineMeanIsWeightedByTheKineticEnergy) {
 
 TEST(Comparison, WhatIsMissingIsNamedAndTheRestCompared) {
   const auto lacking = [](bool Quantities::*group) {
-    Quantities q;
+    Quantities q{.orbit = false};
     q.*group = false;
     return compare(reduced_run(reduced_pulsation, ten, q), continuum_run(exact_pulsation, ten, q));
   };
@@ -171,7 +173,7 @@ TEST(Comparison, WhatIsMissingIsNamedAndTheRestCompared) {
 }
 
 TEST(Comparison, TimeAloneIsStillAComparison) {
-  const Quantities none{false, false, false, false, false, false};
+  const Quantities none{false, false, false, false, false, false, false};
   const Comparison c = compare(reduced_run(reduced_pulsation, ten, none), continuum_run(exact_pulsation, ten, none));
   EXPECT_TRUE(c.series.empty());
   EXPECT_EQ(c.not_compared.size(), 8u);

@@ -74,7 +74,8 @@ inline std::vector<double> times(int n_samples, double end) {
   return t;
 }
 
-inline Table reduced_run(const Motion& motion, const std::vector<double>& t, const Quantities& quantities = {}) {
+inline Table reduced_run(const Motion& motion, const std::vector<double>& t,
+                         const Quantities& quantities = {.orbit = false}) {
   using pseudorigid::mechanics::ReducedObservables;
   const pseudorigid::io::Trajectory<ReducedObservables> trajectory(quantities);
   Table table{.columns = trajectory.names(), .values = {}};
@@ -89,8 +90,8 @@ inline Table reduced_run(const Motion& motion, const std::vector<double>& t, con
 using Change = std::function<void(double, ContinuumObservables&)>;
 
 /// `change` may overwrite what the motion does not determine.
-inline Table continuum_run(const Motion& motion, const std::vector<double>& t, const Quantities& quantities = {},
-                           const Change& change = {}) {
+inline Table continuum_run(const Motion& motion, const std::vector<double>& t,
+                           const Quantities& quantities = {.orbit = false}, const Change& change = {}) {
   const pseudorigid::io::Trajectory<ContinuumObservables> trajectory(quantities);
   Table table{.columns = trajectory.names(), .values = {}};
   std::vector<double> row;

@@ -76,12 +76,14 @@ class Companions(ProgramTest):
             table = self.run_model({**MOON, "Companions/Masses": mass, "Companions/Positions": f"{d}, 0, 0", "Material/Viscosity": viscosity,
                                     "Polynomial/Degree": 3, "Time/End": 60, "Time/Tolerance": 1e-8, "Output/Samples": 300}, model)
             late = range(150, 301)
-            t, a, N, lag = ([table.column(name)[i] for i in late] for name in ("time", "semi_major_axis", "torque3", "lag"))
+            t, a, N, lag, size, by_Q = ([table.column(name)[i] for i in late] for name in ("time", "semi_major_axis", "torque3", "lag", "k2", "inverse_Q"))
             t_mean, a_mean = sum(t) / len(t), sum(a) / len(a)
             rate = sum((x - t_mean) * (y - a_mean) for x, y in zip(t, a)) / sum((x - t_mean) ** 2 for x in t)
             self.assertAlmostEqual(sum(N) / len(N) / torque, 1, delta=2e-3, msg=model)
             self.assertAlmostEqual(rate / (-2 * d * torque / momentum), 1, delta=2e-3, msg=model)
             self.assertAlmostEqual(sum(lag) / len(lag) / (cmath.phase(k2) / 2), 1, delta=2e-3, msg=model)
+            self.assertAlmostEqual(sum(size) / len(size) / abs(k2), 1, delta=2e-3, msg=model)
+            self.assertAlmostEqual(sum(by_Q) / len(by_Q) / abs(math.sin(cmath.phase(k2))), 1, delta=2e-3, msg=model)
 
     def libration(self, gamma, d):
         """The libration frequency over that of a rigid body, n sqrt(3 (B - A)/C), of an almost rigid ellipsoid."""
@@ -131,6 +133,127 @@ class Companions(ProgramTest):
         self.assertTrue(1 < spins[1] / rates[1] < 1.3, spins[1] / rates[1])
         self.assertTrue(all(0 < lag < math.pi / 4 for lag in table.column("lag")[1:]))
         self.assertGreater(table.column("semi_major_axis")[-1], 5.3)
+
+    ELEMENTS = {"Semi-major axes": 9, "Eccentricities": 0.4, "Inclinations": 0.5, "Ascending nodes": -2, "Arguments of pericentre": 1.2, "Mean anomalies": 2.5}
+
+    def test_orbital_elements(self):
+        """The columns at the start are the entries, in other units as well. The motion is that of the same position and velocity."""
+        columns = ("semi_major_axis", "eccentricity", "inclination", "ascending_node", "argument_of_pericentre", "mean_anomaly")
+        entries = {"Gravity/Gamma": GAMMA, "Companions/Masses": 40, "Time/End": 5, "Output/Samples": 10, **SPINNING}
+        of_orbit = {f"Companions/{name}": value for name, value in self.ELEMENTS.items()}
+        r, c = 2e5, 1.5e3  # of 1500 kg/m^3
+        scaled = {"Body/Radius": r, "Body/Density": 1500, "Material/Shear modulus": 1500 * c**2, "Companions/Masses": 40 * 1500 * r**3,
+                  "Companions/Semi-major axes": 9 * r, "Time/End": 5 * r / c,
+                  "Initial state/Velocity": f"0, {-0.1 * c / r!r}, 0; {0.1 * c / r!r}, 0, {0.05 * c / r!r}; 0, {-0.05 * c / r!r}, 0"}
+        for model in ("reduced", "polynomial"):
+            table = self.run_model({**entries, **of_orbit, "Polynomial/Degree": 2}, model)
+            for units in (1, r):
+                for name, value in zip(columns, self.ELEMENTS.values()):
+                    expected = value * units if name == "semi_major_axis" else value
+                    self.assertAlmostEqual(table.column(name)[0] / expected, 1, delta=1e-12, msg=(model, name))
+                if units == 1:
+                    start = [", ".join(repr(table.column(f"{name}{i}")[0]) for i in (1, 2, 3)) for name in ("companion", "companion_velocity")]
+                    same = self.run_model({**entries, "Companions/Positions": start[0], "Companions/Velocities": start[1], "Polynomial/Degree": 2}, model)
+                    for name in ("companion1", "companion3", "Q12", "obliquity"):
+                        for a, b in zip(table.column(name), same.column(name)):
+                            self.assertAlmostEqual(a, b, delta=1e-9, msg=(model, name))
+                    table = self.run_model({**entries, **of_orbit, **scaled, "Polynomial/Degree": 2}, model)
+
+    def test_obliquity(self):
+        """The spin has the angle 0.4 to the normal of an orbit with the inclination 1; a wide orbit does not turn it in this time."""
+        cosine, sine = math.cos(0.6), math.sin(0.6)  # the spin is in the plane x = 0, 0.6 from z; the orbit's node is x
+        table = self.run_model({"Gravity/Gamma": GAMMA, "Companions/Masses": 1, "Companions/Semi-major axes": 100, "Companions/Inclinations": 1, "Time/End": 1,
+                                "Initial state/Velocity": f"0, {-0.1 * cosine!r}, {-0.1 * sine!r}; {0.1 * cosine!r}, 0, 0; {0.1 * sine!r}, 0, 0"}, "reduced")
+        self.assertAlmostEqual(table.column("obliquity")[0], 0.4, delta=1e-12)
+        self.assertAlmostEqual(table.column("obliquity")[-1], 0.4, delta=1e-6)
+
+    def test_columns_of_the_orbit_can_be_left_out(self):
+        """The energy is that of body and orbit in any case."""
+        whole = self.run_model({**TILTED, "Time/End": 2}, "reduced")
+        for model in ("reduced", "polynomial", "continuum"):
+            table = self.run_model({**TILTED, "Time/End": 2, "Polynomial/Degree": 2, "Continuum/Degree": 2, "Output/Quantities": "state, energies"}, model)
+            self.assertNotIn("companion1", table.header)
+            self.assertAlmostEqual(table.column("energy")[0] / whole.column("energy")[0], 1, delta=1e-2 if model == "continuum" else 1e-12)  # a mesh has a slightly smaller mass
+        self.assertIn("orbit", self.run_program("check", "scene.prm", "--set", "Output/Quantities=all").stdout)
+
+    def test_spin_orbit(self):
+        """The resonant angle 2 θ − 3 l is bounded, with the angle θ of the longest axis and the mean longitude l. A faster spin leaves the resonance."""
+        self.scene((SOURCE / "params/spin_orbit.prm").read_text(), "spin_orbit.prm")
+        n = math.sqrt(0.1 * G * (MASS + 4000) / 60**3)
+        for factor, is_bounded in ((1.52, True), (1.8, False)):
+            spin = factor * n
+            self.run_done("run", "spin_orbit.prm", "--set", f"Initial state/Velocity=0, {-spin!r}, 0; {spin!r}, 0, 0; 0, 0, 0")
+            table = self.table("output/spin_orbit/reduced.csv")
+            angles = [2 * (math.atan2(y, x) + lag) - 3 * (w + M) for x, y, lag, w, M in  # the node is the x axis
+                      zip(*(table.column(name) for name in ("companion1", "companion2", "lag", "argument_of_pericentre", "mean_anomaly")))]
+            largest = max(abs(math.remainder(angle, 2 * math.pi)) for angle in angles[1:])
+            self.assertEqual(largest < 1, is_bounded, largest)
+            if is_bounded:
+                self.assertAlmostEqual(sum(table.column("spin3")) / len(table) / n, 1.5, delta=0.01)
+
+    def test_binary(self):
+        """The orbit becomes circular and the spin synchronous."""
+        self.scene((SOURCE / "params/binary.prm").read_text(), "binary.prm")
+        self.run_done("run", "binary.prm")
+        table = self.table("output/binary/reduced.csv")
+        self.constants(table, 1e-6, 1e-9)
+        self.assertAlmostEqual(table.column("eccentricity")[0], 0.3, delta=1e-12)
+        self.assertLess(table.column("eccentricity")[-1], 0.05)
+        x, y, vx, vy, spin = (table.column(name)[-1] for name in ("companion1", "companion2", "companion_velocity1", "companion_velocity2", "spin3"))
+        self.assertAlmostEqual(spin * (x * x + y * y) / (x * vy - y * vx), 1, delta=0.02)
+
+    def test_roche(self):
+        """Chandrasekhar, Ellipsoidal Figures, table XVI: the largest Ω² is 0.090093 πGρ, at the distance (4/(3·0.090093))^(1/3) = 2.4552 in
+        units of R (m/M)^(1/3). The axes 1 % outside are those of Roche's ellipsoid with Ω² = 0.090093/1.01³, by the equations (7.22) there."""
+        self.scene((SOURCE / "params/roche.prm").read_text(), "roche.prm")
+        self.run_done("run", "roche.prm")
+        table = self.table("output/roche/reduced.csv")
+        self.assertAlmostEqual(table.column("a2")[-1] / table.column("a1")[-1], 0.59161, delta=1e-3)
+        self.assertAlmostEqual(table.column("a3")[-1] / table.column("a1")[-1], 0.55759, delta=1e-3)
+        inside = 0.99
+        rate = math.sqrt(0.090093 / inside**3)
+        for model in ("reduced", "polynomial"):
+            result = self.run_program("run", "roche.prm", "--set", f"Companions/Semi-major axes={inside * 245.5176!r}", "--set", f"Models={model}",
+                                      "--set", "Polynomial/Degree=1", "--set", "Time/Method=rattle", "--set", "Time/Step=0.2",
+                                      "--set", f"Initial state/Velocity=0, {-rate!r}, 0; {rate!r}, 0, 0; 0, 0, 0")
+            self.assertEqual(result.returncode, 3)
+            self.assertIn("disruption", result.stderr)
+            self.assertNotIn("--resume", result.stderr)
+
+    def test_double_synchronism(self):
+        """Darwin's instability. A rigid ball has J = (2/5) M n + mu sqrt(g d) on a synchronous orbit, least at 3 (2/5) M = mu d², and two
+        distances for larger J. A viscous body with a perturbed spin leaves the inner one, inwards or outwards, and stays near the outer one."""
+        gamma, mass = 2, 0.3 * MASS
+        g, mu = gamma * G * (MASS + mass), MASS * mass / (MASS + mass)
+        least = math.sqrt(1.2 * MASS / mu)
+        inner = 0.85 * least
+
+        def momentum(d):
+            return 0.4 * MASS * math.sqrt(g / d**3) + mu * math.sqrt(g * d)
+
+        def outer(J):
+            low, high = least, 10 * least
+            for _ in range(60):
+                middle = (low + high) / 2
+                low, high = (middle, high) if momentum(middle) < J else (low, middle)
+            return low
+
+        def entries(d, part):
+            spin = part * math.sqrt(g / d**3)
+            return {"Models": "reduced", "Gravity/Gamma": gamma, "Material/Viscosity": 10, "Companions/Masses": mass, "Companions/Semi-major axes": d,
+                    "Initial state/Velocity": f"0, {-spin!r}, 0; {spin!r}, 0, 0; 0, 0, 0", "Time/End": 3000, "Time/Method": "rattle", "Time/Step": 0.05}
+
+        self.scene(entries(inner, 0.9))
+        result = self.run_program("run", "scene.prm")
+        self.assertEqual(result.returncode, 3)
+        self.assertIn("collision", result.stderr)
+        for d, part in ((inner, 1.1), (1.3 * least, 0.95), (1.3 * least, 1.1)):
+            table = self.run_model(entries(d, part), "reduced")
+            x, y, vx, vy, spin, J, whole = (table.column(name)[-1] for name in ("companion1", "companion2", "companion_velocity1", "companion_velocity2", "spin3", "J3", "total_J3"))
+            end = math.hypot(x, y)
+            self.assertAlmostEqual(spin * end * end / (x * vy - y * vx), 1, delta=0.02, msg=(d, part))
+            self.assertGreater((whole - J) / J, 3)
+            self.assertAlmostEqual(end / outer(whole), 1, delta=0.04, msg=(d, part))  # 0.02 was seen: the spin flattens the body
 
     def test_sectors(self):
         """A companion in the plane z = 0 leaves one symmetry plane."""
@@ -194,6 +317,7 @@ class Companions(ProgramTest):
                 result = self.run_program("run", "scene.prm")
                 self.assertEqual(result.returncode, 3)
                 self.assertIn("collision", result.stderr)
+                self.assertNotIn("--resume", result.stderr)
 
     def test_collision_ends_the_run(self):
         self.scene({**MOON, "Models": "reduced, polynomial", "Polynomial/Degree": 2, "Companions/Positions": "3, 0, 0",
@@ -214,6 +338,16 @@ class RefusedCompanions(RefusedInputTest):
                 ({"Companions/Masses": "1; 1", "Companions/Positions": "5, 0, 0; 5, 0, 0"}, "Companions/Positions", "one place"),
                 ({"Companions/Positions": "0, 0, 5"}, "Companions/Positions", "z axis"),
                 ({"Companions/Masses": "$(4*pi/3); 1", "Companions/Positions": "10, 0, 0; 5, 0, 7"}, "Companions/Positions", "z axis"),
+                ({"Companions/Semi-major axes": 8}, "Companions/Positions", "twice"),
+                ({"Companions/Eccentricities": 0.1}, "Companions/Positions", "twice"),
+                ({"Companions/Positions": "", "Companions/Eccentricities": 0.1}, "Companions/Eccentricities", "missing"),
+                ({"Companions/Positions": "", "Companions/Semi-major axes": 8, "Companions/Velocities": "0, 1, 0"}, "Companions/Velocities", "twice"),
+                ({"Companions/Positions": "", "Companions/Semi-major axes": "8; 9"}, "Companions/Semi-major axes", "row"),
+                ({"Companions/Positions": "", "Companions/Semi-major axes": 8, "Companions/Inclinations": "1; 2"}, "Companions/Inclinations", "row"),
+                ({"Companions/Positions": "", "Companions/Semi-major axes": 0}, "Companions/Semi-major axes", "0"),
+                ({"Companions/Positions": "", "Companions/Semi-major axes": 8, "Companions/Eccentricities": 1}, "Companions/Eccentricities", "ellipse"),
+                ({"Companions/Positions": "", "Companions/Semi-major axes": -8, "Companions/Eccentricities": 0.5}, "Companions/Eccentricities", "hyperbola"),
+                ({"Companions/Positions": "", "Companions/Semi-major axes": 8, "Companions/Eccentricities": 0.9}, "Companions/Semi-major axes", "within"),
                 ({"Gravity/Gamma": 0}, "Companions/Masses", "Gravity"),
                 ({"Material/Drag": 0.1}, "Material/Drag", "companions"),
                 ({"Loads/Tidal matrix": "1, 0, 0; 0, 0, 0; 0, 0, 0"}, "Loads/Tidal matrix", "companions"),

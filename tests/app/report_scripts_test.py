@@ -11,7 +11,7 @@ const window = {addEventListener() {}};
 const document = {scripts: [], body: {}, createElement: () => ({setAttribute() {}, append() {}})};
 const describedColumns = () => ({});  // of page.js, from the manifest of a run
 """
-SCRIPTS = ("data.js", "charts.js", "fields.js", "bodies.js", "motion.js", "overview.js", "sweep.js")
+SCRIPTS = ("data.js", "charts.js", "fields.js", "bodies.js", "motion.js", "orbit.js", "overview.js", "sweep.js")
 
 
 @unittest.skipUnless(shutil.which("node"), "node is not installed")
@@ -60,6 +60,17 @@ class ReportScripts(unittest.TestCase):
           return Math.max(...found.flatMap((row, i) => row.map((x, j) => Math.abs(x - R[i][j]))));
         })()""")
         self.assertLess(R, 1e-13)
+
+    def test_spin_over_mean_motion(self):
+        """A spin of 3 about the normal of an inclined ellipse with a = 4, e = 0.6 and the mean motion 0.25; the spin has a part along the orbit."""
+        ratio = self.result("""(() => {
+          const c = Math.cos(0.3), s = Math.sin(0.3), speed = 4 * 0.25 * Math.sqrt(1.6 / 0.4), turned = v => [v[0], c * v[1] - s * v[2], s * v[1] + c * v[2]];
+          const vectors = {companion: turned([1.6, 0, 0]), companion_velocity: turned([0, speed, 0]), spin: turned([0.7, 0.2, 3])};
+          const columns = {semi_major_axis: [4], eccentricity: [0.6]};
+          for (const [name, v] of Object.entries(vectors)) v.forEach((x, i) => { columns[`${name}${i + 1}`] = [x]; });
+          return ratioOfSpin({table: {columns}})[0];
+        })()""")
+        self.assertAlmostEqual(ratio, 12, delta=1e-12)
 
     def test_phase_lead(self):
         # Frequencies 3 and 2.5: after time t the first is ahead by t / (4 pi) cycles; noise does not count.

@@ -26,14 +26,15 @@ struct Branches : ::testing::TestWithParam<int> {
   std::mt19937 generator{5};
 
   Matrix3d deformation() { return admissible(quarter, Matrix3d::Identity() + 0.25 * random_matrix(generator)); }
-  /// A position with irregular metrics.
+  /// A position with irregular metrics. The noise is of the size of the distance between nodes.
   Vector irregular() {
+    const double noise = 0.04 / (GetParam() + 1) / (GetParam() + 1);
     Vector x = ball.affine_field(Matrix3d::Identity()), y = x;
     ball.start_branches(false, x);
-    y.add(0.01, random_field(x, generator));
+    y.add(noise, random_field(x, generator));
     y.metrics = x.metrics;
     ball.relax(0.3, x, y);
-    y.add(0.01, random_field(x, generator));
+    y.add(noise, random_field(x, generator));
     return y;
   }
   /// The force of the branches alone.

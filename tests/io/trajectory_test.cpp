@@ -10,7 +10,7 @@ namespace {
 
 using mechanics::ContinuumObservables;
 
-constexpr scene::Quantities everything;
+constexpr scene::Quantities everything{.orbit = false};  // by default, of a body without companions
 using Reduced = Trajectory<mechanics::ReducedObservables>;
 using Continuum = Trajectory<ContinuumObservables>;
 const std::string reduced_header =
@@ -41,6 +41,15 @@ ContinuumObservables distinct_observables() {
   o.over_points = {3, 0.5};
   o.volumetric = 99, o.nonaffine_kinetic_fraction = 96, o.nonaffine_displacement = 97, o.min_jacobian = 98;
   o.volume_error = 1, o.max_volume_error = 2;
+  o.orbit.position << 101, 102, 103;
+  o.orbit.velocity << 104, 105, 106;
+  o.orbit.second_position << 107, 108, 109;
+  o.orbit.second_velocity << 110, 111, 112;
+  o.orbit.elements = {113, 114, 115, 116, 117, 118};
+  o.orbit.lag = 119, o.orbit.k2 = 120, o.orbit.inverse_Q = 121, o.orbit.obliquity = 122;
+  o.orbit.torque << 123, 124, 125;
+  o.orbit.spin << 126, 127, 128;
+  o.orbit.total_momentum << 129, 130, 131;
   return o;
 }
 
@@ -54,16 +63,16 @@ TEST(Trajectory, HeadersAreThoseOfTheContract) {
 }
 
 TEST(Trajectory, EveryGroupCanBeLeftOutAndTimeStays) {
-  const scene::Quantities nothing{false, false, false, false, false, false, false, false, false};
+  const scene::Quantities nothing{false, false, false, false, false, false, false, false, false, false};
   EXPECT_EQ(Reduced(nothing).names(), std::vector<std::string>{"time"});
   const ContinuumObservables o = distinct_observables();
   constexpr scene::Quantities all_groups{true, true, true, true, true, true, true, true, true, true, true, true, true};
   const std::vector<std::string> all = Continuum(all_groups).names();
   std::vector<double> full_row, row;
   Continuum(all_groups).row(7, o, full_row);
-  for (int mask = 0; mask < 512; ++mask) {
-    const scene::Quantities some{bool(mask & 1),  bool(mask & 2),  bool(mask & 4),   bool(mask & 8),  bool(mask & 16),
-                                 bool(mask & 32), bool(mask & 64), bool(mask & 128), bool(mask & 256)};
+  for (int mask = 0; mask < 1024; ++mask) {
+    const scene::Quantities some{bool(mask & 1),  bool(mask & 2),  bool(mask & 4),  bool(mask & 8),   bool(mask & 512),
+                                 bool(mask & 16), bool(mask & 32), bool(mask & 64), bool(mask & 128), bool(mask & 256)};
     const Continuum trajectory(some);
     const std::vector<std::string>& columns = trajectory.names();
     trajectory.row(7, o, row);
@@ -135,7 +144,7 @@ TEST(Trajectory, UnitsHaveTheDimensionOfEachColumn) {
 /// Of a pure shear with F = diag(3, 1/3, 2), everywhere the same but for one point.
 TEST(Trajectory, StretchesAreSingularValues) {
   std::vector<double> row;
-  const scene::Quantities stretches{false, false, false, false, false, false, false, false, true};
+  const scene::Quantities stretches{false, false, false, false, false, false, false, false, false, true};
   const Continuum trajectory(stretches);
   ContinuumObservables o;
   o.F = diagonal(3, 1.0 / 3, 2);
@@ -152,16 +161,16 @@ TEST(Trajectory, StretchesAreSingularValues) {
 /// A model that forgets an observable has no number for it, not a zero.
 TEST(Trajectory, WhatIsNotObservedIsNoNumber) {
   std::vector<double> row;
-  Reduced({}).row(0, {}, row);
+  Reduced(everything).row(0, {}, row);
   EXPECT_TRUE(std::all_of(row.begin() + 1, row.end(), [](double x) { return std::isnan(x); }));
-  Continuum({}).row(0, {}, row);
+  Continuum(everything).row(0, {}, row);
   EXPECT_TRUE(std::all_of(row.begin() + 1, row.end(), [](double x) { return std::isnan(x); }));
 }
 
 /// Who asks for a group has it, whatever else is asked for.
 TEST(Trajectory, EveryGroupIsAskedForByItsWord) {
   for (const mechanics::QuantityGroup& group : mechanics::quantity_groups) {
-    scene::Quantities alone{false, false, false, false, false, false, false, false, false};
+    scene::Quantities alone{false, false, false, false, false, false, false, false, false, false};
     alone.*group.member = true;
     EXPECT_TRUE(Reduced(alone).request().*group.member) << group.name;
     EXPECT_GT(Reduced(alone).names().size() + Continuum(alone).names().size(), 2u) << group.name;

@@ -111,6 +111,8 @@ TEST(Orbit, FindsThePericentre) {
   EXPECT_NEAR(distance(3 * half, 3 * half), a * (1 + e), 1e-12) << "the start";
   const Orbit circle(Companions{{.mass = mass, .position = Vector3d(5, 0, 0)}}, G, M);
   EXPECT_EQ(circle.near_closest_approach(100, 0).s, circle.position());
+  // The first of many pericentres, also after 1e6 periods.
+  EXPECT_EQ(orbit.near_closest_approach(2e6 * half, 0).s, orbit.near_closest_approach(2 * half, 0).s);
 }
 
 /// With the half steps of the whole force, the drift is Kepler's motion if the body is a sphere and has one companion.

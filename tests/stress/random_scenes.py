@@ -205,11 +205,24 @@ def put_companions(rng, entries, radius, rate, density):
     n = rng.randint(1, 2)
     positions = [[radius * 10 ** rng.uniform(0.4, 2) * rng.choice((-1, 1)) * rng.uniform(0.3, 1) for _ in range(3)] for _ in range(n)]
     masses = [density * radius**3 * 10 ** rng.uniform(-3, 5) for _ in range(n)]
-    entries.update({"Companions/Masses": "; ".join(map(repr, masses)),
-                    "Companions/Positions": "; ".join(", ".join(map(repr, p)) for p in positions)})
+    entries["Companions/Masses"] = "; ".join(map(repr, masses))
+    if rng.random() < 0.4:
+        return put_elements(rng, entries, radius, n)
+    entries["Companions/Positions"] = "; ".join(", ".join(map(repr, p)) for p in positions)
     if rng.random() < 0.5:
         speed = radius * rate * 10 ** rng.uniform(-1, 1)
         entries["Companions/Velocities"] = "; ".join(", ".join(repr(rng.gauss(0, speed)) for _ in range(3)) for _ in range(n))
+
+
+def put_elements(rng, entries, radius, n):
+    """Ellipses up to the eccentricity 0.99, and hyperbolas; the first companion may start within the body, which is refused."""
+    eccentricities = [rng.choice((0, rng.uniform(0, 0.99), 0.99, rng.uniform(1.01, 5))) for _ in range(n)]
+    axes = [radius * 10 ** rng.uniform(0.4, 2.5) * (1 if e < 1 else -1) for e in eccentricities]
+    entries["Companions/Semi-major axes"] = "; ".join(map(repr, axes))
+    entries["Companions/Eccentricities"] = "; ".join(map(repr, eccentricities))
+    for name in ("Inclinations", "Ascending nodes", "Arguments of pericentre", "Mean anomalies"):
+        if rng.random() < 0.6:
+            entries[f"Companions/{name}"] = "; ".join(repr(rng.uniform(-4, 4)) for _ in range(n))
 
 
 def bend(rng, entries):

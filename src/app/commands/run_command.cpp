@@ -95,8 +95,8 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
     context.log->info("results are in {}", context.directory.path().string());
     return end_run(failed, exit_stopped, not_printed, "; the results are complete", context, manifest);
   }
-  const char* advice = !is_resumable(context)    ? ""
-                       : last.end == interrupted ? " (--resume goes on from there)"
+  const char* advice = !is_resumable(context) || last.is_over ? ""
+                       : last.end == interrupted              ? " (--resume goes on from there)"
                                                  : " (--resume goes on from there, with a smaller Time/Step perhaps)";
   return end_run(last.end, exit_code_of(last.end), last.message, advice, context, manifest);
 }

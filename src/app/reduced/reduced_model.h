@@ -121,11 +121,16 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   mechanics::Status judge(const State& state) override {
     if constexpr (on_planes) contacts_.look(state.t, system_.contact(state.t, state.q), System::center(state.v));
     const Eigen::Matrix3d Q = Q_of(state);
-    if constexpr (has_orbit)
-      if (auto status = collisions_.look(state.t, system_.orbit(), Q * system_.body().E0() * Q.transpose(),
-                                         system_.companions(state.q));
+    if constexpr (has_orbit) {
+      const Eigen::Matrix3d S = Q * system_.body().E0() * Q.transpose();
+      const auto energy_of_body = [&] {
+        if (!scene::is_fluid(context_.scene)) return -1.0;
+        return own_energy(system_.orbit(), S, Q, system_.motion(state).v);
+      };
+      if (auto status = collisions_.look(state.t, system_.orbit(), S, system_.companions(state.q), energy_of_body);
           !status)
         return status;
+    }
     if constexpr (!mechanics::unconstrained<System>) return {};
     const double tolerance = context_.scene.time.tolerance;
     // Because det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2, the least singular value σ₃ is at least 2 det Q/|Q|². In most steps,

@@ -156,9 +156,14 @@ class FieldModel : public RunnableModelOf<S> {
   }
   /// Records the contact at the end of a step. Fails if a companion has come to the body. Collective.
   mechanics::Status judge(const State& state) final {
-    if (context_.needs.orbit)
-      return collisions_.look(state.t, this->system().orbit(), this->system().second_moment(state.q),
-                              this->system().companions(state.q));
+    if (context_.needs.orbit) {
+      const mechanics::Orbit& orbit = this->system().orbit();
+      const Eigen::Matrix3d moment = this->system().second_moment(state.q);
+      return collisions_.look(state.t, orbit, moment, this->system().companions(state.q), [&] {
+        if (!scene::is_fluid(context_.scene)) return -1.0;
+        return own_energy(orbit, moment, affine_part(state.q), affine_part(state.v));
+      });
+    }
     if (context_.needs.contact) contacts_.look(state.t, this->system().contact(state.t, state.q), mean(state.v));
     return {};
   }

@@ -232,8 +232,10 @@ ModelOutcome ModelRunBase::outcome(Outcome end, const std::string& message, Cloc
     c["max_scaled_constraint_rate"] = position_.max_constraint_rate;
   }
   statistics_.timers["run"] = std::chrono::duration<double>(Clock::now() - start).count();
-  return {end, message.empty() ? message : any_model_.name + " " + message, std::move(statistics_),
-          Stepping{position_.method, position_.step}};
+  ModelOutcome outcome{end, message.empty() ? message : any_model_.name + " " + message, std::move(statistics_),
+                       Stepping{position_.method, position_.step}};
+  outcome.is_over = !verdict_;
+  return outcome;
 }
 
 }  // namespace pseudorigid::app

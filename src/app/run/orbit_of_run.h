@@ -1,10 +1,11 @@
 #pragma once
 /// Companions (mechanics/core/orbit.h) in the run of a model.
 
-#include <Eigen/Core>
+#include <Eigen/Dense>
 #include <optional>
 #include <utility>
 
+#include "gravity/ellipsoid_gravity.h"
 #include "mechanics/core/orbit.h"
 #include "mechanics/core/status.h"
 
@@ -20,21 +21,41 @@ inline Eigen::MatrixXd with_companions(const Eigen::Matrix3d& Q, const mechanics
   return columns;
 }
 
-/// Looks for a collision in every step. The companions move on straight lines within a step.
+/// The kinetic and gravitational energy about the centre of the ellipsoid with the second moment S, in the affine
+/// motion Q with the rate Q̇. It is that of a pseudo-rigid fluid.
+inline double own_energy(const mechanics::Orbit& orbit, const Eigen::Matrix3d& S, const Eigen::Matrix3d& Q,
+                         const Eigen::Matrix3d& Qdot) {
+  const Eigen::Matrix3d L = Qdot * Q.inverse();
+  const double M = orbit.body_mass();
+  const Eigen::Matrix3d shape = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(5 / M * S).operatorSqrt();
+  const gravity::EllipsoidGravity gravity{0.6 * orbit.gravity_constant() * M * M};
+  return 0.5 * (L * S * L.transpose()).trace() + gravity.energy(shape);
+}
+
+/// Looks for a collision and for a disruption in every step. The companions move on straight lines within a step.
 class CollisionWatch {
  public:
   /// Fails if a companion has come to the body with the second moment S, or to the other companion. After a jump back
-  /// in time, the step before t is not known.
+  /// in time, the step before t is not known. It also fails if the tide has pulled a fluid body apart. The longest
+  /// semi-axis is then beyond the Hill radius, and the body is not bound: `own_energy()`, the sum of the kinetic and
+  /// gravitational energies about its centre, is positive. An equilibrium under tide and spin has a negative sum. A
+  /// body that is stretched beyond the Hill radius for a short time is therefore not taken for a disrupted one. For a
+  /// solid, `own_energy` returns a negative number.
+  template <class OwnEnergy>
   mechanics::Status look(double t, const mechanics::Orbit& orbit, const Eigen::Matrix3d& S,
-                         const mechanics::Orbit::Columns& s) {
+                         const mechanics::Orbit::Columns& s, const OwnEnergy& energy_of_body) {
     const bool follows = before_ && before_->first < t;
     const double distance = orbit.least_distance(follows ? before_->second : s, s);
     before_.emplace(t, s);
-    if (distance > orbit.largest_semi_axis(S)) return {};
+    const double longest = orbit.largest_semi_axis(S);
+    if (longest > orbit.hill_radius(s) && energy_of_body() > 0)
+      return mechanics::Status::failure(
+          "a disruption: the tide has pulled the body beyond its Hill radius, and its gravity does not bind it any "
+          "more");
+    if (distance > longest) return {};
     return mechanics::Status::failure(
         "a collision: a companion has come nearer than the longest semi-axis of the body to its centre, or to the "
-        "other "
-        "companion");
+        "other companion");
   }
 
  private:

@@ -88,6 +88,7 @@ struct ModelOutcome {
   std::optional<analysis::OtherResolution>
       other{};            ///< the same motion on another discretisation, for the error in space
   std::string results{};  ///< text for standard output
+  bool is_over = false;   ///< true if the model has ended its motion, so that a smaller step does not continue it
 };
 
 /// Adds a line to the results and to log.txt. Standard output shows the results at the end of the run.

@@ -15,7 +15,7 @@ ModelOutcome run_silently(const Run& run, const RunContext& context, const scene
   scene::Needs needs = context.needs;
   needs.graphics = needs.surface_watch = needs.quadrature_error = false;
   for (const auto& [name, member] : scene::quantities_kind.table) needs.quantities.*member = false;
-  needs.quantities.volumetric = needs.quantities.branches = false;
+  needs.quantities.volumetric = needs.quantities.second_orbit = needs.quantities.branches = false;
   RunContext silent = derived(context, scene, needs);
   silent.log = io::make_logger(io::Verbosity::silent, {});
   silent.sink_of = [](const RunContext&, const char*) { return std::make_unique<ModelSink>(); };

@@ -79,7 +79,7 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
     if (ball.time_dependent()) o.external -= ball.given(state.v);
     o.dissipated = ball.dissipated(state.v);
   }
-  if (request.orbit)
+  if (ball.orbit().n() > 0 && (request.orbit || request.energies))
     o.orbit = mechanics::observe_orbit(ball.orbit(), ball.companions(state.q), ball.companions(state.v),
                                        ball.nodal_moment(x, x), mechanics::axial_vector(ball.nodal_moment(x, v)));
   if (request.momenta) {
@@ -121,12 +121,8 @@ mechanics::Status observe(const CompressibleBall& ball, const BallState& state, 
 
 Eigen::Vector2d energies(const BallBody& ball, const BallState& state) {
   mechanics::ContinuumObservables o;
-  const mechanics::ObservableRequest request{{.state = false,
-                                              .momenta = false,
-                                              .multiplier = false,
-                                              .axes = false,
-                                              .nonaffine = false,
-                                              .orbit = ball.orbit().n() > 0}};
+  const mechanics::ObservableRequest request{
+      {.state = false, .momenta = false, .multiplier = false, .axes = false, .nonaffine = false}};
   if (!observe_motion(ball, state, request, o)) return Eigen::Vector2d::Constant(NAN);
   const double kinetic = o.kinetic + o.orbit.kinetic;
   return {kinetic, o.energy() - kinetic};

@@ -282,7 +282,7 @@ function more(title, nodes) {
 
 const behindMore = [differenceSections(), bodiesSections(), deformationSections(), nonaffineSections(), energySections()];
 const isFieldModel = MODELS.some(m => m.shapes);
-document.getElementById("report").append(...[head(), setupSections(), overviewOfRun(), isFieldModel ? [] : behindMore.splice(1, 1), systemSections(), keySections(),
+document.getElementById("report").append(...[head(), setupSections(), overviewOfRun(), isFieldModel ? [] : behindMore.splice(1, 1), orbitSections(), systemSections(), keySections(),
   more("More charts: differences, bodies, deformation, energies, momenta", behindMore), modesSections(), loveSections(), manifoldsSections(), sectionSections(), equilibriaSections(),
   sweepSections(), sceneSections(), costSections(), needsSections(), originSections()].flat(Infinity).filter(Boolean));
 redraws.forEach(redraw => redraw());

@@ -1,69 +1,120 @@
 #pragma once
-/// The motion s̈ = −k s/|s|³ of Kepler, for any conic and any time h. With the universal anomaly X (Danby, Fundamentals
-/// of Celestial Mechanics, 6.9), r = |s|, η = s·ṡ, β = 2k/r − |ṡ|² and the functions
+/// The orbit of two point masses. Let r and v be their relative position and velocity, and g = G(M + m). An orbit has
+/// six elements. The semi-major axis a and the eccentricity e are those of the conic section. The inclination i is the
+/// angle to the plane z = 0, and the longitude Ω of the ascending node is counted from the x axis. The argument ω of
+/// the pericentre is counted from the node, and the mean anomaly from the pericentre. With h = r × v,
 ///
-///   G_n(X) = Xⁿ c_n(βX²),   c_n(z) = 1/n! − z/(n + 2)! + z²/(n + 4)! − …,
+///   1/a = 2/|r| − |v|²/g,   e = |v × h/g − r̂|,   tan i = |(h_x, h_y)|/h_z,   node along (−h_y, h_x, 0).
 ///
-/// the time is h = r G₁ + η G₂ + k G₃. It increases with X by the rate r(X) = r + η G₁ + (k − βr) G₂, which is the
-/// distance at the end. The increments of the motion are
-///
-///   Δs = −(k G₂/r) s + (h − k G₃) ṡ,   Δṡ = −(k G₁/(r r(X))) s − (k G₂/r(X)) ṡ.
+/// An ellipse has a > 0 and e < 1, the eccentric anomaly E and the true anomaly f. Its mean anomaly is E − e sin E,
+/// with tan(E/2) = √((1 − e)/(1 + e)) tan(f/2). A hyperbola has a < 0 and e > 1, and the mean anomaly e sinh H − H,
+/// with sinh H = r·v/(e √(g|a|)). All angles are in radians. If h is along z to ten digits, the node is the x axis. If
+/// e is 0, the pericentre is at the node.
 
-#include <Eigen/Core>
+#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace pseudorigid::mechanics {
 
-/// G₁, G₂ and G₃. The series is for small arguments, and the formulas for double arguments lead to X:
-/// G₃(2X) = 2(G₃ + G₁G₂), G₂(2X) = 2G₁², G₁(2X) = 2G₀G₁, with G₀ = 1 − βG₂.
-struct UniversalFunctions {
-  double G1, G2, G3;
+struct KeplerElements {
+  double semi_major_axis = 0, eccentricity = 0, inclination = 0, ascending_node = 0, argument_of_pericentre = 0,
+         mean_anomaly = 0;
 
-  UniversalFunctions(double beta, double X) {
-    constexpr double small = 0.1;  // eight terms of the series then have an error below round-off
-    constexpr int n_terms = 8, most_halvings = 60;
-    int n_halvings = 0;
-    for (; std::abs(beta) * X * X > small && n_halvings < most_halvings; ++n_halvings) X /= 2;
-    const double z = beta * X * X;
-    double c2 = 0, c3 = 0;
-    for (int n = n_terms - 1; n >= 0; --n) {
-      c2 = (1 - z * c2) / ((2 * n + 1) * (2 * n + 2));
-      c3 = (1 - z * c3) / ((2 * n + 2) * (2 * n + 3));
-    }
-    G2 = X * X * c2;
-    G3 = X * X * X * c3;
-    G1 = X - beta * G3;
-    for (int i = 0; i < n_halvings; ++i) {
-      G3 = 2 * (G3 + G1 * G2);
-      const double G0 = 1 - beta * G2;
-      G2 = 2 * G1 * G1;
-      G1 = 2 * G0 * G1;
-    }
-  }
+  bool operator==(const KeplerElements& other) const = default;
 };
 
-struct KeplerIncrements {
-  Eigen::Vector3d s, sdot;
+/// The position and the velocity on an orbit.
+struct OrbitalMotion {
+  Eigen::Vector3d position, velocity;
 };
 
-/// Δs and Δṡ after the time h. They are not finite if s is 0 or if the numbers are not finite.
-inline KeplerIncrements kepler_increments(double k, const Eigen::Vector3d& s, const Eigen::Vector3d& sdot, double h) {
-  constexpr int most_iterations = 200;
-  const double r = s.norm(), eta = s.dot(sdot), beta = 2 * k / r - sdot.squaredNorm();
-  double X = h / r, low = -HUGE_VAL, high = HUGE_VAL;
-  UniversalFunctions G(beta, X);
-  double end = r;  // r(X)
-  for (int i = 0; i < most_iterations; ++i) {
-    G = UniversalFunctions(beta, X);
-    end = r + eta * G.G1 + (k - beta * r) * G.G2;
-    const double residual = r * G.G1 + eta * G.G2 + k * G.G3 - h;
-    (residual < 0 ? low : high) = X;
-    double next = X - residual / end;
-    if (!(std::abs(next - X) > 4e-16 * std::abs(X))) break;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    X = next;
+namespace detail {
+
+/// Solves f(x) = mean for an increasing f, by Newton's method within the bracket [low, high]. `of` returns f and f′.
+template <class Function>
+double increasing_root(double mean, double low, double high, double x, const Function& of) {
+  constexpr int most_steps = 200;
+  for (int n = 0; n < most_steps; ++n) {
+    const auto [value, slope] = of(x);
+    (value > mean ? high : low) = x;
+    double next = x - (value - mean) / slope;
+    if (!(next > low && next < high)) next = low + (high - low) / 2;
+    if (next == x || next <= low || next >= high) return x;
+    x = next;
   }
-  return {-(k * G.G2 / r) * s + (h - k * G.G3) * sdot, -(k * G.G1 / (r * end)) * s - (k * G.G2 / end) * sdot};
+  return x;
+}
+
+}  // namespace detail
+
+/// The eccentric anomaly E of Kepler's equation E − e sin E = mean, for 0 ≤ e < 1.
+inline double eccentric_anomaly(double mean, double e) {
+  const double turns = std::round(mean / (2 * std::numbers::pi)) * (2 * std::numbers::pi), rest = mean - turns;
+  return turns + detail::increasing_root(rest, rest - e, rest + e, rest + e * std::sin(rest),
+                                         [e](double E) { return std::pair(E - e * std::sin(E), 1 - e * std::cos(E)); });
+}
+
+/// The anomaly H of e sinh H − H = mean, for e > 1.
+inline double hyperbolic_anomaly(double mean, double e) {
+  // From (e − 1) sinh H ≤ e sinh H − H, for H ≥ 0.
+  const double bound = std::asinh(std::abs(mean) / (e - 1));
+  return detail::increasing_root(mean, -bound, bound, std::copysign(std::asinh(std::abs(mean) / e), mean),
+                                 [e](double H) { return std::pair(e * std::sinh(H) - H, e * std::cosh(H) - 1); });
+}
+
+/// The motion with these elements, for g = G(M + m).
+inline OrbitalMotion motion_of(const KeplerElements& o, double g) {
+  const double e = o.eccentricity, size = std::abs(o.semi_major_axis), rate = std::sqrt(g / size) / size;
+  const double minor = std::sqrt(std::abs((1 - e) * (1 + e)));
+  Eigen::Vector2d r, v;  // along the pericentre, and ahead
+  if (o.semi_major_axis > 0) {
+    const double E = eccentric_anomaly(o.mean_anomaly, e), c = std::cos(E), s = std::sin(E);
+    r = size * Eigen::Vector2d(c - e, minor * s);
+    v = size * rate / (1 - e * c) * Eigen::Vector2d(-s, minor * c);
+  } else {
+    const double H = hyperbolic_anomaly(o.mean_anomaly, e), c = std::cosh(H), s = std::sinh(H);
+    r = size * Eigen::Vector2d(e - c, minor * s);
+    v = size * rate / (e * c - 1) * Eigen::Vector2d(-s, minor * c);
+  }
+  const double ci = std::cos(o.inclination), si = std::sin(o.inclination), cn = std::cos(o.ascending_node),
+               sn = std::sin(o.ascending_node), cp = std::cos(o.argument_of_pericentre),
+               sp = std::sin(o.argument_of_pericentre);
+  const Eigen::Vector3d to_pericentre(cn * cp - sn * ci * sp, sn * cp + cn * ci * sp, si * sp),
+      ahead(-cn * sp - sn * ci * cp, -sn * sp + cn * ci * cp, si * cp);
+  return {r[0] * to_pericentre + r[1] * ahead, v[0] * to_pericentre + v[1] * ahead};
+}
+
+/// The elements of the motion of r with the velocity v, for g = G(M + m). The angles are between −π and π. A
+/// parabola gets a = 0 and the mean anomaly 0.
+inline KeplerElements elements_of(const Eigen::Vector3d& r, const Eigen::Vector3d& v, double g) {
+  const double d = r.norm(), by_a = 2 / d - v.squaredNorm() / g;
+  const Eigen::Vector3d h = r.cross(v), eccentric = v.cross(h) / g - r / d;
+  KeplerElements o;
+  o.semi_major_axis = by_a == 0 ? 0 : 1 / by_a;
+  o.eccentricity = eccentric.norm();
+  o.inclination = std::atan2(std::hypot(h[0], h[1]), h[2]);
+  // Round-off gives an orbit in the plane z = 0 a node in any direction.
+  constexpr double least_inclination = 1e-10;
+  const bool has_node = std::hypot(h[0], h[1]) > least_inclination * h.norm();
+  const Eigen::Vector3d node = has_node ? Eigen::Vector3d(-h[1], h[0], 0).normalized() : Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d normal = h.isZero(0) ? Eigen::Vector3d::UnitZ() : h.normalized(), across = normal.cross(node);
+  o.ascending_node = std::atan2(node[1], node[0]);
+  if (o.eccentricity > 0) o.argument_of_pericentre = std::atan2(eccentric.dot(across), eccentric.dot(node));
+  const double true_anomaly =
+      std::remainder(std::atan2(r.dot(across), r.dot(node)) - o.argument_of_pericentre, 2 * std::numbers::pi);
+  const double e = o.eccentricity;
+  if (by_a > 0) {
+    const double E = 2 * std::atan2(std::sqrt(std::max(0.0, 1 - e)) * std::sin(true_anomaly / 2),
+                                    std::sqrt(1 + e) * std::cos(true_anomaly / 2));
+    o.mean_anomaly = E - e * std::sin(E);
+  } else if (by_a < 0) {
+    const double sinh_H = r.dot(v) * std::sqrt(-by_a / g) / e;
+    o.mean_anomaly = e * sinh_H - std::asinh(sinh_H);
+  }
+  return o;
 }
 
 }  // namespace pseudorigid::mechanics

@@ -15,7 +15,7 @@
 ///   r_i = R_i + Σ_{k<i} (m_k/M_k) R_k,   kinetic energy ½ Σ μ_k |Ṙ_k|²,   μ_k = m_k M_{k−1}/M_k.
 ///
 /// The coordinates of the systems are s_k = √μ_k R_k, with unit mass. Without the size of the body and the interaction
-/// of companions, each moves as s̈_k = −k_k s_k/|s_k|³ with k_k = G M_k μ_k^{3/2}, on a conic (kepler.h). Uniform
+/// of companions, each moves as s̈_k = −k_k s_k/|s_k|³ with k_k = G M_k μ_k^{3/2}, on a conic (kepler_motion.h). Uniform
 /// accelerations act on the common centre of mass alone. In a model with companions, the centre of mass of the model is
 /// therefore the common one, and the body is at the origin of the r_i.
 
@@ -24,11 +24,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "mechanics/core/kepler.h"
+#include "mechanics/core/kepler_motion.h"
 
 namespace pseudorigid::mechanics {
 
@@ -36,9 +38,11 @@ struct Companion {
   double mass = 0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< r_i at the start
   std::optional<Eigen::Vector3d> velocity{};           ///< ṙ_i at the start; empty: a circular orbit about the z axis
+  /// The elements of R_i at the start, for the gravity G M_i. They replace the position and the velocity.
+  std::optional<KeplerElements> elements{};
 
   bool operator==(const Companion& other) const {
-    return mass == other.mass && position == other.position && velocity == other.velocity;
+    return mass == other.mass && position == other.position && velocity == other.velocity && elements == other.elements;
   }
 };
 
@@ -71,9 +75,15 @@ class Orbit {
       const double whole = inner + companion.mass, reduced = std::sqrt(companion.mass * (inner / whole));
       masses_[k] = companion.mass;
       kepler_[k] = G_ * whole * reduced * reduced * reduced;
-      R.col(k) = companion.position - center;
-      Rdot.col(k) = companion.velocity ? Eigen::Vector3d(*companion.velocity - center_velocity)
-                                       : circular_velocity(R.col(k), G_ * whole);
+      if (companion.elements) {
+        const OrbitalMotion motion = motion_of(*companion.elements, G_ * whole);
+        R.col(k) = motion.position;
+        Rdot.col(k) = motion.velocity;
+      } else {
+        R.col(k) = companion.position - center;
+        Rdot.col(k) = companion.velocity ? Eigen::Vector3d(*companion.velocity - center_velocity)
+                                         : circular_velocity(R.col(k), G_ * whole);
+      }
       s_.col(k) = reduced * R.col(k);
       sdot_.col(k) = reduced * Rdot.col(k);
       for (int i = 0; i < n_; ++i) weights_[k][i] = i < k ? 0 : (i == k ? 1 : companion.mass / whole) / reduced;
@@ -85,11 +95,15 @@ class Orbit {
 
   int n() const { return n_; }
   double body_mass() const { return mass_; }
+  double gravity_constant() const { return G_; }
   /// The coordinates s_k and their rates at the start.
   const Columns& position() const { return s_; }
   const Columns& velocity() const { return sdot_; }
   /// G(M + m_1), of the relative motion of the first companion.
   double gravity_of_pair() const { return G_ * (mass_ + masses_[0]); }
+  double first_mass() const { return masses_[0]; }
+  /// The radius of a ball with the mass of the body and the density 1, the unit of density inside the program.
+  double radius_of_ball() const { return std::cbrt(3 * mass_ / (4 * std::numbers::pi)); }
 
   /// The positions r_i for the coordinates s_k, or the velocities for their rates.
   Columns relative(const Columns& s) const {
@@ -159,6 +173,13 @@ class Orbit {
   double largest_semi_axis(const Eigen::Matrix3d& S) const {
     return std::sqrt(5 * S.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff() / mass_);
   }
+  /// The least of the Hill radii |r_i| (M/(3 m_i))^⅓.
+  double hill_radius(const Columns& s) const {
+    const Columns r = relative(s);
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < n_; ++i) least = std::min(least, r.col(i).norm() * std::cbrt(mass_ / (3 * masses_[i])));
+    return least;
+  }
   /// The least distance of a companion from the centre of the body, or of two companions from each other. All move on
   /// straight lines from the coordinates s0 to s1.
   double least_distance(const Columns& s0, const Columns& s1) const {
@@ -177,12 +198,16 @@ class Orbit {
   };
   /// The motion of point masses at the time `before` before their closest approach, or at the start if this is later.
   /// The closest approach is searched until the time `end`. It must be nearer than the start by a tenth. Otherwise the
-  /// result is the motion at the start.
+  /// result is the motion at the start. A single companion in a bound orbit repeats its motion, so the search ends
+  /// after one period. Changes of the pericentre by tides are not known before the run in any case. The search also
+  /// ends if a companion is within the radius of the ball, because the run then ends with a collision.
   Motion near_closest_approach(double end, double before) const {
+    if (const auto period = kepler_period()) end = std::min(end, *period);
     constexpr int most_steps = 100'000;
     constexpr double part = 0.02, nearer = 0.9;  // of the time in which a companion falls or passes
     std::vector<std::pair<double, Motion>> path{{0.0, {s_, sdot_}}};
     double t = 0, closest_time = 0, closest = nearer * least_distance(s_, s_);
+    const double radius = radius_of_ball();
     Motion now{s_, sdot_};
     for (int n = 0; n < most_steps && t < end; ++n) {
       const double d = least_distance(now.s, now.s), speed = relative(now.sdot).colwise().norm().maxCoeff();
@@ -190,8 +215,9 @@ class Orbit {
       if (!(h > 0)) break;
       now = as_point_masses(now, h);
       path.emplace_back(t += h, now);
-      if (const double distance = least_distance(now.s, now.s); distance < closest)
-        closest = distance, closest_time = t;
+      const double distance = least_distance(now.s, now.s);
+      if (distance < closest) closest = distance, closest_time = t;
+      if (distance < radius) break;
     }
     Motion found = path.front().second;
     for (const auto& [time, motion] : path)
@@ -229,6 +255,14 @@ class Orbit {
     double sum = mass_;
     for (int i = 0; i < n_; ++i) sum += masses_[i];
     return sum;
+  }
+  /// The period of a single companion in a bound orbit about the body; empty if the orbit is not of this kind.
+  std::optional<double> kepler_period() const {
+    if (n_ != 1) return std::nullopt;
+    const double g = gravity_of_pair();
+    const double by_a = 2 / relative(s_).norm() - relative(sdot_).squaredNorm() / g;
+    if (!(by_a > 0)) return std::nullopt;
+    return 2 * std::numbers::pi / std::sqrt(g * by_a * by_a * by_a);
   }
   /// A step of the classical method of Runge and Kutta.
   Motion as_point_masses(const Motion& m, double h) const {

@@ -1,0 +1,69 @@
+#pragma once
+/// The motion s̈ = −k s/|s|³ of Kepler, for any conic and any time h. With the universal anomaly X (Danby, Fundamentals
+/// of Celestial Mechanics, 6.9), r = |s|, η = s·ṡ, β = 2k/r − |ṡ|² and the functions
+///
+///   G_n(X) = Xⁿ c_n(βX²),   c_n(z) = 1/n! − z/(n + 2)! + z²/(n + 4)! − …,
+///
+/// the time is h = r G₁ + η G₂ + k G₃. It increases with X by the rate r(X) = r + η G₁ + (k − βr) G₂, which is the
+/// distance at the end. The increments of the motion are
+///
+///   Δs = −(k G₂/r) s + (h − k G₃) ṡ,   Δṡ = −(k G₁/(r r(X))) s − (k G₂/r(X)) ṡ.
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace pseudorigid::mechanics {
+
+/// G₁, G₂ and G₃. The series is for small arguments, and the formulas for double arguments lead to X:
+/// G₃(2X) = 2(G₃ + G₁G₂), G₂(2X) = 2G₁², G₁(2X) = 2G₀G₁, with G₀ = 1 − βG₂.
+struct UniversalFunctions {
+  double G1, G2, G3;
+
+  UniversalFunctions(double beta, double X) {
+    constexpr double small = 0.1;  // eight terms of the series then have an error below round-off
+    constexpr int n_terms = 8, most_halvings = 60;
+    int n_halvings = 0;
+    for (; std::abs(beta) * X * X > small && n_halvings < most_halvings; ++n_halvings) X /= 2;
+    const double z = beta * X * X;
+    double c2 = 0, c3 = 0;
+    for (int n = n_terms - 1; n >= 0; --n) {
+      c2 = (1 - z * c2) / ((2 * n + 1) * (2 * n + 2));
+      c3 = (1 - z * c3) / ((2 * n + 2) * (2 * n + 3));
+    }
+    G2 = X * X * c2;
+    G3 = X * X * X * c3;
+    G1 = X - beta * G3;
+    for (int i = 0; i < n_halvings; ++i) {
+      G3 = 2 * (G3 + G1 * G2);
+      const double G0 = 1 - beta * G2;
+      G2 = 2 * G1 * G1;
+      G1 = 2 * G0 * G1;
+    }
+  }
+};
+
+struct KeplerIncrements {
+  Eigen::Vector3d s, sdot;
+};
+
+/// Δs and Δṡ after the time h. They are not finite if s is 0 or if the numbers are not finite.
+inline KeplerIncrements kepler_increments(double k, const Eigen::Vector3d& s, const Eigen::Vector3d& sdot, double h) {
+  constexpr int most_iterations = 200;
+  const double r = s.norm(), eta = s.dot(sdot), beta = 2 * k / r - sdot.squaredNorm();
+  double X = h / r, low = -HUGE_VAL, high = HUGE_VAL;
+  UniversalFunctions G(beta, X);
+  double end = r;  // r(X)
+  for (int i = 0; i < most_iterations; ++i) {
+    G = UniversalFunctions(beta, X);
+    end = r + eta * G.G1 + (k - beta * r) * G.G2;
+    const double residual = r * G.G1 + eta * G.G2 + k * G.G3 - h;
+    (residual < 0 ? low : high) = X;
+    double next = X - residual / end;
+    if (!(std::abs(next - X) > 4e-16 * std::abs(X))) break;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    X = next;
+  }
+  return {-(k * G.G2 / r) * s + (h - k * G.G3) * sdot, -(k * G.G1 / (r * end)) * s - (k * G.G2 / end) * sdot};
+}
+
+}  // namespace pseudorigid::mechanics
