@@ -73,6 +73,7 @@ class PolynomialBody {
   bool time_dependent() const { return driven_; }
   bool velocity_dependent() const { return constant_.damped(); }
   bool dissipative() const { return constant_.dissipative(); }
+  bool has_contact() const { return !constant_.planes.empty(); }
   bool damping_is_linear() const { return !constant_.planes.rough(); }
   bool drifts() const { return orbit_.n() > 0; }
   void drift(double h, const Vector& before, Vector& q, Vector& v) const {
