@@ -150,7 +150,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
       bipolar_.emplace();
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-          const std::string place = std::to_string(i + 1) + std::to_string(j + 1);
+          const std::string place{static_cast<char>('1' + i), static_cast<char>('1' + j)};
           bipolar_->T(i, j) = row[rows.column_index("T" + place)];
           bipolar_->S(i, j) = row[rows.column_index("S" + place)];
         }
