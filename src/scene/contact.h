@@ -24,9 +24,9 @@ std::optional<Refusal> refuses_planes(const Scene& scene);
 /// surface swing on the plane (tests/continuum/bouncing_bar_test.cpp).
 struct MeshedContact {
   double cell;   ///< h in radii
-  double ratio;  ///< of the stiffnesses
-  /// At 16 times the resolved stiffness, the force of impacts with v = 0.05 c swung by 0.5 to 1.5 % of its largest
-  /// value on meshes of degree 2 to 4, and at 4 times by 0.2 to 0.3 %.
+  double ratio;  ///< ratio of the stiffnesses.
+  /// At the ratio 4, the force of an impact oscillates by 0.2 to 0.3 % of its largest value, and at 16 by 0.5 to 1.5 %
+  /// (docs/contact.md).
   static constexpr double most = 10;
 
   std::string line() const;     ///< for the list of needed parts

@@ -81,8 +81,8 @@ TEST(EllipsoidContact, IsTheIntegralOverTheSurface) {
     EXPECT_NEAR(exact.force, expected.force, midpoints * exact.force);
     EXPECT_NEAR(exact.area, expected.area, 1e-2 * exact.area);
     EXPECT_LT((exact.moment - expected.moment).norm(), midpoints * exact.moment.norm());
-    const double radius = summary({plane}, {exact}).pressure_radius;
-    EXPECT_NEAR(radius, summary({plane}, {expected}).pressure_radius, midpoints * radius);
+    const double radius = loads::summary({plane}, {exact}).pressure_radius;
+    EXPECT_NEAR(radius, loads::summary({plane}, {expected}).pressure_radius, midpoints * radius);
     EXPECT_LT((f.on_Q - force.on_Q).norm(), midpoints * force.on_Q.norm());
     EXPECT_LT((f.on_center - force.on_center).norm(), midpoints * force.on_center.norm());
     EXPECT_LT((of_damping.on_Q - damping.on_Q).norm(), midpoints * damping.on_Q.norm());
