@@ -140,15 +140,15 @@ class Viscoelastic(RefusedInputTest, RanksTest):
             self.assertTrue(3 < drifts[0] / drifts[1] < 5, (model, drifts))
 
     def test_degree_one_is_the_pseudo_rigid_body(self):
-        for law in ("neo-hookean", "mooney-rivlin", "saint-venant-kirchhoff"):
-            for more in ({}, {"Material/Viscosity": 0.1}, {"Gravity/Gamma": 1, "Companions/Masses": 40, "Companions/Positions": "8, 0, 0"},
-                         {"Loads/Plane normals": "0, 0, 1", "Loads/Plane points": "0, 0, -1.2", "Loads/Acceleration": "0, 0, -1"},
-                         {"Body/Incompressible": "false", "Material/Lame lambda": 2}):
-                entries = {**STRETCH, **TURNING, **BRANCHES, **FIXED, **more, "Material/Law": law, "Polynomial/Degree": 1, "Time/Step": 0.005, "Time/End": 2}
-                reduced, polynomial = (self.run_model(entries, model) for model in ("reduced", "polynomial"))
-                for name in ("Q11", "Q12", "Q23", "Qdot13", "J3", "elastic", "viscoelastic", "dissipated", "energy", "multiplier"):
-                    for a, b in zip(reduced.column(name), polynomial.column(name)):
-                        self.assertAlmostEqual(a, b, delta=1e-11 * (1 + abs(a)), msg=f"{law} {more} {name}")
+        for more in ({}, {"Material/Law": "mooney-rivlin"}, {"Material/Law": "saint-venant-kirchhoff", "Material/Viscosity": 0.1},
+                     {"Gravity/Gamma": 1, "Companions/Masses": 40, "Companions/Positions": "8, 0, 0"},
+                     {"Loads/Plane normals": "0, 0, 1", "Loads/Plane points": "0, 0, -1.2", "Loads/Acceleration": "0, 0, -1"},
+                     {"Body/Incompressible": "false", "Material/Lame lambda": 2}):
+            entries = {**STRETCH, **TURNING, **BRANCHES, **FIXED, **more, "Polynomial/Degree": 1, "Time/Step": 0.005, "Time/End": 2}
+            reduced, polynomial = (self.run_model(entries, model) for model in ("reduced", "polynomial"))
+            for name in ("Q11", "Q12", "Q23", "Qdot13", "J3", "elastic", "viscoelastic", "dissipated", "energy", "multiplier"):
+                for a, b in zip(reduced.column(name), polynomial.column(name)):
+                    self.assertAlmostEqual(a, b, delta=1e-11 * (1 + abs(a)), msg=f"{more} {name}")
 
     def test_elements_and_polynomials_agree(self):
         entries = {**STRETCH, **BRANCHES, "Time/End": 2, "Time/Tolerance": 1e-6, "Output/Samples": 20, "Polynomial/Degree": 7, "Continuum/Degree": 4}
