@@ -3,7 +3,11 @@
 /// point has the position x, the penetration d, the pressure p = k d and the quadrature weight w. The plane has the
 /// normal n and the stiffness k. The sums over the points with d > 0 are
 ///
-///   energy V = Σ w k d²/2,   force along n  N = Σ w p,   area Σ w,   moment Σ w p x.
+///   energy V = Σ w k d²/2,   force along n  N = Σ w p,   area Σ w,   moments Σ w p x and Σ w p |x − (n·x) n|².
+///
+/// With the mean square distance ⟨s²⟩ of the pressure from the normal through its centre, the pressure radius is
+/// √(5⟨s²⟩/2). It is the radius of the contact if the pressure is that of Hertz, p₀√(1 − s²/a²), which has ⟨s²⟩ =
+/// 2a²/5. Points near the edge have a small weight in it, so that it is more accurate than the area.
 ///
 /// A plane that moves with the speed ż₀ along n gives the power N ż₀, and N then includes the damping force.
 ///
@@ -25,6 +29,7 @@ namespace pseudorigid::loads {
 /// Contact of a surface with one plane, without the damping force. `area` is an area of the reference surface.
 struct PlaneContact {
   double energy = 0, force = 0, area = 0;
+  double spread = 0;                                        ///< ∫p |x − (n·x) n|² dA
   double height = std::numeric_limits<double>::infinity();  ///< least n·x − z₀
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< integral of the pressure times the position, ∫p x dA
 
@@ -37,11 +42,13 @@ struct PlaneContact {
     force += pressure;
     area += weight;
     moment += pressure * x;
+    spread += pressure * (x - plane.normal.dot(x) * plane.normal).squaredNorm();
   }
   void add(const PlaneContact& other, const Eigen::Vector3d& signs = Eigen::Vector3d::Ones()) {
     energy += other.energy;
     force += other.force;
     area += other.area;
+    spread += other.spread;
     height = std::min(height, other.height);
     moment += signs.cwiseProduct(other.moment);
   }
@@ -61,11 +68,12 @@ struct ContactPower {
 
 /// Contact in the columns of the output. `energy` is the sum over all planes, and `height` is the least height. The
 /// other members are for the plane with the largest force. Without contact, `normal` is the normal of the nearest
-/// plane, and `force`, `radius` and `point` are 0.
+/// plane, and `force`, `point` and both radii are 0.
 struct Contact {
   double energy = 0, force = 0;
   double height = std::numeric_limits<double>::infinity();  ///< least height over all planes
   double radius = 0;                                        ///< radius √(area/π) of a disk with the contact area
+  double pressure_radius = 0;                               ///< radius √(5⟨s²⟩/2) of the pressure
   Eigen::Vector3d point = Eigen::Vector3d::Zero();          ///< centre of pressure; 0 without contact
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double speed = 0;  ///< speed along the normal of the plane that has the normal
@@ -124,6 +132,8 @@ inline Contact summary(const Planes& planes, const std::vector<PlaneContact>& co
   result.force = pressing->force;
   result.radius = std::sqrt(pressing->area / std::numbers::pi);
   result.point = pressing->moment / pressing->force;
+  const double off_axis = (result.point - result.normal.dot(result.point) * result.normal).squaredNorm();
+  result.pressure_radius = std::sqrt(2.5 * std::max(0.0, pressing->spread / pressing->force - off_axis));
   return result;
 }
 

@@ -65,6 +65,14 @@ class EllipsoidContact {
     result.area = 2 * std::numbers::pi * std::min(2.0, deepest_ / G_);
     // The moment is N c + Q S ∫p ξ dA, and ∫p ξ dA = −ĝ ∂V/∂G since ∂d/∂G = u.
     result.moment = result.force * c_ - by_G() * (Q_ * (S_ * direction_));
+    // With the parts along the plane, x = c + Tξ and ∫p |x|² = N|c|² + 2c·T∫p ξ + tr(T ∫p ξξᵀ Tᵀ). The integral of
+    // 1 − u² is taken from its parts of t = 1 − u, so that small penetrations have no cancellation.
+    const Eigen::Matrix3d along = Eigen::Matrix3d::Identity() - plane_.normal * plane_.normal.transpose();
+    const Eigen::Matrix3d T = along * Q_ * S_;
+    const Eigen::Vector3d of_center = along * c_, of_axis = T * direction_, of_t = strength() * moments_of_t();
+    const double across = of_t[1] - 0.5 * of_t[2], whole = of_t[0];  // ½∫p (1 − u²) dA and ∫p dA
+    result.spread = result.force * of_center.squaredNorm() - 2 * by_G() * of_center.dot(of_axis) +
+                    across * T.squaredNorm() + (whole - 3 * across) * of_axis.squaredNorm();
     return result;
   }
 
@@ -114,13 +122,17 @@ class EllipsoidContact {
   double by_G() const {
     return strength() / G_ * (square(deepest_) + square(least_) - (cube(deepest_) - cube(least_)) / (3 * G_));
   }
-  /// Returns (I₀, I₁, I₂), computed from the integrals ∫d t^j dt over 0 ≤ t ≤ T with t = 1 − u and T = min(2, δ/G).
-  /// These integrals do not have a cancellation for small penetrations.
-  Eigen::Vector3d moments() const {
+  /// The integrals 2∫d t^j dt over 0 ≤ t ≤ T with t = 1 − u and T = min(2, δ/G). They do not have a cancellation for
+  /// small penetrations.
+  Eigen::Vector3d moments_of_t() const {
     const double T = std::min(2.0, deepest_ / G_);
     Eigen::Vector3d of_t;
-    for (int j = 0; j < 3; ++j)
-      of_t[j] = 2 * std::numbers::pi * std::pow(T, j + 1) * (deepest_ / (j + 1) - G_ * T / (j + 2));
+    for (int j = 0; j < 3; ++j) of_t[j] = 2 * std::pow(T, j + 1) * (deepest_ / (j + 1) - G_ * T / (j + 2));
+    return of_t;
+  }
+  /// Returns (I₀, I₁, I₂).
+  Eigen::Vector3d moments() const {
+    const Eigen::Vector3d of_t = std::numbers::pi * moments_of_t();
     return {of_t[0], of_t[0] - of_t[1], of_t[0] - 2 * of_t[1] + of_t[2]};
   }
 

@@ -76,7 +76,7 @@ struct BodyColumn {
 /// the beginning of the first contact, the end of the last contact, the largest force and the coefficient of
 /// restitution. Before the first contact they are 0.
 struct ContactObservables {
-  double energy = 0, force = 0, penetration = 0, radius = 0;
+  double energy = 0, force = 0, penetration = 0, radius = 0, pressure_radius = 0;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   double first = 0, last = 0, largest_force = 0, restitution = 0;
 
@@ -87,8 +87,22 @@ struct ContactObservables {
     force = now.force;
     penetration = now.penetration();
     radius = now.radius;
+    pressure_radius = now.pressure_radius;
     point = now.point;
   }
+};
+
+/// The energy of vibration and its parts by the degree n of the motion (observables/vibration.h).
+struct VibrationObservables {
+  static constexpr int first_degree = 2, last_degree = 8;
+  using Parts = std::array<double, last_degree - first_degree + 1>;
+
+  double energy = not_observed;
+  Parts of_degree = [] {
+    Parts unknown;
+    unknown.fill(not_observed);
+    return unknown;
+  }();
 };
 
 /// The motion of the companions (mechanics/core/orbit.h); set by observables/orbit.h. Without companions, the energies
@@ -118,6 +132,7 @@ struct BodyObservables {
   std::vector<double> over_points{};  ///< one value for each entry of ObservableRequest::over_points
   ContactObservables contact{};
   OrbitObservables orbit{};
+  VibrationObservables vibration{};
 
   double energy() const {
     return kinetic + elastic + gravitational + external + dissipated + contact.energy + orbit.kinetic +
@@ -165,6 +180,10 @@ inline constexpr BodyColumn<O> common_columns[] = {
     {"contact_radius", &Quantities::contact, "length",
      "radius of a circle with the undeformed area of the surface that touches this plane",
      [](const O& o) { return o.contact.radius; }},
+    {"pressure_radius", &Quantities::contact, "length",
+     "radius of the contact by its pressure, sqrt(5/2) times the root mean square distance along the plane from the "
+     "centre of pressure. It is exact for the pressure of Hertz",
+     [](const O& o) { return o.contact.pressure_radius; }},
     {"penetration", &Quantities::contact, "length", "largest distance of the surface behind a plane",
      [](const O& o) { return o.contact.penetration; }},
     {"first_contact", &Quantities::contact, "time",
@@ -178,6 +197,24 @@ inline constexpr BodyColumn<O> common_columns[] = {
      "normal velocity of the centre of mass relative to the plane after the last contact, over the approach velocity "
      "before the first; 0 before the end of a contact",
      [](const O& o) { return o.contact.restitution; }},
+    {"vibration", &Quantities::vibration, "mass*length^2/time^2",
+     "kinetic energy relative to a rigid motion with the same momenta, plus the elastic energy",
+     [](const O& o) { return o.vibration.energy; }},
+    {"vibration_2", &Quantities::vibration, "mass*length^2/time^2",
+     "its part in spheroidal motions of degree 2, for small strains; all of it for the reduced model",
+     [](const O& o) { return o.vibration.of_degree[0]; }},
+    {"vibration_3", &Quantities::vibration, "mass*length^2/time^2", "its part of degree 3",
+     [](const O& o) { return o.vibration.of_degree[1]; }},
+    {"vibration_4", &Quantities::vibration, "mass*length^2/time^2", "its part of degree 4",
+     [](const O& o) { return o.vibration.of_degree[2]; }},
+    {"vibration_5", &Quantities::vibration, "mass*length^2/time^2", "its part of degree 5",
+     [](const O& o) { return o.vibration.of_degree[3]; }},
+    {"vibration_6", &Quantities::vibration, "mass*length^2/time^2", "its part of degree 6",
+     [](const O& o) { return o.vibration.of_degree[4]; }},
+    {"vibration_7", &Quantities::vibration, "mass*length^2/time^2", "its part of degree 7",
+     [](const O& o) { return o.vibration.of_degree[5]; }},
+    {"vibration_8", &Quantities::vibration, "mass*length^2/time^2", "its part of degree 8",
+     [](const O& o) { return o.vibration.of_degree[6]; }},
     {"orbital", &Quantities::orbit, "mass*length^2/time^2",
      "kinetic energy of the orbit about the common centre of mass, if the scene has a companion, as the columns after "
      "it",

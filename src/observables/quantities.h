@@ -11,7 +11,7 @@ namespace pseudorigid::mechanics {
 /// A member is true if its group is requested. The initial values are the defaults.
 struct Quantities {
   bool state = true, energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
-  bool pressure = false, bipolar = false, stretches = false;
+  bool pressure = false, bipolar = false, stretches = false, vibration = false;
   /// A group without a word in parameter files, for models with non-affine motions. The group is written if the
   /// energies are requested and the volumetric stabilisation is on.
   bool volumetric = false;
@@ -44,6 +44,8 @@ inline constexpr QuantityGroup quantity_groups[] = {
      "them (Oliva 5.121), by differences along the path"},
     {"stretches", &Quantities::stretches,
      "the principal stretches of the mean deformation, and of a body that bends the largest and the least anywhere"},
+    {"vibration", &Quantities::vibration,
+     "of an incompressible elastic ball, the energy of vibration and its parts by the degree of the motion"},
 };
 static_assert(sizeof(Quantities) == std::size(quantity_groups) + 4,
               "every group but `volumetric`, `contact`, `orbit` and `second_orbit` has one line of quantity_groups");

@@ -14,6 +14,8 @@
 #include <array>
 #include <vector>
 
+#include "mechanics/core/solid_harmonics.h"
+
 namespace pseudorigid::polynomial {
 
 /// Bit i is set if a function is odd in ξ_i.
@@ -23,9 +25,8 @@ struct BallPolynomial {
   int n, l, m;
 
   Parity parity() const {
-    const int order = m < 0 ? -m : m;
-    const bool odd_in_y = m < 0, odd_in_x = (order % 2 == 1) != odd_in_y, odd_in_z = (l - order) % 2 == 1;
-    return (odd_in_x ? 1U : 0U) | (odd_in_y ? 2U : 0U) | (odd_in_z ? 4U : 0U);
+    const auto [in_x, in_y, in_z] = mechanics::is_odd(l, m);
+    return (in_x ? 1U : 0U) | (in_y ? 2U : 0U) | (in_z ? 4U : 0U);
   }
 };
 
@@ -33,17 +34,12 @@ struct BallPolynomial {
 std::vector<BallPolynomial> ball_polynomials(int N);
 
 /// A value and its gradient with respect to ξ.
-struct Jet {
-  double value = 0;
-  std::array<double, 3> gradient{};
-};
-
+using mechanics::Jet;
 /// Values and gradients of all polynomials of P_N at a point, in the order of ball_polynomials.
 std::vector<Jet> evaluate_ball_polynomials(int N, const std::array<double, 3>& xi);
 
 /// R_nl(r) = √(2n+3) P_s(2r² − 1) r^l, with its derivative in gradient[0].
 Jet radial_factor(int n, int l, double r);
-/// The functions |ξ|^l Y_lm with their gradients for l ≤ N, at [l][l + m].
-std::vector<std::vector<Jet>> solid_harmonics(int N, const std::array<double, 3>& xi);
+using mechanics::solid_harmonics;
 
 }  // namespace pseudorigid::polynomial

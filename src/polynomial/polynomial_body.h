@@ -72,6 +72,7 @@ class PolynomialBody {
   bool time_dependent() const { return driven_; }
   bool velocity_dependent() const { return constant_.dissipative(); }
   bool dissipative() const { return constant_.dissipative(); }
+  bool has_contact() const { return !constant_.planes.empty(); }
   bool damping_is_linear() const { return !constant_.planes.rough(); }
   Vector make_vector() const { return Vector::Zero(first_of_orbit() + 3 * orbit_.n()); }
 

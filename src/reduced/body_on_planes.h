@@ -45,6 +45,7 @@ class BodyOnPlanes {
   bool time_dependent() const { return driven_; }
   bool velocity_dependent() const { return constant_.dissipative(); }
   bool dissipative() const { return constant_.dissipative(); }
+  bool has_contact() const { return !constant_.planes.empty(); }
   bool damping_is_linear() const { return !constant_.planes.rough(); }
 
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& w, Vector& f) const {

@@ -52,6 +52,14 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
                                        QE0 * Q.transpose(), mechanics::axial_vector(QE0 * Qdot.transpose()));
   }
   if (request.axes) o.semi_axes = mechanics::singular_values(Q * body.reference().shape);
+  if (request.vibration) {
+    const Eigen::Matrix3d moment = Q * body.E0() * Q.transpose();
+    const Eigen::Vector3d J = mechanics::axial_vector(Q * body.E0() * Qdot.transpose());
+    const Eigen::Matrix3d inertia = moment.trace() * Eigen::Matrix3d::Identity() - moment;
+    o.vibration.energy =
+        body.kinetic_energy(Qdot) - 0.5 * J.dot(inertia.inverse() * J) + body.potential_energies(Q).elastic;
+    o.vibration.of_degree = {o.vibration.energy};
+  }
   o.over_points = mechanics::observe_over_points(request, [&](const auto& value) { return value(Q); });
   if constexpr (mechanics::unconstrained<System>) {
     o.multiplier = o.central_pressure = 0;

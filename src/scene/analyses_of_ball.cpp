@@ -161,4 +161,18 @@ std::optional<Refusal> refuses_analysis_of_ball(const Scene& scene) {
   return scene.analysis == Analysis::love_numbers ? refuses_love_numbers(scene) : std::nullopt;
 }
 
+std::optional<Refusal> refuses_vibration(const Scene& scene) {
+  if (!scene.output.quantities.vibration || scene.analysis != Analysis::motion) return {};
+  const std::string_view reason = "the energy of vibration by degree is that of an incompressible elastic ball";
+  if (!scene.body.incompressible)
+    return Refusal{"Body/Incompressible", std::string(reason), {{{"Body/Incompressible", "true"}}}};
+  if (is_fluid(scene)) return Refusal{"Material/Law", fmt::format("{}, and a fluid has no elastic energy", reason)};
+  if (scene.body.semi_axes != std::vector<double>{1, 1, 1} || scene.body.inertia)
+    return Refusal{"Body/Semi-axes", std::string(reason), {{{"Body/Semi-axes", "1, 1, 1"}, {"Body/Inertia", "auto"}}}};
+  if (has_mesh_file(scene)) return Refusal{"Continuum/Mesh", std::string(reason), {{{"Continuum/Mesh", "builtin"}}}};
+  if (loads::present(scene.loads.get<loads::SelfGravity>()))
+    return Refusal{"Gravity/Constant", fmt::format("{} without self-gravity", reason), {{{"Gravity/Constant", "0"}}}};
+  return {};
+}
+
 }  // namespace pseudorigid::scene

@@ -3,8 +3,13 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 
 #include "entries/entry_kinds.h"
+#include "scene/discretization.h"
+#include "scene/models.h"
+#include "scene/scales.h"
 #include "scene/scene.h"
 
 namespace pseudorigid::scene {
@@ -73,6 +78,53 @@ std::optional<Refusal> refuses_planes(const Scene& scene) {
                                               "move the plane or Initial state/Center",
                                               i + 1, behind)};
   return {};
+}
+
+namespace {
+
+/// Length of the cells at a pole, along the axis, in radii (continuum/mesh/ball_mesh.h). The outer cells of the
+/// unrefined mesh reach from 0.528 to 1 on the axis. β of the grading is found by bisection.
+double cell_at_pole(const Scene& scene, int refinements) {
+  constexpr double unrefined = 1 - 0.528;
+  const double size = scene.continuum.grading, part = std::ldexp(1.0, -refinements);
+  if (size == 1) return unrefined * part;
+  double least = 0, most = 100;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (least + most);
+    (middle / std::expm1(middle) > size ? least : most) = middle;
+  }
+  return unrefined * std::expm1(most * part) / std::expm1(most);
+}
+
+}  // namespace
+
+std::string MeshedContact::line() const {
+  return fmt::format(
+      "plane stiffness: {:.3g} times N(N + 1) mu/(2 h), which cells of the length h = {:.3g} radii resolve", ratio,
+      cell);
+}
+
+std::string MeshedContact::warning() const {
+  if (ratio <= most) return {};
+  return fmt::format(
+      "Loads/Plane stiffness: it is {:.3g} times the stiffness that the mesh resolves, so the force of finite elements "
+      "oscillates during contact; raise Continuum/Degree or Continuum/Refinements, lower Continuum/Grading, or lower "
+      "the stiffness",
+      ratio);
+}
+
+std::optional<MeshedContact> meshed_contact(const Scene& scene) {
+  const auto& load = scene.loads.get<loads::RigidPlanes>();
+  const auto mesh = fixed_discretization(scene);
+  const auto models = models_of(scene);
+  const bool has_elements =
+      std::ranges::any_of(models, [](const ModelDescription* model) { return model->discretized; });
+  if (load.normals.empty() || !mesh || !has_elements || is_fluid(scene)) return {};
+  const double radius = scene.body.radius, modulus = scene.material.shear_modulus, time = time_scale(scene);
+  const double usual = loads::RigidPlanes::usual_stiffness * scene.body.density * radius / (time * time);
+  const double cell = cell_at_pole(scene, mesh->refinements);
+  const double resolved = mesh->degree * (mesh->degree + 1) * modulus / (2 * cell * radius);
+  return MeshedContact{cell, load.stiffness.value_or(usual) / resolved};
 }
 
 }  // namespace pseudorigid::scene

@@ -10,6 +10,7 @@
 /// matrix Body/Inertia and a mesh from a file are therefore refused.
 
 #include <optional>
+#include <string>
 
 #include "scene/catalogue.h"
 
@@ -17,5 +18,21 @@ namespace pseudorigid::scene {
 
 /// Returns the violated requirement, or nothing. A scene without planes does not have requirements.
 std::optional<Refusal> refuses_planes(const Scene& scene);
+
+/// The stiffness of the planes over the largest one that the builtin mesh resolves. For elements of degree N and the
+/// length h of the cells at a pole, along the axis, this is N(N + 1)μ/(2h). With a stiffer plane, the nodes of the
+/// surface swing on the plane (tests/continuum/bouncing_bar_test.cpp).
+struct MeshedContact {
+  double cell;   ///< h in radii
+  double ratio;  ///< ratio of the stiffnesses.
+  /// At the ratio 4, the force of an impact oscillates by 0.2 to 0.3 % of its largest value, and at 16 by 0.5 to 1.5 %
+  /// (docs/contact.md).
+  static constexpr double most = 10;
+
+  std::string line() const;     ///< for the list of needed parts
+  std::string warning() const;  ///< empty if the ratio is at most `most`
+};
+/// Nothing without planes, finite elements of a given degree and refinement, or shear modulus.
+std::optional<MeshedContact> meshed_contact(const Scene& scene);
 
 }  // namespace pseudorigid::scene

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "scene/contact.h"
 #include "scene/discretization.h"
 #include "scene/entries.h"
 #include "scene/models.h"
@@ -223,6 +224,10 @@ Needs needs(const Scene& scene) {
            fmt::format("Love numbers: Analysis is {}", analysis_kind.print(scene.analysis)));
   describe_output(scene, needs);
   describe_report(scene, needs);
+  if (const auto contact = meshed_contact(scene); contact && scene.analysis == Analysis::motion) {
+    needs.needed.push_back(contact->line());
+    if (auto warning = contact->warning(); !warning.empty()) needs.warnings.push_back(std::move(warning));
+  }
   if (auto warning = warning_of_law(scene)) needs.warnings.push_back(*std::move(warning));
   for (std::string& warning : unit_warnings(scene)) needs.warnings.push_back(std::move(warning));
   return needs;

@@ -77,6 +77,7 @@ class Validator {
     if (const auto refusal = refuses_companions(scene_)) refuse(*refusal);
     if (scene_.body.incompressible)
       if (const auto refusal = make_isochoric(scene_)) refuse(*refusal);
+    if (const auto refusal = refuses_vibration(scene_)) refuse(*refusal);
     check_models();
   }
 

@@ -81,6 +81,8 @@ TEST(EllipsoidContact, IsTheIntegralOverTheSurface) {
     EXPECT_NEAR(exact.force, expected.force, midpoints * exact.force);
     EXPECT_NEAR(exact.area, expected.area, 1e-2 * exact.area);
     EXPECT_LT((exact.moment - expected.moment).norm(), midpoints * exact.moment.norm());
+    const double radius = loads::summary({plane}, {exact}).pressure_radius;
+    EXPECT_NEAR(radius, loads::summary({plane}, {expected}).pressure_radius, midpoints * radius);
     EXPECT_LT((f.on_Q - force.on_Q).norm(), midpoints * force.on_Q.norm());
     EXPECT_LT((f.on_center - force.on_center).norm(), midpoints * force.on_center.norm());
     EXPECT_LT((of_damping.on_Q - damping.on_Q).norm(), midpoints * damping.on_Q.norm());
@@ -148,16 +150,23 @@ TEST(BouncingBody, KeepsWhatTheFloorLeaves) {
   RecordProperty("worst_energy", std::to_string(worst_energy[0]) + ", " + std::to_string(worst_energy[1]));
 }
 
+/// A hundred bounces and back. A difference of 3.2e-11 was seen after 105 bounces, and the bound set after it.
 TEST(BouncingBody, IsReversible) {
   const Body body = ball_on(loads::Loads(floor_at(0, 200), loads::Acceleration{{0, 0, -2}}));
   const State start = Body::state_of({0, Matrix3d::Identity(), Matrix3d::Zero()}, {0, 0, 1.1}, {0, 0, 0});
-  auto there = run<mechanics::Rattle>(body, start, 10, 1, 2000);
+  auto there = run<mechanics::Rattle>(body, start, 170, 1700, 20);
   ASSERT_TRUE(there.finished());
+  int n_bounces = 0;
+  for (std::size_t k = 1; k < there.states.size(); ++k)
+    if (body.center(there.states[k - 1].v)[2] < 0 && body.center(there.states[k].v)[2] >= 0) ++n_bounces;
+  EXPECT_GE(n_bounces, 100);
   State turned = there.last();
   turned.t = 0;
   turned.v = -turned.v;
-  const auto back = run<mechanics::Rattle>(body, turned, 10, 1, 2000);
-  EXPECT_LT((back.last().q - start.q).norm(), 1e-9);
+  const auto back = run<mechanics::Rattle>(body, turned, 170, 1700, 20);
+  const double difference = (back.last().q - start.q).norm();
+  EXPECT_LT(difference, 1e-9);
+  RecordProperty("difference", std::to_string(difference * 1e12) + "e-12 after " + std::to_string(n_bounces));
 }
 
 /// A ball whose surface is held on all sides has ω² = 10 + 5k, from k∮u² = (4π/3) k |H|² and m̄ = 4π/15. No contact is

@@ -13,7 +13,7 @@ ENERGY = "mass*length^2/time^2"
 COLUMNS = {"time": "time", "Qdot": "1/time", "x": "length", "v": "length/time", "J": "mass*length^2/time",
            "Z": "mass*length^2/time", "multiplier": "1/time^2", "a": "length",
            "contact_force": "mass*length/time^2", "largest_force": "mass*length/time^2", "contact_point": "length",
-           "contact_radius": "length", "penetration": "length", "first_contact": "time", "last_contact": "time",
+           "contact_radius": "length", "pressure_radius": "length", "penetration": "length", "first_contact": "time", "last_contact": "time",
            **dict.fromkeys(("kinetic", "elastic", "gravitational", "external", "dissipated", "energy", "volumetric",
                             "contact"), ENERGY)}
 START = {"Initial state/Deformation": text(diagonal(1.25, 1, 0.8)), "Initial state/Velocity": "0, 0.4, 0; -0.3, 0, 0; 0, 0, 0",

@@ -15,6 +15,7 @@
 #include "continuum/output/nodal_fields.h"
 #include "continuum/output/observe.h"
 #include "continuum/output/rank_order.h"
+#include "continuum/output/vibration.h"
 #include "continuum/parallel/message_counts.h"
 #include "continuum/parallel/ranks.h"
 
@@ -96,6 +97,10 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   Eigen::Matrix3d affine_part(const continuum::Vector& x) const override { return ball_.mass_moment(x); }
   Eigen::Vector3d mean(const continuum::Vector& x) const override { return ball_.mean(x); }
   double least_jacobian_at(const continuum::Vector& x) const override { return ball_.least_jacobian(x).value; }
+  mechanics::VibrationObservables vibration(const State& state, const mechanics::ContinuumObservables& known) override {
+    if (!vibration_) vibration_ = continuum::vibration_of(ball_);
+    return continuum::observe_vibration(ball_, *vibration_, state, known);
+  }
   std::array<double, 3> own_remarks() const override { return wrinkling_.remarks(); }
   void take_own_remarks(std::span<const double, 3> remarks) override { wrinkling_.take_remarks(remarks); }
 
@@ -136,7 +141,8 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   System ball_;
   continuum::RankOrder rank_order_;
   WrinklingWatch wrinkling_;
-  mechanics::PointBlocks blocks_;  ///< empty before the first picture
+  std::optional<mechanics::Vibration> vibration_;  ///< empty before the first row with its columns
+  mechanics::PointBlocks blocks_;                  ///< empty before the first picture
   continuum::MessageCounts counts_at_start_ = continuum::message_counts();
 };
 

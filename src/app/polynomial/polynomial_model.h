@@ -17,6 +17,7 @@
 #include "polynomial/fields.h"
 #include "polynomial/material_faces.h"
 #include "polynomial/observe.h"
+#include "polynomial/vibration.h"
 
 namespace pseudorigid::app {
 
@@ -104,12 +105,17 @@ class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces>
   double least_jacobian_at(const Eigen::VectorXd& x) const override {
     return body_.least(x, [](const Eigen::Matrix3d& F) { return F.determinant(); });
   }
+  mechanics::VibrationObservables vibration(const State& state, const mechanics::ContinuumObservables& known) override {
+    if (!vibration_) vibration_.emplace(body_.space());
+    return vibration_->observe(state, known);
+  }
   std::array<double, 3> own_remarks() const override { return quadrature_.numbers(body_); }
   void take_own_remarks(std::span<const double, 3> remarks) override { quadrature_.take_numbers(remarks, body_); }
 
   System body_;
   RunQuadrature<System> quadrature_;
-  std::optional<Picture> picture_;  ///< empty before the first picture
+  std::optional<polynomial::BodyVibration> vibration_;  ///< empty before the first row with its columns
+  std::optional<Picture> picture_;                      ///< empty before the first picture
 };
 
 }  // namespace pseudorigid::app

@@ -121,6 +121,7 @@ class FieldModel : public RunnableModelOf<S> {
 
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) override {
     if (auto status = observe(this->system(), state, workspace, request_, observables_); !status) return status;
+    if (request_.vibration) observables_.vibration = vibration(state, observables_);
     // `judge` is called after steps only. This call records a contact that exists at the start.
     if (context_.needs.contact && state.t == 0)
       contacts_.look(0, this->system().contact(state.t, state.q), mean(state.v));
@@ -193,6 +194,7 @@ class FieldModel : public RunnableModelOf<S> {
         tension_(context, this->name) {
     request_.nonaffine |= nonaffine_.watches();
     request_.multiplier |= tension_.watches();
+    request_.energies |= request_.vibration;
   }
 
   /// The field c + A X of positions, or of velocities.
@@ -201,6 +203,9 @@ class FieldModel : public RunnableModelOf<S> {
   virtual Eigen::Vector3d mean(const Vector& x) const = 0;
   /// Least det F over the quadrature points. Collective.
   virtual double least_jacobian_at(const Vector& x) const = 0;
+  /// The energy of vibration. `known` has the other observables of the state. Collective.
+  virtual mechanics::VibrationObservables vibration(const State& state,
+                                                    const mechanics::ContinuumObservables& known) = 0;
   virtual std::array<double, 3> own_remarks() const = 0;
   virtual void take_own_remarks(std::span<const double, 3> remarks) = 0;
 

@@ -65,6 +65,7 @@ class BallBody {
   bool time_dependent() const { return loads_.time_dependent(); }
   bool velocity_dependent() const { return loads_.dissipative(); }
   bool dissipative() const { return loads_.dissipative(); }
+  bool has_contact() const { return contact_.has_value(); }
 
   Vector make_vector() const { return space_.make_vector(); }
 

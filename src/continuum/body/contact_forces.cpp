@@ -202,10 +202,10 @@ loads::Contact ContactForces::contact(double t, const Vector& x) const {
         contacts[j].add(planes[j], at_point(positions, p), face.weights(p));
   }
   for (loads::PlaneContact& one : contacts) {
-    const auto [energy, force, area, x0, x1, x2] =
-        sum_over_ranks(std::array{one.energy, one.force, one.area, one.moment[0], one.moment[1], one.moment[2]},
-                       space_.communicator());
-    one = {energy, force, area, least_over_ranks(one.height, space_.communicator()), {x0, x1, x2}};
+    const auto [energy, force, area, spread, x0, x1, x2] = sum_over_ranks(
+        std::array{one.energy, one.force, one.area, one.spread, one.moment[0], one.moment[1], one.moment[2]},
+        space_.communicator());
+    one = {energy, force, area, spread, least_over_ranks(one.height, space_.communicator()), {x0, x1, x2}};
   }
   return summary(planes, of_whole_body(planes, contacts, space_.mesh().sector().reflect));
 }

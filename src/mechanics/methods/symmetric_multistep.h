@@ -109,6 +109,11 @@ struct SymmetricMultistep {
     if (velocity_dependent(system) || dissipative(system) || time_dependent(system))
       return Status::failure(
           "symmetric multistep methods are for conservative forces that depend on the position alone; use explicit-8");
+    // The second derivative of the force jumps at the beginning and the end of a contact. Each jump leaves an
+    // oscillation of the velocity from step to step.
+    if constexpr (requires { system.has_contact(); })
+      if (system.has_contact())
+        return Status::failure("symmetric multistep methods are for smooth forces, not for contact; use rattle");
     return {};
   }
 

@@ -1,0 +1,17 @@
+#pragma once
+/// The energy of vibration of a finite-element ball (observables/vibration.h). The products with the modes are
+/// integrals over the cells.
+
+#include "continuum/output/observe.h"
+#include "observables/vibration.h"
+
+namespace pseudorigid::continuum {
+
+/// The products of the cells of this rank.
+mechanics::Vibration vibration_of(const BallBody& ball);
+
+/// `known` has the centre of mass, its velocity, Q_M, its rate and the elastic energy. Collective.
+mechanics::VibrationObservables observe_vibration(const BallBody& ball, const mechanics::Vibration& vibration,
+                                                  const BallState& state, const mechanics::ContinuumObservables& known);
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,39 @@
+#pragma once
+/// The real solid harmonics r^l Y_lm with their gradients. The functions Y_lm are orthonormal on the unit sphere, and
+/// are proportional to cos mφ (m ≥ 0) or sin |m|φ (m < 0). Recurrences in Cartesian coordinates compute them, so there
+/// are no singularities at the poles or the centre.
+
+#include <array>
+#include <vector>
+
+namespace pseudorigid::mechanics {
+
+/// A value and its gradient.
+struct Jet {
+  double value = 0;
+  std::array<double, 3> gradient{};
+};
+
+inline Jet operator+(const Jet& a, const Jet& b) {
+  Jet sum{a.value + b.value, {}};
+  for (int i = 0; i < 3; ++i) sum.gradient[i] = a.gradient[i] + b.gradient[i];
+  return sum;
+}
+inline Jet operator*(const Jet& a, const Jet& b) {
+  Jet product{a.value * b.value, {}};
+  for (int i = 0; i < 3; ++i) product.gradient[i] = a.gradient[i] * b.value + a.value * b.gradient[i];
+  return product;
+}
+inline Jet operator*(double s, const Jet& a) { return Jet{s, {}} * a; }
+inline Jet constant(double value) { return {value, {}}; }
+
+/// For each axis, whether Y_lm is odd in its coordinate.
+inline std::array<bool, 3> is_odd(int l, int m) {
+  const int order = m < 0 ? -m : m;
+  return {(order % 2 == 1) != (m < 0), m < 0, (l - order) % 2 == 1};
+}
+
+/// The functions |x|^l Y_lm with their gradients for l ≤ N, at [l][l + m].
+std::vector<std::vector<Jet>> solid_harmonics(int N, const std::array<double, 3>& x);
+
+}  // namespace pseudorigid::mechanics
