@@ -3,10 +3,10 @@
 
     benchmarks/contact.py build/release/bin/pseudorigid [--quick] [--only hertz|impact] > contact.csv
 
-hertz: the ball is pressed between two planes of stiffness k and brought to rest by a viscosity, for depths d/r, by finite
-elements. With the force F and radius a of Hertz, F = (16/3) mu sqrt(r) d^(3/2) and a = sqrt(r d):
-columns d, grading, k, F/F_Hertz, a/a_Hertz, penetration/d, and over d the depths for this force by Hertz, with the correction
-for the finite sphere, with finite strains in addition, and with the depth of the plane in addition (hertz.py).
+hertz: the ball is pressed between two planes of stiffness k and brought to rest by a drag, for depths d/r, by finite
+elements: columns d, degree, grading, k, F over (16/3) mu sqrt(r) d^(3/2), and over d the depths for this force by Hertz, with the
+correction for the finite sphere, with finite strains in addition, and with the depth of the plane in addition (hertz.py). Then,
+over Hertz's values for this force, the radius by the area, the radius by the pressure, and the largest pressure.
 
 impact: the ball hits a plane with the speed v, by the pseudo-rigid ball, polynomial bodies and finite elements: columns
 model, degree, refinements, grading, k, v/c, e, (1 - e^2) c/v, the same by the sum over modes, T c/r, T by Hertz,
@@ -37,7 +37,9 @@ COARSE = {"Continuum/Degree": 4, "Continuum/Refinements": 1, "Continuum/Grading"
 FINE = {"Continuum/Degree": 4, "Continuum/Refinements": 1, "Continuum/Grading": 0.15, "Continuum/Error estimate": "none"}
 FINEST = {**FINE, "Continuum/Degree": 5, "Continuum/Grading": 0.1}
 # Pairs show the effect of the mesh (first two, next two) and of the stiffness (second and third, last two).
-PRESSES = (0.04, 0.3), (0.02, 0.2)  # depth and grading
+# Depth, degree, grading and stiffness.
+PRESSES = ((0.04, 4, 0.3, 1000), *((0.02, degree, 0.2, 1000) for degree in (3, 4, 5, 6)), (0.02, 5, 0.2, 150),
+           *((0.01, degree, 0.1, 2000) for degree in (3, 4, 5, 6)))
 STUDY = ((COARSE, 100), (FINE, 100), (FINE, 300), (FINEST, 300), (FINEST, 1000))
 
 
@@ -49,18 +51,22 @@ def loss_by_modes(v):
     return 5.72958 * sum(p * (1 + math.sin(w * hertz_time(v))) / w**5 for _, w, p in MODES)
 
 
-def press(run, depth, grading, k):
+def press(run, depth, degree, grading, k):
     axis = 1 - depth
-    entries = {**FINE, "Continuum/Grading": grading}
     side = axis**-0.5
-    table = run({**entries, "Models": "continuum", "Loads/Plane normals": "0, 0, 1; 0, 0, -1",
-                 "Loads/Plane points": f"0, 0, {-axis!r}; 0, 0, {axis!r}", "Loads/Plane stiffness": k, "Material/Viscosity": 0.3,
+    table = run({**FINE, "Continuum/Degree": degree, "Continuum/Grading": grading, "Models": "continuum",
+                 "Loads/Plane normals": "0, 0, 1; 0, 0, -1", "Loads/Plane points": f"0, 0, {-axis!r}; 0, 0, {axis!r}",
+                 "Loads/Plane stiffness": k, "Material/Drag": 3,
                  "Initial state/Deformation": f"{side!r}, 0, 0; 0, {side!r}, 0; 0, 0, {axis!r}", "Time/End": 6,
-                 "Time/Tolerance": 1e-3, "Output/Samples": 30}).table("continuum.csv")
-    force, radius = table["contact_force"][-1], table["contact_radius"][-1]
+                 "Time/Method": "rattle", "Time/Step": 0.098 * grading / degree**2,  # 0.8 of the stable step
+                 "Output/Samples": 12}).table("continuum.csv")
+    force = table["contact_force"][-1]
     both = hertz.TWO_PLANES - hertz.finite_strains()
     depths = hertz.depth(force), hertz.depth(force, hertz.TWO_PLANES), hertz.depth(force, both), hertz.depth(force, both, k)
-    return (depth, grading, k, force / (16 / 3 * depth**1.5), radius / math.sqrt(depth), table["penetration"][-1] / depth, *(d / depth for d in depths))
+    radius = hertz.radius(force)
+    pressure = 3 * force / (2 * math.pi * radius**2)
+    return (depth, degree, grading, k, force / (16 / 3 * depth**1.5), *(d / depth for d in depths),
+            table["contact_radius"][-1] / radius, table["pressure_radius"][-1] / radius, k * table["penetration"][-1] / pressure)
 
 
 def impact(run, model, v, entries):
@@ -98,10 +104,10 @@ def main():
             print(*(value if isinstance(value, str) else f"{value:.6g}" for value in values), sep=",", flush=True)
 
         if options.only != "impact":
-            show("depth", "grading", "stiffness", "force_ratio", "radius_ratio", "penetration_ratio", "depth_hertz", "depth_sphere",
-                 "depth_strains", "depth_plane")
-            for depth, grading in PRESSES[:1] if options.quick else PRESSES:
-                show(*press(run, depth, grading, 1e3))
+            show("depth", "degree", "grading", "stiffness", "force_ratio", "depth_hertz", "depth_sphere", "depth_strains",
+                 "depth_plane", "radius_ratio", "pressure_radius_ratio", "pressure_ratio")
+            for case in PRESSES[:1] if options.quick else PRESSES:
+                show(*press(run, *case))
         if options.only != "hertz":
             show("model", "degree", "refinements", "grading", "stiffness", "v", "e", "loss", "loss_by_modes", "duration",
                  "duration_hertz", "force", "force_hertz", "unknowns", "seconds", "duration_sphere", "force_sphere")
