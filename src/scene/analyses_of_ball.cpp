@@ -172,6 +172,8 @@ std::optional<Refusal> refuses_vibration(const Scene& scene) {
   if (has_mesh_file(scene)) return Refusal{"Continuum/Mesh", std::string(reason), {{{"Continuum/Mesh", "builtin"}}}};
   if (loads::present(scene.loads.get<loads::SelfGravity>()))
     return Refusal{"Gravity/Constant", fmt::format("{} without self-gravity", reason), {{{"Gravity/Constant", "0"}}}};
+  if (loads::present(scene.loads.get<loads::Viscoelasticity>()))
+    return Refusal{"Material/Branch moduli", fmt::format("{} without viscoelastic branches", reason)};
   return {};
 }
 
