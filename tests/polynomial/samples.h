@@ -55,6 +55,7 @@ struct SetEntries {
     const Vector3d of_no_symmetry(0.2, -0.1, 0.15);
     for (std::size_t i = 0; i < b.size(); ++i) b[i] = planes[i] ? 0 : of_no_symmetry[static_cast<Eigen::Index>(i)];
   }
+  void operator()(bool&, const auto&, const auto&) const {}
   void operator()(std::optional<double>& x, const auto&, const auto&) const { x = 0.3; }
   void operator()(scene::Matrix3& T, const auto&, const auto&) const {
     Matrix3d of_no_symmetry;

@@ -131,6 +131,9 @@ Eigen::VectorXd numbers(const loads::Forcing& forcing) {
         for (const Eigen::Vector3d& part : {companion.position, companion.velocity.value_or(Eigen::Vector3d::Zero())})
           values.insert(values.end(), part.data(), part.data() + 3);
       }
+    else if constexpr (std::is_same_v<Value, loads::Branches>)
+      for (const materials::MaxwellBranch& branch : value.list)
+        values.insert(values.end(), {branch.modulus, branch.relaxation_time});
     else
       values.insert(values.end(), value.data(), value.data() + value.size());
   });
@@ -235,7 +238,7 @@ TEST(EveryLoad, HasInternalValuesByTheUnitsOfItsEntries) {
         in_these_units(*member);
       else if constexpr (std::is_same_v<Value, Matrix3>)
         for (auto& row : member) std::ranges::for_each(row, in_these_units);
-      else
+      else if constexpr (!std::is_same_v<Value, bool>)
         std::ranges::for_each(member, in_these_units);
     };
     L::visit_entries(other.loads.get<L>(), scale);

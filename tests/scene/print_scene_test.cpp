@@ -71,6 +71,10 @@ Scene any_scene(std::mt19937_64& random) {
       for (auto& row : member) row = {any_number(random), any_number(random), any_number(random)};
     else if constexpr (std::is_same_v<Kind, AutoOrNumber>)
       member = positive_number();
+    else if constexpr (std::is_same_v<Kind, Boolean>)
+      member = random() % 2 == 0;
+    else if constexpr (std::is_same_v<Kind, Numbers>)
+      for (double& entry : member = {1, 2, 3}) entry = kind.number.low == 0 ? positive_number() : any_number(random);
     else
       member = {any_number(random), any_number(random), any_number(random)};
   });
