@@ -66,7 +66,7 @@ TEST(Trajectory, EveryGroupCanBeLeftOutAndTimeStays) {
   const scene::Quantities nothing{false, false, false, false, false, false, false, false, false, false};
   EXPECT_EQ(Reduced(nothing).names(), std::vector<std::string>{"time"});
   const ContinuumObservables o = distinct_observables();
-  constexpr scene::Quantities all_groups{true, true, true, true, true, true, true,
+  constexpr scene::Quantities all_groups{true, true, true, true, true, true, true, true,
                                          true, true, true, true, true, true, true};
   const std::vector<std::string> all = Continuum(all_groups).names();
   std::vector<double> full_row, row;
@@ -183,7 +183,7 @@ TEST(Trajectory, EveryColumnIsDocumented) {
   for (const scene::Column& column : documented_columns<ContinuumObservables>()) {
     EXPECT_FALSE(column.documentation.empty()) << column.name;
     const std::string first = column.name.substr(0, column.name.find(' '));
-    constexpr scene::Quantities all_groups{true, true, true, true, true, true, true,
+    constexpr scene::Quantities all_groups{true, true, true, true, true, true, true, true,
                                            true, true, true, true, true, true, true};
     EXPECT_EQ(std::ranges::count(Continuum(all_groups).names(), first), 1) << first;
   }
