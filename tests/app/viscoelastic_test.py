@@ -216,6 +216,19 @@ class Viscoelastic(RefusedInputTest, RanksTest):
             for name in ("Q11", "dissipated", "viscoelastic"):
                 self.assertEqual(whole.column(name), parts.column(name), model)
 
+    def test_two_ranks_are_one_and_resume_each_other(self):
+        self.scene({**STRETCH, **BRANCHES, **FIXED, "Models": "continuum", "Continuum/Degree": 2, "Continuum/Error estimate": "none", "Time/Step": 0.02,
+                    "Time/Constraint tolerance": 1e-13, "Output/Samples": 10, "Time/End": 1})
+        self.run_done("run", "scene.prm", "--output", "one")
+        self.run_on(2, "run", "scene.prm", "--output", "two")
+        self.run_on(2, "run", "scene.prm", "--output", "parts", *overrides({"Time/End": 0.5, "Output/Samples": 5}))
+        self.run_done("run", "scene.prm", "--output", "parts", "--resume")
+        one = self.table("one/continuum.csv")
+        for other in ("two", "parts"):
+            for name in ("Q11", "Q33", "dissipated", "viscoelastic", "energy"):
+                for a, b in zip(one.column(name), self.table(f"{other}/continuum.csv").column(name)):
+                    self.assertAlmostEqual(a, b, delta=1e-12, msg=f"{other} {name}")
+
     def test_pictures_contain_the_stress_of_the_branches(self):
         """At the start, the branches make the law stiffer by their moduli: all models have the same deviatoric stress."""
         import meshio

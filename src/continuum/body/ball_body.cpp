@@ -129,6 +129,10 @@ void BallBody::add_to_account(double energy, unsigned int component, Vector& v) 
     v.local_element(*entry + component) += space_.mesh().sector().n_images() * energy;
 }
 
+double BallBody::relax(double h, const Vector& before, Vector& x) const {
+  return sum_over_ranks(kernels_->relax_branches(branches_.list, h, before, x), space_.communicator());
+}
+
 double BallBody::energy_of_branches(const Vector& x) const {
   if (!relaxes()) return 0;
   return space_.mesh().sector().n_images() *

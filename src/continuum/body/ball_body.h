@@ -72,9 +72,8 @@ class BallBody {
   }
   bool relaxes() const { return !branches_.empty(); }
   const materials::MaxwellBranches& branches() const { return branches_.list; }
-  double relax(double h, const Vector& before, Vector& x) const {
-    return kernels_->relax_branches(branches_.list, h, before, x);
-  }
+  /// Returns the energy that the sector has dissipated on all ranks. Collective.
+  double relax(double h, const Vector& before, Vector& x) const;
   /// Sets the internal metrics of x to Ĉ if `relaxed` is true, and otherwise to the metric of the reference body.
   void start_branches(bool relaxed, Vector& x) const { kernels_->start_branches(branches_.list.size(), relaxed, x); }
   /// The energy that the branches of the whole ball store. Collective.

@@ -18,7 +18,7 @@ concept Relaxing = ConstrainedSystem<S> &&
     requires(const S s, double h, const typename S::Vector before, typename S::Vector q, typename S::Vector v) {
   { s.relaxes() } -> std::same_as<bool>;  // false if the system has no internal variables
   /// Replaces z in q by its value after the time h, for the mean strain of the positions `before` and q. Returns the
-  /// energy that the part of the body on this process dissipates.
+  /// dissipated energy, as an argument of `add_taken`.
   { s.relax(h, before, q) } -> std::same_as<double>;
   s.add_taken(0.0, v);  // (energy, v): adds to the dissipated energy, which v contains
 };
