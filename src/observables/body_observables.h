@@ -254,7 +254,8 @@ inline constexpr BodyColumn<O> common_columns[] = {
      "size of the bulge in the orbital plane over that of a ball with Love number 1. It is |k2| of a ball with a small "
      "tide in a circular orbit, with the spin along its normal, after the free oscillations",
      [](const O& o) { return o.orbit.k2; }},
-    {"inverse_Q", &Quantities::orbit, "", "1/Q = |sin(2 lag)|, that of the tide under the same conditions",
+    {"inverse_Q", &Quantities::orbit, "",
+     "1/Q = |sin(2 lag)|, the inverse quality factor of the tide under the same conditions",
      [](const O& o) { return o.orbit.inverse_Q; }},
     {"torque", &Quantities::orbit, "mass*length^2/time^2", "torque of the companions on the body about its centre",
      [](const O& o) { return o.orbit.torque; }},
