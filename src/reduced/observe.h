@@ -11,6 +11,7 @@
 
 #include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/principal_axes.h"
+#include "mechanics/core/relaxation.h"
 #include "observables/orbit.h"
 #include "reduced/bipolar.h"
 #include "reduced/local_path.h"
@@ -41,18 +42,20 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
       if (mechanics::time_dependent(system)) o.external += system.driven_energy(state);
     o.dissipated = system.dissipated(state);
     if constexpr (requires { system.energy_of_branches(state.q); })
-      o.elastic += o.viscoelastic = system.energy_of_branches(state.q);
+      if (mechanics::relaxes(system)) o.elastic += o.viscoelastic = system.energy_of_branches(state.q);
   }
-  if constexpr (requires { system.contact(state.t, state.q); }) o.contact.take(system.contact(state.t, state.q));
+  if constexpr (requires { system.contact(state.t, state.q); })
+    if (system.has_contact()) o.contact.take(system.contact(state.t, state.q));
   if (request.momenta) {
     o.angular_momentum = mechanics::axial_vector(Q * body.E0() * Qdot.transpose());
     o.circulation = mechanics::axial_vector(body.E0() * Qdot.transpose() * Q);
   }
-  if constexpr (requires { system.orbit(); }) {
-    const Eigen::Matrix3d QE0 = Q * body.E0();
-    o.orbit = mechanics::observe_orbit(system.orbit(), system.companions(state.q), system.companions(state.v),
-                                       QE0 * Q.transpose(), mechanics::axial_vector(QE0 * Qdot.transpose()));
-  }
+  if constexpr (requires { system.orbit(); })
+    if (system.drifts()) {
+      const Eigen::Matrix3d QE0 = Q * body.E0();
+      o.orbit = mechanics::observe_orbit(system.orbit(), system.companions(state.q), system.companions(state.v),
+                                         QE0 * Q.transpose(), mechanics::axial_vector(QE0 * Qdot.transpose()));
+    }
   if (request.axes) o.semi_axes = mechanics::singular_values(Q * body.reference().shape);
   if (request.vibration) {
     const Eigen::Matrix3d moment = Q * body.E0() * Q.transpose();

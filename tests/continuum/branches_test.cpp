@@ -5,10 +5,9 @@
 
 #include "continuum/balls.h"
 #include "materials/eigen_tensor.h"
-#include "reduced/dissipative_body.h"
+#include "reduced/loaded_body.h"
 #include "reduced/potential.h"
 #include "reduced/pseudo_rigid_body.h"
-#include "reduced/viscoelastic_body.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -48,12 +47,9 @@ struct Branches : ::testing::TestWithParam<int> {
 TEST_P(Branches, AffineMotionsAreThoseOfThePseudoRigidBody) {
   const auto reference = reduced::ReferenceBody::of_inertia(ball.E0(), ball.volume());
   using Body = reduced::PseudoRigidBody<CiarletGeymonat, false>;
-  const reduced::ViscoelasticBody body(reduced::DissipativeBody<Body>(Body(neo_hookean, reference), {}),
-                                       loads::constant_forcing(branched()).branches);
-  using State = mechanics::State<decltype(body)>;
+  const reduced::LoadedBody<Body> body(Body(neo_hookean, reference), branched());
   const Matrix3d Q0 = deformation(), Q1 = deformation();
-  const auto at = [&](const Matrix3d& Q) { return reduced::DissipativeBody<Body>::state_of({0, Q, Matrix3d::Zero()}); };
-  const State before = body.with_branches(at(Q0));
+  const auto before = body.start({0, Q0, Matrix3d::Zero()}, Vector3d::Zero(), Vector3d::Zero());
   auto q = before.q;
   q.leftCols<3>() = Q1;
   Vector x0 = ball.affine_field(Q0), x = ball.affine_field(Q1);

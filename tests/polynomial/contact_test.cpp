@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "polynomial/samples.h"
-#include "reduced/body_on_planes.h"
+#include "reduced/loaded_body.h"
 #include "reduced/potential.h"
 #include "reduced/pseudo_rigid_body.h"
 #include "support/differences.h"
@@ -79,7 +79,7 @@ TEST(PolynomialContact, OfDegreeOneIsThePseudoRigidBody) {
     const IncompressibleBody body(BodySetup{.degree = 1, .semi_axes = axes, .loads = loads});
     const auto reference = reduced::ReferenceBody::ellipsoid(axes);
     const loads::Forcing forcing = loads::constant_forcing(loads);
-    using Reduced = reduced::BodyOnPlanes<reduced::PseudoRigidBody<reduced::Potential, true>>;
+    using Reduced = reduced::LoadedBody<reduced::PseudoRigidBody<reduced::Potential, true>>;
     const Reduced reduced({reduced::Potential(materials::CiarletGeymonat{1, 0}, reference, forcing), reference}, loads);
     const Matrix3d Q = Matrix3d::Identity() + 0.2 * random_matrix(generator), Qdot = random_matrix(generator);
     const Vector3d c = 0.1 * random_matrix(generator).col(0), cdot = random_matrix(generator).col(1);

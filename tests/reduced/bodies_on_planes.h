@@ -1,13 +1,13 @@
 #pragma once
 /// The incompressible ball on rigid planes, and its balance of energy.
 
-#include "reduced/body_on_planes.h"
+#include "reduced/loaded_body.h"
 #include "reduced/potential.h"
 #include "reduced/pseudo_rigid_body.h"
 
 namespace pseudorigid::testing {
 
-using BodyOnPlanes = reduced::BodyOnPlanes<reduced::PseudoRigidBody<reduced::Potential, true>>;
+using BodyOnPlanes = reduced::LoadedBody<reduced::PseudoRigidBody<reduced::Potential, true>>;
 using StateOnPlanes = mechanics::State<BodyOnPlanes>;
 
 inline BodyOnPlanes ball_on(const loads::Loads& loads) {

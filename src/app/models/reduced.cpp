@@ -26,16 +26,8 @@ std::optional<scene::Refusal> refuses_body(const scene::Scene& scene) {
       return refuses_method(scene, system_of<ReducedForm::diagonal, incompressible>(s));
     case ReducedForm::dissipative:
       return refuses_method(scene, system_of<ReducedForm::dissipative, incompressible>(s));
-    case ReducedForm::touching:
-      return refuses_method(scene, system_of<ReducedForm::touching, incompressible>(s));
-    case ReducedForm::orbiting:
-      return refuses_method(scene, system_of<ReducedForm::orbiting, incompressible>(s));
-    case ReducedForm::viscoelastic:
-      return refuses_method(scene, system_of<ReducedForm::viscoelastic, incompressible>(s));
-    case ReducedForm::viscoelastic_touching:
-      return refuses_method(scene, system_of<ReducedForm::viscoelastic_touching, incompressible>(s));
-    case ReducedForm::viscoelastic_orbiting:
-      return refuses_method(scene, system_of<ReducedForm::viscoelastic_orbiting, incompressible>(s));
+    case ReducedForm::loaded:
+      return refuses_method(scene, system_of<ReducedForm::loaded, incompressible>(s));
   }
   return {};
 }

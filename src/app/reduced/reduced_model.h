@@ -54,30 +54,32 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   /// The matrix Q. If the scene has contact planes, the centre of mass is a fourth column. If it has companions, their
   /// coordinates follow, in units of the initial distances.
   Eigen::MatrixXd configuration(const State& state) const override {
-    if constexpr (on_planes)
-      return state.q.template leftCols<4>();
-    else if constexpr (has_orbit)
-      return with_companions(Q_of(state), system_.orbit(), system_.companions(state.q));
-    else
-      return Q_of(state);
+    if constexpr (is_loaded) {
+      if (system_.has_contact()) return state.q.template leftCols<4>();
+      if (system_.drifts()) return with_companions(Q_of(state), system_.orbit(), system_.companions(state.q));
+    }
+    return Q_of(state);
   }
   State start_of_pilot(const State& state) const override {
     State start = state;
-    if constexpr (has_orbit) {
-      const double end = context_.internal_time(context_.scene.time.end);
-      start = system_.with_companions(start, system_.orbit().near_closest_approach(end, pilot_window(end) / 2));
-    }
-    if constexpr (on_planes)
+    if constexpr (is_loaded) {
+      if (system_.drifts()) {
+        const double end = context_.internal_time(context_.scene.time.end);
+        start = system_.with_companions(start, system_.orbit().near_closest_approach(end, pilot_window(end) / 2));
+      }
+      if (!system_.has_contact()) return start;
       if (const auto flight = flight_to_contact(system_.contact(state.t, state.q), System::center(state.v),
                                                 loads::full_forcing(internal_loads(context_.scene)))) {
         start.q.col(3) += flight->displacement;
         start.v.col(3) += flight->velocity_change;
       }
+    }
     return start;
   }
   State in_contact(const State& state) const override {
     State pressed = start_of_pilot(state);
-    if constexpr (on_planes) {
+    if constexpr (is_loaded) {
+      if (!system_.has_contact()) return pressed;
       const loads::Contact now = system_.contact(pressed.t, pressed.q);
       const loads::Forcing loads = loads::full_forcing(internal_loads(context_.scene));
       const double depth = depth_of_contact(now, System::center(pressed.v), loads);
@@ -104,11 +106,9 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
       if (auto status = reduced::observe_bipolar(system_, state, workspace, bipolar_, observables_); !status)
         return status;
     if (auto status = add_center_of_mass(state); !status) return status;
-    if constexpr (on_planes) {
-      // `judge` is called after steps only. This call records a contact that exists at the start.
-      if (state.t == 0) contacts_.look(0, system_.contact(state.t, state.q), System::center(state.v));
-      contacts_.write(observables_.contact);
-    }
+    // `judge` is called after steps only. This call records a contact that exists at the start.
+    if (state.t == 0) look_at_contact(state);
+    if (on_planes()) contacts_.write(observables_.contact);
     tension_.look(time, observables_.multiplier * context_.units.multiplier());
     note_motion(Q_of(state));
     trajectory_.row(time, observables_, row);
@@ -119,18 +119,9 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   /// This value is the distance of Q from the nearest singular matrix (Eckart and Young). If it is at most the
   /// tolerance of Q, the exact motion may have collapsed already, and the function fails.
   mechanics::Status judge(const State& state) override {
-    if constexpr (on_planes) contacts_.look(state.t, system_.contact(state.t, state.q), System::center(state.v));
+    look_at_contact(state);
     const Eigen::Matrix3d Q = Q_of(state);
-    if constexpr (has_orbit) {
-      const Eigen::Matrix3d S = Q * system_.body().E0() * Q.transpose();
-      const auto energy_of_body = [&] {
-        if (!scene::is_fluid(context_.scene)) return -1.0;
-        return own_energy(system_.orbit(), S, Q, system_.motion(state).v);
-      };
-      if (auto status = collisions_.look(state.t, system_.orbit(), S, system_.companions(state.q), energy_of_body);
-          !status)
-        return status;
-    }
+    if (auto status = look_at_orbit(state, Q); !status) return status;
     if constexpr (!mechanics::unconstrained<System>) return {};
     const double tolerance = context_.scene.time.tolerance;
     // Because det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2, the least singular value σ₃ is at least 2 det Q/|Q|². In most steps,
@@ -163,12 +154,12 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   }
 
   std::vector<double> remarks() const override {
-    if constexpr (!on_planes) return {};
+    if (!on_planes()) return {};
     const auto numbers = contacts_.numbers();
     return {numbers.begin(), numbers.end()};
   }
   void take_remarks(std::span<const double> remarks) override {
-    if constexpr (on_planes) contacts_.take_numbers(remarks.first<ContactWatch::n_numbers>());
+    if (on_planes()) contacts_.take_numbers(remarks.first<ContactWatch::n_numbers>());
   }
 
   mechanics::Status write_frame(const std::filesystem::path& path, double time, const State& state,
@@ -187,16 +178,35 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   }
 
  private:
+  static constexpr bool is_loaded = requires(const System& s) { s.orbit(); };
   /// True if the centre of mass is a part of the state.
-  static constexpr bool on_planes = requires(const System& s, const State& state) { s.contact(state.t, state.q); };
-  static constexpr bool has_orbit = requires(const System& s) { s.orbit(); };
+  bool on_planes() const {
+    if constexpr (is_loaded) return system_.has_contact();
+    return false;
+  }
+  /// Fails after a collision or a disruption.
+  mechanics::Status look_at_orbit(const State& state, const Eigen::Matrix3d& Q) {
+    if constexpr (is_loaded)
+      if (system_.drifts()) {
+        const Eigen::Matrix3d S = Q * system_.body().E0() * Q.transpose();
+        const auto energy_of_body = [&] {
+          if (!scene::is_fluid(context_.scene)) return -1.0;
+          return own_energy(system_.orbit(), S, Q, system_.motion(state).v);
+        };
+        return collisions_.look(state.t, system_.orbit(), S, system_.companions(state.q), energy_of_body);
+      }
+    return {};
+  }
+  void look_at_contact(const State& state) {
+    if constexpr (is_loaded)
+      if (on_planes()) contacts_.look(state.t, system_.contact(state.t, state.q), System::center(state.v));
+  }
 
   Eigen::Matrix3d Q_of(const State& state) const { return system_.motion(state).q; }
   reduced::CenterOfMass::Motion center_at(const State& state) {
-    if constexpr (on_planes)
-      return {System::center(state.q), System::center(state.v)};
-    else
-      return center_.at(state.t);
+    if constexpr (is_loaded)
+      if (on_planes()) return {System::center(state.q), System::center(state.v)};
+    return center_.at(state.t);
   }
 
   /// The fields for a picture. All fields except positions and velocities are uniform in the body.
@@ -207,7 +217,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     const auto center = center_at(state);
     Eigen::Matrix3d stress = body.cauchy_stress(Q, Lambda / body.m_bar());
     double energy = std::visit([&](const auto& law) { return law.energy(materials::to_tensor(Q)); }, law_);
-    if constexpr (requires { system_.energy_of_branches(state.q); }) {
+    if constexpr (is_loaded) {
       stress += system_.stress_of_branches(state.q) * Q.transpose() / Q.determinant();
       energy += system_.energy_of_branches(state.q) / body.reference().volume;
     }
@@ -263,7 +273,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     const reduced::CenterOfMass& law = center_.law();
     observables_.kinetic += mass * law.kinetic(motion);
     observables_.external += mass * law.potential(motion);
-    if constexpr (on_planes) return {};  // the energies of the system contain the other terms
+    if (on_planes()) return {};  // the energies of the system contain the other terms
     if (center_is_driven_) observables_.external += mass * law.driven(motion, t);
     if (drag_on_center_) {
       const reduced::CenterOfMass::Motion start{law.position, law.velocity};

@@ -37,10 +37,8 @@ ReducedScene reduced_scene(const scene::Scene& scene) {
 }
 
 ReducedForm form_of(const ReducedScene& s) {
-  const bool branched = !s.forcing.branches.empty();
-  if (!s.forcing.planes.empty()) return branched ? ReducedForm::viscoelastic_touching : ReducedForm::touching;
-  if (!s.forcing.companions.empty()) return branched ? ReducedForm::viscoelastic_orbiting : ReducedForm::orbiting;
-  if (branched) return ReducedForm::viscoelastic;
+  if (!s.forcing.planes.empty() || !s.forcing.companions.empty() || !s.forcing.branches.empty())
+    return ReducedForm::loaded;
   if (s.dissipation.present() || loads::depend_on_time(s.loads)) return ReducedForm::dissipative;
   if (s.keeps_diagonal) return ReducedForm::diagonal;
   const bool plain = s.forcing.gravity_constant == 0 && !reduced::ExternalPotential(s.forcing).present();

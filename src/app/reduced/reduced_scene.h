@@ -5,14 +5,12 @@
 #include <optional>
 
 #include "materials/law_table.h"
-#include "reduced/body_on_planes.h"
 #include "reduced/center_of_mass.h"
 #include "reduced/diagonal_body.h"
 #include "reduced/dissipative_body.h"
-#include "reduced/orbiting_body.h"
+#include "reduced/loaded_body.h"
 #include "reduced/potential.h"
 #include "reduced/pseudo_rigid_body.h"
-#include "reduced/viscoelastic_body.h"
 #include "scene/scene.h"
 
 namespace pseudorigid::app {
@@ -32,15 +30,11 @@ ReducedScene reduced_scene(const scene::Scene& scene);
 
 /// The forms of the pseudo-rigid body. Each form has only the forces and coordinates that it needs.
 enum class ReducedForm {
-  elastic,                ///< neo-Hookean energy (Ciarlet–Geymonat's type) and no loads; law known at compile time
-  general,                ///< any law, self-gravity, and loads with a potential
-  diagonal,               ///< Q stays diagonal, three unknowns; loads as for `general`
-  dissipative,            ///< viscosity, drag or loads that depend on time, and the energy of these forces
-  touching,               ///< rigid planes, which couple the centre of mass to Q; any other loads
-  orbiting,               ///< companions in orbit; viscosity and loads with a potential
-  viscoelastic,           ///< the form `dissipative` with viscoelastic branches
-  viscoelastic_touching,  ///< the form `touching` with viscoelastic branches
-  viscoelastic_orbiting   ///< the form `orbiting` with viscoelastic branches
+  elastic,      ///< neo-Hookean energy (Ciarlet–Geymonat's type) and no loads; law known at compile time
+  general,      ///< any law, self-gravity, and loads with a potential
+  diagonal,     ///< Q stays diagonal, three unknowns; loads as for `general`
+  dissipative,  ///< viscosity, drag or loads that depend on time, and the energy of these forces
+  loaded        ///< planes, companions or viscoelastic branches; any other loads
 };
 
 template <bool incompressible>
@@ -71,28 +65,15 @@ auto system_of(const ReducedScene& s) {
     return reduced::DiagonalBody<Body>(general_body<incompressible>(s));
   else if constexpr (form == ReducedForm::dissipative)
     return reduced::DissipativeBody<Body>(general_body<incompressible>(s), s.dissipation, s.loads);
-  else if constexpr (form == ReducedForm::touching)
-    return reduced::BodyOnPlanes<Body>(general_body<incompressible>(s), s.loads);
-  else if constexpr (form == ReducedForm::viscoelastic)
-    return reduced::ViscoelasticBody(system_of<ReducedForm::dissipative, incompressible>(s), s.forcing.branches);
-  else if constexpr (form == ReducedForm::viscoelastic_touching)
-    return reduced::ViscoelasticBody(system_of<ReducedForm::touching, incompressible>(s), s.forcing.branches);
-  else if constexpr (form == ReducedForm::viscoelastic_orbiting)
-    return reduced::ViscoelasticBody(system_of<ReducedForm::orbiting, incompressible>(s), s.forcing.branches);
   else
-    return reduced::OrbitingBody(system_of<ReducedForm::dissipative, incompressible>(s),
-                                 mechanics::Orbit(s.forcing.companions, s.forcing.gravity_constant, s.body.mass));
+    return reduced::LoadedBody<Body>(general_body<incompressible>(s), s.loads);
 }
 
 /// The initial state in the coordinates of the system of a form.
 template <class System>
 mechanics::State<System> start_of(const System& system, const ReducedScene& s) {
-  if constexpr (requires { system.form(); })
-    return system.with_branches(start_of(system.form(), s));
-  else if constexpr (requires { system.start(s.start); })
-    return system.start(s.start);
-  else if constexpr (requires { System::state_of(s.start, s.center.position, s.center.velocity); })
-    return System::state_of(s.start, s.center.position, s.center.velocity);
+  if constexpr (requires { system.start(s.start, s.center.position, s.center.velocity); })
+    return system.start(s.start, s.center.position, s.center.velocity);
   else if constexpr (requires { System::state_of(s.start); })
     return System::state_of(s.start);
   else

@@ -22,16 +22,8 @@ ModelOutcome run_reduced(const RunContext& context) {
       return run_reduced_form<ReducedForm::diagonal>(scene, context);
     case ReducedForm::dissipative:
       return run_reduced_form<ReducedForm::dissipative>(scene, context);
-    case ReducedForm::touching:
-      return run_reduced_form<ReducedForm::touching>(scene, context);
-    case ReducedForm::orbiting:
-      return run_reduced_form<ReducedForm::orbiting>(scene, context);
-    case ReducedForm::viscoelastic:
-      return run_reduced_form<ReducedForm::viscoelastic>(scene, context);
-    case ReducedForm::viscoelastic_touching:
-      return run_reduced_form<ReducedForm::viscoelastic_touching>(scene, context);
-    case ReducedForm::viscoelastic_orbiting:
-      return run_reduced_form<ReducedForm::viscoelastic_orbiting>(scene, context);
+    case ReducedForm::loaded:
+      return run_reduced_form<ReducedForm::loaded>(scene, context);
   }
   return {};
 }

@@ -40,23 +40,10 @@ inline constexpr bool takes_any_vector = [] {
   return false;
 }();
 
-/// True if all systems of this type have internal variables, and true if a method integrates these (relaxation.h).
-template <class S>
-inline constexpr bool always_relaxes = requires {
-  requires S::always_relaxes;
-};
-template <class Method>
-inline constexpr bool integrates_relaxation = requires {
-  requires Method::integrates_relaxation;
-};
-
-/// True if the method compiles for the type of the system. A method that would refuse all systems of the type is not
-/// compiled.
+/// True if the method compiles for the type of the system.
 template <class Method, class S>
 consteval bool method_fits() {
-  if constexpr (always_relaxes<S> && !integrates_relaxation<Method>)
-    return false;
-  else if constexpr (!VectorSpace<typename S::Vector>::dense && !takes_any_vector<Method>)
+  if constexpr (!VectorSpace<typename S::Vector>::dense && !takes_any_vector<Method>)
     return false;
   else
     return Method::template fits<FormFor<Method, S>>;

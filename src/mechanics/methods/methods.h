@@ -10,7 +10,6 @@
 ///     Workspace<S>                         with `system`, `counters` and visit_memory (memory.h)
 ///     fits<S>                              true if the method compiles for a system of type S
 ///     takes_any_vector                     optional, true if the method needs only the operations of VectorSpace
-///     integrates_relaxation                optional, true if the method integrates internal variables (relaxation.h)
 ///     accepts(system) → Status             fails with the reason if the method must not integrate this system
 ///
 /// A method with steps of fixed size (adaptive = false) also has

@@ -49,7 +49,6 @@ struct Rattle {
   static constexpr int n_stages = 1;
   static constexpr bool symplectic = true, symmetric = true;
   static constexpr bool adaptive = false, chosen_by_auto = true, takes_any_vector = true;
-  static constexpr bool integrates_relaxation = true;
   /// Largest hω of the harmonic oscillator for which the step is stable.
   static constexpr double stability_limit = 2.0;
 

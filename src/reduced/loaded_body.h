@@ -1,0 +1,288 @@
+#pragma once
+/// The pseudo-rigid body with every load and every further coordinate. With the mass M, the volume Vol, the internal
+/// metrics C_b of viscoelastic branches and the coordinates s_k of companions,
+///
+///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ − ∂V_t/∂Q − T_s Q E₀ − Vol Σ P_b(Q, C_b) + Λ Q⁻ᵀ,
+///   M c̈  = M (b − T c) − ∂V_c/∂c − ∂R/∂ċ − ∂V_t/∂c,      if there are planes,
+///   s̈_k  = −∂U/∂s_k(S, s),   S = Q E₀ Qᵀ,
+///   Ċ_b  = (1/τ_b)(Ĉ − ⅓ tr(Ĉ C_b⁻¹) C_b),   Ĉ = (det Q)^{−2/3} QᵀQ.
+///
+/// The force f_Q is that of the conservative body. The other terms are
+///
+///   V_c(Q, c, t)   the energy of contact with rigid planes, which couples the centre of mass c to Q (plane_forces.h)
+///   R              Rayleigh's function of viscosity, drag (dissipation.h), damping of planes and friction
+///   b, T           the acceleration and the tide on c. Without planes, c moves by itself (center_of_mass.h)
+///   V_t(Q, c, t)   the energy of the loads that depend on time
+///   U, T_s         the interaction with companions and its quadratic potential (mechanics/core/orbit.h)
+///   P_b            the stress of a branch (materials/maxwell_branch.h)
+///
+/// As in dissipative_body.h, the velocities of two further coordinates s and s' are energies: the dissipated energy D,
+/// and the energy W that loads and moving planes have given. The columns of the vectors are
+///
+///   q = [Q | c | (s, s', 0) | s_1 s_2 | C_1 … C_4]    with two columns (C₀₀, C₀₁, C₀₂), (C₁₁, C₁₂, C₂₂) for a metric,
+///   v = [Q̇ | ċ | (D, W, 0) | ṡ_1 ṡ_2 | 0].
+///
+/// Columns that a body does not need are 0. Metrics have no mass and no velocity (mechanics/core/relaxation.h).
+
+#include <utility>
+
+#include "loads/list.h"
+#include "loads/viscoelasticity.h"
+#include "materials/eigen_tensor.h"
+#include "mechanics/core/constrained_system.h"
+#include "mechanics/core/linearization.h"
+#include "mechanics/core/orbit.h"
+#include "mechanics/core/relaxation.h"
+#include "mechanics/core/second_order_field.h"
+#include "reduced/dissipation.h"
+#include "reduced/external_potential.h"
+#include "reduced/plane_forces.h"
+
+namespace pseudorigid::reduced {
+
+template <class Body>
+class LoadedBody {
+  using Metric = materials::Symmetric<double>;
+  static constexpr int n_companions = mechanics::Orbit::most_companions,
+                       n_branches = static_cast<int>(loads::Viscoelasticity::most_branches);
+  /// The first columns of the parts of a vector.
+  static constexpr int at_center = 3, at_energies = 4, at_companions = 5, at_metrics = at_companions + n_companions,
+                       n_columns = at_metrics + 2 * n_branches;
+
+ public:
+  using Vector = Eigen::Matrix<double, 3, n_columns>;
+  using Multiplier = typename Body::Multiplier;
+  struct Workspace {
+    typename Body::Workspace body{};
+    /// If this pointer is not null, springs on the whole surface replace the contact. They pull each point of the
+    /// surface towards its position in the configuration `*held_at`, with the stiffness Planes::stiffness_of_all. The
+    /// total stiffness is then an upper bound for the stiffness with contact.
+    const Vector* held_at = nullptr;
+  };
+  static constexpr int n_constraints = Body::n_constraints;
+
+  LoadedBody(Body body, const loads::Loads& loads)
+      : body_(std::move(body)),
+        constant_(loads::constant_forcing(loads)),
+        dissipation_(Dissipation::of(constant_)),
+        planes_(constant_.planes, body_.reference().shape),
+        orbit_(constant_.companions, constant_.gravity_constant, body_.reference().mass),
+        loads_(loads),
+        driven_(loads::depend_on_time(loads)) {}
+
+  bool time_dependent() const { return driven_; }
+  bool velocity_dependent() const { return constant_.damped(); }
+  bool dissipative() const { return constant_.dissipative(); }
+  bool damping_is_linear() const { return !constant_.planes.rough(); }
+  bool has_contact() const { return !constant_.planes.empty(); }
+  bool drifts() const { return orbit_.n() > 0; }
+  bool relaxes() const { return !branches().empty(); }
+
+  mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& w, Vector& f) const {
+    const Eigen::Matrix3d Q = matrix(q);
+    loads::AffineForce F;
+    if (mechanics::Status status = body_.force(t, Q, matrix(v), w.body, F.on_Q); !status) return status;
+    loads::ContactPower power = has_contact() ? add_contact(t, q, w, F) : loads::ContactPower{};
+    if (constant_.damped()) power += add_dissipation(t, q, v, w, F);
+    if (driven_) power.given += add_driving(t, Q, center(q), F);
+    if (relaxes()) F.on_Q -= body_.reference().volume * stress_of_branches(q);
+    f.setZero();
+    if (drifts()) {
+      const Eigen::Matrix3d QE0 = Q * body_.reference().E0;
+      const mechanics::Orbit::Columns s = companions(q);
+      F.on_Q -= orbit_.tide(s) * QE0;
+      f.middleCols(at_companions, orbit_.n()) = orbit_.force(QE0 * Q.transpose(), s);
+    }
+    f.template leftCols<3>() = F.on_Q;
+    if (has_contact()) f.col(at_center) = F.on_center;
+    f.col(at_energies) << power.taken, power.given, 0;
+    return {};
+  }
+  void drift(double h, const Vector& before, Vector& q, Vector& v) const {
+    mechanics::Orbit::Columns s = companions(before), sdot = companions(v);
+    orbit_.drift(h, s, sdot);
+    set_companions(s, q);
+    set_companions(sdot, v);
+  }
+  double relax(double h, const Vector& before, Vector& q) const {
+    const Metric strain = materials::mean_strain(materials::to_tensor(matrix(before)), materials::to_tensor(matrix(q)));
+    double lost = 0;
+    for (std::size_t b = 0; b < branches().size(); ++b) {
+      Metric metric = metric_of(q, b);
+      lost += branches()[b].modulus * materials::relax(strain, h / branches()[b].relaxation_time, metric);
+      set_metric(metric, b, q);
+    }
+    return body_.reference().volume * lost;
+  }
+  void apply_inverse_mass(const Vector& f, Vector& a) const {
+    Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+    body_.apply_inverse_mass(matrix(f), A);
+    a = f;
+    a.template leftCols<3>() = A;
+    a.col(at_center) /= body_.reference().mass;
+  }
+  void apply_mass(const Vector& v, Vector& f) const {
+    Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
+    body_.apply_mass(matrix(v), F);
+    f = v;
+    f.template leftCols<3>() = F;
+    f.col(at_center) *= body_.reference().mass;
+  }
+  /// f ← f − C u for the damping at a state (mechanics/core/damping.h).
+  void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization kind,
+                   Vector& f) const {
+    const Eigen::Matrix3d Q = matrix(state.q), U = matrix(u);
+    const Eigen::Vector3d c = center(state.q), of_center = center(u);
+    loads::AffineForce F;
+    dissipation_.add_force(body_.reference(), Q, U, F.on_Q);
+    add_drag(of_center, F);
+    planes_.add_damping_change(state.t, Q, c, matrix(state.v), center(state.v), U, of_center, kind, F);
+    f.template leftCols<3>() += F.on_Q;
+    f.col(at_center) += F.on_center;
+  }
+  mechanics::Status constraint(const Vector& q, Multiplier& g) const { return body_.constraint(matrix(q), g); }
+  void constraint_rate(const Vector& q, const Vector& v, Multiplier& r) const {
+    body_.constraint_rate(matrix(q), matrix(v), r);
+  }
+  void constraint_curvature(const Vector& q, const Vector& v, Multiplier& r) const {
+    body_.constraint_curvature(matrix(q), matrix(v), r);
+  }
+  void add_reaction(const Vector& q, const Multiplier& lambda, Vector& f) const {
+    Eigen::Matrix3d F = matrix(f);
+    body_.add_reaction(matrix(q), lambda, F);
+    f.template leftCols<3>() = F;
+  }
+  mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace& w,
+                                    Multiplier& lambda) const {
+    return body_.solve_gram(matrix(q1), matrix(q0), r, w.body, lambda);
+  }
+  double constraint_tolerance() const { return body_.constraint_tolerance(); }
+
+  Vector make_vector() const { return Vector::Zero(); }
+  Multiplier make_multiplier() const { return {}; }
+  Workspace make_workspace() const { return {body_.make_workspace()}; }
+
+  const Body& body() const { return body_; }
+  const mechanics::Orbit& orbit() const { return orbit_; }
+  static Eigen::Matrix3d matrix(const Vector& q) { return q.template leftCols<3>(); }
+  static Eigen::Vector3d center(const Vector& q) { return q.col(at_center); }
+  /// The coordinates s_k, or their rates.
+  mechanics::Orbit::Columns companions(const Vector& q) const { return q.middleCols(at_companions, orbit_.n()); }
+  mechanics::VectorState<Eigen::Matrix3d> motion(const mechanics::VectorState<Vector>& state) const {
+    return {state.t, matrix(state.q), matrix(state.v)};
+  }
+
+  void add_taken(double energy, Vector& v) const { v(0, at_energies) += energy; }
+  double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, at_energies); }
+  /// V_t − W. The result is 0 if there are no loads that depend on time and no planes in motion.
+  double driven_energy(const mechanics::VectorState<Vector>& state) const {
+    if (!driven_) return 0;
+    return energy_of(loads::driving(loads_, state.t), matrix(state.q), center(state.q)) - state.v(1, at_energies);
+  }
+  /// Summary of the contacts with all planes at the time t and the position q.
+  loads::Contact contact(double t, const Vector& q) const { return planes_.contact(t, matrix(q), center(q)); }
+  /// The energy that the branches store.
+  double energy_of_branches(const Vector& q) const {
+    return body_.reference().volume * materials::energy_of_branches(materials::to_tensor(matrix(q)), inverse_sum(q),
+                                                                    materials::sum_of_moduli(branches()));
+  }
+  /// Σ P_b
+  Eigen::Matrix3d stress_of_branches(const Vector& q) const {
+    return materials::to_matrix(materials::stress_of_branches(materials::to_tensor(matrix(q)), inverse_sum(q)));
+  }
+
+  /// The state with the same time, Q and Q̇ as `motion` and with this position and velocity of the centre of mass.
+  static mechanics::VectorState<Vector> state_of(const mechanics::VectorState<Eigen::Matrix3d>& motion,
+                                                 const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {
+    mechanics::VectorState<Vector> state{motion.t, Vector::Zero(), Vector::Zero()};
+    state.q.template leftCols<4>() << motion.q, position;
+    state.v.template leftCols<4>() << motion.v, velocity;
+    return state;
+  }
+  /// This state with the companions and the branches at their start. Without planes, c is no coordinate.
+  mechanics::VectorState<Vector> start(const mechanics::VectorState<Eigen::Matrix3d>& motion,
+                                       const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) const {
+    const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+    mechanics::VectorState<Vector> state =
+        has_contact() ? state_of(motion, position, velocity) : state_of(motion, none, none);
+    const Metric metric = constant_.branches.relaxed ? materials::isochoric_strain(materials::to_tensor(motion.q))
+                                                     : materials::identity_metric;
+    for (std::size_t b = 0; b < branches().size(); ++b) set_metric(metric, b, state.q);
+    return with_companions(state, {orbit_.position(), orbit_.velocity()});
+  }
+  /// The state with this motion of the companions.
+  mechanics::VectorState<Vector> with_companions(mechanics::VectorState<Vector> state,
+                                                 const mechanics::Orbit::Motion& motion) const {
+    set_companions(motion.s, state.q);
+    set_companions(motion.sdot, state.v);
+    return state;
+  }
+
+ private:
+  const materials::MaxwellBranches& branches() const { return constant_.branches.list; }
+  void set_companions(const mechanics::Orbit::Columns& s, Vector& q) const {
+    q.middleCols(at_companions, orbit_.n()) = s;
+  }
+  static Metric metric_of(const Vector& q, std::size_t b) {
+    const double* m = q.col(at_metrics + 2 * static_cast<int>(b)).data();
+    return {{m[0], m[1], m[2], m[3], m[4], m[5]}};
+  }
+  static void set_metric(const Metric& metric, std::size_t b, Vector& q) {
+    std::copy_n(metric.a, Metric::n_entries, q.col(at_metrics + 2 * static_cast<int>(b)).data());
+  }
+  /// Σ μ_b C_b⁻¹
+  Metric inverse_sum(const Vector& q) const {
+    Metric A{};
+    for (std::size_t b = 0; b < branches().size(); ++b)
+      materials::add_branch(branches()[b].modulus, metric_of(q, b), A);
+    return A;
+  }
+  /// Adds the loads on c that do not depend on time and the pressure of contact, or the springs that replace it.
+  loads::ContactPower add_contact(double t, const Vector& q, const Workspace& w, loads::AffineForce& F) const {
+    const Eigen::Vector3d c = center(q);
+    F.on_center = body_.reference().mass * (constant_.acceleration - constant_.quadratic * c);
+    if (!w.held_at) return {.given = planes_.add_pressure(t, matrix(q), c, F)};
+    planes_.add_springs(matrix(q) - matrix(*w.held_at), c - center(*w.held_at), F);
+    return {};
+  }
+  /// Adds viscosity, drag, the damping of planes and friction.
+  loads::ContactPower add_dissipation(double t, const Vector& q, const Vector& v, const Workspace& w,
+                                      loads::AffineForce& F) const {
+    const Eigen::Matrix3d Q = matrix(q), Qdot = matrix(v);
+    const Eigen::Vector3d c = center(q), cdot = center(v);
+    loads::ContactPower power{.taken = dissipation_.add_force(body_.reference(), Q, Qdot, F.on_Q)};
+    power.taken += add_drag(cdot, F);
+    power += planes_.add_damping(t, Q, c, Qdot, cdot, F);
+    if (!w.held_at) power.taken += planes_.add_friction(t, Q, c, Qdot, cdot, F);
+    return power;
+  }
+  /// Adds the drag on the centre of mass. Returns the power that it dissipates.
+  double add_drag(const Eigen::Vector3d& cdot, loads::AffineForce& F) const {
+    const Eigen::Vector3d drag = constant_.drag * body_.reference().mass * cdot;
+    F.on_center -= drag;
+    return drag.dot(cdot);
+  }
+  /// F ← F − ∂V_t/∂(Q, c). Returns ∂V_t/∂t.
+  double add_driving(double t, const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, loads::AffineForce& F) const {
+    const loads::Forcing now = loads::driving(loads_, t);
+    Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
+    ExternalPotential(now).add_gradient(body_.reference(), Q, gradient);
+    F.on_Q -= gradient;
+    F.on_center += body_.reference().mass * (now.acceleration - now.quadratic * c);
+    return energy_of(loads::driving_rate(loads_, t), Q, c);
+  }
+  double energy_of(const loads::Forcing& forcing, const Eigen::Matrix3d& Q, const Eigen::Vector3d& c) const {
+    return ExternalPotential(forcing).energy(body_.reference(), Q) +
+           body_.reference().mass * (0.5 * c.dot(forcing.quadratic * c) - forcing.acceleration.dot(c));
+  }
+
+  Body body_;
+  loads::Forcing constant_;  ///< loads that do not depend on time
+  Dissipation dissipation_;
+  PlaneForces planes_;
+  mechanics::Orbit orbit_;
+  loads::Loads loads_;
+  bool driven_;
+};
+
+}  // namespace pseudorigid::reduced
