@@ -75,13 +75,6 @@ class PolynomialBody {
   bool dissipative() const { return constant_.dissipative(); }
   bool has_contact() const { return !constant_.planes.empty(); }
   bool damping_is_linear() const { return !constant_.planes.rough(); }
-  bool drifts() const { return orbit_.n() > 0; }
-  void drift(double h, const Vector& before, Vector& q, Vector& v) const {
-    mechanics::Orbit::Columns s = companions(before), sdot = companions(v);
-    orbit_.drift(h, s, sdot);
-    set_companions(s, q);
-    set_companions(sdot, v);
-  }
   bool relaxes() const { return !constant_.branches.empty(); }
   double relax(double h, const Vector& before, Vector& q) const;
   /// The branches at a quadrature point.

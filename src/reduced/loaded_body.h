@@ -31,7 +31,7 @@
 #include "materials/eigen_tensor.h"
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/core/linearization.h"
-#include "mechanics/core/orbit.h"
+#include "mechanics/core/orbiting_system.h"
 #include "mechanics/core/relaxation.h"
 #include "mechanics/core/second_order_field.h"
 #include "reduced/dissipation.h"
@@ -75,7 +75,6 @@ class LoadedBody {
   bool dissipative() const { return constant_.dissipative(); }
   bool damping_is_linear() const { return !constant_.planes.rough(); }
   bool has_contact() const { return !constant_.planes.empty(); }
-  bool drifts() const { return orbit_.n() > 0; }
   bool relaxes() const { return !branches().empty(); }
 
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& w, Vector& f) const {
@@ -87,7 +86,7 @@ class LoadedBody {
     if (driven_) power.given += add_driving(t, Q, center(q), F);
     if (relaxes()) F.on_Q -= body_.reference().volume * stress_of_branches(q);
     f.setZero();
-    if (drifts()) {
+    if (orbit_.n() > 0) {
       const Eigen::Matrix3d QE0 = Q * body_.reference().E0;
       const mechanics::Orbit::Columns s = companions(q);
       F.on_Q -= orbit_.tide(s) * QE0;
@@ -97,12 +96,6 @@ class LoadedBody {
     if (has_contact()) f.col(at_center) = F.on_center;
     f.col(at_energies) << power.taken, power.given, 0;
     return {};
-  }
-  void drift(double h, const Vector& before, Vector& q, Vector& v) const {
-    mechanics::Orbit::Columns s = companions(before), sdot = companions(v);
-    orbit_.drift(h, s, sdot);
-    set_companions(s, q);
-    set_companions(sdot, v);
   }
   double relax(double h, const Vector& before, Vector& q) const {
     const Metric strain = materials::mean_strain(materials::to_tensor(matrix(before)), materials::to_tensor(matrix(q)));
@@ -168,6 +161,9 @@ class LoadedBody {
   static Eigen::Vector3d center(const Vector& q) { return q.col(at_center); }
   /// The coordinates s_k, or their rates.
   mechanics::Orbit::Columns companions(const Vector& q) const { return q.middleCols(at_companions, orbit_.n()); }
+  void set_companions(const mechanics::Orbit::Columns& s, Vector& q) const {
+    q.middleCols(at_companions, orbit_.n()) = s;
+  }
   mechanics::VectorState<Eigen::Matrix3d> motion(const mechanics::VectorState<Vector>& state) const {
     return {state.t, matrix(state.q), matrix(state.v)};
   }
@@ -220,9 +216,6 @@ class LoadedBody {
 
  private:
   const materials::MaxwellBranches& branches() const { return constant_.branches.list; }
-  void set_companions(const mechanics::Orbit::Columns& s, Vector& q) const {
-    q.middleCols(at_companions, orbit_.n()) = s;
-  }
   static Metric metric_of(const Vector& q, std::size_t b) {
     const double* m = q.col(at_metrics + 2 * static_cast<int>(b)).data();
     return {{m[0], m[1], m[2], m[3], m[4], m[5]}};

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "mechanics/core/axial_vectors.h"
+#include "mechanics/core/orbiting_system.h"
 #include "mechanics/core/principal_axes.h"
 #include "mechanics/core/relaxation.h"
 #include "observables/orbit.h"
@@ -51,7 +52,7 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
     o.circulation = mechanics::axial_vector(body.E0() * Qdot.transpose() * Q);
   }
   if constexpr (requires { system.orbit(); })
-    if (system.drifts()) {
+    if (mechanics::has_companions(system)) {
       const Eigen::Matrix3d QE0 = Q * body.E0();
       o.orbit = mechanics::observe_orbit(system.orbit(), system.companions(state.q), system.companions(state.v),
                                          QE0 * Q.transpose(), mechanics::axial_vector(QE0 * Qdot.transpose()));

@@ -1,28 +1,12 @@
 """A violent motion runs backwards through the same states, although the step changes on the way."""
 import math
-import shutil
 import unittest
 
-import checkpoint_file
-from program_test import DONE, ProgramTest
+from reversed_run import ReversedRunTest
 
 
-class ReversedMotion(ProgramTest):
+class ReversedMotion(ReversedRunTest):
     N_SAMPLES = 10
-
-    def turn_round(self, folder, reversed_folder):
-        """Starts a run at the end of another one, with the opposite velocity: a checkpoint can be such a state, a scene cannot.
-        Without looks at the frequency, which may halve the step for good."""
-        shutil.copytree(self.scratch / folder, self.scratch / reversed_folder)
-        path = self.scratch / reversed_folder / "checkpoint-continuum.bin"
-        state = checkpoint_file.read(path)
-        self.assertEqual(state["sample"], self.N_SAMPLES)
-        state.update({"sample": 0, "v": [-v for v in state["v"]], "memory": [], "halvings": 0, "next look": self.N_SAMPLES + 1,
-                      "repeated intervals": 0, "failed intervals": 0, "counters": [0.0] * len(state["counters"])})
-        state["numbers"][4] = 0.0  # the time
-        checkpoint_file.write(path, state)
-        self.assert_exit(self.run_program("run", "scene.prm", "--output", reversed_folder, "--resume"), DONE)
-        return self.table(f"{reversed_folder}/continuum.csv"), self.json(reversed_folder, "manifest.json")["models"]["continuum"]["counters"]
 
     def test_steps_of_single_intervals_are_those_of_the_way_there(self):
         side = 1 / math.sqrt(2)
@@ -30,8 +14,8 @@ class ReversedMotion(ProgramTest):
                     "Initial state/Velocity": "0, -0.3, 0.2; 0.3, 0, 0; -0.1, 0, 0", "Time/End": 2, "Output/Samples": self.N_SAMPLES,
                     "Time/Method": "rattle-4", "Time/Tolerance": 1e-4, "Time/Constraint tolerance": 1e-13})
         self.run_done("run", "scene.prm", "--output", "first")
-        there, counters_there = self.turn_round("first", "there")
-        back, counters_back = self.turn_round("there", "back")
+        there, counters_there = self.turn_round("first", "there", self.N_SAMPLES)
+        back, counters_back = self.turn_round("there", "back", self.N_SAMPLES)
         for counters in counters_there, counters_back:
             self.assertGreater(counters["repeated_intervals"], 0)
             self.assertEqual(counters["failed_intervals"], 0)

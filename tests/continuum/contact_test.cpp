@@ -9,6 +9,7 @@
 #include "loads/ellipsoid_friction.h"
 #include "support/differences.h"
 #include "support/order_fit.h"
+#include "support/planes.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -16,15 +17,6 @@ namespace {
 using continuum::ContactForces;
 using continuum::Vector;
 
-loads::Planes oblique_planes() {
-  const Vector3d n = Vector3d(0.3, -0.4, 0.8).normalized(), m = Vector3d(-1, 0.2, 0).normalized();
-  return {{.normal = n, .position = -0.8, .stiffness = 30, .damping = 0.4},
-          {.normal = m, .position = -0.9, .stiffness = 50, .damping = 0.2}};
-}
-loads::Planes press() {
-  return {{.normal = Vector3d::UnitZ(), .position = -0.9, .stiffness = 30},
-          {.normal = -Vector3d::UnitZ(), .position = -0.9, .stiffness = 30}};
-}
 Matrix3d sample_map() { return (Matrix3d() << 1.1, 0.2, -0.1, 0.1, 0.9, 0.15, -0.2, 0.1, 1).finished(); }
 
 /// Energy and moment of the force tend to those of the closed form as the points become denser. The integrand has a
@@ -60,19 +52,6 @@ TEST(ContinuumContact, OfAffineMotionsTendsToTheClosedForm) {
   EXPECT_GT(fit_order(of_force).order, 1.5);
 }
 
-/// The planes above, with friction, in motion.
-loads::Planes moving_planes() {
-  loads::Planes planes = oblique_planes();
-  for (loads::Plane& plane : planes) {
-    plane.friction = 0.4;
-    plane.slip_speed = 0.3;
-    plane.speed = 0.1;
-    plane.amplitude = 0.05;
-    plane.frequency = 2;
-  }
-  return planes;
-}
-
 TEST(ContinuumContact, FrictionOfAffineMotionsTendsToThatOfThePseudoRigidBody) {
   const ElasticBall ball(whole, 4, 0, neo_hookean);
   const Matrix3d Q = sample_map(), S = Matrix3d::Identity(),
@@ -83,12 +62,12 @@ TEST(ContinuumContact, FrictionOfAffineMotionsTendsToThatOfThePseudoRigidBody) {
     constexpr int n_contacts = 8;
     of_force.push_back({1.0 / n, 0});
     of_power.push_back({1.0 / n, 0});
-    const ContactForces contact(moving_planes(), ball.space(), n);
+    const ContactForces contact(moving_planes(0.3, 0.4), ball.space(), n);
     for (int i = 0; i < n_contacts; ++i) {
       const Vector3d c(0.02 * i, -0.01 * i, 0.03), cdot(0.4 - 0.1 * i, 0.2, 0.1);
       loads::AffineForce exact;
       loads::ContactPower exact_power;
-      for (const loads::Plane& plane : moving_planes()) {
+      for (const loads::Plane& plane : moving_planes(0.3, 0.4)) {
         const loads::EllipsoidContact closed_form(plane.at(t), S, Q, c);
         exact_power += closed_form.add_damping(Qdot, cdot, exact);
         exact_power.taken += loads::EllipsoidFriction(closed_form, Qdot, cdot).add_force(exact);
@@ -112,7 +91,7 @@ TEST(ContinuumContact, FrictionOfAffineMotionsTendsToThatOfThePseudoRigidBody) {
 TEST(ContinuumContact, LinearisedFrictionIsADerivative) {
   std::mt19937 generator(4);
   const ElasticBall ball(whole, 3, 0, neo_hookean);
-  const ContactForces contact(moving_planes(), ball.space(), 8);
+  const ContactForces contact(moving_planes(0.3, 0.4), ball.space(), 8);
   Vector x = ball.affine_field(sample_map());
   x.add(0.02, random_field(x, generator));
   const Vector v = random_field(x, generator), u = random_field(x, generator);
@@ -138,7 +117,7 @@ TEST(ContinuumContact, LinearisedFrictionIsADerivative) {
 TEST(ContinuumContact, ForceIsTheDerivativeAndDampingTakesItsPower) {
   std::mt19937 generator(2);
   const ElasticBall ball(whole, 3, 0, neo_hookean);
-  const ContactForces contact(oblique_planes(), ball.space(), 8);
+  const ContactForces contact(oblique_planes(0.3), ball.space(), 8);
   Vector x = ball.affine_field(sample_map());
   x.add(0.02, random_field(x, generator));
   const Vector u = random_field(x, generator);
@@ -174,13 +153,7 @@ TEST(ContinuumContact, OfASectorIsThatOfTheWholeBall) {
 }
 
 TEST(ContinuumContact, FrictionOfASectorIsThatOfTheWholeBall) {
-  loads::Planes planes = press();
-  for (loads::Plane& plane : planes) {
-    plane.damping = 0.4;
-    plane.friction = 0.5;
-    plane.slip_speed = 0.1;
-    plane.speed = 0.2;
-  }
+  const loads::Planes planes = rough_press();
   const ElasticBall ball(whole, 3, 0, neo_hookean);
   const Matrix3d Q = diagonal(1.1, 0.95, 1.02), Qdot = diagonal(0.3, 0.1, -0.4);
   Vector f = ball.make_vector();

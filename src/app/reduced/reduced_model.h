@@ -17,6 +17,7 @@
 #include "app/run/tension_watch.h"
 #include "io/ball_blocks.h"
 #include "io/trajectory.h"
+#include "mechanics/core/orbiting_system.h"
 #include "mechanics/core/principal_axes.h"
 #include "mechanics/steps/step_size.h"
 #include "reduced/observe.h"
@@ -56,14 +57,15 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   Eigen::MatrixXd configuration(const State& state) const override {
     if constexpr (is_loaded) {
       if (system_.has_contact()) return state.q.template leftCols<4>();
-      if (system_.drifts()) return with_companions(Q_of(state), system_.orbit(), system_.companions(state.q));
+      if (mechanics::has_companions(system_))
+        return with_companions(Q_of(state), system_.orbit(), system_.companions(state.q));
     }
     return Q_of(state);
   }
   State start_of_pilot(const State& state) const override {
     State start = state;
     if constexpr (is_loaded) {
-      if (system_.drifts()) {
+      if (mechanics::has_companions(system_)) {
         const double end = context_.internal_time(context_.scene.time.end);
         start = system_.with_companions(start, system_.orbit().near_closest_approach(end, pilot_window(end) / 2));
       }
@@ -187,7 +189,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   /// Fails after a collision or a disruption.
   mechanics::Status look_at_orbit(const State& state, const Eigen::Matrix3d& Q) {
     if constexpr (is_loaded)
-      if (system_.drifts()) {
+      if (mechanics::has_companions(system_)) {
         const Eigen::Matrix3d S = Q * system_.body().E0() * Q.transpose();
         const auto energy_of_body = [&] {
           if (!scene::is_fluid(context_.scene)) return -1.0;

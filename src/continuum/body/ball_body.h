@@ -63,13 +63,6 @@ class BallBody {
     if (contact_) contact_->add_damping(state.t, state.q, state.v, u, kind, f);
   }
   bool damping_is_linear() const { return !loads_.rough(); }
-  bool drifts() const { return orbit_.n() > 0; }
-  void drift(double h, const Vector& before, Vector& q, Vector& v) const {
-    mechanics::Orbit::Columns s = companions(before), sdot = companions(v);
-    orbit_.drift(h, s, sdot);
-    set_companions(s, q);
-    set_companions(sdot, v);
-  }
   bool relaxes() const { return !branches_.empty(); }
   const materials::MaxwellBranches& branches() const { return branches_.list; }
   /// Returns the energy that the sector has dissipated on all ranks. Collective.

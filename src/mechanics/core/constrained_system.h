@@ -62,20 +62,6 @@ concept FindsForceWithReaction = requires(const S s, const typename S::Vector q,
   { s.force_with_reaction(0.0, q, q, lambda, w, f) } -> std::same_as<Status>;
 };
 
-/// A system with coordinates that move along known orbits (orbit.h). `drift(h, before, q, v)` replaces the straight
-/// motion of these coordinates in q during the time h. The vector `before` contains the position before the motion, and
-/// v the velocity after the first half step. The function `drifts()` is true if there are such coordinates.
-template <class S>
-concept Drifting = requires(const S s, const typename S::Vector before, typename S::Vector q) {
-  { s.drifts() } -> std::same_as<bool>;
-  s.drift(0.0, before, q, q);
-};
-template <class S>
-bool drifts(const S& system) {
-  if constexpr (requires { system.drifts(); }) return system.drifts();
-  return false;
-}
-
 /// True if a system has `constraint(q, q_rounding, g)`, which computes g(q + q_rounding) more accurately than the
 /// round-off of q permits. q_rounding is the remainder of the compensated sum of q. Methods then satisfy the constraint
 /// at q + q_rounding.

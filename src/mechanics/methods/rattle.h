@@ -24,7 +24,7 @@
 /// ẍ = −ω²x − cẋ is stable up to hω = 2 for every c. If the fixed-point iteration is already slow in the first step,
 /// the first half step is implicit as well. Otherwise an overdamped body would start with a fast transient.
 ///
-/// Coordinates on known orbits move along these orbits in place of straight lines (constrained_system.h, `Drifting`).
+/// Coordinates on known orbits move along these orbits in place of straight lines (orbiting_system.h).
 /// The step then resolves only the forces that disturb the orbits.
 ///
 /// Internal variables z (relaxation.h) relax for the time h between the two half steps, for the mean of the strains at
@@ -37,6 +37,7 @@
 #include <string>
 #include <utility>
 
+#include "mechanics/core/orbiting_system.h"
 #include "mechanics/core/relaxation.h"
 #include "mechanics/methods/rattle_velocity.h"
 
@@ -67,10 +68,10 @@ struct Rattle {
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if (Status status = kick(system, h, state, w); !status) return status;
-    if (relaxes(system) || drifts(system)) w.q_start = state.q;
+    if (relaxes(system) || has_companions(system)) w.q_start = state.q;
     if (Status status = move_on_constraint(system, h, state, w); !status) return status;
-    if constexpr (Drifting<S>)
-      if (drifts(system)) system.drift(h, w.q_start, state.q, state.v);
+    if constexpr (Orbiting<S>)
+      if (has_companions(system)) drift_companions(system, h, w.q_start, state.q, state.v);
     if constexpr (Relaxing<S>) {
       const double taken = relaxes(system) ? system.relax(h, w.q_start, state.q) : 0;
       Status status = kick_again(system, h, state, w);
