@@ -3,8 +3,8 @@
 ///
 ///   M ẍ = −∫P:∇φ + loads,
 ///
-/// with the symbols of ball_body.h. The restriction to motions x = QX is the pseudo-rigid body on GL⁺(3). This ball has
-/// neither a multiplier nor a Gram solver.
+/// with the symbols of ball_body.h. The restriction to motions x = QX is the pseudo-rigid body with det Q > 0 and
+/// without a constraint. This ball has neither a multiplier nor a Gram solver.
 
 #include "continuum/body/ball_body.h"
 #include "mechanics/core/unconstrained.h"
@@ -14,7 +14,8 @@ namespace pseudorigid::continuum {
 class CompressibleBall : public BallBody, public mechanics::Unconstrained {
  public:
   struct Workspace : mechanics::Unconstrained::Workspace {
-    const Vector* held_at = nullptr;  ///< see BallBody::applied_force
+    const Vector* held_at =
+        nullptr;  ///< configuration of the springs that replace contact (BallBody::applied_force), or null
   };
   using BallBody::BallBody;
 

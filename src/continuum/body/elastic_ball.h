@@ -6,9 +6,9 @@
 /// with the first Piola–Kirchhoff stress P, the basis functions φ of the displacements in (Q_k)³, J = det F and G = Dg.
 /// The functions ψ_j are the basis of the multipliers λ_h = Σ λ_j ψ_j. A multiplier is a polynomial in P_{k−1} on each
 /// cell and may jump between cells. The field λ_h is the Kirchhoff pressure Jp, with the pressure p of the body. The
-/// constraint balances a pressure on the surface, so this load is not a force of the system. The constraint uses ln J
-/// instead of J − 1. Therefore the second variation of the constraint along a displacement u does not contain the
-/// square of div u. The discrete motion also does not change if a multiple of ln J is added to the stored energy W.
+/// constraint balances a uniform pressure on the surface, so this load is not a force of the system. The constraint
+/// uses ln J instead of J − 1. Therefore the second variation of the constraint along a displacement u does not contain
+/// the square of div u. The discrete motion also does not change if a multiple of ln J is added to the stored energy W.
 
 #include <cmath>
 #include <optional>
@@ -25,8 +25,10 @@ class ElasticBall : public BallBody {
   using Multiplier = continuum::Vector;
   struct Workspace {
     GramSolver gram;
-    double residual_sought = 0;       ///< sufficient Euclidean norm of the residual of solve_gram; 0: default of `gram`
-    const Vector* held_at = nullptr;  ///< see BallBody::applied_force
+    double residual_sought =
+        0;  ///< sufficient Euclidean norm of the residual of solve_gram; 0: relative reduction only
+    const Vector* held_at =
+        nullptr;  ///< configuration of the springs that replace contact (BallBody::applied_force), or null
 
     template <class Visit>
     void visit_memory(Visit&& visit) {
@@ -71,10 +73,11 @@ class ElasticBall : public BallBody {
                                     Multiplier& lambda) const {
     return workspace.gram.solve(x1, x0, r, workspace.residual_sought, lambda);
   }
-  /// |g|_∞ and |Gv|_∞ count as zero up to this value. It is equivalent to 1e-13 of ln J, because the ψ_j are
-  /// orthonormal in L² on each cell.
+  /// |g|_∞ and |Gv|_∞ count as zero up to this value. On the smallest cell, it corresponds to 1e-13 for the mean of ln
+  /// J, because the ψ_j are orthonormal in L² on each cell.
   double constraint_tolerance() const { return 1e-13 * multiplier_scale(); }
-  /// |g|_∞ / multiplier_scale() is a bound for the absolute value of the mean of ln J over a cell.
+  /// The square root of the volume of the smallest cell. |g|_∞ / multiplier_scale() is a bound for the absolute value
+  /// of the mean of ln J over a cell.
   double multiplier_scale() const { return multiplier_scale_; }
 
   Multiplier make_multiplier() const { return space().make_multiplier(); }

@@ -32,8 +32,8 @@ struct EvenOddMatrix {
       }
   }
 
-  /// out_q ← Σ_i M_qi in_i; if `add` is true, out_q ← out_q + Σ_i M_qi in_i. Entries are `stride` apart. `symmetric` is
-  /// true if the sign in the symmetry of M is +.
+  /// out_q ← Σ_i M_qi in_i; if `add` is true, out_q ← out_q + Σ_i M_qi in_i. Entries are `stride` apart. `in` and `out`
+  /// may be the same. `symmetric` is true if the sign in the symmetry of M is +.
   template <bool symmetric, bool add, int stride, class L>
   [[gnu::always_inline]] void apply(const L* in, L* out) const {
     L sum[upper], difference[upper];

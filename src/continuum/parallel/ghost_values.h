@@ -27,7 +27,7 @@ class GhostValues {
   bool several_ranks_, clear_;
 };
 
-/// Adds the values of ghost entries to the entries of their owners.
+/// Adds the values of ghost entries to the entries of their owners, and sets the ghost entries to 0. Collective.
 inline void add_to_owners(Vector& f) {
   if (f.get_partitioner()->n_mpi_processes() > 1) f.compress(dealii::VectorOperation::add);
 }
