@@ -1,5 +1,6 @@
 #pragma once
-/// The compressible polynomial body, q̈ = f without a constraint. For degree 1 it is the pseudo-rigid body on GL⁺(3).
+/// The compressible polynomial body, q̈ = f without a constraint. The body of degree 1 is the compressible pseudo-rigid
+/// body.
 
 #include "mechanics/core/unconstrained.h"
 #include "polynomial/polynomial_body.h"
@@ -9,7 +10,8 @@ namespace pseudorigid::polynomial {
 class CompressibleBody : public PolynomialBody, public mechanics::Unconstrained {
  public:
   struct Workspace : mechanics::Unconstrained::Workspace {
-    const Vector* held_at = nullptr;  ///< see PolynomialBody::applied_force
+    const Vector* held_at =
+        nullptr;  ///< configuration of the springs that replace contact (PolynomialBody::applied_force), or null
   };
   using PolynomialBody::PolynomialBody;
 

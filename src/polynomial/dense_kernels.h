@@ -9,7 +9,8 @@
 
 namespace pseudorigid::polynomial {
 
-/// Number of points in a block. The last block is filled up with points of weight 0.
+/// Number of points in a block. The last block is filled up with points of weight 0. `filled_up` rounds n up to whole
+/// blocks.
 inline constexpr int point_block = 8;
 constexpr int filled_up(int n) { return (n + point_block - 1) / point_block * point_block; }
 
@@ -80,8 +81,9 @@ struct DenseKernels {
   double (*add_viscous_stress)(int n, const double* w, double eta, const double* F, const double* A, const double* B,
                                double* T);
 
-  /// Functions for viscoelastic branches (materials/maxwell_branch.h). In `metrics`, entry k of the internal metric of
-  /// branch b at point p has the index (6b + k) n + p.
+  /// Functions for viscoelastic branches (materials/maxwell_branch.h). Branch b has the stress P_b, the stored energy
+  /// W_b and an internal metric at each point. In `metrics`, entry k of the metric of branch b at point p has the index
+  /// (6b + k) n + p.
 
   /// T ← T + w Σ P_b
   void (*add_branch_stress)(const materials::MaxwellBranches& branches, int n, const double* w, const double* metrics,
@@ -89,7 +91,8 @@ struct DenseKernels {
   /// Returns Σ w W_b.
   double (*branch_energy)(const materials::MaxwellBranches& branches, int n, const double* w, const double* metrics,
                           const double* F);
-  /// Lets the metrics relax for the time h, for the mean strain of F0 and F1. Returns the lost energy.
+  /// Replaces the metrics by their values after the time h, for the mean strain of F0 and F1. Returns the lost energy,
+  /// weighted by w.
   double (*relax_branches)(const materials::MaxwellBranches& branches, double h, int n, const double* w,
                            const double* F0, const double* F1, double* metrics);
 

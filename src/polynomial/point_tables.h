@@ -121,10 +121,13 @@ class PointTables {
   void add_transposed_sums(const Factors& factors, const double* const* y, double* c) const;
   void add_transposed_octant(const Factors& factors, const double* const* y, double* c) const;
 
+  /// Index in y of the first value of a field, for the component and the parity of a block.
   std::size_t place(const Block& block, int field) const {
     return (static_cast<std::size_t>(block.component) * n_fields() + field) * n_points() +
            static_cast<std::size_t>(block.slot ^ shift_[field]) * stride_;
   }
+  /// Applies the transform between the sums of each parity and the values at each image. Without images it does
+  /// nothing.
   void transform(int n_components, double* y) const;
 
   Fields fields_;

@@ -51,8 +51,8 @@ struct QuadratureChoice {
 };
 
 /// Estimates the error of the quadrature of `body`, and adds points in the volume if this is requested. The function
-/// adds at most 8 points in each direction, and stops if the last point did not halve e. `setup` must be the setup of
-/// `body`.
+/// adds at most 8 points in each direction, and stops if the last point did not halve e. For degree 1 the error is 0,
+/// because the motion remains affine. `setup` must be the setup of `body`.
 template <class Body>
 QuadratureChoice choose_quadrature(const BodySetup& setup, const Body& body, const BodyState& state,
                                    const QuadratureRequest& request);

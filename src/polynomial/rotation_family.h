@@ -30,6 +30,7 @@ struct SpecialRotation {
   RotationMember member;
 };
 
+/// A parameter without a member, and the reason.
 struct NoRotation {
   double parameter;
   std::string reason;
@@ -47,6 +48,7 @@ struct NearbyFigure {
   double spin_squared;
 };
 
+/// `condition` returns the condition that determines the figure with a parameter of the family.
 struct FamilyOfRotations {
   Figure figure;
   std::function<FigureCondition(double parameter)> condition;

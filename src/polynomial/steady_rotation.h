@@ -56,7 +56,7 @@ class SteadyRotations {
   SteadyRotation affine(const Eigen::Vector3d& a, double spin_squared) const;
 
   /// Moves `rotation` to the figure near it that satisfies the condition. Fails if Newton's iteration does not
-  /// converge.
+  /// converge, or if a force cannot be computed; `rotation` is then not a figure.
   mechanics::Status solve(const FigureCondition& condition, SteadyRotation& rotation) const;
   /// Moves `rotation`, a known figure with the parameter `from`, along the family to the figure with `condition`. A
   /// step is halved if Newton's iteration fails or does not stay close to the prediction. After a step that succeeds,

@@ -75,9 +75,9 @@ class ContactForces {
   /// f ← f + damping force at the velocity u, for planes that are evaluated at one time (Planes::at). Returns the
   /// powers of this force on this rank.
   loads::ContactPower add_plane_damping(const loads::Planes& planes, const Vector& x, const Vector& u, Vector& f) const;
-  /// Adds forces of friction to f. traction_on(plane, face) returns a function of two arguments: the index of a point
-  /// of the face, and the product w k d at this point. The result is the force of the point, which includes its weight
-  /// w.
+  /// Adds forces of friction to f. traction_on(plane, face) returns a function for the points of the face. Its
+  /// arguments are the index of a point and the product w k d at this point. Its result is the force of the point,
+  /// which includes the weight w.
   template <class TractionOn>
   void add_tractions(const loads::Planes& planes, const Vector& x, TractionOn&& traction_on, Vector& f) const;
   /// f_m ← f_m + Σ_points w p φ_m n with the pressure p. `pressures` contains the products w p: [p][q].

@@ -14,6 +14,7 @@ namespace {
 
 /// Relative residual of eigenvectors. The relative error of frequencies is of the order of its square.
 constexpr double eigenvector_tolerance = 1e-7;
+/// Relative margin for round-off in the bound below which the modes of a sector are complete.
 constexpr double round_off = 1e-9;
 
 /// A sector to solve (parity_of_sector), and the number of sectors with the same spectrum, including this sector.
@@ -69,7 +70,8 @@ class SectorSpectrum {
 
   mechanics::Status factorize() { return sector_.factorize(); }
 
-  /// Computes n more eigenpairs. Appends their modes to `modes`, except for rigid motions.
+  /// Computes n more eigenpairs, or a few more. Appends their modes to `modes`, except for rigid motions. If the sector
+  /// has no other eigenpair, complete_below() becomes infinite.
   mechanics::Status extend(int n, std::vector<SectorMode>& modes, ModesReport& report) {
     const std::size_t n_before = pairs_.size();
     const auto apply = [&](std::span<const double> y, std::span<double> z) {
@@ -146,6 +148,7 @@ std::vector<mechanics::ModeGroup> sort_modes(const std::vector<SectorMode>& mode
   return mechanics::group_modes(known);
 }
 
+/// The frequency of a group of modes. Its shape is that of the first mode of the group.
 BallFrequency frequency_of(const std::vector<SectorMode>& modes, const mechanics::ModeGroup& group) {
   const SectorMode& shown = modes[group.modes.front()];
   BallFrequency f{.omega = group.omega,

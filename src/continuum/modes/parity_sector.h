@@ -48,11 +48,10 @@
 
 namespace pseudorigid::continuum {
 
-/// Data that all sectors share: the space, and the stiffness and the constraint of every cell. The space must be that
-/// of an octant in one process.
+/// Data that all sectors share: the space, and the stiffness and the constraint of every cell.
 struct RestProblem {
-  /// The self-gravity K_g (top of this file) is that of an incompressible body. `gravity_constant` is Newton's constant
-  /// in internal units, in which ρ = r = 1.
+  /// `space` must be that of an octant in one process. The self-gravity K_g (top of this file) is that of an
+  /// incompressible body. `gravity_constant` is Newton's constant in internal units, in which ρ = r = 1.
   RestProblem(const BallSpace& space, const CellKernels& kernels, const StoredEnergy& stored, bool incompressible,
               double gravity_constant = 0);
 
@@ -64,7 +63,7 @@ struct RestProblem {
   double penalty;                           ///< γ
   std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell, with the springs of self-gravity
   std::vector<Eigen::MatrixXd> constraint;  ///< G of each cell
-  std::vector<int> n_cells_at_node;
+  std::vector<int> n_cells_at_node;         ///< number of cells that contain each node
 
  private:
   void add_springs();
@@ -120,7 +119,7 @@ class ParitySector {
   Parity parity_;
   std::size_t n_unknowns_ = 0, first_interface_ = 0;  ///< first_interface_: the first unknown between cells
   std::vector<Cell> cells_;
-  std::vector<unsigned int> entry_of_unknown_;  ///< 3·node + component
+  std::vector<unsigned int> entry_of_unknown_;  ///< 3·node + component of each unknown
   Eigen::VectorXd mass_, root_mass_;
   Eigen::MatrixXd attraction_;  ///< the second term of uᵀK_g u on the octant is −|attraction_ u|²
   std::unique_ptr<Interface> interface_;
