@@ -38,7 +38,8 @@ class PolynomialSpace {
   int n_points_in_direction() const { return grid_.n_radii(); }
   const std::array<bool, 3>& reflect() const { return reflect_; }
   const Eigen::Vector3d& semi_axes() const { return semi_axes_; }
-  /// Number of copies of the computed sector in the body: 1 if the sector is the whole body, 8 if it is an octant.
+  /// Number of copies of the computed sector in the body, for example 1 if the sector is the whole body, and 8 if it is
+  /// an octant.
   int n_mirrors() const { return 8 / n_images_; }
   /// Number of images of the octant in the computed sector, including the octant itself.
   int n_images() const { return n_images_; }

@@ -29,6 +29,7 @@
 
 namespace pseudorigid::reduced {
 
+/// The decomposition Q = TᵀAS. Row i of T and row i of S belong to axis i.
 struct Bipolar {
   Eigen::Matrix3d T, S;
   Eigen::Vector3d a;
@@ -52,8 +53,8 @@ inline void reverse_axis(Bipolar& b, int i) {
   b.T.row(i) *= -1;
   b.S.row(i) *= -1;
 }
-/// Sum of two scalar products: of axis i of b with axis j of `before` in T, and of the same axes in S. The sum is at
-/// most 2, and negative if the axis is reversed.
+/// Sum of two scalar products: axis i of b with axis j of `before` in T, and the same axes in S. The sum is between −2
+/// and 2. It is negative if the axis is nearer to the reversed one.
 inline double overlap(const Bipolar& b, int i, const Bipolar& before, int j) {
   return b.T.row(i).dot(before.T.row(j)) + b.S.row(i).dot(before.S.row(j));
 }
@@ -139,8 +140,8 @@ inline BipolarRates rates(const Bipolar& b, const Eigen::Matrix3d& Qdot) {
 }
 
 /// The residual of Oliva (5.121) per m̄ at the middle of nine states of one motion. The times of the states have equal
-/// distances h, and u̇ is a central difference of order 8. `gradient` is ∂V/∂Q minus any other force, and `lambda` is
-/// the multiplier per m̄, both for the state in the middle.
+/// distances h, and u̇ is a central difference of order 8. `gradient` is ∂V/∂Q minus all forces other than the
+/// reaction, and `lambda` is the multiplier per m̄, both for the state in the middle.
 template <class States>
 Eigen::Matrix3d residual_of_5_121(const States& states, double h, const Eigen::Matrix3d& gradient, double lambda,
                                   const Eigen::Matrix3d& E0) {

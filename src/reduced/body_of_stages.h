@@ -16,6 +16,7 @@ namespace pseudorigid::reduced {
 
 using Numbers9 = std::array<double, 9>;
 
+/// The body and its loads that do not depend on time, in internal units.
 struct BodyOfStages {
   materials::AnyLaw law{materials::Fluid{}};
   bool incompressible = true;
@@ -59,9 +60,12 @@ double cost_of_iteration(const BodyOfStages& body, BodyEntries entries);
 /// bodies, only the computation in principal axes is accurate.
 bool takes_gravity_in_lanes(const BodyOfStages& body, const Eigen::Matrix3d& Q);
 
+/// The entries of M by columns.
 Numbers9 numbers(const Eigen::Matrix3d& M);
+/// The numbers of a body. `isotropic` is true if E₀ ∝ Id.
 BodyOfStages body_of_stages(const materials::AnyLaw& law, const ReferenceBody& body, bool incompressible,
                             bool isotropic, const loads::Forcing& forcing = {});
+/// The numbers of the dissipation, and of the loads that depend on time at the times of the stages.
 AccountsOfStages accounts_of_stages(const Dissipation& dissipation, const loads::Loads& driving,
                                     const mechanics::GaussStages& stages);
 

@@ -31,7 +31,7 @@ struct CenterOfMass {
     double work = 0;  ///< w
   };
 
-  /// Returns the motion at the time t. Requires that no load depends on time. With an unstable T, the motion can exceed
+  /// Returns the exact motion at the time t, without the loads in `driving`. With an unstable T, the motion can exceed
   /// the largest number at a late time. The result is then not finite.
   Motion at(double t) const;
 
@@ -52,6 +52,8 @@ class CenterPath {
   ~CenterPath();
 
   const CenterOfMass& law() const { return center_; }
+  /// The motion at the time t ≥ 0. The result is NaN if the integration fails, and not finite if the motion exceeds the
+  /// largest number.
   CenterOfMass::Motion at(double t);
 
  private:

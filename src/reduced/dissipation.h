@@ -22,6 +22,7 @@ struct Dissipation {
   double viscosity = 0;  ///< η
   double drag = 0;       ///< c
 
+  /// The viscosity and the drag of a forcing.
   static Dissipation of(const loads::Forcing& forcing) {
     return {.viscosity = forcing.viscosity, .drag = forcing.drag};
   }

@@ -55,9 +55,9 @@ inline Eigen::Vector3d axes_of_ratios(double a2_to_a1, double a3_to_a1) {
 }
 
 /// Sets m to a steady motion of a body whose axes have the ratios of `axes`. motion(a, m) sets m to the motion with the
-/// semi-axes a. On SL(3), a = axes. On GL⁺(3), a = size · axes with the size nearest to 1 at which the multiplier is 0.
-/// Fails if there is no such size between 1/18 and 18. The function `motion` must set m.lambda even if it fails because
-/// the square of a velocity is negative.
+/// semi-axes a. On SL(3), a = axes, so the product of `axes` must be 1. On GL⁺(3), a = size · axes with the size
+/// nearest to 1 at which the multiplier is 0. Fails if `motion` fails, or if there is no such size between 1/18 and 18.
+/// The function `motion` must set m.lambda even if it fails because the square of a velocity is negative.
 template <SmoothPotential V, class MotionOfAxes>
 mechanics::Status motion_of_shape(const IsotropicBody<V>& body, const Eigen::Vector3d& axes, const MotionOfAxes& motion,
                                   SteadyMotion& m) {
@@ -86,6 +86,7 @@ struct TypeSSquares {
   double sum, twice_product, lambda;
 };
 
+/// The right-hand sides for type S in the head of this file, for the semi-axes a.
 template <SmoothPotential V>
 TypeSSquares type_s_squares(const IsotropicBody<V>& body, const Eigen::Vector3d& a) {
   const Eigen::Matrix3d A = a.asDiagonal(), D = body.second_derivative(A, unit_matrix(1, 0));

@@ -6,7 +6,7 @@
 ///
 ///   ∂V/∂Q = T Q E₀ − Vol P̄ + p Vol cof Q      (∮P̄N·QX dA = Vol P̄:Q by the divergence theorem)
 ///
-/// A load that is 0 costs only a branch.
+/// Loads that are 0 are skipped.
 
 #include <Eigen/Dense>
 #include <optional>

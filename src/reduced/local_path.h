@@ -12,6 +12,7 @@ namespace pseudorigid::reduced {
 template <class System>
 using LocalPath = std::array<mechanics::State<System>, 9>;
 
+/// Sets `path` to the nine states around `state`. Fails if an acceleration cannot be computed.
 template <class System>
 mechanics::Status local_path(const System& system, const mechanics::State<System>& state, double h,
                              LocalPath<System>& path) {

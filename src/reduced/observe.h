@@ -20,8 +20,8 @@
 namespace pseudorigid::reduced {
 
 /// Sets Q, Q̇, det Q and the contact, if there is any, and the quantities of `o` that `request` contains. The bipolar
-/// observables are set by observe_bipolar. `System` is a PseudoRigidBody or one of its other forms. Fails if the
-/// multiplier is needed and cannot be computed.
+/// observables are set by observe_bipolar. `System` is a PseudoRigidBody or one of its other forms. Fails if `request`
+/// contains the multiplier, the pressure or bipolar observables, and the multiplier cannot be computed.
 template <class System>
 mechanics::Status observe(const System& system, const mechanics::State<System>& state,
                           typename System::Workspace& workspace, const mechanics::ObservableRequest& request,

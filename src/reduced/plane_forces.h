@@ -55,8 +55,8 @@ class PlaneForces {
     }
     return taken;
   }
-  /// Adds the change of the damping and the friction at the velocities (Q̇, ċ) if the velocities change by (U, u). The
-  /// speed of planes does not change.
+  /// Adds the change of the damping and the friction if the velocities (Q̇, ċ) change by (U, u). The speed of planes
+  /// does not change. `kind` is the linearisation of the friction.
   void add_damping_change(double t, const Matrix& Q, const Vector& c, const Matrix& Qdot, const Vector& cdot,
                           const Matrix& U, const Vector& u, mechanics::Linearization kind,
                           loads::AffineForce& F) const {

@@ -50,8 +50,8 @@ class Potential {
     if (G != 0) gravity_ = gravity::EllipsoidGravity{0.6 * G * body.mass * body.mass};
   }
 
-  /// `admits` is true if Q is within the limit of the material law, and `limit` names this limit
-  /// (materials/law_limits.h).
+  /// `admits` returns true if Q is within the limit of the material law. `limit` names this limit for messages, and is
+  /// empty for a law without a limit (materials/law_limits.h).
   bool admits(const Tensor& Q) const { return !limited_ || materials::admits(law_, Q); }
   std::string_view limit() const { return materials::limit_of(law_); }
 
@@ -99,7 +99,7 @@ class Potential {
   }
 
  private:
-  /// Derivative of V without the stored energy, with respect to Q.
+  /// Derivative of V − Vol·W with respect to Q: the terms other than the stored energy.
   Eigen::Matrix3d loads(const Eigen::Matrix3d& Q) const {
     Eigen::Matrix3d f = Eigen::Matrix3d::Zero();
     if (gravity_ && spherical_) f = gravity_->gradient(Q);

@@ -202,7 +202,7 @@ class PseudoRigidBody {
     return (P * Q.transpose() - lambda * m_bar_ / volume_ * Eigen::Matrix3d::Identity()) / Q.determinant();
   }
 
-  /// Returns a failure with the reason if Q is not an admissible deformation of this body.
+  /// Fails with the reason if det Q is not positive and finite, or if the law does not admit Q.
   mechanics::Status admissible(const Vector& Q) const {
     const Tensor q = materials::to_tensor(Q);
     const double J = materials::determinant(q);

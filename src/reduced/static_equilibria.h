@@ -22,7 +22,8 @@
 
 namespace pseudorigid::reduced {
 
-/// The landscape of V on the matrices Q. A vector has 9 entries, the columns of Q one after the other.
+/// The landscape of V on the matrices Q, for the search for critical points (mechanics/equilibria/critical_points.h). A
+/// vector has 9 entries, the columns of Q one after the other.
 class StaticLandscape {
  public:
   using Vector = Eigen::VectorXd;
