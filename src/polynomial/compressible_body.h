@@ -10,8 +10,8 @@ namespace pseudorigid::polynomial {
 class CompressibleBody : public PolynomialBody, public mechanics::Unconstrained {
  public:
   struct Workspace : mechanics::Unconstrained::Workspace {
-    const Vector* held_at =
-        nullptr;  ///< configuration of the springs that replace contact (PolynomialBody::applied_force), or null
+    /// Configuration of the springs that replace the contact (PolynomialBody::applied_force), or null for contact.
+    const Vector* held_at = nullptr;
   };
   using PolynomialBody::PolynomialBody;
 

@@ -24,8 +24,8 @@ class IncompressibleBody : public PolynomialBody {
     /// Euclidean norm of the residual that is sufficient for the caller of solve_gram. The caller bounds the maximum
     /// norm, which is at most the Euclidean norm. If 0, only the relative bound of GramSolver::solve applies.
     double residual_sought = 0;
-    const Vector* held_at =
-        nullptr;  ///< configuration of the springs that replace contact (PolynomialBody::applied_force), or null
+    /// Configuration of the springs that replace the contact (PolynomialBody::applied_force), or null for contact.
+    const Vector* held_at = nullptr;
 
     template <class Visit>
     void visit_memory(Visit&& visit) {

@@ -67,8 +67,8 @@ class BallBody {
   }
   /// True if C does not depend on the velocity. Only friction makes C depend on the velocity.
   bool damping_is_linear() const { return !loads_.rough(); }
-  /// True if there are companions. The next function then moves the companions in q along their orbits for the time h,
-  /// as mechanics::Drifting requires.
+  /// True if there are companions. `drift` moves the companions in q along their orbits for the time h, as
+  /// mechanics::Drifting requires.
   bool drifts() const { return orbit_.n() > 0; }
   void drift(double h, const Vector& before, Vector& q, Vector& v) const {
     mechanics::Orbit::Columns s = companions(before), sdot = companions(v);

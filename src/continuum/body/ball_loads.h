@@ -32,9 +32,8 @@ class LoadForces {
 
   bool dissipative() const { return constant_.dissipative(); }
   bool damped() const { return constant_.damped(); }
-  bool rough() const {
-    return constant_.planes.rough();
-  }  ///< true if planes have friction, so that the damping force is not linear in the velocity
+  /// True if planes have friction. The damping force is then not linear in the velocity.
+  bool rough() const { return constant_.planes.rough(); }
   bool time_dependent() const { return driven_; }
 
   /// f ← f + the forces of the loads at the time t. If there is a node BallSpace::account, sets the force on it to the

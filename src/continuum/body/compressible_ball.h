@@ -14,8 +14,8 @@ namespace pseudorigid::continuum {
 class CompressibleBall : public BallBody, public mechanics::Unconstrained {
  public:
   struct Workspace : mechanics::Unconstrained::Workspace {
-    const Vector* held_at =
-        nullptr;  ///< configuration of the springs that replace contact (BallBody::applied_force), or null
+    /// Configuration of the springs that replace the contact (BallBody::applied_force), or null for contact.
+    const Vector* held_at = nullptr;
   };
   using BallBody::BallBody;
 

@@ -25,10 +25,11 @@ class ElasticBall : public BallBody {
   using Multiplier = continuum::Vector;
   struct Workspace {
     GramSolver gram;
-    double residual_sought =
-        0;  ///< sufficient Euclidean norm of the residual of solve_gram; 0: relative reduction only
-    const Vector* held_at =
-        nullptr;  ///< configuration of the springs that replace contact (BallBody::applied_force), or null
+    /// Euclidean norm of the residual that is sufficient for the caller of solve_gram. If 0, only the relative bound of
+    /// GramSolver::solve applies.
+    double residual_sought = 0;
+    /// Configuration of the springs that replace the contact (BallBody::applied_force), or null for contact.
+    const Vector* held_at = nullptr;
 
     template <class Visit>
     void visit_memory(Visit&& visit) {

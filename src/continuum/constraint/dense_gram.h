@@ -43,8 +43,8 @@ class DenseGram final : public GramPreconditioner {
 
   const BallSpace* space_;
   const CellKernels* kernels_;
-  std::map<std::pair<unsigned int, unsigned int>, SharedNodes>
-      shared_nodes_;  ///< [a, b] for cells a < b with common nodes
+  /// The shared nodes of each pair of cells a < b, if there are any.
+  std::map<std::pair<unsigned int, unsigned int>, SharedNodes> shared_nodes_;
   SymmetricMatrix inverse_;
 };
 

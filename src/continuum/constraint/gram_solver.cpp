@@ -119,8 +119,8 @@ class GramSolver::Impl {
     return method == GramMethod::dense ? Precision::double_precision : Precision::single_precision;
   }
 
-  /// The tangent of the constraint at the last positions. In double precision it is computed again only if the
-  /// positions change, and in single precision at each call of move_to.
+  /// The tangent of the constraint at the positions of the last call. In double precision it is computed again only if
+  /// the positions change, and in single precision at each call of move_to.
   class TangentAt {
    public:
     TangentAt(const CellKernels& kernels, Precision precision)

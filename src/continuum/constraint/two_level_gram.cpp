@@ -163,8 +163,8 @@ void TwoLevelGram::make_coarse_solver() {
   PCSetType(preconditioner, PCGAMG);
   set_default_option("-gram_coarse_pc_gamg_aggressive_coarsening",
                      "0");  // aggressive coarsening needs 1.5 times the iterations
-  // A second sweep of the smoother does not pay. For k = 4 it reduces the iterations by a tenth, but each iteration
-  // costs a fifth more.
+  // A second sweep of the smoother is not worth its cost. For k = 4 it reduces the iterations by a tenth, but each
+  // iteration costs a fifth more.
   set_default_option("-gram_coarse_mg_levels_ksp_max_it", "1");
   KSPSetFromOptions(coarse_solver_);
   PetscObjectTypeCompare(reinterpret_cast<PetscObject>(coarse_solver_), KSPPREONLY, &applies_preconditioner_);

@@ -189,9 +189,9 @@ class CellBatches {
   }
 
   std::vector<PressurePoint> pressure_points_;
-  std::vector<std::array<unsigned int, n_lanes>>
-      offsets_;           ///< [batch · n_nodes + node][lane]: index of the node's first component
-  std::vector<L> basis_;  ///< L⁻¹ of all batches, packed by rows
+  /// [batch · n_nodes + node][lane]: index of the node's first component in vectors.
+  std::vector<std::array<unsigned int, n_lanes>> offsets_;
+  std::vector<L> basis_;  ///< the lower triangles of L⁻¹ of all batches, row by row
 };
 
 }  // namespace pseudorigid::continuum

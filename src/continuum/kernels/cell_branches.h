@@ -20,8 +20,8 @@ class CellBranches final : public BranchKernels {
  public:
   explicit CellBranches(const Planes& planes) : planes_(planes) {}
 
-  /// With the stress P of all branches, the integrand in reference coordinates is −w P (∂X/∂ξ)⁻ᵀ : ∂φ/∂ξ. Here w
-  /// (∂X/∂ξ)⁻ᵀ = ŵ cof ∂X/∂ξ with the weight ŵ on the reference cell.
+  /// With the stress P of all branches, the integrand in reference coordinates is −w P (∂X/∂ξ)⁻ᵀ : ∂φ/∂ξ. The weight is
+  /// w = ŵ det ∂X/∂ξ with the weight ŵ on the reference cell. Therefore w (∂X/∂ξ)⁻ᵀ = ŵ cof ∂X/∂ξ.
   void add_force(const Branches& branches, const double* metrics, const double* x, double* f) const override {
     auto& buffers = planes_.buffers();
     for_each_plane(x, [&](std::size_t b, int q3) {
@@ -93,7 +93,8 @@ class CellBranches final : public BranchKernels {
     planes_.load_layers(planes_.batches.reference_positions, b, buffers.X);
   }
 
-  /// Calls use(batch, plane) while buffers.H contains F, buffers.dX contains ∂X/∂ξ and buffers.weights contains w.
+  /// Calls use(batch, plane) for each plane of points. Then buffers.H contains F at the position x, buffers.dX contains
+  /// ∂X/∂ξ, and buffers.weights contains w.
   template <class Use>
   void for_each_plane(const double* x, const Use& use) const {
     auto& buffers = planes_.buffers();

@@ -1,8 +1,8 @@
 #pragma once
 /// The integrals of cell_kernels.h over the cells of one process. A vector is a pointer to its entries on this process:
-/// its own entries, and then those of ghost nodes. The latter must be up to date. The owner of a ghost node later adds
-/// the contributions of other ranks. This file does not depend on deal.II, so the kernels compile in a few seconds per
-/// degree.
+/// its own entries, and then those of ghost nodes. The entries of ghost nodes must be up to date. The owner of a ghost
+/// node later adds the contributions of other ranks. This file does not depend on deal.II, so the kernels compile in a
+/// few seconds per degree.
 
 #include <array>
 #include <functional>

@@ -19,7 +19,7 @@
 namespace pseudorigid::continuum {
 
 struct StoredEnergy {
-  /// A material law, by default without stabilisation.
+  /// A material law with the stiffness κ of the stabilisation. By default there is no stabilisation.
   template <std::convertible_to<materials::AnyLaw> Law>
   StoredEnergy(const Law& l, double kappa = 0) : law(l), volumetric_stiffness(kappa) {}
 

@@ -20,7 +20,7 @@
 
 namespace pseudorigid::continuum {
 
-/// ∂U/∂J.
+/// ∂U/∂J = (κ/4)(J − 1/J³)
 template <class L>
 [[gnu::always_inline]] inline L stabilizing_pressure(double kappa, const L& J) {
   const L inverse = 1.0 / J;

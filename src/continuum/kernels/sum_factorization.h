@@ -88,12 +88,12 @@ class SumFactorization {
       }
   }
 
-  /// u ← (I⊗I⊗1) u
+  /// u ← (I⊗I⊗1) u: interpolation along the first two directions in each layer of nodes.
   template <class L>
   void interpolate_layers(L* u) const {
     sweep_layers<true>(interpolate_, u);
   }
-  /// u ← (Iᵀ⊗Iᵀ⊗1) u
+  /// u ← (Iᵀ⊗Iᵀ⊗1) u, the transposed map of interpolate_layers.
   template <class L>
   void distribute_layers(L* u) const {
     sweep_layers<true>(distribute_, u);

@@ -19,7 +19,8 @@ using Corner = std::array<double, 3>;
 using CoarseCell = std::array<Corner, 8>;
 
 /// The nonzero coordinates of the corners of the central block. A corner is on an axis, on a diagonal of a coordinate
-/// plane, or on the space diagonal. The values are a choice: the map is exact on the sphere for any of them.
+/// plane, or on the space diagonal. The values are free parameters of the mesh: the image of the sphere is exact for
+/// all of them.
 constexpr double block_axis = 0.528, block_face = 0.4533, block_corner = 0.3752;
 
 /// A corner of the block (on_sphere = false), or its radial projection onto the sphere. bits[i] is 1 if its coordinate
@@ -90,8 +91,8 @@ dealii::Point<3> onto_sphere(const dealii::Point<3>& y) {
   return direction / direction.norm();
 }
 
-/// True for vertices on the sphere, which have the distance 1 from the centre. For the other vertices the distance is
-/// at most 0.66.
+/// True for vertices on the sphere, which have the distance 1 from the centre. The vertices of the block have at most
+/// the distance √3 block_corner = 0.65.
 bool is_on_sphere(const dealii::Point<3>& V) { return V.norm_square() > 0.999; }
 
 /// The map X(ξ) of a coarse cell of the ball in the head of ball_mesh.h.

@@ -8,7 +8,7 @@
 /// weight. On a symmetry plane x_i = 0, the component i of a node is constant. The corresponding entry of the inverse
 /// mass is 0.
 ///
-/// Cells, nodes and multipliers are distributed over the ranks of the mesh. `n_cells` and `cell_nodes` count only the
+/// Cells, nodes and multipliers are distributed over the ranks of the mesh. `n_cells` and `cell_nodes` refer to the
 /// cells of this rank. The local elements of a vector are the entries of this rank, followed by those of the ghost
 /// nodes of its cells.
 
@@ -55,7 +55,7 @@ class BallSpace {
   const std::vector<std::vector<unsigned int>>& cells() const { return cell_nodes_; }
   const Vector& reference_positions() const { return X_; }  ///< X with ghost nodes; 0 at additional nodes
   const Vector& mass() const { return mass_; }              ///< m_n at each component of node n; 0 at additional nodes
-  const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 for a component that a symmetry plane fixes
+  const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 if a symmetry plane fixes the component
   const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
   /// Local index of the coordinate of the dissipated energy. The next index belongs to the coordinate of the given
   /// energy. The inverse masses of both are 1. The result is empty if there is no node for them, and on ranks that do

@@ -89,6 +89,7 @@ struct ParitySector::Cell {
   Eigen::MatrixXd constraint;              ///< G of the free entries
 };
 
+/// The factor of the matrix of the unknowns between cells: `dense` for up to n_dense unknowns, otherwise `sparse`.
 struct ParitySector::Interface {
   Eigen::LLT<Eigen::MatrixXd> dense;
   SparseCholesky sparse;
