@@ -54,7 +54,8 @@ class BodyContact {
   using Field = std::vector<double>;
 
   bool is_affine() const { return space_->degree() == 1; }
-  /// False if the bound in the head of this file shows that the body does not reach the plane, or any of the planes.
+  /// False if the bound in the head of this file shows that the body does not reach the plane. For several planes,
+  /// false if the body does not reach any of them.
   bool may_touch(const loads::Plane& plane, const Eigen::VectorXd& q) const;
   bool may_touch(const loads::Planes& planes, const Eigen::VectorXd& q) const;
   Field positions(const Eigen::VectorXd& q) const;

@@ -76,7 +76,7 @@ void observe_energies(const PolynomialBody& body, const BodyState& state, mechan
   o.dissipated = body.dissipated(state.v);
 }
 
-/// All observables except the multiplier.
+/// Sets all requested observables except the multiplier. The deformation must be admissible.
 void observe_motion(const PolynomialBody& body, const BodyState& state, const mechanics::ObservableRequest& request,
                     mechanics::ContinuumObservables& o) {
   const PolynomialSpace& space = body.space();

@@ -113,7 +113,8 @@ class PolynomialBody {
   void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization kind,
                    Vector& f) const;
   /// f ← f + rate of the conservative forces along u at the time 0. The result includes stress, constant loads,
-  /// self-gravity and planes. It does not include other loads that depend on time, companions and branches.
+  /// self-gravity and planes. It does not include companions, branches, and loads that depend on time other than
+  /// planes.
   void add_force_rate(const Vector& q, const Vector& u, Vector& f) const;
 
   const PolynomialSpace& space() const { return *space_; }

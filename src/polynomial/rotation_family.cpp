@@ -11,7 +11,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Relative width of the bracket at which the search for a special point ends. Each evaluation in the search is an
+/// Relative width of the bracket at which the search for a special point ends. Each step of the search solves an
 /// eigenvalue problem.
 constexpr double resolution = 1e-12;
 

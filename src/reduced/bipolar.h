@@ -54,7 +54,7 @@ inline void reverse_axis(Bipolar& b, int i) {
   b.S.row(i) *= -1;
 }
 /// Sum of two scalar products: axis i of b with axis j of `before` in T, and the same axes in S. The sum is between −2
-/// and 2. It is negative if the axis is nearer to the reversed one.
+/// and 2. It is negative if axis i is nearer to the reversed axis j.
 inline double overlap(const Bipolar& b, int i, const Bipolar& before, int j) {
   return b.T.row(i).dot(before.T.row(j)) + b.S.row(i).dot(before.S.row(j));
 }

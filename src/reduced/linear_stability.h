@@ -38,7 +38,8 @@ inline constexpr double absent = 1e-8;
 inline Eigen::Matrix<double, 9, 1> flat(const Eigen::Matrix3d& H) { return H.reshaped(); }
 inline Eigen::Matrix3d unflat(const Eigen::VectorXd& h) { return h.reshaped(3, 3); }
 
-/// Orthonormal basis T of the tangent space.
+/// Orthonormal basis T of the tangent space at m, one column for each direction: the H with tr(A⁻¹H) = 0, or all H on
+/// GL⁺(3).
 Eigen::MatrixXd tangent_space(const SteadyMotion& m, bool incompressible);
 
 /// Directions of the rotations of space and of the reference ball, in the basis T.

@@ -98,7 +98,8 @@ mechanics::Status observe_bipolar(const System& system, const mechanics::State<S
   before = b;
 
   LocalPath<System> path;
-  // If two axes are close, the frames may rotate at a rate up to |u| divided by the distance of the axes.
+  // If two axes are close, the frames may rotate at a rate up to |u| divided by the distance of the axes. The step h is
+  // small compared with the inverse of this rate.
   const double gap = std::min({std::abs(b.a[0] - b.a[1]), std::abs(b.a[1] - b.a[2]), std::abs(b.a[2] - b.a[0])});
   const double rate = r.u.norm(), h = 0.02 / (1 + rate + rate / std::max(gap, 1e-4));
   auto force = system.make_vector();

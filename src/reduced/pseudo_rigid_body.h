@@ -131,7 +131,7 @@ class PseudoRigidBody {
       f += materials::to_matrix((lambda / materials::settled_at_one(materials::determinant(q, cof))) * cof);
     }
   }
-  /// f ← Gᵀλ for λ = 1.
+  /// f ← Gᵀλ for λ = 1, that is, Q⁻ᵀ.
   void reaction_of_one(const Vector& Q, Vector& f) const requires incompressible {
     const Tensor q = materials::to_tensor(Q), cof = materials::cofactor(q);
     materials::to_matrix((1 / materials::settled_at_one(materials::determinant(q, cof))) * cof, f);
@@ -156,7 +156,7 @@ class PseudoRigidBody {
     return {};
   }
   /// Round-off of ln det Q. For large axis ratios the round-off is larger, and iterations detect it with
-  /// ConvergenceMonitor.
+  /// ConvergenceMonitor (mechanics/core/constraint_newton.h).
   double constraint_tolerance() const { return 4e-16; }
 
   Vector make_vector() const { return Vector::Zero(); }
