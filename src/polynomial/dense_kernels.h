@@ -52,7 +52,8 @@ struct DenseKernels {
   void (*combine_at_points)(const double* A0, const double* A1, const double* A2, const double* T, int n_points,
                             int width, double* R);
 
-  /// In the following functions, the entry (i, j) of a 3×3 tensor at point p of n points is stored at (3i + j) n + p.
+  /// In the following functions, w[p] is the quadrature weight of point p of n points. The entry (i, j) of a 3×3 tensor
+  /// at this point is stored at (3i + j) n + p.
 
   /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/8)(J − 1/J)². Returns the least value at
   /// the points of det F and, if the law has one, of its reserve (materials/law_limits.h).
@@ -88,7 +89,7 @@ struct DenseKernels {
   /// T ← T + w Σ P_b
   void (*add_branch_stress)(const materials::MaxwellBranches& branches, int n, const double* w, const double* metrics,
                             const double* F, double* T);
-  /// Returns Σ w W_b.
+  /// Returns the sum of w W_b over the points and the branches.
   double (*branch_energy)(const materials::MaxwellBranches& branches, int n, const double* w, const double* metrics,
                           const double* F);
   /// Replaces the metrics by their values after the time h, for the mean strain of F0 and F1. Returns the lost energy,

@@ -121,7 +121,8 @@ class PolynomialBody {
   const materials::AnyLaw& law() const { return law_; }
   /// The self-gravity, or null if there is none.
   const BodyGravity* gravity() const { return gravity_.get(); }
-  /// The contact with rigid planes at the time t and the position q. It is empty if there are no planes.
+  /// The contact with rigid planes at the time t and the position q. Without planes, the force is 0 and the height is
+  /// infinite.
   loads::Contact contact(double t, const Vector& q) const {
     return contact_ ? contact_->contact(t, q) : loads::Contact{};
   }

@@ -36,7 +36,7 @@ struct Bipolar {
 };
 
 struct BipolarRates {
-  Eigen::Matrix3d Omega, Lambda;  ///< Ω*, Λ*
+  Eigen::Matrix3d Omega, Lambda;  ///< the rates Ω* and Λ* of the frames
   Eigen::Vector3d a_rate;
   Eigen::Matrix3d u;
 };

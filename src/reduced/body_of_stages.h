@@ -26,9 +26,9 @@ struct BodyOfStages {
 
   bool loaded = false;          ///< true if self-gravity, T, P̄ or the pressure is not 0
   double gravity_strength = 0;  ///< k = (3/5) G M²
-  Numbers9 shape{};             ///< S (reference_body.h)
-  Numbers9 quadratic{};         ///< T (external_potential.h)
-  Numbers9 nominal_traction{};  ///< P̄ (external_potential.h)
+  Numbers9 shape{};             ///< matrix S of the shape (reference_body.h)
+  Numbers9 quadratic{};         ///< quadratic potential T per mass (external_potential.h)
+  Numbers9 nominal_traction{};  ///< nominal traction P̄ (external_potential.h)
   double pressure = 0;
 };
 

@@ -21,14 +21,14 @@ namespace pseudorigid::reduced {
 struct CenterOfMass {
   ByName by_name{};
   Eigen::Vector3d position = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();  ///< at time 0
-  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();                                  ///< b
-  Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();                                     ///< T
-  double drag = 0;                                                                         ///< c
-  loads::Loads driving{};  ///< loads that depend on time
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();                                  ///< uniform acceleration b
+  Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();  ///< matrix T of the quadratic potential
+  double drag = 0;                                      ///< drag coefficient c
+  loads::Loads driving{};                               ///< loads that depend on time
 
   struct Motion {
     Eigen::Vector3d x, v;
-    double work = 0;  ///< w
+    double work = 0;  ///< energy w per mass that the loads depending on time have given
   };
 
   /// Returns the exact motion at the time t, without the loads in `driving`. With an unstable T, the motion can exceed

@@ -19,8 +19,8 @@ namespace pseudorigid::reduced {
 
 struct Dissipation {
   ByName by_name{};
-  double viscosity = 0;  ///< η
-  double drag = 0;       ///< c
+  double viscosity = 0;  ///< viscosity η
+  double drag = 0;       ///< drag coefficient c
 
   /// The viscosity and the drag of a forcing.
   static Dissipation of(const loads::Forcing& forcing) {

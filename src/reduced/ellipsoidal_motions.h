@@ -99,7 +99,7 @@ TypeSSquares type_s_squares(const IsotropicBody<V>& body, const Eigen::Vector3d&
 template <SmoothPotential V>
 mechanics::Status type_s_motion(const IsotropicBody<V>& body, const Eigen::Vector3d& a, SteadyMotion& m) {
   const auto [sum, product, lambda] = type_s_squares(body, a);
-  const double plus = sum + product, minus = sum - product;  // (ω ± Λ)²
+  const double plus = sum + product, minus = sum - product;  // (ω + Λ)² and (ω − Λ)²
   m.A = a.asDiagonal();
   m.lambda = lambda;
   const double round_off = 1e-14 * (std::abs(sum) + std::abs(product));

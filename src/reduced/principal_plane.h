@@ -81,7 +81,7 @@ void steady_equations(const IsotropicBody<V>& body, const PlaneVector& u, PlaneV
   };
   F.head<6>() = rows(R * A, body.incompressible ? u.head<3>().sum() : u[7]);
   for (int i = 0; i < 3; ++i) {
-    Eigen::Matrix3d H = Eigen::Matrix3d::Zero();  // ∂A/∂ln a_i
+    Eigen::Matrix3d H = Eigen::Matrix3d::Zero();  // the derivative ∂A/∂ln a_i
     H(i, i) = A(i, i);
     const Eigen::Matrix3d dR = detail::steady_acceleration(m.omega, m.Lambda, H) + body.second_derivative(A, H) +
                                m.lambda * A_inverse * H * A_inverse;

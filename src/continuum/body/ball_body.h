@@ -186,7 +186,7 @@ class BallBody {
   LoadForces loads_;
   loads::Branches branches_;
   std::optional<SurfaceGravityForces> gravity_;
-  std::optional<ContactForces> contact_;  ///< empty without planes
+  std::optional<ContactForces> contact_;  ///< empty if there are no planes
   mechanics::Orbit orbit_;
   Eigen::Matrix3d E0_;
   double volume_;

@@ -86,7 +86,7 @@ class ContactForces {
   loads::Planes planes_;
   const BallSpace& space_;
   Eigen::MatrixXd values_;  ///< Lagrange polynomials ℓ_i at the points: [point][i]
-  double lebesgue_;         ///< Λ
+  double lebesgue_;         ///< Lebesgue constant Λ
   std::vector<Face> faces_;
 };
 

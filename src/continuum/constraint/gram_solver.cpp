@@ -78,7 +78,7 @@ class GramSolver::Impl {
     return status;
   }
   /// Computes the preconditioner at the positions of the history, unless this process has already computed it. The
-  /// computation is necessary after a restart from a checkpoint.
+  /// computation is necessary after a restart from a checkpoint. Fails if the preconditioner cannot be computed.
   mechanics::Status restore() {
     return std::exchange(is_made_, true) ? mechanics::Status() : preconditioner_->renew(history_.renewed_at);
   }

@@ -28,13 +28,13 @@ struct LocalCells {
 /// Integrals over the cells, for the observables.
 struct CellIntegrals {
   using Matrix = std::array<std::array<double, 3>, 3>;
-  double elastic = 0;                                      ///< ∫W dX
-  double volumetric = 0;                                   ///< ∫U dX
-  double volume = 0;                                       ///< ∫J dX
+  double elastic = 0;                                      ///< stored energy of the law, ∫W dX
+  double volumetric = 0;                                   ///< stabilising energy, ∫U dX
+  double volume = 0;                                       ///< current volume, ∫J dX
   Matrix F{};                                              ///< ∫F dX
   Matrix X_pulled_back{};                                  ///< ∫ρ X ⊗ (Fᵀẋ) dX
-  double squared_log_J = 0;                                ///< ∫(ln J)² dX
-  double largest_squared_log_J = 0;                        ///< largest (ln J)²
+  double squared_log_J = 0;                                ///< integral ∫(ln J)² dX
+  double largest_squared_log_J = 0;                        ///< largest (ln J)² at a quadrature point
   double least = std::numeric_limits<double>::infinity();  ///< least value of J and of the law's reserve
 };
 

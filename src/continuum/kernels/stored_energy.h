@@ -24,7 +24,7 @@ struct StoredEnergy {
   StoredEnergy(const Law& l, double kappa = 0) : law(l), volumetric_stiffness(kappa) {}
 
   materials::AnyLaw law;
-  double volumetric_stiffness;  ///< κ
+  double volumetric_stiffness;  ///< stiffness κ of U
 };
 
 }  // namespace pseudorigid::continuum

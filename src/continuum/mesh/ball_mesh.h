@@ -49,8 +49,8 @@ struct CoarseMesh {
 
 /// Size and axis of the grading (head of this file), with 0 < size ≤ 1.
 struct Grading {
-  double size = 1;  ///< g; 1 means no grading
-  int axis = 2;     ///< p
+  double size = 1;  ///< factor g; 1 means no grading
+  int axis = 2;     ///< axis p of the two poles: 0, 1 or 2
 };
 
 class BallMesh {
@@ -78,7 +78,7 @@ class BallMesh {
   BallMesh(const Sector& sector, const CoarseMesh& coarse, bool on_sphere, int n_refinements, MPI_Comm communicator);
 
   Sector sector_;
-  bool on_sphere_;     ///< true for the ball and its sectors; false for a body of another shape
+  bool on_sphere_;     ///< exponent β of the grading; 0 without grading
   double growth_ = 0;  ///< β; 0 without grading
   std::unique_ptr<dealii::Triangulation<3>> triangulation_;
   /// [coarse cell][vertex], in the order of deal.II with the first local direction fastest.

@@ -21,8 +21,8 @@ struct ReferenceCell {
   explicit ReferenceCell(int degree);
 
   int n;                                       ///< number of nodes and of Gauss points per direction: degree + 1
-  std::vector<double> nodes, node_weights;     ///< Gauss–Lobatto rule
-  std::vector<double> points, point_weights;   ///< Gauss rule
+  std::vector<double> nodes, node_weights;     ///< nodes and weights of the Gauss–Lobatto rule
+  std::vector<double> points, point_weights;   ///< points and weights of the Gauss rule
   std::vector<double> interpolate;             ///< row-major [q][i]: nodes → points
   std::vector<double> differentiate;           ///< row-major [q][p]: values at points → derivative at points
   std::vector<double> differentiate_at_nodes;  ///< row-major [i][j]: values at nodes → derivative at nodes

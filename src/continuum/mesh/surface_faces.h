@@ -12,8 +12,8 @@ namespace pseudorigid::continuum {
 
 struct CellFace {
   unsigned int cell;  ///< index of the cell on this rank
-  int direction;      ///< d
-  int end;            ///< ξ_d, 0 or 1
+  int direction;      ///< local direction d across the face
+  int end;            ///< value of ξ_d on the face, 0 or 1
 
   /// Number of the face among the six faces of a cell in deal.II.
   unsigned int number() const { return 2 * direction + end; }

@@ -116,7 +116,7 @@ class SectorSpectrum {
     for (unsigned int i = 0; i < 3 * problem_.space.n_nodes(); ++i) {
       const unsigned int node = i - i % 3, c = i % 3;
       double motion = c == axis ? 1 : 0;
-      if (n_negative == 2)  // ê×X
+      if (n_negative == 2)  // the rotation ê×X about the axis
         motion = c == (axis + 1) % 3   ? -X.local_element(node + (axis + 2) % 3)
                  : c == (axis + 2) % 3 ? X.local_element(node + (axis + 1) % 3)
                                        : 0;

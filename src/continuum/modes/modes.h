@@ -31,7 +31,7 @@ struct BallFrequency {
   ModeKind kind;
   int degree;
   int overtone;      ///< 0 for the fundamental
-  int multiplicity;  ///< 2·degree + 1
+  int multiplicity;  ///< number of modes, 2·degree + 1
   double share;      ///< least share of the class in the squared surface displacement of a mode
   Parity parity;     ///< parity of the shape
   Vector shape;      ///< displacement of one of the modes on the octant; the largest nodal displacement is 1

@@ -59,8 +59,8 @@ struct RestProblem {
   RestElasticity elasticity;
   bool incompressible;
   double shift;                             ///< s; may be set to 0 for sectors of a stable ball without rigid motions
-  double weight_of_density;                 ///< ρg
-  double penalty;                           ///< γ
+  double weight_of_density;                 ///< product ρg of density and gravity at the surface
+  double penalty;                           ///< penalty γ of the augmented Lagrangian
   std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell, with the springs of self-gravity
   std::vector<Eigen::MatrixXd> constraint;  ///< G of each cell
   std::vector<int> n_cells_at_node;         ///< number of cells that contain each node
