@@ -149,7 +149,7 @@ Eigen::MatrixXd RotationSpectrum::stiffness(const SteadyRotation& rotation) cons
 mechanics::SymmetryDirections RotationSpectrum::symmetries(const Part& part, const Eigen::MatrixXd& T,
                                                            const Eigen::Matrix3d& A,
                                                            const mechanics::SymmetryDirections& turns) const {
-  constexpr double absent = 1e-6;  // bound for the components of a rotation in other classes
+  constexpr double absent = 1e-6;  // relative bound for the round-off of a rotation in other classes
   const Eigen::MatrixXd y = T.transpose() * turns.y;
   std::vector<Eigen::Index> present;
   for (Eigen::Index k = 0; k < y.cols(); ++k)

@@ -217,7 +217,7 @@ class EightBodies {
   Stress stress_;
   BodyLanes volume_;
   Tensor E0_inverse_;
-  bool isotropic_;  // E₀ ∝ Id for all bodies
+  bool isotropic_;  // true if E₀ ∝ Id for all bodies
 };
 
 }  // namespace pseudorigid::reduced

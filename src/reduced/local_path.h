@@ -17,7 +17,8 @@ template <class System>
 mechanics::Status local_path(const System& system, const mechanics::State<System>& state, double h,
                              LocalPath<System>& path) {
   using Vector = typename System::Vector;
-  // The steps of length h/8 have errors of the order (h/8)⁴. The differences have errors of the order h⁸.
+  // Number of steps between two states. Their errors are of the order (h/8)⁴, and those of the differences of the order
+  // h⁸.
   constexpr int n_substeps = 8;
   const mechanics::ExplicitMultiplier<System> field(system);
   auto w = field.make_workspace();

@@ -21,7 +21,7 @@ using MatricesInLanes = std::array<double, 9 * n_body_lanes>;
 struct InertiaInLanes {
   std::array<double, n_body_lanes> volume;
   MatricesInLanes E0_inverse;
-  bool isotropic;  ///< each E₀ is a multiple of Id
+  bool isotropic;  ///< true if each E₀ is a multiple of Id
 };
 
 struct MotionsInLanes {

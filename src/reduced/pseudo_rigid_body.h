@@ -265,7 +265,7 @@ class PseudoRigidBody {
   double volume_;
   Eigen::Matrix3d E0_, E0_inverse_;
   double m_bar_, inverse_m_bar_;
-  bool isotropic_;  // E₀ = m̄ Id
+  bool isotropic_;  // true if E₀ = m̄ Id
   BodyOfStages of_stages_;
 };
 

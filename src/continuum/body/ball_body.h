@@ -138,8 +138,8 @@ class BallBody {
   const SurfaceGravityForces* gravity() const { return gravity_ ? &*gravity_ : nullptr; }
 
   /// The integral of a tensor over the whole ball from the integral over the sector. Entry (i, j) is odd under a
-  /// reflection of exactly one of x_i and x_j. It is 0 if the sector has such a reflection, and otherwise multiplied by
-  /// the number of images.
+  /// reflection of exactly one of x_i and x_j. If the sector has such a reflection, the entry of the result is 0. The
+  /// other entries are multiplied by the number of images.
   Eigen::Matrix3d whole_ball(const Eigen::Matrix3d& sector_integral) const;
   /// Least det F over the quadrature points of all ranks, with its reference position. Collective.
   LeastPlace least_jacobian(const Vector& x) const;

@@ -46,7 +46,7 @@ class GramSolver {
     /// n_iterations_fresh: iterations of the first solve after a renewal, −1 before this solve. n_iterations_lost: the
     /// sum over all later solves of the iterations beyond this number.
     int n_iterations_fresh = -1, n_iterations_lost = 0;
-    bool stale = true;  ///< true if the preconditioner must be renewed, and before it is first computed
+    bool stale = true;  ///< true if the next solve must compute or renew the preconditioner
   };
   History& history();
   template <class Visit>

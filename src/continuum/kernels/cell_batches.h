@@ -32,7 +32,7 @@ class CellBatches {
   struct Batch {
     unsigned int first_cell;
     int n_active;        ///< number of lanes with a cell of their own
-    L center[3], scale;  ///< X = center + scale · position
+    L center[3], scale;  ///< X = center + scale · PressurePoint::position
     L cell_volume;
   };
 

@@ -78,8 +78,8 @@ class BallMesh {
   BallMesh(const Sector& sector, const CoarseMesh& coarse, bool on_sphere, int n_refinements, MPI_Comm communicator);
 
   Sector sector_;
-  bool on_sphere_;     ///< exponent β of the grading; 0 without grading
-  double growth_ = 0;  ///< β; 0 without grading
+  bool on_sphere_;     ///< true for the ball and its sectors; false for a body of another shape
+  double growth_ = 0;  ///< exponent β of the grading; 0 without grading
   std::unique_ptr<dealii::Triangulation<3>> triangulation_;
   /// [coarse cell][vertex], in the order of deal.II with the first local direction fastest.
   std::vector<std::array<dealii::Point<3>, 8>> coarse_vertices_;

@@ -26,8 +26,8 @@ namespace pseudorigid::continuum {
 /// and grows at the rate −ω.
 struct BallFrequency {
   double omega;  ///< mean over the 2n + 1 modes
-  double least,
-      largest;  ///< least and largest ω of the modes; they differ, because the mesh breaks the symmetry of the sphere
+  /// Least and largest ω of the modes. They differ, because the mesh breaks the symmetry of the sphere.
+  double least, largest;
   ModeKind kind;
   int degree;
   int overtone;      ///< 0 for the fundamental

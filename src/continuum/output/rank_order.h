@@ -60,7 +60,7 @@ class MemoryLayout {
   void operator()(Vector& x) {
     parts_.push_back({x.size() == order_->field_size() ? Kind::field : Kind::multiplier, x.locally_owned_size()});
   }
-  /// A number, or an empty part such as the multiplier of a ball without constraint.
+  /// Adds a part that is a number or empty, such as the multiplier of a ball without constraint.
   template <class Value>
   void operator()(Value& value) {
     if constexpr (std::is_arithmetic_v<Value>)
