@@ -55,8 +55,8 @@ struct DenseKernels {
   /// In the following functions, w[p] is the quadrature weight of point p of n points. The entry (i, j) of a 3×3 tensor
   /// at this point is stored at (3i + j) n + p.
 
-  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/8)(J − 1/J)². Returns the least value at
-  /// the points of det F and, if the law has one, of its reserve (materials/law_limits.h).
+  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/8)(J − 1/J)². Returns the least value of
+  /// det F over the points, or of the reserve of the law if it is less (materials/law_limits.h).
   double (*stress)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, double* T);
   /// T ← w DP(F)[H] + w D²U(F)[H]
   void (*stress_rate)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F,

@@ -36,9 +36,11 @@ class IncompressibleBody : public PolynomialBody {
 
   explicit IncompressibleBody(BodySetup setup) : PolynomialBody(without_pressure(setup)) {}
 
+  /// The force f without reactions. Fails if q is not an admissible deformation.
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& workspace, Vector& f) const {
     return applied_force(t, q, v, workspace.held_at, f);
   }
+  /// Sets g. Fails if the least det F at the quadrature points is not positive and finite.
   mechanics::Status constraint(const Vector& q, Multiplier& g) const {
     const double least = polynomial::constraint(space(), q, g);
     return least > 0 && std::isfinite(least) ? mechanics::Status() : inadmissible(q);
@@ -55,6 +57,7 @@ class IncompressibleBody : public PolynomialBody {
   void add_reaction_rate(const Vector& q, const Vector& v, const Multiplier& lambda, Vector& f) const {
     polynomial::add_reaction_rate(space(), q, v, lambda, f);
   }
+  /// Solves G(q1) G(q0)ᵀ λ = r, with the failures of GramSolver::solve.
   mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace& workspace,
                                     Multiplier& lambda) const {
     return workspace.gram.solve(q1, q0, r, workspace.residual_sought, lambda);

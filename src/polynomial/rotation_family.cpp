@@ -22,7 +22,7 @@ RotationFinder::RotationFinder(const BodySetup& setup, bool incompressible, Fami
       rotations_(setup, incompressible, family_.figure),
       spectrum_(setup, incompressible, family_.figure) {}
 
-/// Finds the figure with this parameter if no other figure is known yet.
+/// Finds the figure with this parameter if no other figure is known yet. Fails if there is no such figure.
 mechanics::Status RotationFinder::first(double parameter, SteadyRotation& rotation) const {
   const FigureCondition condition = family_.condition(parameter);
   if (family_.figure == Figure::ellipsoid) {

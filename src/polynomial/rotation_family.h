@@ -73,6 +73,8 @@ class RotationFinder {
  private:
   bool gives_up() const { return give_up_ && give_up_(); }
   mechanics::Status first(double parameter, SteadyRotation& rotation) const;
+  /// Finds the figure with this parameter from the nearest known figure. Fails if there is no such figure, or if its Ω²
+  /// is negative.
   mechanics::Status find(double parameter, SteadyRotation& rotation);
   void locate_special(double a, double b, std::vector<SpecialRotation>& special);
 

@@ -196,7 +196,7 @@ mechanics::Status SteadyRotations::newton(const FigureCondition& condition, Stea
       mechanics::six_digits(best / scale) + " of the terms");
 }
 
-/// Computes λ of an incompressible fluid, and the residual of all equations.
+/// Computes λ of an incompressible fluid, and the residual of all equations. Fails if the force cannot be computed.
 mechanics::Status SteadyRotations::complete(SteadyRotation& rotation) const {
   Eigen::VectorXd f, centrifugal, reaction;
   if (is_fluid_ && incompressible_) {

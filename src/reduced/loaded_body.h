@@ -78,6 +78,7 @@ class LoadedBody {
   bool drifts() const { return orbit_.n() > 0; }
   bool relaxes() const { return !branches().empty(); }
 
+  /// All forces without the reaction, on all coordinates. Fails if the force of the body fails.
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& w, Vector& f) const {
     const Eigen::Matrix3d Q = matrix(q);
     loads::AffineForce F;

@@ -103,8 +103,8 @@ PlaneVector newton_step(const PlaneMatrix& DF, const PlaneVector& F, double roun
 
 /// Newton's iteration for F = 0. equations(u, F, DF) sets F and its derivative DF. The iteration ends if |F| is small
 /// and no longer halves, if a step is 0, if a number is not finite, or after 60 steps. Then u is set to the iterate
-/// with the least |F|. The iteration succeeds if this |F| is at the round-off of terms of size `scale`. The length of a
-/// step is limited, so that the axes cannot overflow.
+/// with the least |F|. The iteration fails if this |F| is not at the round-off of terms of size `scale`. The length of
+/// a step is limited, so that the axes cannot overflow.
 template <class Equations>
 mechanics::Status plane_newton(const Equations& equations, double scale, PlaneVector& u) {
   constexpr int max_iterations = 60;

@@ -61,6 +61,7 @@ class PseudoRigidBody {
   /// Computes Q̈ of (5.120) with its multiplier, from J = det Q and one cofactor matrix C = cof Q = J Q⁻ᵀ:
   ///   Q̈ = −A + Λ Q⁻ᵀE₀⁻¹,   A = ∂V E₀⁻¹,   Λ = [tr((Q⁻¹Q̇)²) + tr(Q⁻¹A)] / tr(Q⁻¹Q⁻ᵀE₀⁻¹)
   ///      = −A + s C E₀⁻¹,    s = Λ/J = [tr((CᵀQ̇)²) + J C:A] / (J C:CE₀⁻¹)
+  /// Fails if Q is not admissible, or if Λ is not finite.
   mechanics::Status acceleration(double, const Vector& Q, const Vector& Qdot, Workspace&, Vector& a) const {
     if (isotropic_)
       return accelerate(Q, Qdot, a, [this](double s, const Tensor& X) { return (s * inverse_m_bar_) * X; });
@@ -69,8 +70,8 @@ class PseudoRigidBody {
     });
   }
 
-  /// Solves the stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h). Returns false if the lanes cannot
-  /// compute the self-gravity accurately.
+  /// Solves the stages of a Gauss step in lanes, and sets stages.converged (mechanics/core/stage_by_stage.h). Returns
+  /// false and does nothing if the lanes cannot compute the self-gravity accurately.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const requires(knows_stages) {
     if (!takes_gravity_in_lanes(of_stages_, Eigen::Map<const Vector>(stages.q))) return false;
     solve_stages_of_body(of_stages_, BodyEntries::matrix, nullptr, stages);
@@ -81,6 +82,7 @@ class PseudoRigidBody {
   }
   const BodyOfStages& of_stages() const requires(knows_stages) { return of_stages_; }
 
+  /// f = −∂V/∂Q. Fails if Q is not admissible.
   mechanics::Status force(double, const Vector& Q, const Vector&, Workspace&, Vector& f) const {
     const Tensor q = materials::to_tensor(Q);
     if (const double J = materials::determinant(q); !admissible(q, J)) return inadmissible(J);
@@ -95,6 +97,7 @@ class PseudoRigidBody {
   }
   void apply_mass(const Vector& v, Vector& f) const { f = v * E0_; }
 
+  /// g = ln det Q. Fails if det Q is not positive and finite.
   mechanics::Status constraint(const Vector& Q, Multiplier& g) const {
     const double J = materials::determinant(materials::to_tensor(Q));
     if (!has_volume(J)) return without_volume(J);
@@ -143,6 +146,7 @@ class PseudoRigidBody {
       f -= lambda * inverse_transposed * v.transpose() * inverse_transposed;
     }
   }
+  /// The division in the head of this file. It does not fail.
   mechanics::SolveReport solve_gram(const Vector& Q1, const Vector& Q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     if constexpr (incompressible) {
@@ -224,7 +228,7 @@ class PseudoRigidBody {
     return false;
   }
 
-  /// scaled_by_inertia(s, X) = s X E₀⁻¹
+  /// Implementation of `acceleration` for scaled_by_inertia(s, X) = s X E₀⁻¹.
   template <class ScaledByInertia>
   mechanics::Status accelerate(const Vector& Q, const Vector& Qdot, Vector& a,
                                ScaledByInertia scaled_by_inertia) const {

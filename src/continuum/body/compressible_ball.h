@@ -19,6 +19,7 @@ class CompressibleBall : public BallBody, public mechanics::Unconstrained {
   };
   using BallBody::BallBody;
 
+  /// f = −∫P:∇φ + loads. Fails if BallBody::judge fails. Collective.
   mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace& workspace, Vector& f) const {
     return applied_force(t, x, v, workspace.held_at, f);
   }

@@ -52,13 +52,17 @@ class ElasticBall : public BallBody {
         gram_method_(gram_method.value_or(fitting_gram_method(space()))),
         multiplier_scale_(std::sqrt(least_over_ranks(kernels().least_cell_volume(), space().communicator()))) {}
 
+  /// All forces without the reactions. Fails if BallBody::judge fails. Collective.
   mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace& workspace, Vector& f) const {
     return applied_force(t, x, v, workspace.held_at, f);
   }
+  /// All forces with the reactions Gᵀλ, at lower cost than the two parts separately. Fails in the same case.
+  /// Collective.
   mechanics::Status force_with_reaction(double t, const Vector& x, const Vector& v, const Multiplier& lambda,
                                         Workspace& workspace, Vector& f) const {
     return complete_force(t, x, v, workspace.gram.force_with_reaction(x, lambda, f), workspace.held_at, f);
   }
+  /// Sets g at the position x. Fails if BallBody::judge fails for the least det F. Collective.
   mechanics::Status constraint(const Vector& x, Multiplier& g) const { return judge(kernels().constraint(x, g), x); }
   void constraint_rate(const Vector& x, const Vector& v, Multiplier& r) const { kernels().constraint_rate(x, v, r); }
   void constraint_curvature(const Vector& x, const Vector& v, Multiplier& r) const {
@@ -70,6 +74,7 @@ class ElasticBall : public BallBody {
   void add_reaction(const Vector& x, const Multiplier& lambda, Vector& f, Workspace& workspace) const {
     workspace.gram.add_reaction(x, lambda, f);
   }
+  /// Solves G(x1) M⁻¹ G(x0)ᵀ λ = r, with the failures of GramSolver::solve. Collective.
   mechanics::SolveReport solve_gram(const Vector& x1, const Vector& x0, const Multiplier& r, Workspace& workspace,
                                     Multiplier& lambda) const {
     return workspace.gram.solve(x1, x0, r, workspace.residual_sought, lambda);

@@ -70,6 +70,7 @@ class BallSpace {
  private:
   void number_nodes(bool with_account);
   void number_multipliers();
+  /// Sets X_. Throws std::logic_error if neighbouring cells place a shared node differently.
   void place_nodes();
   void lump_mass();
 

@@ -71,7 +71,7 @@ class SectorSpectrum {
   mechanics::Status factorize() { return sector_.factorize(); }
 
   /// Computes n more eigenpairs, or a few more. Appends their modes to `modes`, except for rigid motions. If the sector
-  /// has no other eigenpair, complete_below() becomes infinite.
+  /// has no other eigenpair, complete_below() becomes infinite. Fails if an eigenpair or a mode cannot be computed.
   mechanics::Status extend(int n, std::vector<SectorMode>& modes, ModesReport& report) {
     const std::size_t n_before = pairs_.size();
     const auto apply = [&](std::span<const double> y, std::span<double> z) {

@@ -84,7 +84,7 @@ class ParitySector {
   /// fail if the ball with self-gravity is unstable, or if the conjugate gradients do not converge.
   mechanics::Status apply(std::span<const double> y, std::span<double> z) const;
 
-  /// Sets u = T f for a force f on the octant.
+  /// Sets u = T f for a force f on the octant. Fails in the same cases as `apply`.
   mechanics::Status respond(const Vector& f, Vector& u) const;
 
   /// A mode with its ω². `mode_of` makes one step of inverse iteration from an approximate eigenvector y of `apply`. It
@@ -104,7 +104,8 @@ class ParitySector {
   void scatter_add(const Cell& cell, const Eigen::VectorXd& local, Eigen::VectorXd& u) const;
   void solve_penalized(Eigen::VectorXd& f) const;  ///< f ← B⁻¹f
   /// T f without self-gravity (`solve_elastic`) and with self-gravity (`solve`). n_corrections is the number of
-  /// corrections of G u. `tolerance` is the relative tolerance of the conjugate gradients in the energy norm.
+  /// corrections of G u. `tolerance` is the relative tolerance of the conjugate gradients in the energy norm. `solve`
+  /// fails in the same cases as `apply`.
   Eigen::VectorXd solve_elastic(Eigen::VectorXd f, int n_corrections) const;
   mechanics::Status solve(const Eigen::VectorXd& f, int n_corrections, double tolerance, Eigen::VectorXd& u) const;
   void find_attraction();
