@@ -10,8 +10,8 @@
 /// Every rule is exact for affine states, and the body is affine at first. Therefore the window is at least 3 r/c,
 /// which is more than a period of the lowest mode. Here r is the radius, and c is the speed of shear waves. The window
 /// is also at least a sixteenth of the run. Shorter runs are covered completely. After the window, the errors of the
-/// phases grow as t, but inside the window this growth has hardly begun. This explains the power 3/2, as in the pilot
-/// runs that choose a step (mechanics/steps/step_search.h). If points are added, w = T. The factor for the volume is
+/// phases grow as t, but inside the window this growth has only begun. Therefore the power is 3/2, as in the pilot runs
+/// that choose a step (mechanics/steps/step_search.h). If points are added, w = T. The factor for the volume is
 /// then 60 instead of 6, because the long steps hide more of the difference. The error was at most 0.75 e in the
 /// motions from which the factors were chosen. docs/theory.md has the motions that test the factors.
 ///

@@ -60,8 +60,8 @@ inline double overlap(const Bipolar& b, int i, const Bipolar& before, int j) {
 }
 
 /// Rotates the frames of coincident axes to the frames nearest to `before`. If two entries of A are equal to round-off,
-/// their rows in T and in S may be rotated by a common angle without a change of TᵀAS. If three entries are equal, the
-/// pairs are rotated in turn, and a few sweeps are necessary.
+/// a rotation of their rows in T and in S by a common angle does not change TᵀAS. If three entries are equal, the pairs
+/// are rotated in turn, and a few sweeps are necessary.
 inline void turn_coincident_axes(Bipolar& b, const Bipolar& before) {
   constexpr int n_sweeps = 8;
   constexpr double round_off = 4e-15;

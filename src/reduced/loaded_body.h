@@ -16,8 +16,8 @@
 ///   U, T_s         the interaction with companions and its quadratic potential (mechanics/core/orbit.h)
 ///   P_b            the stress of a branch (materials/maxwell_branch.h)
 ///
-/// As in dissipative_body.h, the velocities of two further coordinates s and s' are energies: the dissipated energy D,
-/// and the energy W that loads and moving planes have given. The columns of the vectors are
+/// As in dissipative_body.h, the velocities of two further coordinates s and s' are energies. D is the dissipated
+/// energy, and W is the energy that loads and moving planes have given. The columns of the vectors are
 ///
 ///   q = [Q | c | (s, s', 0) | s_1 s_2 | C_1 … C_4]    with two columns (C₀₀, C₀₁, C₀₂), (C₁₁, C₁₂, C₂₂) for a metric,
 ///   v = [Q̇ | ċ | (D, W, 0) | ṡ_1 ṡ_2 | 0].

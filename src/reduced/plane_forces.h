@@ -1,6 +1,6 @@
 #pragma once
-/// Forces of rigid planes on a body x = c + Q X with the ellipsoidal shape S (loads/ellipsoid_contact.h), as forces on
-/// Q and on the centre of mass c. The planes may move along their normals.
+/// Forces of rigid planes on a body x = c + Q X with the ellipsoidal shape S (loads/ellipsoid_contact.h). The forces
+/// act on Q and on the centre of mass c. The planes may move along their normals.
 
 #include <numbers>
 #include <utility>

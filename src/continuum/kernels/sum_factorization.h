@@ -1,6 +1,6 @@
 #pragma once
-/// Sum factorisation on one batch of cells: the transformation of values u at the n³ nodes to reference gradients at
-/// the n³ Gauss points, and the transposed transformation. The first direction is the fastest index. With the
+/// Sum factorisation on one batch of cells. It maps values u at the n³ nodes to reference gradients at the n³ Gauss
+/// points, and has the transposed map. The first direction is the fastest index. With the
 /// one-dimensional interpolation I to the points and differentiation D at the points,
 ///
 ///   u ← (I⊗I⊗1) u   layer by layer,   then for each plane ξ₃ = const of n² points

@@ -84,7 +84,8 @@ CoarseMesh sector_of_ball(const Sector& sector) {
   return mesh;
 }
 
-/// The point of the sphere with the equiangular coordinates y, where |y|_∞ = 1. The angle of coordinate d is π/4 y_d.
+/// The point of the sphere with the equiangular coordinates y, which must satisfy |y|_∞ = 1. The angle of coordinate d
+/// is π/4 y_d.
 dealii::Point<3> onto_sphere(const dealii::Point<3>& y) {
   dealii::Point<3> direction;
   for (unsigned int d = 0; d < 3; ++d) direction[d] = std::tan(std::numbers::pi / 4 * y[d]);
