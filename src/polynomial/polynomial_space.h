@@ -90,7 +90,7 @@ class PolynomialSpace {
   /// x and ∂x/∂X at a point. `functions` is the result of functions_at for this point.
   Eigen::Vector3d value(const std::vector<Jet>& functions, const Eigen::Ref<const Eigen::VectorXd>& x) const;
   Eigen::Matrix3d gradient(const std::vector<Jet>& functions, const Eigen::Ref<const Eigen::VectorXd>& x) const;
-  /// The field x at the quadrature points.
+  /// The field x at the quadrature points, one row for each point, including the padding points.
   PointValues values_at_points(const Eigen::Ref<const Eigen::VectorXd>& x) const;
   /// Tables of the position and of its derivatives along e_θ and e_φ, with respect to ξ. The points are
   /// octant_surface_points(q) and their images in the computed sector.

@@ -236,7 +236,7 @@ class LoadedBody {
   static void set_metric(const Metric& metric, std::size_t b, Vector& q) {
     std::copy_n(metric.a, Metric::n_entries, q.col(at_metrics + 2 * static_cast<int>(b)).data());
   }
-  /// Σ μ_b C_b⁻¹
+  /// Σ μ_b C_b⁻¹ over the branches b, with their moduli μ_b.
   Metric inverse_sum(const Vector& q) const {
     Metric A{};
     for (std::size_t b = 0; b < branches().size(); ++b)

@@ -35,7 +35,7 @@ Harmonic harmonic(int n, int m, bool sine, const Eigen::Vector3d& e) {
   return {P * angle, dP * angle * e_theta + P * d_angle / s * e_phi};
 }
 
-/// Signs of Y_nm under the reflections of x, y and z.
+/// The parity of Y_nm: its signs under the reflections of x, y and z.
 Parity parity_of_harmonic(int n, int m, bool sine) {
   const int even_m = m % 2 == 0 ? 1 : -1;
   return {{sine ? -even_m : even_m, sine ? -1 : 1, (n + m) % 2 == 0 ? 1 : -1}};
