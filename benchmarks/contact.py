@@ -6,7 +6,8 @@
 hertz: the ball is pressed between two planes of stiffness k and brought to rest by a drag, for depths d/r, by finite
 elements: columns d, degree, grading, k, F over (16/3) mu sqrt(r) d^(3/2), and over d the depths for this force by Hertz, with the
 correction for the finite sphere, with finite strains in addition, and with the depth of the plane in addition (hertz.py). Then,
-over Hertz's values for this force, the radius by the area, the radius by the pressure, and the largest pressure.
+over Hertz's values for this force, the radius by the area, the radius by the pressure, and the largest pressure. The last two
+columns are the radius by the pressure and the largest pressure of a half-space on a plane of stiffness k, also over Hertz's.
 
 impact: the ball hits a plane with the speed v, by the pseudo-rigid ball, polynomial bodies and finite elements: columns
 model, degree, refinements, grading, k, v/c, e, (1 - e^2) c/v, the same by the sum over modes, T c/r, T by Hertz,
@@ -39,7 +40,7 @@ FINEST = {**FINE, "Continuum/Degree": 5, "Continuum/Grading": 0.1}
 # Pairs show the effect of the mesh (first two, next two) and of the stiffness (second and third, last two).
 # Depth, degree, grading and stiffness.
 PRESSES = ((0.04, 4, 0.3, 1000), *((0.02, degree, 0.2, 1000) for degree in (3, 4, 5, 6)), (0.02, 5, 0.2, 150),
-           *((0.01, degree, 0.1, 2000) for degree in (3, 4, 5, 6)))
+           *((0.01, degree, 0.1, 2000) for degree in (3, 4, 5, 6)), *((0.01, degree, 0.1, 300) for degree in (3, 4, 5, 6)))
 STUDY = ((COARSE, 100), (FINE, 100), (FINE, 300), (FINEST, 300), (FINEST, 1000))
 
 
@@ -65,8 +66,10 @@ def press(run, depth, degree, grading, k):
     depths = hertz.depth(force), hertz.depth(force, hertz.TWO_PLANES), hertz.depth(force, both), hertz.depth(force, both, k)
     radius = hertz.radius(force)
     pressure = 3 * force / (2 * math.pi * radius**2)
+    soft_pressure, soft_radius = hertz.soft_plane(force, k)
     return (depth, degree, grading, k, force / (16 / 3 * depth**1.5), *(d / depth for d in depths),
-            table["contact_radius"][-1] / radius, table["pressure_radius"][-1] / radius, k * table["penetration"][-1] / pressure)
+            table["contact_radius"][-1] / radius, table["pressure_radius"][-1] / radius, k * table["penetration"][-1] / pressure,
+            soft_radius, soft_pressure)
 
 
 def impact(run, model, v, entries):
@@ -105,7 +108,8 @@ def main():
 
         if options.only != "impact":
             show("depth", "degree", "grading", "stiffness", "force_ratio", "depth_hertz", "depth_sphere", "depth_strains",
-                 "depth_plane", "radius_ratio", "pressure_radius_ratio", "pressure_ratio")
+                 "depth_plane", "radius_ratio", "pressure_radius_ratio", "pressure_ratio", "pressure_radius_theory",
+                 "pressure_theory")
             for case in PRESSES[:1] if options.quick else PRESSES:
                 show(*press(run, *case))
         if options.only != "hertz":

@@ -29,7 +29,11 @@ change of the complementary energy at a given force, so that
     d = a^2 - (K - S) F.
 
 The next terms are smaller by the factor a/r. A plane that gives way with the stiffness k (pressure over depth) adds p0/(2k):
-the derivative with respect to F of the elastic energy (1/2k) times the integral of p^2, with Hertz's pressure p.
+the derivative with respect to F of the elastic energy (1/2k) times the integral of p^2, with Hertz's pressure p. Such a plane
+also changes the pressure and the radius. `soft_plane` computes them from the integral equation of the half-space: at the
+distance s < b from the axis, and with p = 0 for s > b,
+
+    p(s)/k + u(s) = d - s^2/2,   u(s) = (1/4 pi) integral of p dA/R.
 """
 import functools
 import math
@@ -89,6 +93,50 @@ def powers(correction, k):
 def depth(force, correction=0.0, k=math.inf):
     """Depth for a force: Hertz, minus `correction` (such as ONE_PLANE - S) times the force, plus that of the plane."""
     return sum(c * force**p for c, p in powers(correction, k))
+
+
+def elliptic(m):
+    """The complete elliptic integrals (K, E) of the parameter m, by the arithmetic-geometric mean."""
+    a, b, c, total = np.ones_like(m), np.sqrt(1 - m), np.sqrt(m), m / 2
+    for power in range(12):
+        a, b, c = (a + b) / 2, np.sqrt(a * b), (a - b) / 2
+        total = total + 2**power * c * c
+    return math.pi / (2 * a), math.pi / (2 * a) * (1 - total)
+
+
+def displacement(s, radius):
+    """u at the distance s from the axis of a disc with this radius and the pressure 1 (Johnson, Contact Mechanics, 3.4)."""
+    inside = s <= radius
+    m = np.minimum(np.where(inside, s / radius, radius / s) ** 2, 1 - 1e-15)
+    K, E = elliptic(m)
+    return np.where(inside, radius * E, s * (E - (1 - m) * K)) / math.pi
+
+
+def contact_of_radius(b, k, n=200):
+    """(force, largest pressure, radius by the pressure) of the half-space for the radius b, with n rings of constant pressure.
+    The radius by the pressure is the root of 5/2 times the mean of s^2; for Hertz's pressure it is a."""
+    edges = b * np.sin(np.linspace(0, math.pi / 2, n + 1))
+    middle = (edges[1:] + edges[:-1]) / 2
+    places = np.append(middle, b)[:, None]
+    discs = displacement(places, edges[None, 1:])
+    rings = np.diff(discs, prepend=0)
+    matrix = rings[:-1] + np.eye(n) / k
+    by_depth, by_shape = np.linalg.solve(matrix, np.stack([np.ones(n), middle**2 / 2], axis=1)).T
+    depth = (b * b / 2 - rings[-1] @ by_shape) / (1 - rings[-1] @ by_depth)  # the gap at b is 0
+    pressure = depth * by_depth - by_shape
+    force = pressure @ np.diff(math.pi * edges**2)
+    return force, pressure[0], math.sqrt(2.5 * (pressure @ np.diff(math.pi / 2 * edges**4)) / force)
+
+
+def soft_plane(force, k):
+    """(largest pressure, radius by the pressure) of a half-space on a plane of stiffness k, over those of Hertz."""
+    a = radius(force)
+    low, high = 0.5 * a, 3 * a
+    for _ in range(50):
+        middle = (low + high) / 2
+        low, high = (middle, high) if contact_of_radius(middle, k)[0] < force else (low, middle)
+    _, pressure, by_pressure = contact_of_radius(low, k)
+    return pressure / (3 * force / (2 * math.pi * a * a)), by_pressure / a
 
 
 def impact(v, k=math.inf, n=2000):

@@ -41,7 +41,7 @@ Jet radial_factor(int n, int l, double r) {
 std::vector<Jet> evaluate_ball_polynomials(int N, const std::array<double, 3>& xi) {
   const auto solid = solid_harmonics(N, xi);
   const Jet r2{xi[0] * xi[0] + xi[1] * xi[1] + xi[2] * xi[2], {2 * xi[0], 2 * xi[1], 2 * xi[2]}};
-  std::vector<std::vector<Jet>> radial;  // P_s for each l, at [l][s]
+  std::vector<std::vector<Jet>> radial;  // [l][s]: the polynomial P_s for this l
   for (int l = 0; l <= N; ++l) radial.push_back(jacobi_polynomials((N - l) / 2, l + 0.5, 2 * r2 + constant(-1)));
 
   std::vector<Jet> values;

@@ -89,7 +89,8 @@ loads::Contact BodyContact::contact(double t, const Eigen::VectorXd& q) const {
 }
 
 /// Adds the generalised force of a force field at the points to f. The tables have the functions of the whole body, and
-/// the points are in the computed sector. Therefore `by_point` is multiplied by the number of copies of the sector.
+/// the points are in the computed sector. Therefore `by_point` is multiplied by the number of copies of the sector. Its
+/// values are then not defined.
 void BodyContact::spread(Field& by_point, Eigen::VectorXd& f) const {
   for (double& value : by_point) value *= space_->n_mirrors();
   tables_.add_transposed(space_->blocks(), 3, by_point.data(), f.data());

@@ -1,8 +1,8 @@
 #pragma once
 /// Contact of a polynomial body with rigid planes (loads/plane.h), by quadrature on the unit sphere of ξ. An octant of
-/// the sphere has n_points points in each direction, and the weights w are areas of the sphere. A plane n·x = z₀(t) has
-/// the stiffness k, and the position x has the coefficients q_a. With sums over the points with d > 0, the energy V and
-/// its force are
+/// the sphere has n_points points in each direction, and the weight w of a point is its area on the sphere. A plane n·x
+/// = z₀(t) has the stiffness k, and the position x has the coefficients q_a. With sums over the points with d > 0, the
+/// energy V and its force are
 ///
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ q_a φ_a,   −∂V/∂q_a = Σ w k d n φ_a.
 ///
@@ -32,13 +32,14 @@ class BodyContact {
 
   BodyContact(const loads::Planes& planes, std::shared_ptr<const PolynomialSpace> space, int n_points = usual_points);
 
+  /// The contact of the whole body at the time t, for the observables.
   loads::Contact contact(double t, const Eigen::VectorXd& q) const;
   double energy(double t, const Eigen::VectorXd& q) const { return contact(t, q).energy; }
-  /// f ← f − ∂V/∂q. Returns the power that the planes give.
+  /// f ← f − ∂V/∂q. Returns the power that the planes give by their motion.
   double add_force(double t, const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
   /// f ← f − D²V(q)[u]
   void add_force_rate(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
-  /// f ← f + damping force + friction. Returns the powers of these forces.
+  /// f ← f + damping force + friction at the velocity v. Returns the dissipated and the given power of these forces.
   loads::ContactPower add_dissipation(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                       Eigen::VectorXd& f) const;
   /// f ← f − C u for the damping and the friction at the velocity v (mechanics/core/damping.h).
@@ -53,9 +54,12 @@ class BodyContact {
   using Field = std::vector<double>;
 
   bool is_affine() const { return space_->degree() == 1; }
+  /// False if the bound in the head of this file shows that the body does not reach the plane. For several planes,
+  /// false if the body does not reach any of them.
   bool may_touch(const loads::Plane& plane, const Eigen::VectorXd& q) const;
   bool may_touch(const loads::Planes& planes, const Eigen::VectorXd& q) const;
   Field positions(const Eigen::VectorXd& q) const;
+  /// `at` returns the vector at a point of the tables, and `add_at` adds to this vector.
   Eigen::Vector3d at(const Field& field, std::size_t place) const;
   void add_at(Field& field, std::size_t place, const Eigen::Vector3d& value) const;
   /// The contacts of the computed sector at the positions x of its points, one contact for each plane.
@@ -69,6 +73,7 @@ class BodyContact {
   /// f ← f + friction at the velocity v. Returns the dissipated power.
   double add_friction(const loads::Planes& planes, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                       Eigen::VectorXd& f) const;
+  /// The closed form of the contact with the affine part of q.
   loads::EllipsoidContact affine_contact(const loads::Plane& plane, const Eigen::VectorXd& q) const;
   void spread(Field& by_point, Eigen::VectorXd& f) const;
   void spread(const loads::AffineForce& force, Eigen::VectorXd& f) const;

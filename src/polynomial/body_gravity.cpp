@@ -144,7 +144,7 @@ void BodyGravity::add_surface_force_rate(double sign, const Eigen::VectorXd& q, 
   spread(factor, at, surface_derivative_rate(own, sums, of_all, constant_, rest_volume_), f);
   gravity::SurfaceDerivative of_areas = surface_derivative(own.at, sums.at, of_all.at, constant_, rest_volume_);
   for (auto& component : of_areas.by_point) std::ranges::fill(component, 0.0);
-  spread(factor, rate, of_areas, f);  // because an area vector is bilinear in the derivatives of x
+  spread(factor, rate, of_areas, f);  // the area vectors also depend on x; they are bilinear in ∂x/∂e_θ and ∂x/∂e_φ
 }
 
 Eigen::VectorXd BodyGravity::affine_coefficients(const Eigen::VectorXd& q) const {

@@ -24,13 +24,15 @@ namespace pseudorigid::polynomial {
 
 class BodyGravity {
  public:
-  /// Default number of points in each direction of an octant. The relative error of the force is then 1e-6 to 1e-7.
+  /// Default number of points in each direction of an octant. The relative error of the force is then 1e-6 to 1e-7, as
+  /// measured.
   static int usual_points(int degree) { return degree + 4; }
 
   /// `gravity_constant` is G in internal units, in which ρ = 1. `n_points` is the number of points in each direction of
   /// an octant. If `n_points` is empty, this number is `usual_points`.
   BodyGravity(double gravity_constant, std::shared_ptr<const PolynomialSpace> space, std::optional<int> n_points);
 
+  /// Ê(q) of the whole body.
   double energy(const Eigen::VectorXd& q) const;
   /// f ← f − ∂Ê/∂q
   void add_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;

@@ -17,7 +17,7 @@ inline Metric load_metric(const double* metrics, int b, int n, int p) {
   return metric;
 }
 
-/// Σ μ_b C_b⁻¹
+/// Σ μ_b C_b⁻¹ at the points p, p + 1, … in the lanes of a vector. Branch b has the modulus μ_b and the metric C_b.
 inline Metric inverse_sum(const materials::MaxwellBranches& branches, const double* metrics, int n, int p) {
   Metric A{};
   for (std::size_t b = 0; b < branches.size(); ++b)

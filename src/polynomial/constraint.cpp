@@ -12,6 +12,7 @@ namespace {
 void gradient(const PolynomialSpace& space, const Eigen::VectorXd& u, double* F) {
   space.gradients().evaluate(space.blocks(), 3, u.data(), F);
 }
+/// A ← F⁻ᵀ at the quadrature points, with F = ∂x/∂X.
 void inverse_gradient(const PolynomialSpace& space, const Eigen::VectorXd& q, double* A) {
   ScratchArray F(space.gradients().size(3));
   gradient(space, q, F);

@@ -28,7 +28,7 @@ void add_reaction(const PolynomialSpace& space, const Eigen::VectorXd& q, const 
 void add_reaction_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                        const Eigen::VectorXd& lambda, Eigen::VectorXd& f);
 
-/// Products with S = G(q₁) G(q₀)ᵀ, computed without the matrix S.
+/// Products with S = G(q₁) G(q₀)ᵀ, computed without the matrix S. `multiply` sets `product` to Sλ.
 class ReactionsBetween {
  public:
   ReactionsBetween(const PolynomialSpace& space, const Eigen::VectorXd& q1, const Eigen::VectorXd& q0);

@@ -86,6 +86,7 @@ void multiply_rows(const Product& of, int row) {
 /// registers, which are 32 with AVX-512 and otherwise 16.
 constexpr int max_rows = n_lanes == 8 ? 8 : 4;
 
+/// Calls multiply_rows<n>(of, row) for a number n of rows that is known only at run time, at most n_rows.
 template <int n_rows = max_rows>
 void multiply_some_rows(const Product& of, int row, int n) {
   if (n == n_rows)
@@ -110,6 +111,7 @@ void for_each_vector(const materials::AnyLaw& law, int n, Visitor&& visitor) {
   const L J = materials::determinant(F, cof), inverse = 1.0 / J;
   return L(0.25 * kappa) * (J - inverse * inverse * inverse) * cof;
 }
+/// The derivative of ∂U/∂F along H.
 [[gnu::always_inline]] inline Tensor volumetric_stress_rate(double kappa, const Tensor& F, const Tensor& H) {
   const Tensor cof = materials::cofactor(F);
   const L J = materials::determinant(F, cof), rate = materials::dot(cof, H);

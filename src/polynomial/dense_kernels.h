@@ -9,7 +9,8 @@
 
 namespace pseudorigid::polynomial {
 
-/// Number of points in a block. The last block is filled up with points of weight 0.
+/// Number of points in a block. The last block is filled up with points of weight 0. `filled_up` rounds n up to whole
+/// blocks.
 inline constexpr int point_block = 8;
 constexpr int filled_up(int n) { return (n + point_block - 1) / point_block * point_block; }
 
@@ -51,10 +52,11 @@ struct DenseKernels {
   void (*combine_at_points)(const double* A0, const double* A1, const double* A2, const double* T, int n_points,
                             int width, double* R);
 
-  /// In the following functions, the entry (i, j) of a 3×3 tensor at point p of n points is stored at (3i + j) n + p.
+  /// In the following functions, w[p] is the quadrature weight of point p of n points. The entry (i, j) of a 3×3 tensor
+  /// at this point is stored at (3i + j) n + p.
 
-  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/8)(J − 1/J)². Returns the least value at
-  /// the points of det F and, if the law has one, of its reserve (materials/law_limits.h).
+  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/8)(J − 1/J)². Returns the least value of
+  /// det F over the points, or of the reserve of the law if it is less (materials/law_limits.h).
   double (*stress)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, double* T);
   /// T ← w DP(F)[H] + w D²U(F)[H]
   void (*stress_rate)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F,
@@ -80,16 +82,18 @@ struct DenseKernels {
   double (*add_viscous_stress)(int n, const double* w, double eta, const double* F, const double* A, const double* B,
                                double* T);
 
-  /// Functions for viscoelastic branches (materials/maxwell_branch.h). In `metrics`, entry k of the internal metric of
-  /// branch b at point p has the index (6b + k) n + p.
+  /// Functions for viscoelastic branches (materials/maxwell_branch.h). Branch b has the stress P_b, the stored energy
+  /// W_b and an internal metric at each point. In `metrics`, entry k of the metric of branch b at point p has the index
+  /// (6b + k) n + p.
 
   /// T ← T + w Σ P_b
   void (*add_branch_stress)(const materials::MaxwellBranches& branches, int n, const double* w, const double* metrics,
                             const double* F, double* T);
-  /// Returns Σ w W_b.
+  /// Returns the sum of w W_b over the points and the branches.
   double (*branch_energy)(const materials::MaxwellBranches& branches, int n, const double* w, const double* metrics,
                           const double* F);
-  /// Lets the metrics relax for the time h, for the mean strain of F0 and F1. Returns the lost energy.
+  /// Replaces the metrics by their values after the time h, for the mean strain of F0 and F1. Returns the lost energy,
+  /// weighted by w.
   double (*relax_branches)(const materials::MaxwellBranches& branches, double h, int n, const double* w,
                            const double* F0, const double* F1, double* metrics);
 

@@ -23,8 +23,8 @@ class FieldsAtPoints {
   /// `points` are points ξ of the unit ball, X = S ξ.
   FieldsAtPoints(const PolynomialSpace& space, const std::vector<Eigen::Vector3d>& points);
 
-  /// Sets `fields` to the fields at the points. `lambda` is empty for a body without constraint. Fails if det F is not
-  /// positive and finite at a point.
+  /// Sets `fields` to the fields at the points. q and v are the coefficients of the position and of the velocity.
+  /// `lambda` is empty for a body without constraint. Fails if det F is not positive and finite at a point.
   mechanics::Status fields(const PolynomialBody& body, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                            const Eigen::VectorXd& lambda, mechanics::BodyFields& fields) const;
 

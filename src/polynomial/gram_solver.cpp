@@ -12,7 +12,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// (−1)^|a & b|
+/// −1 if the number of common bits of a and b is odd, otherwise 1.
 double sign(unsigned int a, unsigned int b) { return std::popcount(a & b) % 2 == 0 ? 1.0 : -1.0; }
 
 /// ψ_b at all points of the computed sector, multiplied by `factor`, one row for each function.

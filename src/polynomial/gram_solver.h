@@ -7,9 +7,9 @@
 /// preconditioner is the Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an earlier position q_f. Products with S are
 /// computed without a matrix.
 ///
-/// S_f is computed at the present position q₀ and factored again in two cases. In the first case, an iteration does not
-/// converge. In the second case, the iterations that a new factor could have saved have cost more than a factorisation.
-/// Therefore the cost is at most about twice the optimum.
+/// S_f is computed at the present position q₀ and factored in the first call, and again in two cases. In the first
+/// case, an iteration does not converge. In the second case, the iterations that a new factor could have saved have
+/// cost more than a factorisation. Therefore the cost is at most about twice the optimum.
 
 #include <Eigen/Cholesky>
 #include <array>
@@ -46,13 +46,15 @@ class GramSolver {
   explicit GramSolver(const PolynomialSpace& space);
 
   /// Computes λ with |r − Sλ| ≤ max(10⁻⁴ |r|, `enough`) in the Euclidean norm. Fails if the matrix cannot be factored,
-  /// or if the iteration does not converge with a factor at q₀. S is then almost singular.
+  /// or if the iteration does not converge with a factor at q₀. In both cases S is almost singular, or its entries are
+  /// not finite.
   mechanics::SolveReport solve(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0, const Eigen::VectorXd& r,
                                double enough, Eigen::VectorXd& lambda);
 
   long n_factorizations() const { return n_factorizations_; }
 
-  /// Visits the position of the factor and the cost of the iterations since its factorisation.
+  /// Visits the memory on which later solves depend: the position of the factor, and the cost of the iterations since
+  /// its factorisation.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     visit(position_);
@@ -61,7 +63,10 @@ class GramSolver {
   }
 
  private:
+  /// Computes the factor at q. Returns false if the matrix is not positive definite.
   bool factor(const Eigen::VectorXd& q);
+  /// Makes sure that there is a factor, and computes it at q₀ if there is none or if iterations have cost too much.
+  /// Returns false if the matrix is not positive definite.
   bool ensure_factor(const Eigen::VectorXd& q0);
   /// Solves S λ = r with the present factor. Returns false if the iteration does not converge.
   bool iterate(ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,

@@ -24,7 +24,8 @@ class IncompressibleBody : public PolynomialBody {
     /// Euclidean norm of the residual that is sufficient for the caller of solve_gram. The caller bounds the maximum
     /// norm, which is at most the Euclidean norm. If 0, only the relative bound of GramSolver::solve applies.
     double residual_sought = 0;
-    const Vector* held_at = nullptr;  ///< see PolynomialBody::applied_force
+    /// Configuration of the springs that replace the contact (PolynomialBody::applied_force), or null for contact.
+    const Vector* held_at = nullptr;
 
     template <class Visit>
     void visit_memory(Visit&& visit) {
@@ -35,9 +36,11 @@ class IncompressibleBody : public PolynomialBody {
 
   explicit IncompressibleBody(BodySetup setup) : PolynomialBody(without_pressure(setup)) {}
 
+  /// The force f without reactions. Fails if q is not an admissible deformation.
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& workspace, Vector& f) const {
     return applied_force(t, q, v, workspace.held_at, f);
   }
+  /// Sets g. Fails if the least det F at the quadrature points is not positive and finite.
   mechanics::Status constraint(const Vector& q, Multiplier& g) const {
     const double least = polynomial::constraint(space(), q, g);
     return least > 0 && std::isfinite(least) ? mechanics::Status() : inadmissible(q);
@@ -54,21 +57,23 @@ class IncompressibleBody : public PolynomialBody {
   void add_reaction_rate(const Vector& q, const Vector& v, const Multiplier& lambda, Vector& f) const {
     polynomial::add_reaction_rate(space(), q, v, lambda, f);
   }
+  /// Solves G(q1) G(q0)ᵀ λ = r, with the failures of GramSolver::solve.
   mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace& workspace,
                                     Multiplier& lambda) const {
     return workspace.gram.solve(q1, q0, r, workspace.residual_sought, lambda);
   }
-  /// |g|_∞ and |Gv|_∞ count as zero up to this value. It is a few units of round-off of the sums over the points.
+  /// |g|_∞ and |Gv|_∞ count as zero up to this value, which is a few units of the round-off of the sums over the
+  /// points.
   double constraint_tolerance() const { return 1e-15 * multiplier_scale(); }
-  /// |g|_∞ / multiplier_scale() is a bound for the absolute value of the mean of ln J.
+  /// The square root of the volume. |g|_∞ / multiplier_scale() is a bound for the absolute value of the mean of ln J.
   double multiplier_scale() const { return std::sqrt(space().volume()); }
 
   Multiplier make_multiplier() const { return Multiplier::Zero(space().n_pressures()); }
   Workspace make_workspace() const { return {GramSolver(space()), 0}; }
 
-  /// (1/m̄) ∫p dV of the pressure p, with m̄ = tr E₀/3. With self-gravity, λ contains ρ(φ − φ̄) in addition to the
-  /// Kirchhoff pressure (fields.h). The integral Ê/3 of this term is subtracted from ∫λ dX, as in the finite-element
-  /// model.
+  /// (1/m̄) ∫p dV of the pressure p, with m̄ = tr E₀/3 and E₀ = ∫ρXXᵀ dX. With self-gravity, λ contains ρ(φ − φ̄) in
+  /// addition to the Kirchhoff pressure (fields.h). The integral Ê/3 of this term is subtracted from ∫λ dX, as in the
+  /// finite-element model.
   double mean_multiplier(const Vector& q, const Multiplier& lambda) const {
     const double of_gravity = gravity() ? gravity()->energy(q) / 3 : 0;
     const int constant = space().pressure_place(0);

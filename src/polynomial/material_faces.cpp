@@ -6,8 +6,8 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Number of intervals along a side of a patch. A quarter circle on the surface crosses two patches. Its 12 intervals
-/// look like a smooth curve.
+/// Number of intervals along a side of a patch. A quarter circle on the surface crosses two patches and has 12
+/// intervals, which are enough for a smooth outline.
 constexpr int m = 6;
 
 }  // namespace

@@ -24,6 +24,7 @@ class MaterialFaces {
   static constexpr auto columns = mechanics::shape_columns;
   static constexpr std::size_t first_length = mechanics::first_length_of_shapes;
 
+  /// A row with these columns for each point, at the position with the coefficients q.
   std::vector<std::vector<double>> rows(const Eigen::VectorXd& q) const;
 
  private:
@@ -32,8 +33,10 @@ class MaterialFaces {
     Eigen::Vector3d X;
     std::vector<Jet> functions;
   };
+  /// Adds the patches in the octant whose coordinates have these signs.
   void add_octant(const Eigen::Vector3d& signs);
-  /// `at` is a function of s and t that returns the point ξ in the octant of positive coordinates.
+  /// Adds a patch of the plane with the number `plane`, 1 to 3, or of the surface, 0. `at` is a function of s and t
+  /// that returns the point ξ in the octant of positive coordinates.
   template <class Place>
   void add_patch(int plane, const Eigen::Vector3d& signs, const Place& at);
 

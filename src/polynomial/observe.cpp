@@ -63,6 +63,8 @@ Eigen::VectorXd relative(const PolynomialSpace& space, const Eigen::VectorXd& x)
   return result;
 }
 
+/// Sets the energies. The energy given by loads is subtracted from `external`, so that their change in time does not
+/// change the total.
 void observe_energies(const PolynomialBody& body, const BodyState& state, mechanics::ContinuumObservables& o) {
   const PotentialEnergies V = body.potential_energies(state.t, state.q);
   o.kinetic = body.kinetic_energy(state.v);
@@ -74,7 +76,7 @@ void observe_energies(const PolynomialBody& body, const BodyState& state, mechan
   o.dissipated = body.dissipated(state.v);
 }
 
-/// All observables except the multiplier.
+/// Sets all requested observables except the multiplier. The deformation must be admissible.
 void observe_motion(const PolynomialBody& body, const BodyState& state, const mechanics::ObservableRequest& request,
                     mechanics::ContinuumObservables& o) {
   const PolynomialSpace& space = body.space();

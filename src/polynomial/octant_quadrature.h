@@ -36,7 +36,7 @@ struct SurfacePoint {
   std::array<double, 3> xi, e_theta, e_phi;
   double weight;
 };
-/// The q² points of the octant of the sphere, with weights for integrals ∫ dA over the octant.
+/// The q² points of the octant of the sphere, with the weights w_j π/(2q) for integrals ∫ dA over the octant.
 std::vector<SurfacePoint> octant_surface_points(int q);
 
 }  // namespace pseudorigid::polynomial

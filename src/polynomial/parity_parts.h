@@ -23,6 +23,7 @@ inline std::array<std::vector<int>, n_parities> unknowns_by_parity(const Polynom
     for (int a = 0; a < block.n(); ++a) places[block.parity ^ 1U << block.component].push_back(block.offset + a);
   return places;
 }
+/// For each parity, the indices of the coefficients of all pressures with this parity.
 inline std::array<std::vector<int>, n_parities> pressures_by_parity(const PolynomialSpace& space) {
   std::array<std::vector<int>, n_parities> places;
   for (const Block& block : space.pressure_blocks())

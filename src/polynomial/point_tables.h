@@ -96,7 +96,7 @@ class PointTables {
     std::vector<int> places;                             ///< [coefficient of a block]: its index in [level][group]
     std::array<std::vector<double>, 2> radial;           ///< [level][radius][group]: R′ and R/r, or R
     std::array<std::vector<double>, 3> angular;          ///< Y_lm and derivatives: [group][direction], padded
-    std::array<std::vector<double>, 3> from_directions;  ///< the same: [direction][group]
+    std::array<std::vector<double>, 3> from_directions;  ///< the numbers of `angular` as [direction][group]
     int n_groups = 0, n_filled = 0, n_levels = 0;
     std::array<std::vector<double>, 3> rows;  ///< [field]: [function][point]; empty if direct sums are not cheaper
     int linear = -1, linear_field = 0;  ///< indices of the linear function and of the nonzero component of its gradient
@@ -104,7 +104,7 @@ class PointTables {
 
     std::size_t size() const { return static_cast<std::size_t>(n_levels) * n_filled; }
   };
-  using Groups = std::vector<std::pair<int, int>>;  ///< pairs (l, m)
+  using Groups = std::vector<std::pair<int, int>>;  ///< pairs (l, m) of the groups
   void set_radial(const Block& block, const std::vector<BallPolynomial>& functions, const Groups& groups,
                   const PointGrid& grid, double scale, Factors& factors) const;
   void set_rows(const Block& block, Factors& factors) const;
@@ -121,10 +121,13 @@ class PointTables {
   void add_transposed_sums(const Factors& factors, const double* const* y, double* c) const;
   void add_transposed_octant(const Factors& factors, const double* const* y, double* c) const;
 
+  /// Index in y of the first value of a field, for the component and the parity of a block.
   std::size_t place(const Block& block, int field) const {
     return (static_cast<std::size_t>(block.component) * n_fields() + field) * n_points() +
            static_cast<std::size_t>(block.slot ^ shift_[field]) * stride_;
   }
+  /// Applies the transform between the sums of each parity and the values at each image. Without images it does
+  /// nothing.
   void transform(int n_components, double* y) const;
 
   Fields fields_;

@@ -55,6 +55,7 @@ struct BodySetup {
   std::optional<int> n_contact_points{};
 };
 
+/// Parts of the potential energy of the whole body. `elastic` contains `volumetric` and `viscoelastic`.
 struct PotentialEnergies {
   double elastic = 0;  ///< stored energy, including the volumetric part and that of the branches
   double volumetric = 0, viscoelastic = 0, gravitational = 0, external = 0, contact = 0, interaction = 0;
@@ -76,36 +77,45 @@ class PolynomialBody {
   bool has_contact() const { return !constant_.planes.empty(); }
   bool damping_is_linear() const { return !constant_.planes.rough(); }
   bool relaxes() const { return !constant_.branches.empty(); }
+  /// Replaces the internal metrics in q by their values after the time h, for the mean strain of `before` and q.
+  /// Returns the energy that the branches dissipate.
   double relax(double h, const Vector& before, Vector& q) const;
-  /// The branches at a quadrature point.
+  /// The sums Σ μ_b C_b⁻¹ and Σ μ_b over the branches at a quadrature point.
   materials::BranchesAtPoint branches_at(const Vector& q, int point) const;
-  /// Sets the internal metrics in q to Ĉ if `relaxed` is true, and otherwise to the metric of the reference body.
+  /// Sets the internal metrics in q. If `relaxed` is true, they become Ĉ = J^{−2/3} FᵀF at q and the branches have no
+  /// stress. Otherwise they become the identity, which belongs to the undeformed body.
   void start_branches(bool relaxed, Vector& q) const;
-  /// The state of a body that differs from this one in its points of integration. Branches begin again at this state.
+  /// Converts the state of a body that differs from this one in its quadrature points. If the numbers of metrics
+  /// differ, the branches start again at this state.
   mechanics::VectorState<Vector> with_points_of_body(mechanics::VectorState<Vector> state) const;
   Vector make_vector() const { return Vector::Zero(first_metric() + n_metric_entries()); }
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.head(space_->n_unknowns()).squaredNorm(); }
-  /// The total potential energy at t = 0. It is infinite if q is not an admissible deformation.
+  /// The total potential energy at the time 0. It is infinite if q is not an admissible deformation.
   double potential_energy(const Vector& q) const;
+  /// The parts of the potential energy at the time t. The deformation q must be admissible.
   PotentialEnergies potential_energies(double t, const Vector& q) const;
   /// Number of axes about which rotations of space are symmetries, because these rotations keep the symmetry planes.
   /// The number is 0 if a load depends on direction or time.
   int n_symmetries() const { return static_cast<int>(turns_.size()); }
+  /// Sets dq = ê×x and dv = ê×ẋ as coefficients, for the axis ê of symmetry i.
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
 
-  /// f ← f − C u for viscosity, drag, and the damping and friction of contacts (mechanics/core/damping.h).
+  /// f ← f − C u for viscosity, drag, and the damping and friction of contacts. C is the linearisation `kind` of the
+  /// damping force at `state` (mechanics/core/damping.h).
   void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization kind,
                    Vector& f) const;
-  /// f ← f + rate of the conservative forces along u at t = 0. The result does not include the forces of loads that
-  /// depend on time, except planes.
+  /// f ← f + rate of the conservative forces along u at the time 0. The result includes stress, constant loads,
+  /// self-gravity and planes. It does not include companions, branches, and loads that depend on time other than
+  /// planes.
   void add_force_rate(const Vector& q, const Vector& u, Vector& f) const;
 
   const PolynomialSpace& space() const { return *space_; }
   const materials::AnyLaw& law() const { return law_; }
   /// The self-gravity, or null if there is none.
   const BodyGravity* gravity() const { return gravity_.get(); }
-  /// The contact with rigid planes at the time t and the position q. It is empty if there are no planes.
+  /// The contact with rigid planes at the time t and the position q. Without planes, the force is 0 and the height is
+  /// infinite.
   loads::Contact contact(double t, const Vector& q) const {
     return contact_ ? contact_->contact(t, q) : loads::Contact{};
   }
@@ -128,8 +138,9 @@ class PolynomialBody {
   double dissipated(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns()] : 0; }
   double given(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns() + 1] : 0; }
 
-  /// Returns a failure with its reason if q is not an admissible deformation of this body. If det F is not positive or
-  /// not finite at a point, the reason contains the place.
+  /// Fails if q is not an admissible deformation of this body. If det F is positive at all points, but the law does not
+  /// admit F at a point, the reason is the limit of the law. Otherwise the reason contains the least det F and its
+  /// place.
   mechanics::Status admissible(const Vector& q) const;
   /// The least det F over the quadrature points as text, such as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
   std::string least_jacobian_in_words(const Vector& q) const;
@@ -137,10 +148,10 @@ class PolynomialBody {
   double least(const Vector& q, const std::function<double(const Eigen::Matrix3d& F)>& value) const;
 
  protected:
-  /// Sets f to all forces without the reactions. If `held_at` is not null, springs on the whole surface replace the
-  /// contact. They pull each point of the surface towards its position in the configuration `*held_at`, with the
-  /// stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the stiffness with contact.
-  /// Fails if q is not an admissible deformation.
+  /// Sets f to all forces without the reactions. If `held_at` is not null and there are planes, springs on the whole
+  /// surface replace the contact. They pull each point of the surface towards its position in the configuration
+  /// `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the
+  /// stiffness with contact. Fails if q is not an admissible deformation.
   mechanics::Status applied_force(double t, const Vector& q, const Vector& v, const Vector* held_at, Vector& f) const;
   [[gnu::cold, gnu::noinline]] mechanics::Status inadmissible(const Vector& q) const;
 

@@ -38,7 +38,8 @@ class PolynomialSpace {
   int n_points_in_direction() const { return grid_.n_radii(); }
   const std::array<bool, 3>& reflect() const { return reflect_; }
   const Eigen::Vector3d& semi_axes() const { return semi_axes_; }
-  /// Number of copies of the computed sector in the body: 1 if the sector is the whole body, 8 if it is an octant.
+  /// Number of copies of the computed sector in the body, for example 1 if the sector is the whole body, and 8 if it is
+  /// an octant.
   int n_mirrors() const { return 8 / n_images_; }
   /// Number of images of the octant in the computed sector, including the octant itself.
   int n_images() const { return n_images_; }
@@ -89,7 +90,7 @@ class PolynomialSpace {
   /// x and ∂x/∂X at a point. `functions` is the result of functions_at for this point.
   Eigen::Vector3d value(const std::vector<Jet>& functions, const Eigen::Ref<const Eigen::VectorXd>& x) const;
   Eigen::Matrix3d gradient(const std::vector<Jet>& functions, const Eigen::Ref<const Eigen::VectorXd>& x) const;
-  /// The field x at the quadrature points.
+  /// The field x at the quadrature points, one row for each point, including the padding points.
   PointValues values_at_points(const Eigen::Ref<const Eigen::VectorXd>& x) const;
   /// Tables of the position and of its derivatives along e_θ and e_φ, with respect to ξ. The points are
   /// octant_surface_points(q) and their images in the computed sector.

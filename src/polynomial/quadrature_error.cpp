@@ -15,10 +15,12 @@ namespace {
 
 using mechanics::detail::PilotRun;
 
-/// Least window in units r/c, and as a part of the run. The lowest mode of the ball has the period 2.36.
+/// Least window in units r/c, and as a part of the run. In these units the lowest mode of the incompressible ball has
+/// the period 2.36.
 constexpr double least_window = 3, part_of_run = 1.0 / 16;
-constexpr double caution = 6;
-constexpr double caution_of_volume = 60;  // factor for the volume if points are added
+constexpr double caution = 6;             ///< factor in the estimate e
+constexpr double caution_of_volume = 60;  ///< factor in e for the volume if points are added
+/// Largest number of points in each direction that the search adds.
 constexpr int most_points_more = 8;
 
 template <class Body>
@@ -116,6 +118,8 @@ class QuadratureSearch {
     return std::min(mechanics::rattle_step_limit(frequency.omega, rate, 1), window_);
   }
 
+  /// A pilot run over the window with n_steps_ steps or slightly more. Its constraint tolerance is a part of the
+  /// tolerance of Q, so that the iterations cost less.
   PilotRun pilot(const Body& body) {
     const mechanics::StepRequest request{.give_up = request_.give_up};
     constexpr long most = mechanics::detail::max_pilot_samples;

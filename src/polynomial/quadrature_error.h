@@ -10,8 +10,8 @@
 /// Every rule is exact for affine states, and the body is affine at first. Therefore the window is at least 3 r/c,
 /// which is more than a period of the lowest mode. Here r is the radius, and c is the speed of shear waves. The window
 /// is also at least a sixteenth of the run. Shorter runs are covered completely. After the window, the errors of the
-/// phases grow as t, but inside the window this growth has hardly begun. This explains the power 3/2, as in the pilot
-/// runs that choose a step (mechanics/steps/step_search.h). If points are added, w = T. The factor for the volume is
+/// phases grow as t, but inside the window this growth has only begun. Therefore the power is 3/2, as in the pilot runs
+/// that choose a step (mechanics/steps/step_search.h). If points are added, w = T. The factor for the volume is
 /// then 60 instead of 6, because the long steps hide more of the difference. The error was at most 0.75 e in the
 /// motions from which the factors were chosen. docs/theory.md has the motions that test the factors.
 ///
@@ -39,7 +39,7 @@ struct QuadratureRequest {
   double end = 0;                   ///< T, measured from the state
   double stable_step = 0;           ///< stability limit of RATTLE; 0 if it is not known
   double tolerance = 1e-6;          ///< tolerance of Q
-  bool adds_points = false;         ///< true: adds points until e is half of the tolerance
+  bool adds_points = false;         ///< true: adds points until e is at most half of the tolerance
   std::function<bool()> give_up{};  ///< called after every step of a pilot run; true ends the pilot run
 };
 
@@ -51,8 +51,8 @@ struct QuadratureChoice {
 };
 
 /// Estimates the error of the quadrature of `body`, and adds points in the volume if this is requested. The function
-/// adds at most 8 points in each direction, and stops if the last point did not halve e. `setup` must be the setup of
-/// `body`.
+/// adds at most 8 points in each direction, and stops if the last point did not halve e. For degree 1 the error is 0,
+/// because the motion remains affine. `setup` must be the setup of `body`.
 template <class Body>
 QuadratureChoice choose_quadrature(const BodySetup& setup, const Body& body, const BodyState& state,
                                    const QuadratureRequest& request);

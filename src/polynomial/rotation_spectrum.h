@@ -32,7 +32,7 @@ namespace pseudorigid::polynomial {
 
 /// A class of small motions.
 struct MotionClass {
-  bool odd_in_z;  ///< odd under x₃ ↦ −x₃
+  bool odd_in_z;  ///< true if the motions are odd under x₃ ↦ −x₃
   int m;          ///< azimuthal number on a spheroid; on an ellipsoid 0 if even under the half turn, otherwise 1
 };
 

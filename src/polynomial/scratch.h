@@ -24,7 +24,7 @@ class ScratchArray {
   ~ScratchArray() {
     try {
       kept_arrays().push_back(std::move(numbers_));
-    } catch (const std::bad_alloc&) {  // then the memory is freed
+    } catch (const std::bad_alloc&) {  // a destructor must not throw; the memory is then freed
     }
   }
   ScratchArray(const ScratchArray&) = delete;

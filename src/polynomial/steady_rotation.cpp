@@ -176,7 +176,7 @@ mechanics::Status SteadyRotations::newton(const FigureCondition& condition, Stea
     if (auto status = equations(condition, rotation, e); !status) return status;
     const double size = largest(e.values);
     if (!std::isfinite(size) || !e.derivative.allFinite()) break;
-    if (size >= 0.5 * best && best <= accepted * scale) break;  // round-off is reached
+    if (size >= 0.5 * best && best <= accepted * scale) break;  // a small residual that does not halve is round-off
     if (size < best) best = size, scale = e.scale, kept = rotation;
     if (size == 0) break;
     const Eigen::VectorXd step = mechanics::solve(e.derivative, -e.values);
@@ -196,7 +196,7 @@ mechanics::Status SteadyRotations::newton(const FigureCondition& condition, Stea
       mechanics::six_digits(best / scale) + " of the terms");
 }
 
-/// Computes λ of an incompressible fluid, and the residual of all equations.
+/// Computes λ of an incompressible fluid, and the residual of all equations. Fails if the force cannot be computed.
 mechanics::Status SteadyRotations::complete(SteadyRotation& rotation) const {
   Eigen::VectorXd f, centrifugal, reaction;
   if (is_fluid_ && incompressible_) {

@@ -56,7 +56,7 @@ class SteadyRotations {
   SteadyRotation affine(const Eigen::Vector3d& a, double spin_squared) const;
 
   /// Moves `rotation` to the figure near it that satisfies the condition. Fails if Newton's iteration does not
-  /// converge.
+  /// converge, or if a force cannot be computed; `rotation` is then not a figure.
   mechanics::Status solve(const FigureCondition& condition, SteadyRotation& rotation) const;
   /// Moves `rotation`, a known figure with the parameter `from`, along the family to the figure with `condition`. A
   /// step is halved if Newton's iteration fails or does not stay close to the prediction. After a step that succeeds,
@@ -66,13 +66,16 @@ class SteadyRotations {
   double slope(const FigureCondition& condition, const SteadyRotation& rotation) const;
 
  private:
+  /// The equations Uᵀr = 0, Vᵀg = 0 and the condition, for the unknowns y, μ and Ω² with x = U y, λ = V μ.
   struct Equations {
     Eigen::VectorXd values;
     Eigen::MatrixXd derivative;
     double scale;  ///< size of the terms whose sums are `values`
   };
+  /// Sets the three terms f, Ω²Px and Gᵀλ of r. Fails if the force cannot be computed.
   mechanics::Status terms(const SteadyRotation& rotation, Eigen::VectorXd& f, Eigen::VectorXd& centrifugal,
                           Eigen::VectorXd& reaction) const;
+  /// Sets `result` to the equations at `rotation`, with their derivative. Fails if the force cannot be computed.
   mechanics::Status equations(const FigureCondition& condition, const SteadyRotation& rotation,
                               Equations& result) const;
   Eigen::MatrixXd tangent_matrix(const SteadyRotation& rotation) const;
@@ -81,6 +84,8 @@ class SteadyRotations {
   /// force fails.
   Eigen::VectorXd tangent(const FigureCondition& condition, const SteadyRotation& rotation) const;
   void add(double factor, const Eigen::VectorXd& step, SteadyRotation& rotation) const;
+  /// Newton's iteration from `rotation`. Fails if the residual does not reach round-off, or if a force cannot be
+  /// computed. `rotation` becomes the iterate with the least residual, unless a force fails.
   mechanics::Status newton(const FigureCondition& condition, SteadyRotation& rotation) const;
   mechanics::Status complete(SteadyRotation& rotation) const;
 

@@ -5,7 +5,8 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// The points are exact for the products of P_N with the modes, whose degree is at most 2M + 3.
+/// The number of quadrature points in each direction for products of P_N with the motions, whose degree is at most d.
+/// The points of a space of degree M are exact up to the degree 2M + 3. M is the least number with 2M + 3 ≥ d.
 int n_points(int N) {
   const int degree_of_products = N + mechanics::SpheroidalMotions::largest_power;
   const int M = (degree_of_products - 2) / 2;

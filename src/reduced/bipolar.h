@@ -29,13 +29,14 @@
 
 namespace pseudorigid::reduced {
 
+/// The decomposition Q = TᵀAS. Row i of T and row i of S belong to axis i.
 struct Bipolar {
   Eigen::Matrix3d T, S;
   Eigen::Vector3d a;
 };
 
 struct BipolarRates {
-  Eigen::Matrix3d Omega, Lambda;  ///< Ω*, Λ*
+  Eigen::Matrix3d Omega, Lambda;  ///< the rates Ω* and Λ* of the frames
   Eigen::Vector3d a_rate;
   Eigen::Matrix3d u;
 };
@@ -52,15 +53,15 @@ inline void reverse_axis(Bipolar& b, int i) {
   b.T.row(i) *= -1;
   b.S.row(i) *= -1;
 }
-/// Sum of two scalar products: of axis i of b with axis j of `before` in T, and of the same axes in S. The sum is at
-/// most 2, and negative if the axis is reversed.
+/// Sum of two scalar products: axis i of b with axis j of `before` in T, and the same axes in S. The sum is between −2
+/// and 2. It is negative if axis i is nearer to the reversed axis j.
 inline double overlap(const Bipolar& b, int i, const Bipolar& before, int j) {
   return b.T.row(i).dot(before.T.row(j)) + b.S.row(i).dot(before.S.row(j));
 }
 
 /// Rotates the frames of coincident axes to the frames nearest to `before`. If two entries of A are equal to round-off,
-/// their rows in T and in S may be rotated by a common angle without a change of TᵀAS. If three entries are equal, the
-/// pairs are rotated in turn, and a few sweeps are necessary.
+/// a rotation of their rows in T and in S by a common angle does not change TᵀAS. If three entries are equal, the pairs
+/// are rotated in turn, and a few sweeps are necessary.
 inline void turn_coincident_axes(Bipolar& b, const Bipolar& before) {
   constexpr int n_sweeps = 8;
   constexpr double round_off = 4e-15;
@@ -139,8 +140,8 @@ inline BipolarRates rates(const Bipolar& b, const Eigen::Matrix3d& Qdot) {
 }
 
 /// The residual of Oliva (5.121) per m̄ at the middle of nine states of one motion. The times of the states have equal
-/// distances h, and u̇ is a central difference of order 8. `gradient` is ∂V/∂Q minus any other force, and `lambda` is
-/// the multiplier per m̄, both for the state in the middle.
+/// distances h, and u̇ is a central difference of order 8. `gradient` is ∂V/∂Q minus all forces other than the
+/// reaction, and `lambda` is the multiplier per m̄, both for the state in the middle.
 template <class States>
 Eigen::Matrix3d residual_of_5_121(const States& states, double h, const Eigen::Matrix3d& gradient, double lambda,
                                   const Eigen::Matrix3d& E0) {

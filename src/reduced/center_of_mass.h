@@ -21,17 +21,17 @@ namespace pseudorigid::reduced {
 struct CenterOfMass {
   ByName by_name{};
   Eigen::Vector3d position = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();  ///< at time 0
-  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();                                  ///< b
-  Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();                                     ///< T
-  double drag = 0;                                                                         ///< c
-  loads::Loads driving{};  ///< loads that depend on time
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();                                  ///< uniform acceleration b
+  Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();  ///< matrix T of the quadratic potential
+  double drag = 0;                                      ///< drag coefficient c
+  loads::Loads driving{};                               ///< loads that depend on time
 
   struct Motion {
     Eigen::Vector3d x, v;
-    double work = 0;  ///< w
+    double work = 0;  ///< energy w per mass that the loads depending on time have given
   };
 
-  /// Returns the motion at the time t. Requires that no load depends on time. With an unstable T, the motion can exceed
+  /// Returns the exact motion at the time t, without the loads in `driving`. With an unstable T, the motion can exceed
   /// the largest number at a late time. The result is then not finite.
   Motion at(double t) const;
 
@@ -52,6 +52,8 @@ class CenterPath {
   ~CenterPath();
 
   const CenterOfMass& law() const { return center_; }
+  /// The motion at the time t ≥ 0. The result is NaN if the integration fails, and not finite if the motion exceeds the
+  /// largest number.
   CenterOfMass::Motion at(double t);
 
  private:

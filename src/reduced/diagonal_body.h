@@ -34,6 +34,7 @@ class DiagonalBody {
   bool time_dependent() const { return mechanics::time_dependent(body_); }
   bool velocity_dependent() const { return mechanics::velocity_dependent(body_); }
 
+  /// The force −∂V/∂a. Fails if the force of the body fails.
   mechanics::Status force(double t, const Vector& a, const Vector& adot, Workspace& w, Vector& f) const {
     Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
     if (mechanics::Status status = body_.force(t, a.asDiagonal(), adot.asDiagonal(), w, F); !status) return status;
@@ -41,8 +42,8 @@ class DiagonalBody {
     f = F.diagonal();
     return {};
   }
-  /// Solves the stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h). Returns false if the lanes cannot
-  /// compute the self-gravity accurately.
+  /// Solves the stages of a Gauss step in lanes, and sets stages.converged (mechanics/core/stage_by_stage.h). Returns
+  /// false and does nothing if the lanes cannot compute the self-gravity accurately.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const requires(Body::knows_stages) {
     const Eigen::Map<const Vector> a(stages.q);
     if (!takes_gravity_in_lanes(body_.of_stages(), a.asDiagonal())) return false;

@@ -19,9 +19,10 @@ namespace pseudorigid::reduced {
 
 struct Dissipation {
   ByName by_name{};
-  double viscosity = 0;  ///< η
-  double drag = 0;       ///< c
+  double viscosity = 0;  ///< viscosity η
+  double drag = 0;       ///< drag coefficient c
 
+  /// The viscosity and the drag of a forcing.
   static Dissipation of(const loads::Forcing& forcing) {
     return {.viscosity = forcing.viscosity, .drag = forcing.drag};
   }

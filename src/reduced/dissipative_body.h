@@ -36,6 +36,7 @@ class DissipativeBody {
   bool velocity_dependent() const { return dissipation_.present(); }
   bool dissipative() const { return dissipation_.present(); }
 
+  /// All forces without the reaction, and the accelerations of s and s'. Fails if the force of the body fails.
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& w, Vector& f) const {
     const Eigen::Matrix3d Q = matrix(q), Qdot = matrix(v);
     Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
@@ -45,8 +46,8 @@ class DissipativeBody {
     f << F, Eigen::Vector3d(power, given, 0);
     return {};
   }
-  /// Solves the stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h). Returns false if the lanes cannot
-  /// compute the self-gravity accurately.
+  /// Solves the stages of a Gauss step in lanes, and sets stages.converged (mechanics/core/stage_by_stage.h). Returns
+  /// false and does nothing if the lanes cannot compute the self-gravity accurately.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const requires(Body::knows_stages) {
     if (!takes_gravity_in_lanes(body_.of_stages(), Eigen::Map<const Eigen::Matrix3d>(stages.q))) return false;
     const AccountsOfStages accounts = accounts_of_stages(dissipation_, driving_, stages);

@@ -55,9 +55,9 @@ inline Eigen::Vector3d axes_of_ratios(double a2_to_a1, double a3_to_a1) {
 }
 
 /// Sets m to a steady motion of a body whose axes have the ratios of `axes`. motion(a, m) sets m to the motion with the
-/// semi-axes a. On SL(3), a = axes. On GL⁺(3), a = size · axes with the size nearest to 1 at which the multiplier is 0.
-/// Fails if there is no such size between 1/18 and 18. The function `motion` must set m.lambda even if it fails because
-/// the square of a velocity is negative.
+/// semi-axes a. On SL(3), a = axes, so the product of `axes` must be 1. On GL⁺(3), a = size · axes with the size
+/// nearest to 1 at which the multiplier is 0. Fails if `motion` fails, or if there is no such size between 1/18 and 18.
+/// The function `motion` must set m.lambda even if it fails because the square of a velocity is negative.
 template <SmoothPotential V, class MotionOfAxes>
 mechanics::Status motion_of_shape(const IsotropicBody<V>& body, const Eigen::Vector3d& axes, const MotionOfAxes& motion,
                                   SteadyMotion& m) {
@@ -86,6 +86,7 @@ struct TypeSSquares {
   double sum, twice_product, lambda;
 };
 
+/// The right-hand sides for type S in the head of this file, for the semi-axes a.
 template <SmoothPotential V>
 TypeSSquares type_s_squares(const IsotropicBody<V>& body, const Eigen::Vector3d& a) {
   const Eigen::Matrix3d A = a.asDiagonal(), D = body.second_derivative(A, unit_matrix(1, 0));
@@ -98,7 +99,7 @@ TypeSSquares type_s_squares(const IsotropicBody<V>& body, const Eigen::Vector3d&
 template <SmoothPotential V>
 mechanics::Status type_s_motion(const IsotropicBody<V>& body, const Eigen::Vector3d& a, SteadyMotion& m) {
   const auto [sum, product, lambda] = type_s_squares(body, a);
-  const double plus = sum + product, minus = sum - product;  // (ω ± Λ)²
+  const double plus = sum + product, minus = sum - product;  // (ω + Λ)² and (ω − Λ)²
   m.A = a.asDiagonal();
   m.lambda = lambda;
   const double round_off = 1e-14 * (std::abs(sum) + std::abs(product));
@@ -128,8 +129,8 @@ mechanics::Status spheroid_motion(const IsotropicBody<V>& body, double a1, doubl
   return {};
 }
 
-/// Sets m to the motion of types I–III with ω and Λ in the plane of axes 2 and 3, for the root with |p| ≤ 1 and for ω₂,
-/// ω₃ ≥ 0. Fails if p is not real or if ω₂² or ω₃² is negative. The dual motion belongs to the other root.
+/// Sets m to the motion of types I–III with ω and Λ in the plane of axes 2 and 3. The function uses the root p with |p|
+/// ≤ 1, and ω₂, ω₃ ≥ 0. Fails if p is not real or if ω₂² or ω₃² is negative. The dual motion belongs to the other root.
 template <SmoothPotential V>
 mechanics::Status planar_motion(const IsotropicBody<V>& body, const Eigen::Vector3d& a, SteadyMotion& m) {
   const double half = (4 * a[0] * a[0] - a[1] * a[1] - a[2] * a[2]) / (2 * a[1] * a[2]);  // p + 1/p = 2 half

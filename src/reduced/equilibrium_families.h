@@ -33,11 +33,13 @@ struct ParameterRange {
   double value(int k) const { return k == 0 ? first : k == n - 1 ? last : first + (last - first) * k / (n - 1); }
 };
 
+/// A special point of the family with its kind: a fold or a change of stability.
 struct SpecialEquilibrium {
   SpecialKind kind;
   EquilibriumPoint point;
 };
 
+/// A parameter without a steady motion, and the reason.
 struct NoEquilibrium {
   double parameter;
   std::string reason;
@@ -97,7 +99,8 @@ void locate_special_equilibria(const IsotropicBody<V>& body, const MotionOfParam
 }  // namespace detail
 
 /// Returns the family of the motions with the parameters of `range`. motion(p, m) sets m to the motion with parameter p
-/// and returns a Status. Folds and changes of stability are found between adjacent parameters if both have a motion.
+/// and returns a Status. A parameter is missing if `motion` fails, if the law does not admit A, or if the stability
+/// cannot be computed. Folds and changes of stability are found between adjacent parameters if both have a motion.
 template <SmoothPotential V, class MotionOfParameter>
 EquilibriumFamily equilibrium_family(const IsotropicBody<V>& body, const ParameterRange& range,
                                      const FamilyCurve& family, const MotionOfParameter& motion) {
@@ -121,6 +124,7 @@ EquilibriumFamily equilibrium_family(const IsotropicBody<V>& body, const Paramet
   return result;
 }
 
+/// The parameter of a spheroid: the eccentricity e, or the polar axis ℓ.
 enum class SpheroidParameter { eccentricity, polar_axis };
 
 template <SmoothPotential V>
@@ -182,8 +186,8 @@ EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_
 }
 
 /// Spheroids with given angular velocities (spins). The first motion is found from the sphere at rest, and each other
-/// motion from the last motion found. Between two motions the spin changes in eight steps. There are no spheroids
-/// beyond the largest spin, which is a fold of the family.
+/// motion from the last motion found. Between two motions the spin changes in eight steps. No spheroid has a spin
+/// beyond the largest one, which is a fold of the family.
 template <SmoothPotential V>
 EquilibriumFamily spheroids_of_spin(const IsotropicBody<V>& body, const ParameterRange& Omega) {
   constexpr int n_steps = 8;  // for small steps, Newton's iteration does not change to another branch

@@ -16,8 +16,8 @@ struct EquilibriumPoint {
   SteadyMotion motion;        ///< A = diag(a₁, a₂, a₃)
   Eigen::Vector3d semi_axes;  ///< a₁, a₂, a₃ along the axes 1, 2, 3 of ω and Λ, not sorted
   double kinetic = 0, potential = 0;
-  Eigen::Vector3d angular_momentum, circulation;  ///< J, Z
-  Eigen::Vector3d vorticity;                      ///< ζ
+  Eigen::Vector3d angular_momentum, circulation;  ///< momenta J and Z
+  Eigen::Vector3d vorticity;                      ///< vorticity ζ
   double residual = 0;                            ///< |R| / (largest norm of a term of R), with 0/0 = 0
   LinearStability stability;
 

@@ -6,7 +6,7 @@
 ///
 ///   ∂V/∂Q = T Q E₀ − Vol P̄ + p Vol cof Q      (∮P̄N·QX dA = Vol P̄:Q by the divergence theorem)
 ///
-/// A load that is 0 costs only a branch.
+/// Loads that are 0 are skipped.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -49,8 +49,8 @@ class ExternalPotential {
                              Eigen::Matrix3d& D) const {
     if (quadratic_) D += *quadratic_ * H * body.E0;
     if (pressure_ == 0) return;
-    // cof is quadratic, so that its derivative is D cof(Q)[H] = cof(Q + H) − cof Q − cof H. The code has only the
-    // products that do not cancel in this difference.
+    // cof is quadratic, so that its derivative is D cof(Q)[H] = cof(Q + H) − cof Q − cof H. Only the products that do
+    // not cancel in this difference are computed.
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;

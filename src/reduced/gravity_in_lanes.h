@@ -129,7 +129,7 @@ materials::Tensor<T> ellipsoid_force(double strength, const materials::Tensor<T>
   SymmetricOf<T> D = scaled_and_shifted(T(0.0), C, T(0.0));
   T I = trace(C), II = materials::dot(cof_F, cof_F);  // tr C, tr cof C
   T r3 = materials::determinant(F, cof_F), r1 = root(3.0 * I);
-  double weight = 1;  // 2ⁿ
+  double weight = 1;  // factor 2ⁿ of the term after n duplications
   for (int n = 0;; ++n) {
     // tr Z² = (I² − 2 II)/A² − 3
     const T spread = (I * I - 2.0 * II) * 9.0 / (I * I) - 3.0;

@@ -13,10 +13,10 @@
 ///
 ///   (H, Ḣ) = (ζ̂A, −(ω×ζ)^A)   and   (Aζ̂, −A(Λ×ζ)^),   ζ ∈ R³,
 ///
-/// with known rates (0, ±i|ω|, ±i|Λ|) that contain no information on the motion. The remainder is the space of fixed
-/// momenta J and Z modulo the group that keeps J and Z. The dimension of the remainder is 8 for a generic motion. The
-/// dimension is 10 for a sphere at rest and for a spheroid that rotates about its axis, because some combinations of
-/// rotations do not move these bodies.
+/// with (…)^ for the matrix of the cross product. The rates on N are 0, ±i|ω| and ±i|Λ|, and contain no information on
+/// the motion. The remainder is the space of fixed momenta J and Z modulo the group that keeps J and Z. Its dimension
+/// is 8 for a generic motion. The dimension is 10 for a sphere at rest and for a spheroid that rotates about its axis,
+/// because some combinations of rotations do not move these bodies.
 
 #include <Eigen/Core>
 #include <utility>
@@ -31,13 +31,15 @@ using mechanics::LinearStability, mechanics::Rate, mechanics::ReducedLinearSyste
 
 namespace detail {
 
-/// A direction of N, or a momentum J or Z, counts as 0 if it is less than this fraction of the largest one.
+/// Directions of N, momenta and singular values of the constraint count as 0 if they are less than this fraction of the
+/// largest one.
 inline constexpr double absent = 1e-8;
 
 inline Eigen::Matrix<double, 9, 1> flat(const Eigen::Matrix3d& H) { return H.reshaped(); }
 inline Eigen::Matrix3d unflat(const Eigen::VectorXd& h) { return h.reshaped(3, 3); }
 
-/// Orthonormal basis T of the tangent space.
+/// Orthonormal basis T of the tangent space at m, one column for each direction: the H with tr(A⁻¹H) = 0, or all H on
+/// GL⁺(3).
 Eigen::MatrixXd tangent_space(const SteadyMotion& m, bool incompressible);
 
 /// Directions of the rotations of space and of the reference ball, in the basis T.
@@ -64,6 +66,7 @@ ReducedLinearSystem reduce_linearisation(const IsotropicBody<V>& body, const Ste
   return mechanics::reduce(std::move(K), std::move(G), detail::turns(m, T), detail::absent);
 }
 
+/// Sets `result` to the rates and the stability of m. Fails if an eigenvalue problem cannot be solved.
 template <SmoothPotential V>
 mechanics::Status analyse_stability(const IsotropicBody<V>& body, const SteadyMotion& m, LinearStability& result) {
   return analyse_stability(reduce_linearisation(body, m), result);

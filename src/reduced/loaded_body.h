@@ -16,8 +16,8 @@
 ///   U, T_s         the interaction with companions and its quadratic potential (mechanics/core/orbit.h)
 ///   P_b            the stress of a branch (materials/maxwell_branch.h)
 ///
-/// As in dissipative_body.h, the velocities of two further coordinates s and s' are energies: the dissipated energy D,
-/// and the energy W that loads and moving planes have given. The columns of the vectors are
+/// As in dissipative_body.h, the velocities of two further coordinates s and s' are energies. D is the dissipated
+/// energy, and W is the energy that loads and moving planes have given. The columns of the vectors are
 ///
 ///   q = [Q | c | (s, s', 0) | s_1 s_2 | C_1 … C_4]    with two columns (C₀₀, C₀₁, C₀₂), (C₁₁, C₁₂, C₂₂) for a metric,
 ///   v = [Q̇ | ċ | (D, W, 0) | ṡ_1 ṡ_2 | 0].
@@ -54,9 +54,9 @@ class LoadedBody {
   using Multiplier = typename Body::Multiplier;
   struct Workspace {
     typename Body::Workspace body{};
-    /// If this pointer is not null, springs on the whole surface replace the contact. They pull each point of the
-    /// surface towards its position in the configuration `*held_at`, with the stiffness Planes::stiffness_of_all. The
-    /// total stiffness is then an upper bound for the stiffness with contact.
+    /// If this pointer is not null, springs on the whole surface replace the pressure of contact and the friction. They
+    /// pull each point of the surface towards its position in the configuration `*held_at`, with the stiffness
+    /// Planes::stiffness_of_all. The total stiffness is then an upper bound for the stiffness with contact.
     const Vector* held_at = nullptr;
   };
   static constexpr int n_constraints = Body::n_constraints;
@@ -77,6 +77,7 @@ class LoadedBody {
   bool has_contact() const { return !constant_.planes.empty(); }
   bool relaxes() const { return !branches().empty(); }
 
+  /// All forces without the reaction, on all coordinates. Fails if the force of the body fails.
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& w, Vector& f) const {
     const Eigen::Matrix3d Q = matrix(q);
     loads::AffineForce F;
@@ -97,6 +98,8 @@ class LoadedBody {
     f.col(at_energies) << power.taken, power.given, 0;
     return {};
   }
+  /// Replaces the metrics in q by their values after the time h, for the mean strain of `before` and q. Returns the
+  /// energy that the branches dissipate.
   double relax(double h, const Vector& before, Vector& q) const {
     const Metric strain = materials::mean_strain(materials::to_tensor(matrix(before)), materials::to_tensor(matrix(q)));
     double lost = 0;
@@ -121,7 +124,7 @@ class LoadedBody {
     f.template leftCols<3>() = F;
     f.col(at_center) *= body_.reference().mass;
   }
-  /// f ← f − C u for the damping at a state (mechanics/core/damping.h).
+  /// f ← f − C u, with the linearisation C of the damping force at a state (mechanics/core/damping.h).
   void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization kind,
                    Vector& f) const {
     const Eigen::Matrix3d Q = matrix(state.q), U = matrix(u);
@@ -170,7 +173,8 @@ class LoadedBody {
 
   void add_taken(double energy, Vector& v) const { v(0, at_energies) += energy; }
   double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, at_energies); }
-  /// V_t − W. The result is 0 if there are no loads that depend on time and no planes in motion.
+  /// V_t − W: the energy of the loads that depend on time, minus the energy that these loads and moving planes have
+  /// given. The result is 0 without such loads and planes.
   double driven_energy(const mechanics::VectorState<Vector>& state) const {
     if (!driven_) return 0;
     return energy_of(loads::driving(loads_, state.t), matrix(state.q), center(state.q)) - state.v(1, at_energies);
@@ -182,7 +186,7 @@ class LoadedBody {
     return body_.reference().volume * materials::energy_of_branches(materials::to_tensor(matrix(q)), inverse_sum(q),
                                                                     materials::sum_of_moduli(branches()));
   }
-  /// Σ P_b
+  /// Σ P_b, the stress of all branches per reference volume.
   Eigen::Matrix3d stress_of_branches(const Vector& q) const {
     return materials::to_matrix(materials::stress_of_branches(materials::to_tensor(matrix(q)), inverse_sum(q)));
   }
@@ -195,7 +199,8 @@ class LoadedBody {
     state.v.template leftCols<4>() << motion.v, velocity;
     return state;
   }
-  /// This state with the companions and the branches at their start. Without planes, c is no coordinate.
+  /// The same state with the companions and the branches at their start. Without planes c is not a coordinate, and
+  /// `position` and `velocity` are not used.
   mechanics::VectorState<Vector> start(const mechanics::VectorState<Eigen::Matrix3d>& motion,
                                        const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) const {
     const Eigen::Vector3d none = Eigen::Vector3d::Zero();
@@ -206,7 +211,7 @@ class LoadedBody {
     for (std::size_t b = 0; b < branches().size(); ++b) set_metric(metric, b, state.q);
     return with_companions(state, {orbit_.position(), orbit_.velocity()});
   }
-  /// The state with this motion of the companions.
+  /// `state` with this motion of the companions.
   mechanics::VectorState<Vector> with_companions(mechanics::VectorState<Vector> state,
                                                  const mechanics::Orbit::Motion& motion) const {
     set_companions(motion.s, state.q);
@@ -223,14 +228,15 @@ class LoadedBody {
   static void set_metric(const Metric& metric, std::size_t b, Vector& q) {
     std::copy_n(metric.a, Metric::n_entries, q.col(at_metrics + 2 * static_cast<int>(b)).data());
   }
-  /// Σ μ_b C_b⁻¹
+  /// Σ μ_b C_b⁻¹ over the branches b, with their moduli μ_b.
   Metric inverse_sum(const Vector& q) const {
     Metric A{};
     for (std::size_t b = 0; b < branches().size(); ++b)
       materials::add_branch(branches()[b].modulus, metric_of(q, b), A);
     return A;
   }
-  /// Adds the loads on c that do not depend on time and the pressure of contact, or the springs that replace it.
+  /// Sets the force on c to that of the loads that do not depend on time. Then adds the pressure of contact, or the
+  /// springs that replace it. Returns the power that moving planes give.
   loads::ContactPower add_contact(double t, const Vector& q, const Workspace& w, loads::AffineForce& F) const {
     const Eigen::Vector3d c = center(q);
     F.on_center = body_.reference().mass * (constant_.acceleration - constant_.quadratic * c);
@@ -238,15 +244,17 @@ class LoadedBody {
     planes_.add_springs(matrix(q) - matrix(*w.held_at), c - center(*w.held_at), F);
     return {};
   }
-  /// Adds viscosity, drag, the damping of planes and friction.
+  /// Adds viscosity, drag, the damping of planes and, without springs, friction. Returns the dissipated and the given
+  /// power.
   loads::ContactPower add_dissipation(double t, const Vector& q, const Vector& v, const Workspace& w,
                                       loads::AffineForce& F) const {
     const Eigen::Matrix3d Q = matrix(q), Qdot = matrix(v);
     const Eigen::Vector3d c = center(q), cdot = center(v);
     loads::ContactPower power{.taken = dissipation_.add_force(body_.reference(), Q, Qdot, F.on_Q)};
     power.taken += add_drag(cdot, F);
+    if (w.held_at) return power;
     power += planes_.add_damping(t, Q, c, Qdot, cdot, F);
-    if (!w.held_at) power.taken += planes_.add_friction(t, Q, c, Qdot, cdot, F);
+    power.taken += planes_.add_friction(t, Q, c, Qdot, cdot, F);
     return power;
   }
   /// Adds the drag on the centre of mass. Returns the power that it dissipates.
@@ -264,6 +272,7 @@ class LoadedBody {
     F.on_center += body_.reference().mass * (now.acceleration - now.quadratic * c);
     return energy_of(loads::driving_rate(loads_, t), Q, c);
   }
+  /// The energy of a forcing for the deformation Q and the centre of mass c.
   double energy_of(const loads::Forcing& forcing, const Eigen::Matrix3d& Q, const Eigen::Vector3d& c) const {
     return ExternalPotential(forcing).energy(body_.reference(), Q) +
            body_.reference().mass * (0.5 * c.dot(forcing.quadratic * c) - forcing.acceleration.dot(c));

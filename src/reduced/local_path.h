@@ -12,11 +12,14 @@ namespace pseudorigid::reduced {
 template <class System>
 using LocalPath = std::array<mechanics::State<System>, 9>;
 
+/// Sets `path` to the nine states around `state`. Fails if an acceleration cannot be computed.
 template <class System>
 mechanics::Status local_path(const System& system, const mechanics::State<System>& state, double h,
                              LocalPath<System>& path) {
   using Vector = typename System::Vector;
-  constexpr int n_substeps = 8;  // error (h/8)⁴, in addition to the error h⁸ of the differences
+  // Number of steps between two states. Their errors are of the order (h/8)⁴, and those of the differences of the order
+  // h⁸.
+  constexpr int n_substeps = 8;
   const mechanics::ExplicitMultiplier<System> field(system);
   auto w = field.make_workspace();
   mechanics::Status status;

@@ -12,11 +12,13 @@ namespace {
 
 using mechanics::Status;
 
+/// True for a multistep method, whose struct has the member `formula`.
 template <class Method>
 concept Multistep = requires {
   Method::formula;
 };
 
+/// Hooks of the time loop: they keep q and v at the samples, and make n_steps steps between two samples.
 struct KeepSamples {
   MotionsInLanes& motions;
   long n_steps;

@@ -8,6 +8,7 @@
 
 namespace pseudorigid::reduced {
 
+/// The implementations of moves_in_lanes, motions_in_lanes and solve_stages_of_body, in this order.
 struct MotionKernels {
   bool (*moves)(mechanics::MethodId method);
   MotionsInLanes (*motions)(const materials::AnyLaw& law, const InertiaInLanes& inertia, const MatricesInLanes& q,

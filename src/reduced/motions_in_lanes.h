@@ -17,16 +17,17 @@ inline constexpr int n_body_lanes = 8;
 /// The entries of a matrix for all bodies. The values of one entry for the eight bodies are contiguous: [entry][body].
 using MatricesInLanes = std::array<double, 9 * n_body_lanes>;
 
+/// Volume and inverse inertia of each body.
 struct InertiaInLanes {
   std::array<double, n_body_lanes> volume;
   MatricesInLanes E0_inverse;
-  bool isotropic;  ///< each E₀ is a multiple of Id
+  bool isotropic;  ///< true if each E₀ is a multiple of Id
 };
 
 struct MotionsInLanes {
   std::string failure;             ///< reason of the failure of a body, which ends all motions; empty if all succeed
-  double t = 0;                    ///< time reached
-  std::vector<MatricesInLanes> q;  ///< at the samples
+  double t = 0;                    ///< the time that the motions reached
+  std::vector<MatricesInLanes> q;  ///< Q at the samples
   std::vector<MatricesInLanes> v;
   mechanics::Counters counters{};
 };
@@ -34,6 +35,8 @@ struct MotionsInLanes {
 /// True for the methods that can integrate bodies in lanes: the symmetric multistep methods.
 bool moves_in_lanes(mechanics::MethodId method);
 
+/// Integrates the motions of eight bodies from q and v at the time 0, with n_steps steps between two samples. If one
+/// body fails, all motions end.
 MotionsInLanes motions_in_lanes(const materials::AnyLaw& law, const InertiaInLanes& inertia, const MatricesInLanes& q,
                                 const MatricesInLanes& v, mechanics::MethodId method,
                                 const mechanics::SampleTimes& times, long n_steps);

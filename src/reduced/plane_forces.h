@@ -1,6 +1,6 @@
 #pragma once
-/// Forces of rigid planes on a body x = c + Q X with the ellipsoidal shape S (loads/ellipsoid_contact.h), as forces on
-/// Q and on the centre of mass c. The planes may move along their normals.
+/// Forces of rigid planes on a body x = c + Q X with the ellipsoidal shape S (loads/ellipsoid_contact.h). The forces
+/// act on Q and on the centre of mass c. The planes may move along their normals.
 
 #include <numbers>
 #include <utility>
@@ -55,8 +55,8 @@ class PlaneForces {
     }
     return taken;
   }
-  /// Adds the change of the damping and the friction at the velocities (Q̇, ċ) if the velocities change by (U, u). The
-  /// speed of planes does not change.
+  /// Adds the change of the damping and the friction if the velocities (Q̇, ċ) change by (U, u). The speed of planes
+  /// does not change. `kind` is the linearisation of the friction.
   void add_damping_change(double t, const Matrix& Q, const Vector& c, const Matrix& Qdot, const Vector& cdot,
                           const Matrix& U, const Vector& u, mechanics::Linearization kind,
                           loads::AffineForce& F) const {

@@ -6,7 +6,7 @@
 ///
 /// with the stored energy W per reference volume Vol, Carlson's integral R_F and k = (3/5) G M². The reference body is
 /// the image of the unit ball under the linear map S (reference_body.h). The deformed body is then an ellipsoid, and
-/// its semi-axes a_i are the singular values of F = QS. A term that the scene does not have costs only a branch.
+/// its semi-axes a_i are the singular values of F = QS. A term that the scene does not have is skipped.
 ///
 /// The functions `energy` and `stress` of a Tensor give V and ∂V/∂Q per reference volume, like a material law. With the
 /// stress P = ∂W/∂Q of the law, and with the self-gravity V_g as a function of F, the derivative is
@@ -50,8 +50,8 @@ class Potential {
     if (G != 0) gravity_ = gravity::EllipsoidGravity{0.6 * G * body.mass * body.mass};
   }
 
-  /// `admits` is true if Q is within the limit of the material law, and `limit` names this limit
-  /// (materials/law_limits.h).
+  /// `admits` returns true if Q is within the limit of the material law. `limit` names this limit for messages, and is
+  /// empty for a law without a limit (materials/law_limits.h).
   bool admits(const Tensor& Q) const { return !limited_ || materials::admits(law_, Q); }
   std::string_view limit() const { return materials::limit_of(law_); }
 
@@ -99,7 +99,7 @@ class Potential {
   }
 
  private:
-  /// Derivative of V without the stored energy, with respect to Q.
+  /// Derivative of V − Vol·W with respect to Q: the terms other than the stored energy.
   Eigen::Matrix3d loads(const Eigen::Matrix3d& Q) const {
     Eigen::Matrix3d f = Eigen::Matrix3d::Zero();
     if (gravity_ && spherical_) f = gravity_->gradient(Q);

@@ -42,7 +42,7 @@ inline SteadyMotion motion_of(const PlaneVector& u) {
 /// with such A and ω₁ = Λ₁ = 0 is not changed. Requires det A > 0.
 SteadyMotion to_principal_plane(const SteadyMotion& m);
 
-/// A quantity of the motion as a function of u, with its derivatives.
+/// A quantity of the motion as a function of u. PlaneDual is a number with its derivatives by the eight entries of u.
 using PlaneDual = mechanics::Dual<double, 8>;
 using PlaneDuals = mechanics::Coordinates<PlaneDual, 8>;
 using Quantity = PlaneDual (*)(const PlaneDuals&);
@@ -81,7 +81,7 @@ void steady_equations(const IsotropicBody<V>& body, const PlaneVector& u, PlaneV
   };
   F.head<6>() = rows(R * A, body.incompressible ? u.head<3>().sum() : u[7]);
   for (int i = 0; i < 3; ++i) {
-    Eigen::Matrix3d H = Eigen::Matrix3d::Zero();  // ∂A/∂ln a_i
+    Eigen::Matrix3d H = Eigen::Matrix3d::Zero();  // the derivative ∂A/∂ln a_i
     H(i, i) = A(i, i);
     const Eigen::Matrix3d dR = detail::steady_acceleration(m.omega, m.Lambda, H) + body.second_derivative(A, H) +
                                m.lambda * A_inverse * H * A_inverse;
@@ -102,9 +102,9 @@ namespace detail {
 PlaneVector newton_step(const PlaneMatrix& DF, const PlaneVector& F, double round_off);
 
 /// Newton's iteration for F = 0. equations(u, F, DF) sets F and its derivative DF. The iteration ends if |F| is small
-/// and no longer halves, if a number is not finite, or after 60 steps. Then u is set to the iterate with the least |F|.
-/// The iteration succeeds if this |F| is at the round-off of terms of size `scale`. The step length is limited, so that
-/// the axes cannot overflow.
+/// and no longer halves, if a step is 0, if a number is not finite, or after 60 steps. Then u is set to the iterate
+/// with the least |F|. The iteration fails if this |F| is not at the round-off of terms of size `scale`. The length of
+/// a step is limited, so that the axes cannot overflow.
 template <class Equations>
 mechanics::Status plane_newton(const Equations& equations, double scale, PlaneVector& u) {
   constexpr int max_iterations = 60;
@@ -138,6 +138,7 @@ double equations_scale(const IsotropicBody<V>& body, const PlaneVector& u) {
 
 }  // namespace detail
 
+/// A condition on a motion: the quantity has this value.
 struct Target {
   Quantity quantity;
   double value;

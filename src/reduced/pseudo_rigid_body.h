@@ -5,10 +5,10 @@
 ///   K = ½ tr(Q̇ E₀ Q̇ᵀ),   V(Q) = Vol · W(Q), or V of potential.h with gravity and loads,
 ///   Q̈ E₀ = −∂V/∂Q + Λ Q⁻ᵀ,   ln det Q = 0                                                   (5.120)
 ///
-/// E₀ and Vol are the inertia and the volume of reference_body.h, and W is the stored energy. On SL(3) the constraint
-/// g = ln det Q has G(Q)Q̇ = tr(Q⁻¹Q̇), GᵀΛ = ΛQ⁻ᵀ and D²g(Q̇,Q̇) = −tr((Q⁻¹Q̇)²). The equation G M⁻¹ Gᵀ Λ = r, with G
-/// at Q₁ and Gᵀ at Q₀, is therefore the division tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r. The multiplier of Oliva is λ = Λ/m̄ with
-/// m̄ = ⅓ tr E₀. On GL⁺(3) there is no constraint and no multiplier.
+/// E₀ and Vol are the inertia and the volume of reference_body.h, and W is the stored energy. On SL(3) the constraint g
+/// = ln det Q has G(Q)Q̇ = tr(Q⁻¹Q̇), GᵀΛ = ΛQ⁻ᵀ and D²g(Q̇,Q̇) = −tr((Q⁻¹Q̇)²). The equation G(Q₁) M⁻¹ G(Q₀)ᵀ Λ = r is
+/// therefore tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r, and its solution is a division. The multiplier of Oliva is λ = Λ/m̄ with m̄ = ⅓
+/// tr E₀. On GL⁺(3) there is no constraint and no multiplier.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -61,6 +61,7 @@ class PseudoRigidBody {
   /// Computes Q̈ of (5.120) with its multiplier, from J = det Q and one cofactor matrix C = cof Q = J Q⁻ᵀ:
   ///   Q̈ = −A + Λ Q⁻ᵀE₀⁻¹,   A = ∂V E₀⁻¹,   Λ = [tr((Q⁻¹Q̇)²) + tr(Q⁻¹A)] / tr(Q⁻¹Q⁻ᵀE₀⁻¹)
   ///      = −A + s C E₀⁻¹,    s = Λ/J = [tr((CᵀQ̇)²) + J C:A] / (J C:CE₀⁻¹)
+  /// Fails if Q is not admissible, or if Λ is not finite.
   mechanics::Status acceleration(double, const Vector& Q, const Vector& Qdot, Workspace&, Vector& a) const {
     if (isotropic_)
       return accelerate(Q, Qdot, a, [this](double s, const Tensor& X) { return (s * inverse_m_bar_) * X; });
@@ -69,8 +70,8 @@ class PseudoRigidBody {
     });
   }
 
-  /// Solves the stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h). Returns false if the lanes cannot
-  /// compute the self-gravity accurately.
+  /// Solves the stages of a Gauss step in lanes, and sets stages.converged (mechanics/core/stage_by_stage.h). Returns
+  /// false and does nothing if the lanes cannot compute the self-gravity accurately.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const requires(knows_stages) {
     if (!takes_gravity_in_lanes(of_stages_, Eigen::Map<const Vector>(stages.q))) return false;
     solve_stages_of_body(of_stages_, BodyEntries::matrix, nullptr, stages);
@@ -81,6 +82,7 @@ class PseudoRigidBody {
   }
   const BodyOfStages& of_stages() const requires(knows_stages) { return of_stages_; }
 
+  /// f = −∂V/∂Q. Fails if Q is not admissible.
   mechanics::Status force(double, const Vector& Q, const Vector&, Workspace&, Vector& f) const {
     const Tensor q = materials::to_tensor(Q);
     if (const double J = materials::determinant(q); !admissible(q, J)) return inadmissible(J);
@@ -95,6 +97,7 @@ class PseudoRigidBody {
   }
   void apply_mass(const Vector& v, Vector& f) const { f = v * E0_; }
 
+  /// g = ln det Q. Fails if det Q is not positive and finite.
   mechanics::Status constraint(const Vector& Q, Multiplier& g) const {
     const double J = materials::determinant(materials::to_tensor(Q));
     if (!has_volume(J)) return without_volume(J);
@@ -131,7 +134,7 @@ class PseudoRigidBody {
       f += materials::to_matrix((lambda / materials::settled_at_one(materials::determinant(q, cof))) * cof);
     }
   }
-  /// f ← Gᵀλ for λ = 1.
+  /// f ← Gᵀλ for λ = 1, that is, Q⁻ᵀ.
   void reaction_of_one(const Vector& Q, Vector& f) const requires incompressible {
     const Tensor q = materials::to_tensor(Q), cof = materials::cofactor(q);
     materials::to_matrix((1 / materials::settled_at_one(materials::determinant(q, cof))) * cof, f);
@@ -143,6 +146,7 @@ class PseudoRigidBody {
       f -= lambda * inverse_transposed * v.transpose() * inverse_transposed;
     }
   }
+  /// The division in the head of this file. It does not fail.
   mechanics::SolveReport solve_gram(const Vector& Q1, const Vector& Q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     if constexpr (incompressible) {
@@ -156,7 +160,7 @@ class PseudoRigidBody {
     return {};
   }
   /// Round-off of ln det Q. For large axis ratios the round-off is larger, and iterations detect it with
-  /// ConvergenceMonitor.
+  /// ConvergenceMonitor (mechanics/core/constraint_newton.h).
   double constraint_tolerance() const { return 4e-16; }
 
   Vector make_vector() const { return Vector::Zero(); }
@@ -202,7 +206,7 @@ class PseudoRigidBody {
     return (P * Q.transpose() - lambda * m_bar_ / volume_ * Eigen::Matrix3d::Identity()) / Q.determinant();
   }
 
-  /// Returns a failure with the reason if Q is not an admissible deformation of this body.
+  /// Fails with the reason if det Q is not positive and finite, or if the law does not admit Q.
   mechanics::Status admissible(const Vector& Q) const {
     const Tensor q = materials::to_tensor(Q);
     const double J = materials::determinant(q);
@@ -224,7 +228,7 @@ class PseudoRigidBody {
     return false;
   }
 
-  /// scaled_by_inertia(s, X) = s X E₀⁻¹
+  /// Implementation of `acceleration` for scaled_by_inertia(s, X) = s X E₀⁻¹.
   template <class ScaledByInertia>
   mechanics::Status accelerate(const Vector& Q, const Vector& Qdot, Vector& a,
                                ScaledByInertia scaled_by_inertia) const {
@@ -265,7 +269,7 @@ class PseudoRigidBody {
   double volume_;
   Eigen::Matrix3d E0_, E0_inverse_;
   double m_bar_, inverse_m_bar_;
-  bool isotropic_;  // E₀ = m̄ Id
+  bool isotropic_;  // true if E₀ = m̄ Id
   BodyOfStages of_stages_;
 };
 

@@ -14,7 +14,7 @@ namespace pseudorigid::reduced {
 struct ReferenceBody {
   Eigen::Matrix3d E0;
   double volume;
-  double mass = volume;                                 ///< ρ = 1
+  double mass = volume;                                 ///< equal to the volume, because ρ = 1
   Eigen::Matrix3d shape = Eigen::Matrix3d::Identity();  ///< S of B, or of the ellipsoid with E₀ and M of B
 
   /// The ball of the internal units: r = ρ = 1.

@@ -22,7 +22,8 @@
 
 namespace pseudorigid::reduced {
 
-/// The landscape of V on the matrices Q. A vector has 9 entries, the columns of Q one after the other.
+/// The landscape of V on the matrices Q, for the search for critical points (mechanics/equilibria/critical_points.h). A
+/// vector has 9 entries, the columns of Q one after the other.
 class StaticLandscape {
  public:
   using Vector = Eigen::VectorXd;
@@ -34,9 +35,12 @@ class StaticLandscape {
   int n_coordinates() const { return 9; }
   int n_constraints() const { return incompressible_ ? 1 : 0; }
   Vector periods() const { return Vector::Zero(9); }
+  /// Sets dV = ∂V/∂Q. Fails if Q is not admissible or if a derivative is not finite.
   double potential(const Vector& q) const { return potential_.energy(matrix(q)); }
+  /// Sets g = ln det Q, or an empty g on GL⁺(3). Fails if det Q is not positive and finite.
   mechanics::Status gradient(const Vector& q, Vector& dV) const;
   mechanics::Status constraint(const Vector& q, Vector& g) const;
+  /// Sets H to the second derivative of V − Λ ln det Q, with Λ = 0 on GL⁺(3). Fails in the same cases as `gradient`.
   void constraint_gradient(const Vector& q, Matrix& G) const;
   mechanics::Status hessian(const Vector& q, const Vector& lambda, Matrix& H) const;
   void mass(const Vector& q, Matrix& M) const;
@@ -44,12 +48,13 @@ class StaticLandscape {
 
   static Eigen::Matrix3d matrix(const Vector& q) { return q.reshaped(3, 3); }
 
-  /// True if a random search suggests that V increases with s at all points of the surface |ln S| = s > 0. Here Q = R₁
-  /// S R₂ with rotations R₁, R₂ and a diagonal S. The search makes 64 random descents of the slope dV/ds over the
+  /// True if a random search suggests that V increases with s at all points of the surface |ln S| = s > 0. Here Q =
+  /// R₁SR₂ with rotations R₁, R₂ and a diagonal S. The search makes 64 random descents of the slope dV/ds over the
   /// directions of ln S and both rotations. The result is false if a slope is not positive.
   bool rises_at(double s) const;
 
  private:
+  /// Fails if det Q is not positive and finite, if a compressible body has collapsed, or if the law does not admit Q.
   mechanics::Status admissible(const Eigen::Matrix3d& Q) const;
   double outward_slope(double s, const Eigen::VectorXd& direction) const;
 

@@ -47,7 +47,7 @@ struct IsotropicBody {
   Eigen::Matrix3d second_derivative(const Eigen::Matrix3d& A, const Eigen::Matrix3d& H) const {
     return potential.second_derivative(A, H) / m_bar;
   }
-  /// Fails if the material law does not admit A.
+  /// Fails if the material law does not admit A. The caller has to check det A > 0.
   mechanics::Status admissible(const Eigen::Matrix3d& A) const {
     if (materials::admits(potential, materials::to_tensor(A))) return {};
     return mechanics::Status::failure(materials::beyond_limit(materials::limit_of(potential)));

@@ -73,12 +73,12 @@ TEST(ReducedForm, IsElasticForStoredEnergyAlone) {
   EXPECT_EQ(form_of_scene(scene), ReducedForm::dissipative);
 }
 
-TEST(ReducedForm, OrbitsWithACompanion) {
+TEST(ReducedForm, IsLoadedWithACompanion) {
   scene::Scene scene = diagonal_scene();
   auto& companions = scene.loads.get<loads::CompanionMasses>();
   companions.masses = {3};
   companions.positions = {5, 0, 0};
-  EXPECT_EQ(form_of_scene(scene), ReducedForm::orbiting);
+  EXPECT_EQ(form_of_scene(scene), ReducedForm::loaded);
 }
 
 }  // namespace

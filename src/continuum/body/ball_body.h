@@ -4,17 +4,17 @@
 ///
 ///   M ẍ = −∫P:∇φ + loads   [+ Gᵀλ,   elastic_ball.h]                       (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// with the first Piola–Kirchhoff stress P, which contains the stresses of viscoelastic branches
-/// (kernels/cell_branches.h), and with the basis functions φ of the displacements in (Q_k)³. The mass M
-/// is lumped. With dissipation or loads that depend on time, the ball has one more node (BallSpace::account). Two
-/// coordinates s and s' of this node obey
+/// with the first Piola–Kirchhoff stress P and the basis functions φ of the displacements in (Q_k)³. P contains the
+/// stresses of viscoelastic branches (kernels/cell_branches.h). The mass M is lumped. With dissipation or loads that
+/// depend on time, the ball has one more node (BallSpace::account). Two coordinates s and s' of this node obey
 ///
 ///   s̈ = dissipated power,   s̈' = power that loads give by their change in time, and planes by their motion.
 ///
 /// Therefore ṡ and ṡ' are the dissipated and the given energy, and every method integrates these energies with its own
-/// order. Companions in orbit (mechanics/core/orbit.h) are further nodes. Their tide acts on the nodes by the forces
-/// −m_n T (x_n − x_c), with the centre of mass x_c. All quantities are in internal units. The system is the computed
-/// sector, and the observables are for the whole ball.
+/// order. Branches do not act on s̈: `relax` returns their dissipated energy. Companions in orbit
+/// (mechanics/core/orbit.h) are further nodes. Their tide has the potential ½xᵀTx per mass. Node n with the mass m_n
+/// and the position x_n has the force −m_n T (x_n − x_c), with the centre of mass x_c. All quantities are in internal
+/// units. The system is the computed sector, and the observables are for the whole ball.
 
 #include <Eigen/Core>
 #include <functional>
@@ -42,32 +42,39 @@ class BallBody {
   using Vector = continuum::Vector;
 
   /// The body of a sector of the unit ball. `degree` is the degree k, from 1 to 8, or from 2 to 8 with the constraint.
-  /// An octant has 4 cells, which are refined uniformly n_refinements times. The ranks of the communicator share the
-  /// cells.
+  /// An octant has 4 coarse cells, each of which is refined uniformly n_refinements times. The ranks of the
+  /// communicator share the cells.
   BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
            const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
   /// The body of a mesh. `n_gravity_points` and `n_contact_points` are the numbers of quadrature points in each
-  /// direction of a face, for self-gravity and for contact. If a number is not given, the function with its name in
-  /// surface_gravity_forces.h or contact_forces.h chooses the number.
+  /// direction of a face, for self-gravity and for contact. Without a number, the function n_gravity_points(space,
+  /// is_fluid) or n_contact_points(space) chooses it.
   BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads = {},
            std::optional<int> n_gravity_points = std::nullopt, std::optional<int> n_contact_points = std::nullopt);
   BallBody(const BallBody&) = delete;  // because some members refer to other members
   BallBody& operator=(const BallBody&) = delete;
 
+  /// a = M⁻¹f, with 0 for components that a symmetry plane fixes. f and a may be the same vector.
   void apply_inverse_mass(const Vector& f, Vector& a) const;
+  /// f = M v, with the mass 1 for the coordinates of the account and of the companions. Fixed components get 0.
   void apply_mass(const Vector& v, Vector& f) const;
-  /// f ← f − C u for viscosity, drag, and the damping and friction of contacts (mechanics/core/damping.h).
+  /// f ← f − C u for viscosity, drag, and the damping and friction of contacts. C is the linearisation `kind` of the
+  /// damping force at `state` (mechanics/core/damping.h). Collective.
   void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization kind,
                    Vector& f) const {
     loads_.add_dissipation(state.q, u, f);
     if (contact_) contact_->add_damping(state.t, state.q, state.v, u, kind, f);
   }
+  /// True if C does not depend on the velocity. Only friction makes C depend on the velocity.
   bool damping_is_linear() const { return !loads_.rough(); }
+  /// True if there are viscoelastic branches.
   bool relaxes() const { return !branches_.empty(); }
   const materials::MaxwellBranches& branches() const { return branches_.list; }
-  /// Returns the energy that the sector has dissipated on all ranks. Collective.
+  /// Replaces the internal metrics of x by their values after the time h, for the mean strain of the positions `before`
+  /// and x. Returns the energy that the sector has dissipated on all ranks. Collective.
   double relax(double h, const Vector& before, Vector& x) const;
-  /// Sets the internal metrics of x to Ĉ if `relaxed` is true, and otherwise to the metric of the reference body.
+  /// Sets the internal metrics of x. If `relaxed` is true, they become Ĉ = J^{−2/3} FᵀF at x and the branches have no
+  /// stress. Otherwise they become the identity, which belongs to the undeformed body.
   void start_branches(bool relaxed, Vector& x) const { kernels_->start_branches(branches_.list.size(), relaxed, x); }
   /// The energy that the branches of the whole ball store. Collective.
   double energy_of_branches(const Vector& x) const;
@@ -78,26 +85,27 @@ class BallBody {
 
   Vector make_vector() const { return space_.make_vector(); }
 
-  /// The nodal field A X + c. It is a position if A = Q₀ and c is a position, and a velocity if A = Q̇₀ and c is a
-  /// velocity.
+  /// The nodal field A X + c, and 0 at the additional nodes. It is a position if A = Q₀ and c is a position, and a
+  /// velocity if A = Q̇₀ and c is a velocity.
   Vector affine_field(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
-  /// The mass moment Q_M = (∫ρ x Xᵀ dV) E₀⁻¹ of a nodal field x. If x is a velocity, the result is the time derivative
-  /// of Q_M.
+  /// The mass moment Q_M = (Σ m_n x_n X_nᵀ) E₀⁻¹ of a nodal field x over the whole ball, with E₀ = Σ m_n X_n X_nᵀ. If x
+  /// is a velocity, the result is the time derivative of Q_M. Collective.
   Eigen::Matrix3d mass_moment(const Vector& x) const;
-  /// Mass-weighted mean of a field over the whole ball. Components normal to a symmetry plane are 0. Collective.
+  /// Mass-weighted mean Σ m_n x_n / Σ m_n of a nodal field over the whole ball. Components normal to a symmetry plane
+  /// are 0. Collective.
   Eigen::Vector3d mean(const Vector& x) const;
-  /// Multiplies `energy`, which the sector has dissipated on all ranks, by the number of images of the sector. Adds the
-  /// product to the dissipated energy in v. If v is a force, `energy` is a power. The second function does the same for
-  /// an energy that the planes have given to the sector.
+  /// `add_taken` adds to the dissipated energy in v, and `add_given` to the given energy in v. The argument is the
+  /// energy of the sector on all ranks. The functions multiply this energy by the number of images of the sector. If v
+  /// is a force, `energy` is a power. Without the node of the account, v does not change.
   void add_taken(double energy, Vector& v) const { add_to_account(energy, 0, v); }
   void add_given(double energy, Vector& v) const { add_to_account(energy, 1, v); }
-  /// The dissipated energy and the energy given by loads that depend on time, for the whole ball. Both are entries of
-  /// v. Collective.
+  /// The dissipated energy and the energy given by loads and by moving planes, for the whole ball. Both are entries of
+  /// the velocity v, or 0 without the node of the account. Collective.
   double dissipated(const Vector& v) const;
   double given(const Vector& v) const;
 
   const mechanics::Orbit& orbit() const { return orbit_; }
-  /// The coordinates of the companions in a vector. Collective.
+  /// The coordinates of the companions in a vector, one column for each companion. Collective.
   mechanics::Orbit::Columns companions(const Vector& x) const;
   void set_companions(const mechanics::Orbit::Columns& s, Vector& x) const;
   /// Σ m_n (x_n − x_c)(x_n − x_c)ᵀ over the nodes of the whole ball. Collective.
@@ -109,8 +117,8 @@ class BallBody {
     return contact_ ? contact_->contact(t, x) : loads::Contact{};
   }
 
-  /// Inertia E₀ = Σ m_n X_n X_nᵀ, volume and mass of the mesh for the whole ball. Node n has the mass m_n and the
-  /// reference position X_n.
+  /// Inertia E₀ = Σ m_n X_n X_nᵀ, volume, and mass of the whole ball, for the discretised body. Node n has the mass m_n
+  /// and the reference position X_n.
   const Eigen::Matrix3d& E0() const { return E0_; }
   double volume() const { return volume_; }
   double mass() const;
@@ -120,19 +128,24 @@ class BallBody {
   /// The self-gravity, or null if there is none.
   const SurfaceGravityForces* gravity() const { return gravity_ ? &*gravity_ : nullptr; }
 
-  /// A 3×3 integral over the whole ball from the integral over the sector. The (i, j) entry is odd under a reflection
-  /// of exactly one of x_i and x_j, and is 0 if the sector has such a reflection.
+  /// The integral of a tensor over the whole ball from the integral over the sector. Entry (i, j) is odd under a
+  /// reflection of exactly one of x_i and x_j. If the sector has such a reflection, the entry of the result is 0. The
+  /// other entries are multiplied by the number of images.
   Eigen::Matrix3d whole_ball(const Eigen::Matrix3d& sector_integral) const;
-  /// Least det F over the quadrature points of all ranks, with its place.
+  /// Least det F over the quadrature points of all ranks, with its reference position. Collective.
   LeastPlace least_jacobian(const Vector& x) const;
-  /// Least value of a function of F over the quadrature points of all ranks, with its place.
+  /// Least value of a function of F over the quadrature points of all ranks, with its reference position. Collective.
   LeastPlace least(const Vector& x, const std::function<double(const Eigen::Matrix3d& F)>& value) const;
-  /// Least reserve of the law over the quadrature points of all ranks, with its place (materials/law_limits.h).
+  /// Least reserve of the law over the quadrature points of all ranks, with its reference position. The reserve is
+  /// positive if the law admits F, and infinite for a law without limits (materials/law_limits.h). Collective.
   LeastPlace least_reserve(const Vector& x) const;
-  /// Integrals over the sector, summed over all ranks.
+  /// Integrals over the sector, least value and largest (ln J)², each over all ranks, at the position x and the
+  /// velocity v. Collective.
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
   /// Fails if the smallest `least` of all ranks is not a positive finite number. `least` is the smallest value of det F
-  /// and of the reserve of the law at the points of this rank. The message gives the place at position x. Collective.
+  /// and of the reserve of the law at the points of this rank. For a law with limits and det F > 0 everywhere, the
+  /// message names the limit and the place of the least reserve. Otherwise it names the place of the least det F.
+  /// Collective.
   mechanics::Status judge(double least, const Vector& x) const;
   /// Fills x with fixed irregular numbers in (−1, 1), which do not depend on the number of ranks.
   void fill_irregular(Vector& x) const;
@@ -143,10 +156,11 @@ class BallBody {
   /// Sets f to all forces without the reactions. If `held_at` is not null and there are planes, springs on the whole
   /// surface replace the contact. The springs pull each point of the surface towards its position in the configuration
   /// `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the
-  /// stiffness with contact. Fails if `judge` fails.
+  /// stiffness with contact. Fails if `judge` fails. Collective.
   mechanics::Status applied_force(double t, const Vector& x, const Vector& v, const Vector* held_at, Vector& f) const;
-  /// Adds loads, gravity and contact to f, which already contains the force of the stress. `least` is the value that
-  /// the kernel returned for this force. Fails if `judge` fails for this value.
+  /// Adds loads, branches, gravity, companions and contact to f, which already contains the force of the elastic
+  /// stress. `least` is the value that the kernel returned for this force. Fails if `judge` fails for this value.
+  /// Collective.
   mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, const Vector* held_at,
                                    Vector& f) const;
 
@@ -157,13 +171,13 @@ class BallBody {
   LeastPlace of_all_ranks(LeastPlace of_this_one) const;
 
   BallSpace space_;
-  std::string_view limit_;  ///< the limit of the law, as materials::limit_of defines it
+  std::string_view limit_;  ///< the reason for which the law does not admit some F; empty if it admits all
   bool is_fluid_;
   std::unique_ptr<CellKernels> kernels_;
   LoadForces loads_;
   loads::Branches branches_;
   std::optional<SurfaceGravityForces> gravity_;
-  std::optional<ContactForces> contact_;  ///< empty without planes
+  std::optional<ContactForces> contact_;  ///< empty if there are no planes
   mechanics::Orbit orbit_;
   Eigen::Matrix3d E0_;
   double volume_;

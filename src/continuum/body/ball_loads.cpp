@@ -5,8 +5,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// ∫∇φ_n dX for every node n. The integral is the viscous force −2η∫d F⁻ᵀ∇φ_n of the dilation ẋ = X at rest, with
-/// d = F = Id and 2η = −1.
+/// ∫∇φ_n dX for every node n, from the kernel for the viscous force −2η∫J d F⁻ᵀ∇φ_n. With x = X and ẋ = X, F = d = Id.
+/// With 2η = −1, the force is then the integral.
 Vector integrated_gradients(const BallSpace& space, const CellKernels& kernels) {
   const Vector& X = space.reference_positions();
   Vector gradients = space.make_vector();
@@ -14,7 +14,7 @@ Vector integrated_gradients(const BallSpace& space, const CellKernels& kernels) 
   return gradients;
 }
 
-/// The nodal field A a_n, with the value a_n of `a` at node n.
+/// The nodal field with the value A a_n at node n, with the value a_n of `a`.
 Vector at_nodes(const Eigen::Matrix3d& A, const Vector& a) {
   Vector result = a;
   for (unsigned int i = 0; i < a.locally_owned_size(); i += 3)

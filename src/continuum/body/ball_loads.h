@@ -24,29 +24,32 @@
 
 namespace pseudorigid::continuum {
 
-/// The forces of the loads on the nodes of a space. A load that is zero takes almost no time.
+/// The forces of the loads on the nodes of a space. Loads that are zero are skipped. The space and the kernels must
+/// outlive this object.
 class LoadForces {
  public:
   LoadForces(const loads::Loads& loads, const BallSpace& space, const CellKernels& kernels);
 
   bool dissipative() const { return constant_.dissipative(); }
   bool damped() const { return constant_.damped(); }
-  bool rough() const { return constant_.planes.rough(); }  ///< true if planes have friction
+  /// True if planes have friction. The damping force is then not linear in the velocity.
+  bool rough() const { return constant_.planes.rough(); }
   bool time_dependent() const { return driven_; }
 
-  /// f ← f + the forces of the loads. If there is a node BallSpace::account, sets the force on it to the powers of the
-  /// whole ball. Collective.
+  /// f ← f + the forces of the loads at the time t. If there is a node BallSpace::account, sets the force on it to the
+  /// dissipated and the given power of the whole ball. Collective.
   void add(double t, const Vector& x, const Vector& v, Vector& f) const;
   /// f ← f + viscous force and drag. Returns the power that these forces dissipate in the cells and at the own nodes of
-  /// this rank.
+  /// this rank. Collective.
   double add_dissipation(const Vector& x, const Vector& v, Vector& f) const;
-  /// The potential V of the whole ball at the time t. The arguments are Σ m xxᵀ and Σ m x over the nodes, ∫F dX, and
-  /// the volume of the whole ball.
+  /// The potential V of the loads on the whole ball at the time t. The arguments are Σ m_n x_n x_nᵀ and Σ m_n x_n over
+  /// the nodes, ∫F dX, and the volume of the whole ball.
   double potential(double t, const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const;
 
   /// `add_driving` computes f ← f − ∂V/∂x for the potential V of `forcing`. `driving_power` returns the contribution of
-  /// the nodes of this rank to ∂V/∂t. Its argument `rate` contains the time derivatives of the loads.
+  /// the nodes of this rank to ∂V/∂t. Its argument `rate` contains the time derivatives of the loads. Both need the
+  /// member gradients_, so a load must depend on time. Collective.
   void add_driving(const loads::Forcing& forcing, const Vector& x, Vector& f) const;
   double driving_power(const loads::Forcing& rate, const Vector& x) const;
 
@@ -55,7 +58,7 @@ class LoadForces {
   void add_pressure(double pressure, const Vector& x, Vector& f) const;
 
   loads::Loads loads_;
-  loads::Forcing constant_;  ///< loads that do not depend on time
+  loads::Forcing constant_;  ///< sum of the loads that do not depend on time
   bool driven_;              ///< true if a load depends on time
   const BallSpace& space_;
   const CellKernels& kernels_;

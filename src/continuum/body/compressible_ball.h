@@ -3,8 +3,8 @@
 ///
 ///   M ẍ = −∫P:∇φ + loads,
 ///
-/// with the symbols of ball_body.h. The restriction to motions x = QX is the pseudo-rigid body on GL⁺(3). This ball has
-/// neither a multiplier nor a Gram solver.
+/// with the symbols of ball_body.h. The restriction to motions x = QX is the pseudo-rigid body with det Q > 0 and
+/// without a constraint. This ball has neither a multiplier nor a Gram solver.
 
 #include "continuum/body/ball_body.h"
 #include "mechanics/core/unconstrained.h"
@@ -14,10 +14,12 @@ namespace pseudorigid::continuum {
 class CompressibleBall : public BallBody, public mechanics::Unconstrained {
  public:
   struct Workspace : mechanics::Unconstrained::Workspace {
-    const Vector* held_at = nullptr;  ///< see BallBody::applied_force
+    /// Configuration of the springs that replace the contact (BallBody::applied_force), or null for contact.
+    const Vector* held_at = nullptr;
   };
   using BallBody::BallBody;
 
+  /// f = −∫P:∇φ + loads. Fails if BallBody::judge fails. Collective.
   mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace& workspace, Vector& f) const {
     return applied_force(t, x, v, workspace.held_at, f);
   }

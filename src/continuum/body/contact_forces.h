@@ -7,8 +7,8 @@
 /// with the stiffness k and the unit normal n of a plane n·x = z₀(t). Damping and friction are sums over the same
 /// points. Only points with d > 0 count. The weight w of a point is its share of the reference area. Node m has the
 /// basis function φ_m and the position x_m. The sums are factorised on each face. A face is skipped if a bound shows
-/// that its points do not reach the plane. Let Λ be the Lebesgue constant of the nodes at the points. With the maximum
-/// and minimum of n·x at the nodes of the face, the bound is
+/// that its points do not reach the plane. Let Λ be the Lebesgue constant max_q Σ_i |ℓ_i(ξ_q)| of the one-dimensional
+/// nodes at the points ξ_q. With the maximum and minimum of n·x at the nodes of the face, the bound is
 ///
 ///   n·x ≥ (max + min)/2 − Λ² (max − min)/2.
 ///
@@ -25,26 +25,27 @@
 
 namespace pseudorigid::continuum {
 
-/// Number of points in each direction of a face: 2(k + 1), with the degree k. This number exceeds the number k + 1 of
-/// nodes, because the pressure is not smooth at the edge of the contact area. This edge lies inside faces.
+/// Number of points in each direction of a face: 2(k + 1), with the degree k. There are more points than nodes, because
+/// the pressure is not smooth at the edge of the contact area. This edge lies inside faces.
 int n_contact_points(const BallSpace& space);
 
 class ContactForces {
  public:
   ContactForces(const loads::Planes& planes, const BallSpace& space, int n_points);
 
-  /// f ← f − ∂V/∂x. Returns the power that the planes give. Powers are for the computed sector, summed over all ranks.
+  /// f ← f − ∂V/∂x. Returns the power that the planes give by their motion, for the computed sector on all ranks.
   /// Collective.
   double add(double t, const Vector& x, Vector& f) const;
-  /// f ← f + damping force and friction of the planes (loads/plane.h). Returns the powers of these forces. Collective.
+  /// f ← f + damping force and friction of the planes (loads/plane.h). Returns the powers that these forces dissipate
+  /// and give, for the computed sector on all ranks. Collective.
   loads::ContactPower add_dissipation(double t, const Vector& x, const Vector& v, Vector& f) const;
-  /// f ← f − C u for the damping and the friction at the velocity v (mechanics/core/damping.h). Collective.
+  /// f ← f − C u with the operator C of damping and friction at the velocity v (mechanics/core/damping.h). Collective.
   void add_damping(double t, const Vector& x, const Vector& v, const Vector& u, mechanics::Linearization kind,
                    Vector& f) const;
   /// f ← f − ∂/∂x of ½k∮|x − x₀|², with k = Planes::stiffness_of_all(). This is the force of springs that pull each
   /// point of the surface to its position in the configuration x₀. Collective.
   void add_holding(const Vector& x, const Vector& x0, Vector& f) const;
-  /// Contact of the whole ball at the time t. Collective.
+  /// Contact of the whole ball with the planes at the time t, for the observables. Collective.
   loads::Contact contact(double t, const Vector& x) const;
 
  private:
@@ -53,33 +54,39 @@ class ContactForces {
     Eigen::MatrixXd weights;          ///< reference areas of the points: [p][q]
   };
 
-  /// n·u − offset at the nodes of a face, with the normal n of the plane.
+  /// n·u − offset at the nodes of a face, with the normal n of the plane. Entry (i, j) is for node i along p and j
+  /// along q.
   Eigen::MatrixXd along(const loads::Plane& plane, double offset, const Face& face, const Vector& u) const;
+  /// Values at the points of a face, [p][q], from values at its nodes, [i][j].
   Eigen::MatrixXd at_points(const Eigen::MatrixXd& nodal) const {
     const Eigen::MatrixXd half = values_.lazyProduct(nodal);
     return half.lazyProduct(values_.transpose());
   }
-  /// False if the bound shows that the face does not reach the plane. `heights` contains n·x − z₀ at the nodes.
+  /// False if the bound in the head of this file shows that the face does not reach the plane. `heights` contains n·x −
+  /// z₀ at the nodes.
   bool may_touch(const Eigen::MatrixXd& heights) const;
   /// The three components of a vector field at the points of a face.
   using VectorAtPoints = std::array<Eigen::MatrixXd, 3>;
   VectorAtPoints vector_at_points(const Face& face, const Vector& u) const;
-  /// Calls visit(face, heights) for the faces with points in contact. `heights` contains n·x − z₀ at all points.
+  /// Calls visit(face, heights) for the faces of this rank with a point in contact. `heights` contains n·x − z₀ at all
+  /// points of the face.
   template <class Visit>
   void for_touching_faces(const loads::Plane& plane, const Vector& x, Visit&& visit) const;
-  /// f ← f + damping force at the velocity u, for planes at one time. Returns the powers on this rank.
+  /// f ← f + damping force at the velocity u, for planes that are evaluated at one time (Planes::at). Returns the
+  /// powers of this force on this rank.
   loads::ContactPower add_plane_damping(const loads::Planes& planes, const Vector& x, const Vector& u, Vector& f) const;
-  /// Adds the forces of friction to f. traction_on(plane, face) returns a function of the index of a point of the face
-  /// and of the product w k d. The value of this function is the force of the point.
+  /// Adds forces of friction to f. traction_on(plane, face) returns a function for the points of the face. Its
+  /// arguments are the index of a point and the product w k d at this point. Its result is the force of the point,
+  /// which includes the weight w.
   template <class TractionOn>
   void add_tractions(const loads::Planes& planes, const Vector& x, TractionOn&& traction_on, Vector& f) const;
-  /// f_m ← f_m + Σ_points w p φ_m n with the pressure p. `pressures` contains the products w p.
+  /// f_m ← f_m + Σ_points w p φ_m n with the pressure p. `pressures` contains the products w p: [p][q].
   void spread(const Eigen::MatrixXd& pressures, const Eigen::Vector3d& normal, const Face& face, Vector& f) const;
 
   loads::Planes planes_;
   const BallSpace& space_;
   Eigen::MatrixXd values_;  ///< Lagrange polynomials ℓ_i at the points: [point][i]
-  double lebesgue_;         ///< Λ
+  double lebesgue_;         ///< Lebesgue constant Λ
   std::vector<Face> faces_;
 };
 

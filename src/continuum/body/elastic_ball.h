@@ -6,9 +6,9 @@
 /// with the first Piola–Kirchhoff stress P, the basis functions φ of the displacements in (Q_k)³, J = det F and G = Dg.
 /// The functions ψ_j are the basis of the multipliers λ_h = Σ λ_j ψ_j. A multiplier is a polynomial in P_{k−1} on each
 /// cell and may jump between cells. The field λ_h is the Kirchhoff pressure Jp, with the pressure p of the body. The
-/// constraint balances a pressure on the surface, so this load is not a force of the system. The constraint uses ln J
-/// instead of J − 1. Therefore the second variation of the constraint along a displacement u does not contain the
-/// square of div u. The discrete motion also does not change if a multiple of ln J is added to the stored energy W.
+/// constraint balances a uniform pressure on the surface, so this load is not a force of the system. The constraint
+/// uses ln J instead of J − 1. Therefore the second variation of the constraint along a displacement u does not contain
+/// the square of div u. The discrete motion also does not change if a multiple of ln J is added to the stored energy W.
 
 #include <cmath>
 #include <optional>
@@ -25,8 +25,11 @@ class ElasticBall : public BallBody {
   using Multiplier = continuum::Vector;
   struct Workspace {
     GramSolver gram;
-    double residual_sought = 0;       ///< sufficient Euclidean norm of the residual of solve_gram; 0: default of `gram`
-    const Vector* held_at = nullptr;  ///< see BallBody::applied_force
+    /// Euclidean norm of the residual that is sufficient for the caller of solve_gram. If 0, only the relative bound of
+    /// GramSolver::solve applies.
+    double residual_sought = 0;
+    /// Configuration of the springs that replace the contact (BallBody::applied_force), or null for contact.
+    const Vector* held_at = nullptr;
 
     template <class Visit>
     void visit_memory(Visit&& visit) {
@@ -49,13 +52,17 @@ class ElasticBall : public BallBody {
         gram_method_(gram_method.value_or(fitting_gram_method(space()))),
         multiplier_scale_(std::sqrt(least_over_ranks(kernels().least_cell_volume(), space().communicator()))) {}
 
+  /// All forces without the reactions. Fails if BallBody::judge fails. Collective.
   mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace& workspace, Vector& f) const {
     return applied_force(t, x, v, workspace.held_at, f);
   }
+  /// All forces with the reactions Gᵀλ, at lower cost than the two parts separately. Fails in the same case.
+  /// Collective.
   mechanics::Status force_with_reaction(double t, const Vector& x, const Vector& v, const Multiplier& lambda,
                                         Workspace& workspace, Vector& f) const {
     return complete_force(t, x, v, workspace.gram.force_with_reaction(x, lambda, f), workspace.held_at, f);
   }
+  /// Sets g at the position x. Fails if BallBody::judge fails for the least det F. Collective.
   mechanics::Status constraint(const Vector& x, Multiplier& g) const { return judge(kernels().constraint(x, g), x); }
   void constraint_rate(const Vector& x, const Vector& v, Multiplier& r) const { kernels().constraint_rate(x, v, r); }
   void constraint_curvature(const Vector& x, const Vector& v, Multiplier& r) const {
@@ -67,14 +74,16 @@ class ElasticBall : public BallBody {
   void add_reaction(const Vector& x, const Multiplier& lambda, Vector& f, Workspace& workspace) const {
     workspace.gram.add_reaction(x, lambda, f);
   }
+  /// Solves G(x1) M⁻¹ G(x0)ᵀ λ = r, with the failures of GramSolver::solve. Collective.
   mechanics::SolveReport solve_gram(const Vector& x1, const Vector& x0, const Multiplier& r, Workspace& workspace,
                                     Multiplier& lambda) const {
     return workspace.gram.solve(x1, x0, r, workspace.residual_sought, lambda);
   }
-  /// |g|_∞ and |Gv|_∞ count as zero up to this value. It is equivalent to 1e-13 of ln J, because the ψ_j are
-  /// orthonormal in L² on each cell.
+  /// |g|_∞ and |Gv|_∞ count as zero up to this value. On the smallest cell, it corresponds to 1e-13 for the mean of ln
+  /// J, because the ψ_j are orthonormal in L² on each cell.
   double constraint_tolerance() const { return 1e-13 * multiplier_scale(); }
-  /// |g|_∞ / multiplier_scale() is a bound for the absolute value of the mean of ln J over a cell.
+  /// The square root of the volume of the smallest cell. |g|_∞ / multiplier_scale() is a bound for the absolute value
+  /// of the mean of ln J over a cell.
   double multiplier_scale() const { return multiplier_scale_; }
 
   Multiplier make_multiplier() const { return space().make_multiplier(); }

@@ -126,7 +126,7 @@ void SurfaceGravityForces::add_rate(const Vector& x, const Vector& u, const Sign
   spread(jets, surface_derivative_rate(own, sums, of_all, constant_, rest_volume_), f);
   gravity::SurfaceDerivative of_areas = surface_derivative(own.at, sums.at, of_all.at, constant_, rest_volume_);
   for (auto& component : of_areas.by_point) std::ranges::fill(component, 0.0);
-  spread(jet_rates, of_areas, f);  // because an area vector is bilinear in the derivatives by ξ_p and ξ_q
+  spread(jet_rates, of_areas, f);  // the area vectors also depend on x; they are bilinear in ∂x/∂ξ_p and ∂x/∂ξ_q
   add_to_owners(f);
 }
 

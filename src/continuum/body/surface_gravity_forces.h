@@ -1,6 +1,7 @@
 #pragma once
-/// Self-gravity of the finite-element ball, computed from its free surface (gravity/surface_gravity.h). At the Gauss
-/// points of the faces, the position x, the area vector N and the force f_n on a node are
+/// Self-gravity of the finite-element ball, computed from its free surface with the energy Ê of
+/// gravity/surface_gravity.h. At the Gauss points of the faces, the position x, the area vector N and the force f_n on
+/// a node are
 ///
 ///   x = Σ φ_n x_n,   N = ±w ∂x/∂ξ_p × ∂x/∂ξ_q,
 ///   f_n = −∂Ê/∂x_n = −Σ_points [φ_n ∂Ê/∂x ± w (∂φ_n/∂ξ_p x_q × ∂Ê/∂N + ∂φ_n/∂ξ_q ∂Ê/∂N × x_p)],
@@ -21,10 +22,11 @@ namespace pseudorigid::continuum {
 
 /// Number of points in each direction of a face for which the error of gravity is below the discretisation error. With
 /// the degree k the number is k + 2, or k + 1 if the faces of an elastic body are refined. A fluid needs k + 2, because
-/// only gravity makes the shortest waves on its surface stable. With k + 1 points the computed waves grow by a factor
-/// of 2.3 in the time 1/√(Gρ). With k + 2 points the quadrature resolves the gravity of these waves.
+/// only gravity makes the shortest waves on its surface stable. With k + 1 points, the computed waves were seen to grow
+/// by a factor of 2.3 in the time 1/√(Gρ). With k + 2 points the quadrature resolves the gravity of these waves.
 int n_gravity_points(const BallSpace& space, bool is_fluid);
 
+/// The forces f_n, their rates, the energy and the potential of self-gravity.
 class SurfaceGravityForces {
  public:
   /// `gravity_constant` is G in internal units, in which ρ = 1. `n_points` is the number of points in each direction of
@@ -36,10 +38,11 @@ class SurfaceGravityForces {
 
   /// f ← f − ∂Ê/∂x. Collective.
   void add(const Vector& x, Vector& f) const;
-  /// f ← f − D²Ê(x)[u]. x has the symmetry of the sector, and u(R_c X) = s_c R_c u(X) under each reflection R_c of the
-  /// sector. The displacement u is even under R_c if s_c = 1, and odd if s_c = −1. Collective.
+  /// f ← f − D²Ê(x)[u]. The position x must have the symmetry of the sector. The displacement u must satisfy u(R_c X) =
+  /// s_c R_c u(X) under each reflection R_c of the sector. It is even under R_c if s_c = 1, and odd if s_c = −1.
+  /// Collective.
   void add_rate(const Vector& x, const Vector& u, const std::array<int, 3>& s, Vector& f) const;
-  /// Ê of the computed sector. Collective.
+  /// Ê of the computed sector, which is Ê of the ball divided by the number of images. Collective.
   double energy(const Vector& x) const;
   /// The gravitational potential φ per mass at points of the computed sector, at the position x of the ball. Each rank
   /// has its own points. Collective.
@@ -49,18 +52,20 @@ class SurfaceGravityForces {
   using Jets = SurfaceInterpolation::Jets;
   using Signs = std::array<int, 3>;  ///< signs s_c under the reflections of the sector; all 1 for positions
 
+  /// Values and derivatives of x at the points of this rank. The ghost nodes of x need not be up to date. Collective.
   Jets jets_at(const Vector& x) const;
   /// `own_points` computes the points and area vectors of the faces of this rank from the jets of x. `own_rates`
-  /// computes their derivatives along u from the jets of x and u.
+  /// computes the derivatives of these points and area vectors along u, from the jets of x and u.
   gravity::SurfacePoints own_points(const Jets& x) const;
   gravity::SurfacePoints own_rates(const Jets& x, const Jets& u) const;
-  /// Points, or rates of points, with their mirror images. s contains the signs under the reflections.
+  /// Points with their mirror images under the reflections of the sector. For rates along u, s contains the signs s_c.
   gravity::SurfacePoints with_images(const std::vector<std::array<double, 6>>& points, const Signs& s) const;
-  /// The points of all ranks, or the rates of these points, with their mirror images. s contains the signs under the
-  /// reflections. Collective.
+  /// Points of all ranks with their mirror images, from the points of this rank. For rates along u, s contains the
+  /// signs s_c. Collective.
   gravity::SurfacePoints sources(const gravity::SurfacePoints& own, const Signs& s = {1, 1, 1}) const;
   /// The sums over all sources, for the points of this rank. Collective.
   gravity::PairSums sums_at(const gravity::SurfacePoints& own) const;
+  /// The sums of the totals of all ranks. Collective.
   gravity::SurfaceTotals over_ranks(const gravity::SurfaceTotals& own) const;
   /// f_n ← f_n − ∂E/∂x_n for every node n. `derivative` is the derivative of the function E with respect to points and
   /// area vectors. x contains the jets of the position.

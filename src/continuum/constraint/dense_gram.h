@@ -43,6 +43,7 @@ class DenseGram final : public GramPreconditioner {
 
   const BallSpace* space_;
   const CellKernels* kernels_;
+  /// The shared nodes of each pair of cells a < b, if there are any.
   std::map<std::pair<unsigned int, unsigned int>, SharedNodes> shared_nodes_;
   SymmetricMatrix inverse_;
 };

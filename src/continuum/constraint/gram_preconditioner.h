@@ -12,7 +12,8 @@ class GramPreconditioner {
  public:
   virtual ~GramPreconditioner() = default;
 
-  /// Computes the preconditioner for the positions x. Fails if the Gram operator is singular at x. Collective.
+  /// Computes the preconditioner for the positions x, before the first call of `apply`. Fails if the Gram operator is
+  /// singular at x. Collective.
   virtual mechanics::Status renew(const Vector& x) = 0;
   /// result ≈ S⁻¹ r, a symmetric positive definite approximation. Collective.
   virtual void apply(Vector& result, const Vector& r) const = 0;

@@ -78,7 +78,7 @@ class GramSolver::Impl {
     return status;
   }
   /// Computes the preconditioner at the positions of the history, unless this process has already computed it. The
-  /// computation is necessary after a restart from a checkpoint.
+  /// computation is necessary after a restart from a checkpoint. Fails if the preconditioner cannot be computed.
   mechanics::Status restore() {
     return std::exchange(is_made_, true) ? mechanics::Status() : preconditioner_->renew(history_.renewed_at);
   }
@@ -119,8 +119,8 @@ class GramSolver::Impl {
     return method == GramMethod::dense ? Precision::double_precision : Precision::single_precision;
   }
 
-  /// The tangent of the constraint at the last positions. In double precision it is computed again only if the
-  /// positions change, and in single precision at each call of move_to.
+  /// The tangent of the constraint at the positions of the last call. In double precision it is computed again only if
+  /// the positions change, and in single precision at each call of move_to.
   class TangentAt {
    public:
     TangentAt(const CellKernels& kernels, Precision precision)

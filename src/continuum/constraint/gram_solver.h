@@ -15,6 +15,7 @@
 
 namespace pseudorigid::continuum {
 
+/// The preconditioner: the inverse of S as a dense matrix, or two levels.
 enum class GramMethod { dense, two_level };
 
 /// The method for a space: dense for up to `n_dense` multipliers in one process, otherwise two levels.
@@ -31,19 +32,21 @@ class GramSolver {
   /// singular, or if r is not finite. Collective.
   mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda);
 
-  /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ. Like CellKernels::force, returns the least of J and of the law's reserve. If the
-  /// solver uses the dense inverse, it also stores the tangent of the constraint at x for a later solve at x.
+  /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ, with the stored energy W + U of kernels/stored_energy.h and the basis functions φ.
+  /// Like CellKernels::force, returns the least of J and of the law's reserve. With the dense preconditioner, it also
+  /// stores the tangent of the constraint at x for a later solve at x.
   double force_with_reaction(const Vector& x, const Vector& lambda, Vector& f);
-  /// f ← f + G(x)ᵀλ
+  /// f ← f + G(x)ᵀλ. With the dense preconditioner, it reuses or stores the tangent of the constraint at x.
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f);
 
   /// The part of the solver's memory on which later solves depend, for checkpoints. The residuals depend on the
   /// preconditioner. A resumed run therefore needs this memory to repeat the uninterrupted run.
   struct History {
     Vector renewed_at;  ///< positions of the preconditioner
-    /// Iterations of the first solve after a renewal, −1 before this solve; additional iterations of later solves.
+    /// n_iterations_fresh: iterations of the first solve after a renewal, −1 before this solve. n_iterations_lost: the
+    /// sum over all later solves of the iterations beyond this number.
     int n_iterations_fresh = -1, n_iterations_lost = 0;
-    bool stale = true;  ///< true if the preconditioner must be renewed, and before it is first computed
+    bool stale = true;  ///< true if the next solve must compute or renew the preconditioner
   };
   History& history();
   template <class Visit>
@@ -55,9 +58,10 @@ class GramSolver {
     visit(stale);
   }
 
+  /// Counts since the construction of the solver.
   struct Statistics {
     long n_solves = 0, n_iterations = 0, n_iterations_at_most = 0, n_renewals = 0;
-    std::size_t memory = 0;  ///< bytes of the preconditioner on this rank
+    std::size_t memory = 0;  ///< memory of the preconditioner on this rank in bytes
   };
   Statistics statistics() const;
 

@@ -22,8 +22,8 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// A higher coarse degree saves iterations, but its matrices cost more. For elements of degree k = 6, a step takes the
-/// time of 44 force evaluations with coarse degree 2, and of 71 with coarse degree 3.
+/// Degree m of the coarse functions for elements of degree k = `degree`. A higher m saves iterations, but its matrices
+/// cost more. Measured for k = 6, a step takes the time of 44 force evaluations with m = 2, and of 71 with m = 3.
 int coarse_degree(int degree) { return degree <= 4 ? 1 : 2; }
 
 /// The quadrature weights of the nodes of one cell: Gauss–Lobatto weight times det ∂X/∂ξ.
@@ -38,8 +38,8 @@ Eigen::VectorXd node_weights(const BallSpace& space, unsigned int cell) {
   return weights;
 }
 
-/// Tables at the nodes of a cell, [node, i]: first N_i, then ∂N_i/∂ξ_d. The N_i are the Lagrange polynomials on the
-/// tensor grid of the one-dimensional nodes `functions`.
+/// Four tables at the nodes of a cell, with entry (node, i): N_i, ∂N_i/∂ξ_1, ∂N_i/∂ξ_2 and ∂N_i/∂ξ_3. The N_i are the
+/// Lagrange polynomials on the tensor grid of the one-dimensional nodes `functions`.
 std::vector<MatrixXd> tables_at_nodes(const ReferenceCell& ref, const std::vector<double>& functions) {
   const auto n = static_cast<std::size_t>(ref.n), m = functions.size();
   std::vector<MatrixXd> tables(4, MatrixXd(n * n * n, m * m * m));
@@ -163,8 +163,8 @@ void TwoLevelGram::make_coarse_solver() {
   PCSetType(preconditioner, PCGAMG);
   set_default_option("-gram_coarse_pc_gamg_aggressive_coarsening",
                      "0");  // aggressive coarsening needs 1.5 times the iterations
-  // A second sweep of the smoother does not pay. For k = 4 it reduces the iterations by a tenth, but each iteration
-  // costs a fifth more.
+  // A second sweep of the smoother is not worth its cost. For k = 4 it reduces the iterations by a tenth, but each
+  // iteration costs a fifth more.
   set_default_option("-gram_coarse_mg_levels_ksp_max_it", "1");
   KSPSetFromOptions(coarse_solver_);
   PetscObjectTypeCompare(reinterpret_cast<PetscObject>(coarse_solver_), KSPPREONLY, &applies_preconditioner_);

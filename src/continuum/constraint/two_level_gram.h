@@ -1,6 +1,6 @@
 #pragma once
-/// A preconditioner of the Gram operator S = G M⁻¹Gᵀ for meshes of any size on any number of ranks. The number of
-/// iterations depends little on mesh size and degree. The preconditioner is
+/// A preconditioner B ≈ S⁻¹ of the Gram operator S = G M⁻¹Gᵀ for meshes of any size on any number of ranks. The number
+/// of iterations depends little on mesh size and degree. The preconditioner is
 ///
 ///   B = Σ_cells R_cᵀ S_cc⁻¹ R_c + P K⁻¹ Pᵀ.
 ///
@@ -38,7 +38,7 @@ class TwoLevelGram final : public GramPreconditioner {
 
   mechanics::Status renew(const Vector& x) override;
   void apply(Vector& result, const Vector& r) const override;
-  double renewal_cost() const override { return 30; }  // measured, in iterations
+  double renewal_cost() const override { return 30; }  // measured; the unit is the time of one iteration
   std::size_t memory() const override;
 
  private:
@@ -61,7 +61,7 @@ class TwoLevelGram final : public GramPreconditioner {
   std::vector<bool> on_surface_;                                              ///< [local number]: true on the surface
   std::vector<Eigen::MatrixXd> tables_;  ///< N_i and ∂N_i/∂ξ_d at the nodes of a cell, [node, i]
   std::size_t n_rows_;                   ///< number of rows of the matrices of a cell: multipliers and padding
-  std::vector<float> projections_;       ///< P, one matrix per cell: [function of ψ + n_rows · i]
+  std::vector<float> projections_;       ///< P, one matrix per cell: [j + n_rows · i] for ψ_j and N_i
   std::vector<float> inverse_blocks_;    ///< S_cc⁻¹, one matrix per cell: [i + n_rows · j]
   std::unique_ptr<dealii::PETScWrappers::MPI::SparseMatrix> K_;  ///< constructed after the start of PETSc
   KSP coarse_solver_ = nullptr;

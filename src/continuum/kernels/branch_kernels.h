@@ -1,7 +1,8 @@
 #pragma once
-/// Integrals for viscoelastic branches (materials/maxwell_branch.h) over the cells of one process, with an internal
-/// metric C_b of each branch b at each Gauss point. In a list of metrics, entry k of C_b at point q of a cell is stored
-/// at ((cell · n_branches + b) 6 + k) n_points + q. Vectors are pointers as in local_kernels.h.
+/// Integrals for viscoelastic branches (materials/maxwell_branch.h) over the cells of one process. Branch b has the
+/// stress P_b, the stored energy W_b and the internal metric C_b at each Gauss point. In a list of metrics, entry k of
+/// C_b at point q of a cell is stored at ((cell · n_branches + b) 6 + k) n_points + q. Vectors are pointers as in
+/// local_kernels.h.
 
 #include <cstddef>
 
@@ -13,14 +14,14 @@ class BranchKernels {
  public:
   using Branches = materials::MaxwellBranches;
   virtual ~BranchKernels() = default;
-  /// f ← f − ∫ΣP_b : ∇φ
+  /// f ← f − ∫ΣP_b : ∇φ at the position x, with the basis functions φ.
   virtual void add_force(const Branches& branches, const double* metrics, const double* x, double* f) const = 0;
-  /// ∫ΣW_b
+  /// The stored energy ∫ΣW_b dX at the position x.
   virtual double energy(const Branches& branches, const double* metrics, const double* x) const = 0;
-  /// Lets the metrics relax for the time h, for the mean strain of x0 and x1. Returns the lost energy.
+  /// Replaces the metrics by their values after the time h, for the mean strain of x0 and x1. Returns the lost energy.
   virtual double relax(const Branches& branches, double h, const double* x0, const double* x1,
                        double* metrics) const = 0;
-  /// Sets the metrics of all branches to Ĉ at x.
+  /// Sets the metrics of all branches to the isochoric strain Ĉ = J^{−2/3} FᵀF at x.
   virtual void set_to_strain(std::size_t n_branches, const double* x, double* metrics) const = 0;
 };
 

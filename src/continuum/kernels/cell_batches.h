@@ -32,7 +32,7 @@ class CellBatches {
   struct Batch {
     unsigned int first_cell;
     int n_active;        ///< number of lanes with a cell of their own
-    L center[3], scale;  ///< X = center + scale · position
+    L center[3], scale;  ///< X = center + scale · PressurePoint::position
     L cell_volume;
   };
 
@@ -64,6 +64,7 @@ class CellBatches {
       for (int l = 0; l < n_lanes; ++l) __builtin_prefetch(x + offsets[i][l]);
   }
 
+  /// f ← f + u for the nodal values u of the cells of the batch. Lanes without a cell of their own are left out.
   void scatter_add(const L (*u)[n_nodes], std::size_t batch, double* f) const {
     const auto* offsets = &offsets_[batch * n_nodes];
     const int n_active = batches[batch].n_active;
@@ -108,7 +109,7 @@ class CellBatches {
 
   SumFactorization<n> factorization;
   std::array<double, n_points> unit_weights;  ///< quadrature weights on the reference cell
-  const double* reference_positions;          ///< including the ghost nodes
+  const double* reference_positions;          ///< X of own and ghost nodes, entry 3·node + component
   std::vector<Batch> batches;
 
  private:
@@ -126,6 +127,8 @@ class CellBatches {
     orthonormalize(index);
   }
 
+  /// Computes weights, volumes, centres and local coordinates of a batch. The scale of a cell is half the edge of the
+  /// cube with the same volume.
   void compute_geometry(std::size_t index) {
     auto nodes = std::make_unique<L[][n_nodes]>(3);
     gather(reference_positions, index, nodes.get());
@@ -168,6 +171,7 @@ class CellBatches {
       basis_.insert(basis_.end(), &inverse[i * n_pressure], &inverse[i * n_pressure] + i + 1);
   }
 
+  /// Sets one lane of `inverse` to L⁻¹. Replaces the matrix in this lane of `a` by its Cholesky factor L.
   static void invert_cholesky_factor(std::vector<L>& a, std::vector<L>& inverse, int lane) {
     const auto at = [&](int i, int j) { return a[i * n_pressure + j][lane]; };
     for (int i = 0; i < n_pressure; ++i)
@@ -185,8 +189,9 @@ class CellBatches {
   }
 
   std::vector<PressurePoint> pressure_points_;
+  /// [batch · n_nodes + node][lane]: index of the node's first component in vectors.
   std::vector<std::array<unsigned int, n_lanes>> offsets_;
-  std::vector<L> basis_;
+  std::vector<L> basis_;  ///< the lower triangles of L⁻¹ of all batches, row by row
 };
 
 }  // namespace pseudorigid::continuum

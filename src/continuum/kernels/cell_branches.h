@@ -20,8 +20,8 @@ class CellBranches final : public BranchKernels {
  public:
   explicit CellBranches(const Planes& planes) : planes_(planes) {}
 
-  /// In reference coordinates, the integrand is −w P (∂X/∂ξ)⁻ᵀ : ∂φ/∂ξ, and w (∂X/∂ξ)⁻ᵀ = ŵ cof ∂X/∂ξ with the weight
-  /// ŵ on the reference cell.
+  /// With the stress P of all branches, the integrand in reference coordinates is −w P (∂X/∂ξ)⁻ᵀ : ∂φ/∂ξ. The weight is
+  /// w = ŵ det ∂X/∂ξ with the weight ŵ on the reference cell. Therefore w (∂X/∂ξ)⁻ᵀ = ŵ cof ∂X/∂ξ.
   void add_force(const Branches& branches, const double* metrics, const double* x, double* f) const override {
     auto& buffers = planes_.buffers();
     for_each_plane(x, [&](std::size_t b, int q3) {
@@ -93,7 +93,8 @@ class CellBranches final : public BranchKernels {
     planes_.load_layers(planes_.batches.reference_positions, b, buffers.X);
   }
 
-  /// Calls use(batch, plane) while buffers.H contains F, buffers.dX contains ∂X/∂ξ and buffers.weights contains w.
+  /// Calls use(batch, plane) for each plane of points. Then buffers.H contains F at the position x, buffers.dX contains
+  /// ∂X/∂ξ, and buffers.weights contains w.
   template <class Use>
   void for_each_plane(const double* x, const Use& use) const {
     auto& buffers = planes_.buffers();
@@ -107,6 +108,8 @@ class CellBranches final : public BranchKernels {
     }
   }
 
+  /// Replaces the metrics of all branches at point q by their values after the time h, for the strain Ĉ. Returns the
+  /// lost energy per reference volume.
   L relax_point(const Branches& branches, double h, const Metric& strain, std::size_t b, int q, double* metrics) const {
     L lost(0.0);
     for (std::size_t branch = 0; branch < branches.size(); ++branch) {
@@ -117,7 +120,8 @@ class CellBranches final : public BranchKernels {
     return lost;
   }
 
-  /// Place of the first entry of a metric. In the last batch, lanes without a cell use the first cell of the batch.
+  /// Place of the first entry of a metric in a list of metrics. In the last batch, lanes without a cell use the first
+  /// cell of the batch.
   std::size_t place(std::size_t n_branches, std::size_t branch, std::size_t b, int lane, int q) const {
     const auto& batch = planes_.batches.batches[b];
     const std::size_t cell = batch.first_cell + static_cast<std::size_t>(lane < batch.n_active ? lane : 0);
@@ -138,7 +142,7 @@ class CellBranches final : public BranchKernels {
       for (std::size_t k = 0; k < n_entries; ++k) metrics[first + k * n_points] = metric.a[k][l];
     }
   }
-  /// Σ μ_b C_b⁻¹
+  /// Σ μ_b C_b⁻¹ at point q of a batch, with the modulus μ_b and the metric C_b of each branch.
   Metric inverse_sum(const Branches& branches, const double* metrics, std::size_t b, int q) const {
     Metric A;
     for (L& entry : A.a) entry = L(0.0);

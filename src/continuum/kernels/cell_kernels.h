@@ -11,8 +11,8 @@
 ///   viscous force   f_n = −∫ 2ηJ d F⁻ᵀ ∇φ_n dX,   d = sym(∇v F⁻¹),   with the power ∫ 2ηJ d:d dX
 ///
 /// Vectors may be distributed over ranks. Each rank integrates over its own cells. The kernels update the ghost entries
-/// that they read, and add contributions to the entries of other ranks. Returned sums and minima are over the cells of
-/// this rank only.
+/// that they read, and add contributions to the entries of other ranks. Functions of positions or velocities are
+/// therefore collective. Returned sums and minima are over the cells of this rank only.
 ///
 /// local_kernels.h computes the integrals, with one implementation per degree (cell_kernels_impl.h). The implementation
 /// calls the law for all points of a batch (point_law.h).
@@ -49,14 +49,16 @@ class CellKernels {
   /// f ← f + viscous force; returns the power that this force dissipates.
   double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const;
 
-  /// Functions for viscoelastic branches with the internal metrics x.metrics (materials/maxwell_branch.h).
-  /// f ← f − ∫ΣP_b:∇φ.
+  /// f ← f − ∫ΣP_b:∇φ with the stresses P_b of viscoelastic branches at the internal metrics x.metrics
+  /// (materials/maxwell_branch.h).
   void add_branch_force(const materials::MaxwellBranches& branches, const Vector& x, Vector& f) const;
-  /// ∫ΣW_b
+  /// The energy ∫ΣW_b dX that the branches store.
   double branch_energy(const materials::MaxwellBranches& branches, const Vector& x) const;
-  /// Lets the metrics of x relax for the time h, for the mean strain of x0 and x. Returns the lost energy.
+  /// Replaces the metrics of x by their values after the time h, for the mean strain of x0 and x. Returns the energy
+  /// that the branches lose.
   double relax_branches(const materials::MaxwellBranches& branches, double h, const Vector& x0, Vector& x) const;
-  /// Sets the metrics of x to Ĉ, or to the metric of the reference body.
+  /// Allocates the metrics of x. Sets them to Ĉ = J^{−2/3} FᵀF at x if `relaxed` is true, and to the identity
+  /// otherwise.
   void start_branches(std::size_t n_branches, bool relaxed, Vector& x) const;
 
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
@@ -65,7 +67,8 @@ class CellKernels {
   /// Least result of the function `value` over the quadrature points of this rank, with its place. The argument of
   /// `value` contains the entries of F row by row.
   LeastPlace locate_least(const Vector& x, const FunctionOfF& value) const;
-  /// Least reserve of the law over the quadrature points of this rank, with its place (materials/law_limits.h).
+  /// Least reserve of the law over the quadrature points of this rank, with its place (materials/law_limits.h). The
+  /// value is infinite for a law without limits.
   LeastPlace locate_least_reserve(const Vector& x) const;
   /// Sets `values` to λ_h at the nodes of a cell. In `values`, the first local direction is the fastest index.
   void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const;
@@ -94,9 +97,9 @@ class CellKernels {
 /// The reference cell, the nodes of the cells and the reference positions, for the kernels.
 LocalCells local_cells(const BallSpace& space);
 
-/// Kernels for the degree of the space (1 … 8) and the stored energy. Throws std::invalid_argument for another degree.
-/// Degree 1 is for compressible bodies only; functions of the constraint at positions x then throw
-/// std::invalid_argument.
+/// Kernels for the degree of the space (1 … 8) and the stored energy. Throws std::invalid_argument for another degree,
+/// and mechanics::NoKernels if chosen_kernels() does. Degree 1 is for compressible bodies only; functions of the
+/// constraint at positions x then throw std::invalid_argument.
 std::unique_ptr<CellKernels> make_cell_kernels(const BallSpace& space, const StoredEnergy& stored);
 
 }  // namespace pseudorigid::continuum

@@ -22,6 +22,7 @@ class CellPlanes {
   using Nodal = L[3][n_nodes];  ///< a vector at every node of a cell
   using Field = L[9][plane];    ///< a tensor at every point of a plane: [3·row + column][point]
 
+  /// Workspace for the nodal values and the fields of one batch.
   struct Buffers {
     Nodal X, x, v, result;
     L values[3][plane];
@@ -58,8 +59,8 @@ class CellPlanes {
       batches.factorization.plane_gradient(layers[c], q3, buffers_->values[c], H[3 * c], H[3 * c + 1], H[3 * c + 2]);
   }
 
-  /// Replaces H by F = H (∂X/∂ξ)⁻¹, and sets the buffer `weights` to the weights w. The buffers must contain the layers
-  /// of X. The inverse is computed at each call, because energies and minima are computed rarely.
+  /// Replaces H by F = H (∂X/∂ξ)⁻¹, and sets the buffer `weights` to the weights w of the points. The buffer X must
+  /// contain the layers of X. The inverse is computed at each call, because storing it would take much memory.
   void deformation_gradients(int q3, Field& H) const {
     plane_gradient(buffers_->X, q3, buffers_->dX);
     for (int q = 0; q < plane; ++q) {
@@ -81,6 +82,7 @@ class CellPlanes {
                                             buffers_->result[c]);
   }
 
+  /// Turns the sums of all planes in `result` into nodal values.
   void distribute_layers() const {
     for (int c = 0; c < 3; ++c) batches.factorization.distribute_layers(buffers_->result[c]);
   }

@@ -1,6 +1,7 @@
 #pragma once
-/// The derivative G of the constraint at fixed positions, for many products. T_q = w H⁻ᵀ (cell_kernels_impl.h) is
-/// stored at every Gauss point q, in double precision or, for iterations, in single precision. The products are
+/// The derivative G of the constraint at fixed positions, for many products. T_q = w H⁻ᵀ is stored at every Gauss point
+/// q, with H = ∂x/∂ξ and the weight w of cell_kernels_impl.h. The numbers have double precision or, for iterations,
+/// single precision. With the functions of cell_kernels.h, the products are
 ///
 ///   (G v)_j = Σ_q ψ_j T_q : ∂v/∂ξ,   (Gᵀλ)_n = Σ_q λ_h T_q : ∂φ_n/∂ξ
 
@@ -111,6 +112,7 @@ class ConstraintTangents {
     Stored<Number> planes;
   };
 
+  /// Calls use(planes) with the planes of the tangent in the precision in which they are stored.
   template <class AnyTangent, class Use>
   static void of_its_precision(AnyTangent& tangent, const Use& use) {
     const auto use_as = [&]<class Number>(Number) {

@@ -1,5 +1,6 @@
 #pragma once
-/// The kernels of the continuum, compiled for one instruction set.
+/// The kernels of the continuum as a table of functions. The table is compiled once for each instruction set
+/// (mechanics/core/kernel_builds.h).
 
 #include <cstddef>
 #include <memory>

@@ -1,8 +1,8 @@
 #pragma once
 /// The integrals of cell_kernels.h over the cells of one process. A vector is a pointer to its entries on this process:
-/// its own entries, and then those of ghost nodes. The latter must be up to date. The owner of a ghost node later adds
-/// the contributions of other ranks. This file does not depend on deal.II, so the kernels compile in a few seconds per
-/// degree.
+/// its own entries, and then those of ghost nodes. The entries of ghost nodes must be up to date. The owner of a ghost
+/// node later adds the contributions of other ranks. This file does not depend on deal.II, so the kernels compile in a
+/// few seconds per degree.
 
 #include <array>
 #include <functional>
@@ -28,13 +28,13 @@ struct LocalCells {
 /// Integrals over the cells, for the observables.
 struct CellIntegrals {
   using Matrix = std::array<std::array<double, 3>, 3>;
-  double elastic = 0;                                      ///< ∫W dX
-  double volumetric = 0;                                   ///< ∫U dX
-  double volume = 0;                                       ///< ∫J dX
+  double elastic = 0;                                      ///< stored energy of the law, ∫W dX
+  double volumetric = 0;                                   ///< stabilising energy, ∫U dX
+  double volume = 0;                                       ///< current volume, ∫J dX
   Matrix F{};                                              ///< ∫F dX
   Matrix X_pulled_back{};                                  ///< ∫ρ X ⊗ (Fᵀẋ) dX
-  double squared_log_J = 0;                                ///< ∫(ln J)² dX
-  double largest_squared_log_J = 0;                        ///< largest (ln J)²
+  double squared_log_J = 0;                                ///< integral ∫(ln J)² dX
+  double largest_squared_log_J = 0;                        ///< largest (ln J)² at a quadrature point
   double least = std::numeric_limits<double>::infinity();  ///< least value of J and of the law's reserve
 };
 

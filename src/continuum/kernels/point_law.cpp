@@ -12,6 +12,7 @@ std::unique_ptr<PointLaw<n_lanes>> make_point_law(const StoredEnergy& stored) {
 }
 
 template std::unique_ptr<PointLaw<native_lanes>> make_point_law(const StoredEnergy& stored);
+// Without AVX-512, few_lanes equals native_lanes, and a second instantiation would be an error.
 #if defined(__AVX512F__)
 template std::unique_ptr<PointLaw<few_lanes>> make_point_law(const StoredEnergy& stored);
 #endif

@@ -27,7 +27,8 @@ struct PressurePoint {
   L position[3];  ///< local coordinates of the pressure basis
 };
 
-/// Prefetches the geometry of a point that is used soon. `point` may be behind the last point.
+/// Prefetches the geometry of a point that is used soon. `point` may be behind the last point, because a prefetch of
+/// any address is permitted.
 template <class Point>
 [[gnu::always_inline]] inline void prefetch(const Point* point) {
   constexpr std::size_t cache_line = 64;

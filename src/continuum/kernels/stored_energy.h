@@ -5,7 +5,7 @@
 ///   W(F) + U(J),   U(J) = (κ/8)(J − 1/J)²,   ∂U/∂F = (κ/4)(J − 1/J³) cof F,   J = det F,   U''(1) = κ.
 ///
 /// U grows like 1/J² as J → 0, so it resists the inversion of an element. In two violent releases the least J was 0.28
-/// and 0.32, against 0.11 and 0.07 with the energy (κ/4)(J² − 1 − ln J²) of the same stiffness at J = 1.
+/// and 0.32. With the energy (κ/4)(J² − 1 − ln J²) of the same stiffness at J = 1, it was 0.11 and 0.07.
 ///
 /// U and its first derivative are 0 if J = 1, so that U does not change an exact incompressible motion. In discrete
 /// motions, J ≠ 1 at some points. The second variation of the multiplier's term can then be negative, and the term κ
@@ -19,12 +19,12 @@
 namespace pseudorigid::continuum {
 
 struct StoredEnergy {
-  /// A material law, by default without stabilisation.
+  /// A material law with the stiffness κ of the stabilisation. By default there is no stabilisation.
   template <std::convertible_to<materials::AnyLaw> Law>
   StoredEnergy(const Law& l, double kappa = 0) : law(l), volumetric_stiffness(kappa) {}
 
   materials::AnyLaw law;
-  double volumetric_stiffness;  ///< κ
+  double volumetric_stiffness;  ///< stiffness κ of U
 };
 
 }  // namespace pseudorigid::continuum

@@ -20,7 +20,7 @@
 
 namespace pseudorigid::continuum {
 
-/// ∂U/∂J.
+/// ∂U/∂J = (κ/4)(J − 1/J³)
 template <class L>
 [[gnu::always_inline]] inline L stabilizing_pressure(double kappa, const L& J) {
   const L inverse = 1.0 / J;
@@ -55,8 +55,8 @@ struct AnyStressPoint {
     return times_inverse_transposed(P);
   }
 
-  L inverse[9];  ///< (∂X/∂ξ)⁻¹, row-major
-  L weight;      ///< w
+  L inverse[9];  ///< the inverse (∂X/∂ξ)⁻¹, row-major
+  L weight;      ///< the weight w
 
  private:
   [[gnu::always_inline]] Tensor times_inverse(const Tensor& A) const {
@@ -116,7 +116,7 @@ struct MetricStressPoint {
   }
 
   L G00, G01, G02, G11, G12, G22;
-  L inverse_determinant;  ///< D
+  L inverse_determinant;  ///< the number D
 };
 
 template <class Law, class L>

@@ -1,7 +1,7 @@
 #pragma once
-/// Sum factorisation on one batch of cells: the transformation of values u at the n³ nodes to reference gradients at
-/// the n³ Gauss points, and the transposed transformation. The first direction is the fastest index. With the
-/// one-dimensional interpolation I to the points and differentiation D at the points,
+/// Sum factorisation on one batch of cells. It maps values u at the n³ nodes to reference gradients at the n³ Gauss
+/// points, and has the transposed map. The first direction is the fastest index. With the one-dimensional interpolation
+/// I to the points and differentiation D at the points,
 ///
 ///   u ← (I⊗I⊗1) u   layer by layer,   then for each plane ξ₃ = const of n² points
 ///   v = (1⊗1⊗I) u,   ∂₁v = (D⊗1) v,   ∂₂v = (1⊗D) v,   ∂₃v = (1⊗1⊗DI) u
@@ -32,8 +32,8 @@ struct EvenOddMatrix {
       }
   }
 
-  /// out_q ← Σ_i M_qi in_i; if `add` is true, out_q ← out_q + Σ_i M_qi in_i. Entries are `stride` apart. `symmetric` is
-  /// true if the sign in the symmetry of M is +.
+  /// out_q ← Σ_i M_qi in_i; if `add` is true, out_q ← out_q + Σ_i M_qi in_i. Entries are `stride` apart. `in` and `out`
+  /// may be the same. `symmetric` is true if the sign in the symmetry of M is +.
   template <bool symmetric, bool add, int stride, class L>
   [[gnu::always_inline]] void apply(const L* in, L* out) const {
     L sum[upper], difference[upper];
@@ -88,12 +88,12 @@ class SumFactorization {
       }
   }
 
-  /// u ← (I⊗I⊗1) u
+  /// u ← (I⊗I⊗1) u: interpolation along the first two directions in each layer of nodes.
   template <class L>
   void interpolate_layers(L* u) const {
     sweep_layers<true>(interpolate_, u);
   }
-  /// u ← (Iᵀ⊗Iᵀ⊗1) u
+  /// u ← (Iᵀ⊗Iᵀ⊗1) u, the transposed map of interpolate_layers.
   template <class L>
   void distribute_layers(L* u) const {
     sweep_layers<true>(distribute_, u);

@@ -19,7 +19,8 @@ using Corner = std::array<double, 3>;
 using CoarseCell = std::array<Corner, 8>;
 
 /// The nonzero coordinates of the corners of the central block. A corner is on an axis, on a diagonal of a coordinate
-/// plane, or on the space diagonal.
+/// plane, or on the space diagonal. The values are free parameters of the mesh: the image of the sphere is exact for
+/// all of them.
 constexpr double block_axis = 0.528, block_face = 0.4533, block_corner = 0.3752;
 
 /// A corner of the block (on_sphere = false), or its radial projection onto the sphere. bits[i] is 1 if its coordinate
@@ -31,6 +32,8 @@ Corner corner(const std::array<int, 3>& bits, bool on_sphere) {
   return {length * bits[0], length * bits[1], length * bits[2]};
 }
 
+/// The coarse cells of the octant x_i ≥ 0: first the block, then the cell between the block and the sphere for each
+/// axis.
 std::array<CoarseCell, 4> octant() {
   std::array<CoarseCell, 4> cells;
   for (int v = 0; v < 8; ++v) cells[0][v] = corner({v & 1, v >> 1 & 1, v >> 2 & 1}, false);
@@ -45,8 +48,8 @@ std::array<CoarseCell, 4> octant() {
   return cells;
 }
 
-/// The mirror image of a cell. After an odd number of reflections the first local direction is reversed, so that the
-/// cell remains right-handed.
+/// The mirror image of a cell under the reflections x_d ↦ −x_d for each d with mirrored[d] = true. After an odd number
+/// of reflections the first local direction is reversed, so that the cell remains right-handed.
 CoarseCell image(const CoarseCell& cell, const std::array<bool, 3>& mirrored) {
   const bool odd = (mirrored[0] + mirrored[1] + mirrored[2]) % 2;
   CoarseCell result;
@@ -58,6 +61,7 @@ CoarseCell image(const CoarseCell& cell, const std::array<bool, 3>& mirrored) {
   return result;
 }
 
+/// The images of the octant in the sector. Images share the vertices on their common faces.
 CoarseMesh sector_of_ball(const Sector& sector) {
   CoarseMesh mesh;
   std::map<Corner, unsigned int> numbers;
@@ -80,16 +84,19 @@ CoarseMesh sector_of_ball(const Sector& sector) {
   return mesh;
 }
 
-/// The point of the sphere with equiangular coordinates y, |y|_∞ = 1: the angles are π/4 y_d.
+/// The point of the sphere with the equiangular coordinates y, which must satisfy |y|_∞ = 1. The angle of coordinate d
+/// is π/4 y_d.
 dealii::Point<3> onto_sphere(const dealii::Point<3>& y) {
   dealii::Point<3> direction;
   for (unsigned int d = 0; d < 3; ++d) direction[d] = std::tan(std::numbers::pi / 4 * y[d]);
   return direction / direction.norm();
 }
 
-/// True for vertices on the sphere, which have the distance 1 from the centre.
+/// True for vertices on the sphere, which have the distance 1 from the centre. The vertices of the block have at most
+/// the distance √3 block_corner = 0.65.
 bool is_on_sphere(const dealii::Point<3>& V) { return V.norm_square() > 0.999; }
 
+/// The map X(ξ) of a coarse cell of the ball in the head of ball_mesh.h.
 dealii::Point<3> transfinite(const std::array<dealii::Point<3>, 8>& vertices, const dealii::Point<3>& xi) {
   dealii::Point<3> inside, cube;
   double s = 0;
@@ -112,9 +119,9 @@ dealii::Point<3> trilinear(const std::array<dealii::Point<3>, 8>& vertices, cons
 }
 
 /// The end of a local direction of a coarse cell at which a grading makes cells small: 0 or 1. The result is −1 if the
-/// direction is not graded. For an outward direction, the small end is the vertex on the sphere. For a direction from a
-/// plane x_c = 0 that contains the poles, it is the vertex on this plane. The direction along the axis of the poles is
-/// not graded.
+/// direction is not graded. For an outward direction, the small end is the end on the sphere. For a direction from a
+/// plane x_c = 0 that contains the poles, it is the end on this plane. A direction along the axis of the poles is not
+/// graded.
 int small_end(const std::array<dealii::Point<3>, 8>& vertices, unsigned int direction, unsigned int axis) {
   const dealii::Point<3>&a = vertices[0], &b = vertices[1U << direction];
   if (is_on_sphere(a) != is_on_sphere(b)) return is_on_sphere(b) ? 1 : 0;
@@ -123,7 +130,8 @@ int small_end(const std::array<dealii::Point<3>, 8>& vertices, unsigned int dire
   return -1;
 }
 
-/// β of a grading with the factor g = `size`, 0 < g < 1. Bisection finds β, because β/(exp β − 1) decreases with β.
+/// β of a grading with the factor g = `size`, 0 < g < 1. Bisection on (0, 100) finds β, because β/(exp β − 1) decreases
+/// with β.
 double growth_of(double size) {
   double least = 0, most = 100;
   for (int i = 0; i < 100; ++i) {
@@ -209,7 +217,7 @@ dealii::Point<3> BallMesh::position(const dealii::Triangulation<3>::cell_iterato
   if (!small_ends_.empty())
     for (unsigned int d = 0; d < 3; ++d) {
       double& x = coarse_xi[d];
-      if (x == 0 || x == 1) continue;  // the ends remain exactly 0 and 1
+      if (x == 0 || x == 1) continue;  // faces on the sphere and on symmetry planes remain exact
       const int end = small_ends_[coarse_index(cell)][d];
       if (end == 0) x = std::expm1(growth_ * x) / std::expm1(growth_);
       if (end == 1) x = 1 - std::expm1(growth_ * (1 - x)) / std::expm1(growth_);

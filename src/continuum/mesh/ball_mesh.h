@@ -4,24 +4,25 @@
 /// hexahedron, and N_i are its trilinear shape functions.
 ///
 /// An octant has 4 coarse cells: a block at the centre and three cells between the faces of this block and the sphere.
-/// A coarse cell is mapped by the transfinite interpolation
+/// Their vertices are either on the sphere or inside the ball. The transfinite interpolation maps a coarse cell to
 ///
 ///   X(ξ) = Σ_{i inside} N_i(ξ) V_i + s(ξ) Y/|Y|,   s = Σ_{i on sphere} N_i(ξ),
 ///   Y_d = tan(π/4 y_d),   y = Σ_{i on sphere} N_i(ξ) V_i/|V_i|_∞ / s     (equiangular coordinates of the sphere)
 ///
-/// The map is exact on the sphere and on the symmetry planes, because coordinates that are zero remain exactly zero.
-/// Other sectors are reflections of the octant, so that all sectors have the same discretisation.
+/// On a face on the sphere s = 1, so that its image is exactly spherical. On a symmetry plane, the zero coordinates of
+/// the vertices give a coordinate that is exactly zero. Other sectors are reflections of the octant, so that all
+/// sectors have the same discretisation.
 ///
-/// A grading reduces the size of cells at the two poles ±e_p of an axis by a factor g. The grading changes local
+/// A grading reduces the size of cells at the two poles ±e_p of an axis by a factor g < 1. The grading changes local
 /// coordinates ξ of the coarse cells before the transfinite map. The changed coordinates run outwards, or along the
 /// surface from a plane through the poles. A changed coordinate becomes
 ///
-///   ξ ← (exp(βξ) − 1)/(exp β − 1),   β/(exp β − 1) = g,
+///   ξ ← (exp(βξ) − 1)/(exp β − 1),   β/(exp β − 1) = g.
 ///
-/// with ξ = 0, the end with small cells, at the sphere or at this plane. The coordinates agree on the common faces of
-/// neighbouring cells.
+/// The end with small cells, ξ = 0, is at the sphere or at this plane. The coordinates agree on the common faces of
+/// neighbouring cells. Only the ball and its sectors can have a grading.
 ///
-/// With several ranks the cells are distributed over the ranks (p4est). Every rank has its own cells and their
+/// With several ranks, p4est distributes the cells over the ranks. Every rank stores its own cells and their
 /// neighbours.
 
 #include <deal.II/grid/tria.h>
@@ -39,23 +40,26 @@ struct Sector {
   int n_images() const { return (reflect[0] ? 2 : 1) * (reflect[1] ? 2 : 1) * (reflect[2] ? 2 : 1); }
 };
 
-/// The hexahedra of a whole body. In the vertices of a cell, the first local direction is the fastest index.
+/// The hexahedra of a whole body. A cell is a list of 8 indices of vertices, with the first local direction as the
+/// fastest index.
 struct CoarseMesh {
   std::vector<dealii::Point<3>> vertices;
   std::vector<std::array<unsigned int, 8>> cells;
 };
 
+/// Size and axis of the grading (head of this file), with 0 < size ≤ 1.
 struct Grading {
-  double size = 1;  ///< g; 1 means no grading
-  int axis = 2;     ///< p
+  double size = 1;  ///< factor g; 1 means no grading
+  int axis = 2;     ///< axis p of the two poles: 0, 1 or 2
 };
 
 class BallMesh {
  public:
-  /// The sector of the unit ball, refined `n_refinements` times, distributed over the ranks of a communicator.
+  /// The sector of the unit ball. Every coarse cell is refined uniformly `n_refinements` times, into 8^n_refinements
+  /// cells. The ranks of the communicator share the cells.
   BallMesh(const Sector& sector, int n_refinements, MPI_Comm communicator = MPI_COMM_SELF, const Grading& grading = {});
-  /// The body of these cells. The caller must have checked the cells (io/hexahedral_mesh.h) and moved the centre of
-  /// mass to the origin.
+  /// A body of another shape with the coarse cells `body`, refined and distributed in the same way. The caller must
+  /// have checked the cells (io/hexahedral_mesh.h) and moved the centre of mass to the origin.
   BallMesh(const CoarseMesh& body, int n_refinements, MPI_Comm communicator = MPI_COMM_SELF);
 
   const dealii::Triangulation<3>& triangulation() const { return *triangulation_; }
@@ -63,11 +67,11 @@ class BallMesh {
   const Sector& sector() const { return sector_; }
   /// Boundary id of the free surface. The faces on the symmetry plane x_i = 0 have the id i.
   static constexpr dealii::types::boundary_id surface_id = 3;
-  /// Number of an active cell among all cells, computed from its place in the hierarchy. The number does not depend on
-  /// the distribution over the ranks.
+  /// Number of an active cell among the active cells of all ranks, from 0. The number depends only on the place of the
+  /// cell in the hierarchy, and not on the distribution over the ranks.
   std::size_t global_number(const dealii::Triangulation<3>::cell_iterator& cell) const;
 
-  /// Position of the point ξ ∈ [0,1]³ of an active cell.
+  /// Reference position X of the point ξ ∈ [0,1]³ of an active cell, with the grading.
   dealii::Point<3> position(const dealii::Triangulation<3>::cell_iterator& cell, const dealii::Point<3>& xi) const;
 
  private:
@@ -75,10 +79,12 @@ class BallMesh {
 
   Sector sector_;
   bool on_sphere_;     ///< true for the ball and its sectors; false for a body of another shape
-  double growth_ = 0;  ///< β; 0 without grading
+  double growth_ = 0;  ///< exponent β of the grading; 0 without grading
   std::unique_ptr<dealii::Triangulation<3>> triangulation_;
+  /// [coarse cell][vertex], in the order of deal.II with the first local direction fastest.
   std::vector<std::array<dealii::Point<3>, 8>> coarse_vertices_;
-  /// [coarse cell][local direction]: the end with small cells, 0 or 1, or −1 if the direction is not graded.
+  /// [coarse cell][local direction]: the end with small cells, 0 or 1, or −1 if the direction is not graded. The list
+  /// is empty without grading.
   std::vector<std::array<int, 3>> small_ends_;
 };
 

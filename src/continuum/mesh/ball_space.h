@@ -4,12 +4,13 @@
 ///
 ///   m_n = Σ_cells ρ w_n det(∂X/∂ξ)(ξ_n),   ρ = 1 in internal units.
 ///
-/// ξ_n is the node n in a cell, and w_n is its Gauss–Lobatto weight. On a symmetry plane x_i = 0, the component i of a
-/// node is constant. The corresponding entry of the inverse mass is 0.
+/// The sum runs over the cells that contain node n. ξ_n is the node in such a cell, and w_n is its Gauss–Lobatto
+/// weight. On a symmetry plane x_i = 0, the component i of a node is constant. The corresponding entry of the inverse
+/// mass is 0.
 ///
-/// Cells, nodes and multipliers are distributed over the ranks of the mesh. `n_cells` and `cell_nodes` are for the
-/// cells of this rank. The local elements of vectors are the entries of this rank, followed by the ghost nodes of its
-/// cells.
+/// Cells, nodes and multipliers are distributed over the ranks of the mesh. `n_cells` and `cell_nodes` refer to the
+/// cells of this rank. The local elements of a vector are the entries of this rank, followed by those of the ghost
+/// nodes of its cells.
 
 #include <deal.II/base/partitioner.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -27,9 +28,9 @@ namespace pseudorigid::continuum {
 
 class BallSpace {
  public:
-  /// `with_account` adds one node to the vectors that does not belong to the mesh. Two of its coordinates are for the
-  /// dissipated and the given energy (body/ball_body.h). `n_companions` nodes for point masses follow
-  /// (mechanics/core/orbit.h).
+  /// `degree` is k. `with_account` adds one node to the vectors that does not belong to the mesh. Two of its
+  /// coordinates are for the dissipated and the given energy (body/ball_body.h). After this node come `n_companions`
+  /// nodes for point masses (mechanics/core/orbit.h).
   BallSpace(BallMesh mesh, int degree, bool with_account = false, unsigned int n_companions = 0);
 
   const BallMesh& mesh() const { return mesh_; }
@@ -39,27 +40,29 @@ class BallSpace {
   unsigned int n_cells() const { return static_cast<unsigned int>(cell_nodes_.size()); }
   std::size_t n_global_cells() const { return mesh_.triangulation().n_global_active_cells(); }
   unsigned int nodes_per_cell() const { return static_cast<unsigned int>(reference_.n * reference_.n * reference_.n); }
+  /// Number of nodes of the mesh that this rank owns.
   unsigned int n_nodes() const { return partitioner_->locally_owned_size() / 3 - n_additional(); }
   /// Number of nodes of this rank that do not belong to the mesh. They follow the nodes of the mesh.
   unsigned int n_additional() const { return (account_ ? 1 : 0) + (companions_ ? n_companions_ : 0); }
+  /// Number of nodes of the mesh on all ranks, without the additional nodes.
   std::size_t n_global_nodes() const { return dof_handler_->n_dofs(); }
   /// Dimension of P_{k−1}, the space of the multiplier in one cell.
   unsigned int n_pressure() const { return degree_ * (degree_ + 1) * (degree_ + 2) / 6; }
 
-  /// Local numbers of the nodes of a cell, with the first direction as the fastest index. Vector entries are
-  /// 3·node + component.
+  /// Local numbers of the nodes of a cell of this rank, with the first direction as the fastest index. Component c of a
+  /// node has the local entry 3·node + c in vectors.
   const std::vector<unsigned int>& cell_nodes(unsigned int cell) const { return cell_nodes_[cell]; }
   const std::vector<std::vector<unsigned int>>& cells() const { return cell_nodes_; }
-  const Vector& reference_positions() const { return X_; }      ///< including the ghost nodes
-  const Vector& mass() const { return mass_; }                  ///< m_n at every component
-  const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 for a component that a symmetry plane fixes
+  const Vector& reference_positions() const { return X_; }  ///< X with ghost nodes; 0 at additional nodes
+  const Vector& mass() const { return mass_; }              ///< m_n at each component of node n; 0 at additional nodes
+  const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 if a symmetry plane fixes the component
   const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
-  /// Local index of the coordinate of the dissipated energy. The result is empty on ranks that do not own this
-  /// coordinate, and if there is no additional node. The next index belongs to the coordinate of the given energy. The
-  /// inverse masses of both are 1.
+  /// Local index of the coordinate of the dissipated energy. The next index belongs to the coordinate of the given
+  /// energy. The inverse masses of both are 1. The result is empty if there is no node for them, and on ranks that do
+  /// not own this node.
   std::optional<unsigned int> account() const { return account_; }
-  /// Local index of the first coordinate of the first companion. The other coordinates follow, and their masses are 1.
-  /// The result is empty on ranks that do not own these coordinates, and without companions.
+  /// Local index of the first coordinate of the first companion. The other coordinates of the companions follow, and
+  /// all have the mass 1. The result is empty without companions, and on ranks that do not own these coordinates.
   std::optional<unsigned int> companions() const { return companions_; }
   Vector make_vector() const { return Vector(partitioner_); }
   Vector make_multiplier() const { return Vector(multiplier_partitioner_); }
@@ -67,6 +70,7 @@ class BallSpace {
  private:
   void number_nodes(bool with_account);
   void number_multipliers();
+  /// Sets X_. Throws std::logic_error if neighbouring cells place a shared node differently.
   void place_nodes();
   void lump_mass();
 

@@ -4,16 +4,16 @@
 ///
 ///   interpolate[q][i] = ℓ_i(ξ_q),   differentiate[q][p] = ℓ̂_p'(ξ_q),
 ///
-/// with the Lagrange polynomials ℓ_i on the Gauss–Lobatto nodes and ℓ̂_p on the Gauss points ξ_q. The first maps nodal
-/// values to values at the points. The second maps values at the points to derivatives at the points. The third,
-/// differentiate_at_nodes, maps nodal values to derivatives at the nodes.
+/// with the Lagrange polynomials ℓ_i on the Gauss–Lobatto nodes and ℓ̂_p on the Gauss points ξ_q. `interpolate` maps
+/// nodal values to values at the points. `differentiate` maps values at the points to derivatives at the points. The
+/// third matrix, `differentiate_at_nodes`, maps nodal values to derivatives at the nodes.
 
 #include <array>
 #include <vector>
 
 namespace pseudorigid::continuum {
 
-/// The Lagrange polynomial i on the nodes x, evaluated at y, and its derivative.
+/// The value at y of the Lagrange polynomial that is 1 at x[i] and 0 at the other x[j], and its derivative at y.
 double lagrange(const std::vector<double>& x, std::size_t i, double y);
 double lagrange_derivative(const std::vector<double>& x, std::size_t i, double y);
 
@@ -21,8 +21,8 @@ struct ReferenceCell {
   explicit ReferenceCell(int degree);
 
   int n;                                       ///< number of nodes and of Gauss points per direction: degree + 1
-  std::vector<double> nodes, node_weights;     ///< Gauss–Lobatto rule
-  std::vector<double> points, point_weights;   ///< Gauss rule
+  std::vector<double> nodes, node_weights;     ///< nodes and weights of the Gauss–Lobatto rule
+  std::vector<double> points, point_weights;   ///< points and weights of the Gauss rule
   std::vector<double> interpolate;             ///< row-major [q][i]: nodes → points
   std::vector<double> differentiate;           ///< row-major [q][p]: values at points → derivative at points
   std::vector<double> differentiate_at_nodes;  ///< row-major [i][j]: values at nodes → derivative at nodes

@@ -12,10 +12,10 @@ namespace pseudorigid::continuum {
 
 struct CellFace {
   unsigned int cell;  ///< index of the cell on this rank
-  int direction;      ///< d
-  int end;            ///< ξ_d, 0 or 1
+  int direction;      ///< local direction d across the face
+  int end;            ///< value of ξ_d on the face, 0 or 1
 
-  /// Number of the face in deal.II.
+  /// Number of the face among the six faces of a cell in deal.II.
   unsigned int number() const { return 2 * direction + end; }
 };
 
@@ -39,13 +39,14 @@ void visit_faces(const BallSpace& space, Visit&& visit) {
 /// The faces on the free surface that belong to cells of this rank.
 std::vector<CellFace> free_surface(const BallSpace& space);
 
-/// The nodes of a face by their numbers in the cell, with n nodes per direction: [j·n + i], i along p, j along q.
+/// The nodes of a face by their numbers in the cell. For n nodes per direction, entry j·n + i is node i along p and
+/// node j along q.
 std::vector<int> nodes_of(const CellFace& face, int n);
 
 /// A Gauss point of a face, with the functions of its nodes.
 struct FacePoint {
-  /// A nodal function has the value u = Σ value u_node at the point, and ∂u/∂ξ_p = Σ by_p u_node, ∂u/∂ξ_q = Σ by_q
-  /// u_node.
+  /// The coefficients of one node for a nodal function u. At the point, u = Σ value u_node. The derivatives are ∂u/∂ξ_p
+  /// = Σ by_p u_node and ∂u/∂ξ_q = Σ by_q u_node.
   struct Node {
     unsigned int node;
     double value, by_p, by_q;
@@ -63,7 +64,7 @@ struct FacePoint {
   Jet jet(const Vector& u) const;
 };
 
-/// The points of the Gauss rule on a face, with n_points points in each direction.
+/// The points of the Gauss rule on a face of a cell of this rank, with n_points points in each direction.
 std::vector<FacePoint> quadrature_on(const BallSpace& space, const CellFace& face, int n_points);
 
 }  // namespace pseudorigid::continuum

@@ -7,7 +7,8 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// The entries of a component that belong to one face, as a matrix [p][q] for n points in each direction.
+/// The values of one component at the n × n points of one face. Entry (p, q) is for point p along ξ_p and point q along
+/// ξ_q.
 auto on_face(std::vector<double>& component, std::size_t face, Eigen::Index n) {
   return Eigen::Map<MatrixXd>(component.data() + face * n * n, n, n);
 }

@@ -22,10 +22,10 @@ struct EigenPair {
   std::vector<double> vector;
 };
 
-/// Appends n_wanted pairs, or a few more, to `known`, in descending order of the eigenvalues. The new vectors are
-/// orthogonal to the vectors in `known`. If the operator has fewer than n_wanted other pairs, all of them are appended.
-/// Residuals are below `tolerance` times the eigenvalue. Fails if a product fails, if SLEPc reports an error, or if the
-/// iteration does not converge; `known` then does not change.
+/// Appends the n_wanted largest eigenpairs that are not in `known`, or a few more, in descending order of the
+/// eigenvalues. Their vectors are orthogonal to those in `known`. If the operator has fewer than n_wanted other pairs,
+/// all of them are appended. `size` is the dimension. Residuals are below `tolerance` times the eigenvalue. Fails if a
+/// product fails, if SLEPc reports an error, or if the iteration does not converge; `known` then does not change.
 mechanics::Status append_largest_eigenpairs(const SymmetricOperator& apply, std::size_t size, int n_wanted,
                                             double tolerance, std::vector<EigenPair>& known);
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Love numbers (gravity/love_numbers.h) of the finite-element ball. The tide V = Y_nm does the work f·w = ρ∮V (w·e) dS
-/// on a displacement w, with the outward normal e. The static response u and the Love numbers satisfy, with the
-/// operators of parity_sector.h and s = 0,
+/// Love numbers (gravity/love_numbers.h) of the finite-element ball with the density ρ and the gravity g at its
+/// surface. The tide V = Y_nm does the work f·w = ρ∮V (w·e) dS on a displacement w, with the outward normal e. The
+/// static response u and the Love numbers satisfy, with the operators of parity_sector.h and s = 0,
 ///
 ///   (K + K_g) u − Gᵀλ = f,   G u = 0,
 ///   h_n = g ∮(u·e) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS,    e = X/|X|.
@@ -25,7 +25,7 @@ struct BallLoveNumbers {
 };
 
 /// Sets `numbers` to the Love numbers of the `degrees`, each at least 2, for an incompressible ball with self-gravity.
-/// Fails if the ball is not stable at rest.
+/// Fails if the ball is not stable at rest, or if the conjugate gradients do not converge.
 mechanics::Status love_numbers(RestProblem problem, const std::vector<int>& degrees,
                                std::vector<BallLoveNumbers>& numbers);
 

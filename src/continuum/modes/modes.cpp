@@ -14,6 +14,7 @@ namespace {
 
 /// Relative residual of eigenvectors. The relative error of frequencies is of the order of its square.
 constexpr double eigenvector_tolerance = 1e-7;
+/// Relative margin for round-off in the bound below which the modes of a sector are complete.
 constexpr double round_off = 1e-9;
 
 /// A sector to solve (parity_of_sector), and the number of sectors with the same spectrum, including this sector.
@@ -69,7 +70,8 @@ class SectorSpectrum {
 
   mechanics::Status factorize() { return sector_.factorize(); }
 
-  /// Computes n more eigenpairs. Appends their modes to `modes`, except for rigid motions.
+  /// Computes n more eigenpairs, or a few more. Appends their modes to `modes`, except for rigid motions. If the sector
+  /// has no other eigenpair, complete_below() becomes infinite. Fails if an eigenpair or a mode cannot be computed.
   mechanics::Status extend(int n, std::vector<SectorMode>& modes, ModesReport& report) {
     const std::size_t n_before = pairs_.size();
     const auto apply = [&](std::span<const double> y, std::span<double> z) {
@@ -114,7 +116,7 @@ class SectorSpectrum {
     for (unsigned int i = 0; i < 3 * problem_.space.n_nodes(); ++i) {
       const unsigned int node = i - i % 3, c = i % 3;
       double motion = c == axis ? 1 : 0;
-      if (n_negative == 2)  // ê×X
+      if (n_negative == 2)  // the rotation ê×X about the axis
         motion = c == (axis + 1) % 3   ? -X.local_element(node + (axis + 2) % 3)
                  : c == (axis + 2) % 3 ? X.local_element(node + (axis + 1) % 3)
                                        : 0;
@@ -146,6 +148,7 @@ std::vector<mechanics::ModeGroup> sort_modes(const std::vector<SectorMode>& mode
   return mechanics::group_modes(known);
 }
 
+/// The frequency of a group of modes. Its shape is that of the first mode of the group.
 BallFrequency frequency_of(const std::vector<SectorMode>& modes, const mechanics::ModeGroup& group) {
   const SectorMode& shown = modes[group.modes.front()];
   BallFrequency f{.omega = group.omega,
@@ -173,8 +176,8 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
                              ModesReport& report, const std::function<bool()>& give_up) {
   const auto interrupted = [&] { return give_up && give_up(); };
   const auto stopped = [] { return mechanics::Status::failure("interrupted while looking for the modes"); };
-  // The fundamental frequencies rise by about 1 per degree, in internal units. Among the lowest n frequencies, no
-  // degree is therefore above n + 2.
+  // The fundamental frequencies of the sphere rise by about 1 per degree, in internal units
+  // (analysis/sphere_frequencies.h). Among the lowest n frequencies, no degree is therefore above n + 2.
   const int max_degree = std::min(n_frequencies + 2, 30);
   std::vector<SectorSpectrum> sectors;
   for (const SectorClass& sector_class : sector_classes(problem.space)) {

@@ -26,12 +26,12 @@ namespace pseudorigid::continuum {
 /// and grows at the rate −ω.
 struct BallFrequency {
   double omega;  ///< mean over the 2n + 1 modes
-  double least,
-      largest;  ///< over the modes, whose frequencies differ because the mesh breaks the symmetry of the sphere
+  /// Least and largest ω of the modes. They differ, because the mesh breaks the symmetry of the sphere.
+  double least, largest;
   ModeKind kind;
   int degree;
   int overtone;      ///< 0 for the fundamental
-  int multiplicity;  ///< 2·degree + 1
+  int multiplicity;  ///< number of modes, 2·degree + 1
   double share;      ///< least share of the class in the squared surface displacement of a mode
   Parity parity;     ///< parity of the shape
   Vector shape;      ///< displacement of one of the modes on the octant; the largest nodal displacement is 1
@@ -39,12 +39,12 @@ struct BallFrequency {
 
 struct ModesReport {
   long n_applications = 0;  ///< number of applications of the inverse operator
-  int n_eigenpairs = 0;
+  int n_eigenpairs = 0;     ///< number of eigenpairs found, including rigid motions
 };
 
-/// Computes the lowest n_frequencies in ascending order. `give_up` is called between the runs of the iteration. Fails
-/// if `give_up` returns true, if the ball at rest is not stable under the law, or if an iteration does not converge.
-/// Also fails if the mesh is too coarse for so many frequencies.
+/// Computes the lowest n_frequencies in ascending order. `give_up` may be empty. It is called before each factorisation
+/// and each run of the iteration. Fails if `give_up` returns true, if the ball at rest is not stable under the law, or
+/// if an iteration does not converge. Also fails if the mesh is too coarse for so many frequencies.
 mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std::vector<BallFrequency>& frequencies,
                              ModesReport& report, const std::function<bool()>& give_up = {});
 

@@ -79,8 +79,8 @@ void RestProblem::add_springs() {
   }
 }
 
-/// The free entries of a cell, that is, those that the parity does not set to 0: first its own entries, then the
-/// entries that it shares with other cells.
+/// The free entries of a cell, which the parity does not set to 0. Its own entries come first, and then the entries
+/// that it shares with other cells.
 struct ParitySector::Cell {
   std::vector<int> own, shared;            ///< 3·(node of the cell) + component
   std::vector<Eigen::Index> unknown;       ///< index of each entry in the vectors of the sector
@@ -89,6 +89,7 @@ struct ParitySector::Cell {
   Eigen::MatrixXd constraint;              ///< G of the free entries
 };
 
+/// The factor of the matrix of the unknowns between cells: `dense` for up to n_dense unknowns, otherwise `sparse`.
 struct ParitySector::Interface {
   Eigen::LLT<Eigen::MatrixXd> dense;
   SparseCholesky sparse;

@@ -48,11 +48,10 @@
 
 namespace pseudorigid::continuum {
 
-/// Data that all sectors share: the space, and the stiffness and the constraint of every cell. The space must be that
-/// of an octant in one process.
+/// Data that all sectors share: the space, and the stiffness and the constraint of every cell.
 struct RestProblem {
-  /// The self-gravity K_g (top of this file) is that of an incompressible body. `gravity_constant` is Newton's constant
-  /// in internal units, in which ρ = r = 1.
+  /// `space` must be that of an octant in one process. The self-gravity K_g (top of this file) is that of an
+  /// incompressible body. `gravity_constant` is Newton's constant in internal units, in which ρ = r = 1.
   RestProblem(const BallSpace& space, const CellKernels& kernels, const StoredEnergy& stored, bool incompressible,
               double gravity_constant = 0);
 
@@ -60,11 +59,11 @@ struct RestProblem {
   RestElasticity elasticity;
   bool incompressible;
   double shift;                             ///< s; may be set to 0 for sectors of a stable ball without rigid motions
-  double weight_of_density;                 ///< ρg
-  double penalty;                           ///< γ
+  double weight_of_density;                 ///< product ρg of density and gravity at the surface
+  double penalty;                           ///< penalty γ of the augmented Lagrangian
   std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell, with the springs of self-gravity
   std::vector<Eigen::MatrixXd> constraint;  ///< G of each cell
-  std::vector<int> n_cells_at_node;
+  std::vector<int> n_cells_at_node;         ///< number of cells that contain each node
 
  private:
   void add_springs();
@@ -85,7 +84,7 @@ class ParitySector {
   /// fail if the ball with self-gravity is unstable, or if the conjugate gradients do not converge.
   mechanics::Status apply(std::span<const double> y, std::span<double> z) const;
 
-  /// Sets u = T f for a force f on the octant.
+  /// Sets u = T f for a force f on the octant. Fails in the same cases as `apply`.
   mechanics::Status respond(const Vector& f, Vector& u) const;
 
   /// A mode with its ω². `mode_of` makes one step of inverse iteration from an approximate eigenvector y of `apply`. It
@@ -105,7 +104,8 @@ class ParitySector {
   void scatter_add(const Cell& cell, const Eigen::VectorXd& local, Eigen::VectorXd& u) const;
   void solve_penalized(Eigen::VectorXd& f) const;  ///< f ← B⁻¹f
   /// T f without self-gravity (`solve_elastic`) and with self-gravity (`solve`). n_corrections is the number of
-  /// corrections of G u. `tolerance` is the relative tolerance of the conjugate gradients in the energy norm.
+  /// corrections of G u. `tolerance` is the relative tolerance of the conjugate gradients in the energy norm. `solve`
+  /// fails in the same cases as `apply`.
   Eigen::VectorXd solve_elastic(Eigen::VectorXd f, int n_corrections) const;
   mechanics::Status solve(const Eigen::VectorXd& f, int n_corrections, double tolerance, Eigen::VectorXd& u) const;
   void find_attraction();
@@ -120,7 +120,7 @@ class ParitySector {
   Parity parity_;
   std::size_t n_unknowns_ = 0, first_interface_ = 0;  ///< first_interface_: the first unknown between cells
   std::vector<Cell> cells_;
-  std::vector<unsigned int> entry_of_unknown_;  ///< 3·node + component
+  std::vector<unsigned int> entry_of_unknown_;  ///< 3·node + component of each unknown
   Eigen::VectorXd mass_, root_mass_;
   Eigen::MatrixXd attraction_;  ///< the second term of uᵀK_g u on the octant is −|attraction_ u|²
   std::unique_ptr<Interface> interface_;

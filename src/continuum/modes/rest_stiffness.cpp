@@ -61,7 +61,7 @@ RestStiffness::PointCoefficients RestStiffness::coefficients(unsigned int cell) 
       for (int i = 0; i < 3; ++i)
         jacobian.row(i) += space_.reference_positions().local_element(3 * nodes[a] + i) * gradient;
     }
-    const Eigen::Matrix3d inverse = jacobian.inverse();  // ∂ξ_d/∂X_J
+    const Eigen::Matrix3d inverse = jacobian.inverse();  // entry (d, J) is ∂ξ_d/∂X_J
     const double weight = jacobian.determinant() * ref.point_weights[point[0]] * ref.point_weights[point[1]] *
                           ref.point_weights[point[2]];
     for (int pair = 0; pair < 6; ++pair) {
@@ -75,7 +75,8 @@ RestStiffness::PointCoefficients RestStiffness::coefficients(unsigned int cell) 
   return c;
 }
 
-/// The n³×n³ matrix Σ_de Σ_q c_de ∂_dφ_a ∂_eφ_b.
+/// The n³×n³ matrix Σ_de Σ_q c_de ∂_dφ_a ∂_eφ_b. In direction t, the nodes a and b and the point q have the indices
+/// a_t, b_t and q_t.
 Eigen::MatrixXd RestStiffness::contract(const std::array<Eigen::VectorXd, 9>& c) const {
   const int n = n_, n2 = n * n;
   // The index in products_ for one direction: 2 if ∂_d differentiates in this direction, plus 1 if ∂_e does.
@@ -83,13 +84,13 @@ Eigen::MatrixXd RestStiffness::contract(const std::array<Eigen::VectorXd, 9>& c)
   std::array<Eigen::MatrixXd, 4> plane;  // by the third direction's pattern: [(a₀b₀) (a₁b₁), q₂]
   for (auto& m : plane) m.setZero(n2 * n2, n);
   for (int de = 0; de < 9; ++de) {
-    const Eigen::MatrixXd line =  // [(a₀b₀), q₁ q₂]
+    const Eigen::MatrixXd line =  // rows (a₀b₀), columns (q₁ q₂)
         products_[pattern(de, 0)].transpose() * Eigen::Map<const Eigen::MatrixXd>(c[de].data(), n, n2);
     for (int q = 0; q < n; ++q)
       Eigen::Map<Eigen::MatrixXd>(plane[pattern(de, 2)].col(q).data(), n2, n2).noalias() +=
           line.middleCols(q * n, n) * products_[pattern(de, 1)];
   }
-  Eigen::MatrixXd all(n2 * n2, n2);  // [(a₀b₀) (a₁b₁), (a₂b₂)]
+  Eigen::MatrixXd all(n2 * n2, n2);  // rows (a₀b₀ a₁b₁), columns (a₂b₂)
   all.noalias() = plane[0] * products_[0];
   for (int p = 1; p < 4; ++p) all.noalias() += plane[p] * products_[p];
 

@@ -26,6 +26,7 @@ namespace pseudorigid::continuum {
 struct RestElasticity {
   RestElasticity(const StoredEnergy& stored, bool incompressible);
 
+  /// The entry C_iJkL.
   double operator()(int i, int J, int k, int L) const { return entries[27 * i + 9 * J + 3 * k + L]; }
 
   std::array<double, 81> entries;

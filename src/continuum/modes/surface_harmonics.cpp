@@ -17,6 +17,7 @@ struct Harmonic {
   Eigen::Vector3d gradient;
 };
 
+/// Y_nm at the point e of the unit sphere. The point must not be a pole, because the formulas divide by sin θ.
 Harmonic harmonic(int n, int m, bool sine, const Eigen::Vector3d& e) {
   const double theta = std::acos(e[2]), phi = std::atan2(e[1], e[0]);
   const double s = std::sin(theta), c = e[2], scale = m == 0 ? 1 : std::sqrt(2.0);
@@ -34,12 +35,13 @@ Harmonic harmonic(int n, int m, bool sine, const Eigen::Vector3d& e) {
   return {P * angle, dP * angle * e_theta + P * d_angle / s * e_phi};
 }
 
-/// Signs of Y_nm under the reflections of x, y and z.
+/// The parity of Y_nm: its signs under the reflections of x, y and z.
 Parity parity_of_harmonic(int n, int m, bool sine) {
   const int even_m = m % 2 == 0 ? 1 : -1;
   return {{sine ? -even_m : even_m, sine ? -1 : 1, (n + m) % 2 == 0 ? 1 : -1}};
 }
 
+/// True if every sign of a is `sign` times that of b.
 bool same(const Parity& a, const Parity& b, int sign) {
   for (int j = 0; j < 3; ++j)
     if (a.sign[j] != sign * b.sign[j]) return false;

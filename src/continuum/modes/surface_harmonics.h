@@ -48,9 +48,10 @@ class SurfaceHarmonics {
   /// The indices of the fields Y_nm e of degree n. For n > 0, the field ∇Y_nm/√N of the same harmonic has the next
   /// index.
   std::vector<std::size_t> radial_fields(int n) const;
-  /// ∮u·field dS over the whole sphere.
+  /// ∮u·field dS over the whole sphere, for the field with this index.
   double integral(std::size_t field, const Vector& u) const;
-  /// The force f on the octant with f·w = ∮w·field dS for every w. The integral is over the octant.
+  /// The force f on the octant with f·w = ∮w·field dS for every w, for the field with this index. The integral is over
+  /// the octant.
   Vector force(std::size_t field) const;
 
  private:

@@ -9,8 +9,8 @@
 
 namespace pseudorigid::continuum {
 
-/// The branches at the nodes of a cell, with the first direction as the fastest index. Without branches, all results
-/// are zero.
+/// The sums Σ μ_b C_b⁻¹ and Σ μ_b over the branches b at each node of a cell. The first local direction is the fastest
+/// index. Without branches, all results are zero.
 std::vector<materials::BranchesAtPoint> branches_at_nodes(const BallBody& ball, const Vector& x, unsigned int cell);
 
 }  // namespace pseudorigid::continuum

@@ -22,8 +22,8 @@ std::optional<int> coordinate_plane(const Eigen::Matrix3Xd& X, const std::vector
   return std::nullopt;
 }
 
-/// The wanted number of squares of all lattices on the whole ball. With this number, outlines look round and the report
-/// remains small.
+/// The wanted number of squares of all lattices on the whole ball. This number is a compromise: more squares make
+/// outlines smoother, and the report larger.
 constexpr double wanted_squares = 1700;
 constexpr int largest_m = 6;
 

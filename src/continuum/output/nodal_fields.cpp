@@ -88,7 +88,8 @@ mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, c
   return {};
 }
 
-/// Sets `fields` at the points of `nodal_blocks`. `multiplier` is null for a ball without constraint.
+/// Sets `fields` at the points of `nodal_blocks`. `multiplier` is null for a ball without constraint. Fails if det F ≤
+/// 0 at a node of this rank.
 mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
                              const Vector* multiplier, mechanics::BodyFields& fields) {
   fields = {};

@@ -25,7 +25,7 @@ mechanics::PointBlocks nodal_blocks(const BallSpace& space);
 std::vector<double> nodal_positions(const BallSpace& space);
 
 /// Sets `fields` at the points of `nodal_blocks`. `law` must be the law of the ball. Fails if the multiplier of the
-/// motion cannot be computed, or if det F ≤ 0 at a node.
+/// motion cannot be computed, or if det F ≤ 0 at a node of this rank. Collective.
 mechanics::Status nodal_fields(const ElasticBall& ball, const materials::AnyLaw& law,
                                const mechanics::State<ElasticBall>& state, ElasticBall::Workspace& workspace,
                                mechanics::BodyFields& fields);
@@ -33,8 +33,8 @@ mechanics::Status nodal_fields(const CompressibleBall& ball, const materials::An
                                const mechanics::State<CompressibleBall>& state, CompressibleBall::Workspace& workspace,
                                mechanics::BodyFields& fields);
 
-/// Interpolates values from the Gauss–Lobatto nodes of each cell to the same number of equidistant points. `values`
-/// contains three numbers for each node.
+/// Interpolates values from the Gauss–Lobatto nodes of each cell to the same number of equidistant points. The first
+/// function is for vectors, with three numbers for each node. The second is for all fields.
 void make_equidistant(const BallSpace& space, std::vector<double>& values);
 void make_equidistant(const BallSpace& space, mechanics::BodyFields& fields);
 

@@ -52,7 +52,7 @@ double mean_multiplier(const ElasticBall& ball, const Vector& x, const Vector& l
   return ball.space().mesh().sector().n_images() * ((reaction * x) / 3 - of_gravity) / m_bar;
 }
 
-/// Sets all requested observables except the multiplier.
+/// Sets all requested observables except the multiplier. Fails if the deformation is not admissible.
 mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
                                  const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
   const int n_images = ball.space().mesh().sector().n_images();

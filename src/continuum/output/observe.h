@@ -19,8 +19,9 @@ mechanics::Status observe(const ElasticBall& ball, const BallState& state, Elast
 mechanics::Status observe(const CompressibleBall& ball, const BallState& state, CompressibleBall::Workspace& workspace,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& observables);
 
-/// The kinetic and the potential energy of the whole ball. Both are NaN if the deformation is not admissible.
-/// Collective.
+/// The kinetic energy of the ball and of the companions, and the rest of the total energy. The rest is the potential
+/// energy with the dissipated energy added and the energy given by loads subtracted. Both are NaN if the deformation is
+/// not admissible. Collective.
 Eigen::Vector2d energies(const BallBody& ball, const BallState& state);
 
 }  // namespace pseudorigid::continuum

@@ -14,7 +14,7 @@ namespace pseudorigid::continuum {
 
 class RankOrder {
  public:
-  /// Collective. The functions `collect_field` and `collect_multiplier` are also collective.
+  /// The constructor, `collect_field` and `collect_multiplier` are collective.
   explicit RankOrder(const BallSpace& space);
 
   /// Collects the whole vector on rank 0 in this order, from the own entries of all ranks. The result is empty on other
@@ -25,8 +25,9 @@ class RankOrder {
   void take_field(std::span<const double> whole, std::span<double> own) const { take(whole, own, fields_); }
   void take_multiplier(std::span<const double> whole, std::span<double> own) const { take(whole, own, multipliers_); }
 
-  /// A position with its internal metrics, which follow the coordinates cell by cell. `position_size` is the size of
-  /// the whole list. All three functions are collective.
+  /// The same for a position with its internal metrics, which follow the coordinates cell by cell. `position_size` is
+  /// the number of entries of the whole list. `take_position` throws std::invalid_argument if the size is wrong. All
+  /// three functions are collective.
   std::vector<double> collect_position(const Vector& x) const;
   void take_position(std::span<const double> whole, Vector& x) const;
   std::size_t position_size(const Vector& x) const { return fields_.n_entries + order_of_metrics(x).n_entries; }
@@ -36,7 +37,7 @@ class RankOrder {
 
  private:
   struct Order {
-    std::size_t n_entries = 0, block = 1;            ///< entries of the whole vector and of a block
+    std::size_t n_entries = 0, block = 1;            ///< number of entries of the whole vector and of a block
     std::vector<std::size_t> own;                    ///< place of each block of this rank in the whole vector
     std::vector<std::vector<std::size_t>> of_ranks;  ///< the lists `own` of all ranks, on rank 0
   };
@@ -59,7 +60,7 @@ class MemoryLayout {
   void operator()(Vector& x) {
     parts_.push_back({x.size() == order_->field_size() ? Kind::field : Kind::multiplier, x.locally_owned_size()});
   }
-  /// A number, or an empty part such as the multiplier of a ball without constraint.
+  /// Adds a part that is a number or empty, such as the multiplier of a ball without constraint.
   template <class Value>
   void operator()(Value& value) {
     if constexpr (std::is_arithmetic_v<Value>)
@@ -68,7 +69,8 @@ class MemoryLayout {
       parts_.push_back({Kind::numbers, mechanics::local_values(value).size()});
   }
 
-  /// Collects the memory of all ranks as one list on rank 0, from the own part of each rank. Collective.
+  /// Collects the memory of all ranks as one list on rank 0, from the own part of each rank. The result of other ranks
+  /// is incomplete. Collective.
   std::vector<double> collect(std::span<const double> own) const;
   /// Inverse of collect: the part of this rank in the whole list. Throws std::invalid_argument if the size is wrong.
   std::vector<double> take(std::span<const double> whole) const;

@@ -9,17 +9,17 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Quadrature points per direction of a cell, beyond those of the nodes. The modes have a high degree on an unrefined
-/// mesh.
+/// Quadrature points per direction of a cell, in addition to the number of nodes. Without refinement of the mesh, the
+/// modes have a higher degree than the elements.
 constexpr int n_more_points = 4;
 
-/// Number of local nodes, with those of companions and of other ranks.
+/// Number of local nodes, including the additional nodes and the ghost nodes.
 Eigen::Index n_local_nodes(const Vector& u) {
   const auto& partitioner = *u.get_partitioner();
   return (partitioner.locally_owned_size() + partitioner.n_ghost_indices()) / 3;
 }
 
-/// The values of u, which has the values of other ranks, at all local nodes.
+/// The values of u at all local nodes, one column for each. The ghost values of u must be up to date.
 Eigen::Matrix3Xd at_nodes(const Vector& u) {
   Eigen::Matrix3Xd values(3, n_local_nodes(u));
   for (Eigen::Index i = 0; i < values.size(); ++i) values(i) = u.local_element(static_cast<unsigned int>(i));

@@ -7,10 +7,11 @@
 
 namespace pseudorigid::continuum {
 
-/// The products of the cells of this rank.
+/// The modes, and the integrals of their motions times the basis functions of the nodes over the cells of this rank.
 mechanics::Vibration vibration_of(const BallBody& ball);
 
-/// `known` has the centre of mass, its velocity, Q_M, its rate and the elastic energy. Collective.
+/// The energy of vibration and its parts at a state. `known` must contain the centre of mass, its velocity, Q_M, the
+/// time derivative of Q_M, and the elastic energy. Collective.
 mechanics::VibrationObservables observe_vibration(const BallBody& ball, const mechanics::Vibration& vibration,
                                                   const BallState& state, const mechanics::ContinuumObservables& known);
 

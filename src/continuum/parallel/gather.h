@@ -1,6 +1,8 @@
 #pragma once
-/// Functions that gather vectors of all ranks, or scatter them. The functions use MPI directly. The corresponding
-/// functions of deal.II would include Boost's serialization and compression in every file that uses them.
+/// Functions that gather vectors of all ranks, or scatter them. If there are several ranks and their vectors have more
+/// entries together than an int can count, each function throws std::length_error on every rank. The functions use MPI
+/// directly. The corresponding functions of deal.II would include Boost's serialization and compression in every file
+/// that uses them.
 
 #include <cstddef>
 #include <limits>
@@ -57,8 +59,8 @@ Counts counts_of_ranks(MPI_Comm communicator, const std::vector<T>& values) {
   return Counts(n_entries);
 }
 
-/// Gathers the vectors of all ranks on rank 0, in the order of the ranks. The result is empty on other ranks.
-/// Collective.
+/// Gathers the vectors of all ranks on rank 0: element k of the result is the vector of rank k. The result is empty on
+/// other ranks. Collective.
 template <class T>
 std::vector<std::vector<T>> gather(MPI_Comm communicator, const std::vector<T>& values) {
   if (n_ranks(communicator) == 1) return {values};

@@ -6,8 +6,8 @@
 
 namespace pseudorigid::continuum {
 
-/// During the life of this object the ghost entries of x have the values of their owners. Its destructor makes x
-/// writable again, if x was writable before.
+/// During the life of this object the ghost entries of x have the values of their owners. The constructor is
+/// collective. The destructor makes x writable again, if x was writable before.
 class GhostValues {
  public:
   explicit GhostValues(const Vector& x)
@@ -27,7 +27,7 @@ class GhostValues {
   bool several_ranks_, clear_;
 };
 
-/// Adds the values of ghost entries to the entries of their owners.
+/// Adds the values of ghost entries to the entries of their owners, and sets the ghost entries to 0. Collective.
 inline void add_to_owners(Vector& f) {
   if (f.get_partitioner()->n_mpi_processes() > 1) f.compress(dealii::VectorOperation::add);
 }

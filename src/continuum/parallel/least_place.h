@@ -1,7 +1,7 @@
 #pragma once
-/// A least value with its place. If the values at several places agree to a relative 1e-6, the place with the largest x
-/// is chosen. If x is also equal, y decides, and then z. At symmetric places, such as mirror images, the result
-/// therefore does not depend on round-off or on the number of ranks.
+/// A least value with its place (x, y, z). If the values at several places agree to a relative 1e-6, the place with the
+/// largest x is chosen. If x is also equal up to 1e-9, y decides, and then z. At symmetric places, such as mirror
+/// images, the result therefore does not depend on round-off or on the number of ranks.
 
 #include <algorithm>
 #include <array>

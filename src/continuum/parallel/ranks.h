@@ -1,6 +1,7 @@
 #pragma once
-/// Number of ranks of a communicator, number of this rank, and sums and minima over the ranks. If the process has not
-/// started MPI, the number of ranks is 1 and this rank is 0.
+/// Number of ranks of a communicator, number of this rank, and sums and minima over the ranks. Sums and minima are
+/// collective, and every rank has the result. If the process has not started MPI, the number of ranks is 1 and this
+/// rank is 0.
 
 #include <deal.II/base/mpi.h>
 
@@ -43,12 +44,13 @@ std::array<double, n> sum_over_ranks(const std::array<double, n>& values, MPI_Co
   return sum;
 }
 
-/// The least value over the ranks. If a rank has NaN, the result is −∞. Collective.
+/// The least value over the ranks. If a rank has NaN, the result is −∞, so that a test for a positive value fails.
 inline double least_over_ranks(double value, MPI_Comm communicator) {
   return dealii::Utilities::MPI::min(std::isnan(value) ? -std::numeric_limits<double>::infinity() : value,
                                      communicator);
 }
 
+/// The least value over the ranks with its place, by the rules of LeastPlace.
 inline LeastPlace least_over_ranks(const LeastPlace& own, MPI_Comm communicator) {
   const std::array<double, 4> entry{own.value, own.where[0], own.where[1], own.where[2]};
   std::vector<std::array<double, 4>> entries(n_ranks(communicator), entry);

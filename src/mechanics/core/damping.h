@@ -68,6 +68,9 @@ struct DampingTemporaries<S> {
   typename S::Vector direction, product, force, momentum;
   typename S::Vector at_rest;  ///< f(q, 0), if `rest_known` is true (rattle_velocity.h)
   bool rest_known = false;
+  /// The round-off that the projection leaves in `residual`. Before the projection, r contains the forces along the
+  /// reactions, such as the pressure of self-gravity, which may be much larger than P r.
+  double round_off = 0;
   long n_products = 0;  ///< number of products with C
 
  private:
@@ -94,19 +97,20 @@ Status project_onto_tangent_space(const S& system, double tolerance, const typen
 
 }  // namespace detail
 
-/// Replaces r = w.residual by P r. Fails if the iteration for the constraint does not converge.
+/// Replaces r = w.residual by P r, and sets w.round_off. Fails if the iteration for the constraint does not converge.
 template <Damped S>
 Status project_residual(const S& system, const typename S::Vector& q, double enough,
                         typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
                         DampingTemporaries<S>& w) {
+  w.round_off = 8 * std::numeric_limits<double>::epsilon() * max_norm(w.residual);
   return detail::project_onto_tangent_space(system, detail::left_by_projections * enough, q, w.residual,
                                             system_workspace, constraint);
 }
 
 /// Sets w.solution to u for the projected residual P r = w.residual. On return w.residual is the remaining residual.
-/// The operator C is taken at `state`. The iteration ends when the remaining residual is at most `enough` or is
-/// round-off. It fails if a projection fails, if 2000 iterations are not enough, or if the operator is not positive. A
-/// long step backwards in time has an operator that is not positive.
+/// The operator C is taken at `state`. The iteration ends when the remaining residual is at most `enough`,
+/// w.round_off or 64 units of round-off of P r. It fails if a projection fails, if 2000 iterations are not enough, or
+/// if the operator is not positive. A long step backwards in time has an operator that is not positive.
 template <Damped S>
 Status solve_damping(const S& system, double s, const State<S>& state, double enough,
                      typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
@@ -122,7 +126,7 @@ Status solve_damping(const S& system, double s, const State<S>& state, double en
   };
   scale(0.0, w.solution);
   const double round_off = 64 * std::numeric_limits<double>::epsilon() * max_norm(w.residual);
-  const double sufficient = std::max(enough, round_off);
+  const double sufficient = std::max({enough, w.round_off, round_off});
   w.direction = w.residual;
   double square = squared(w.residual);
   for (int i = 0; i < most_iterations; ++i) {
