@@ -17,8 +17,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Joins the lines of CLI11's text for a wrong command line, because an error message has one sentence. Appends a hint
-/// to --help.
+/// Joins the lines of CLI11's text for a wrong command line, because an error message of the program has one line.
+/// Appends a hint to --help.
 std::string one_sentence(std::string text) {
   for (char& c : text)
     if (c == '\n') c = ' ';
@@ -26,6 +26,8 @@ std::string one_sentence(std::string text) {
   return text + "; see pseudorigid --help";
 }
 
+/// Checks of arguments for CLI11, which accepts an empty argument. Each returns the error message, or "" if the
+/// argument is valid.
 std::string names_a_file(const std::string& scene) {
   return scene.empty() ? "expected the name of a parameter file, got nothing" : "";
 }

@@ -29,16 +29,20 @@ class RowProcess {
   FinishedRun run(int k);
 
  private:
+  /// Loop of the copy: reads the number of a run, writes its answer, and ends when the pipe closes.
   [[noreturn]] static void serve(const SweepTask& task, int requests, int answers);
+  /// Reads `size` bytes of an answer. Returns false if the copy has ended. After an interrupt, sends SIGTERM to the
+  /// copy, which then ends its run.
   bool receive(void* data, std::size_t size);
+  /// Throws std::runtime_error with the reason why the copy ended before the answer for run k.
   [[noreturn]] void report_end(int k);
 
-  int to_ = -1, from_ = -1;
-  pid_t process_ = -1;
+  int to_ = -1, from_ = -1;  ///< pipes: `to_` sends the numbers of runs, `from_` receives their answers
+  pid_t process_ = -1;       ///< the copy; −1 after its end
 };
 
-/// A task that distributes the runs of `task` over `n_processes` processes. At most this number of threads may call
-/// `run` at the same time.
+/// A task that distributes the runs of `task` over `n_processes` processes. At most `n_processes` threads may call
+/// `run` at the same time. With more threads, `run` throws std::logic_error.
 class TaskInProcesses : public SweepTask {
  public:
   TaskInProcesses(const SweepTask& task, int n_processes);
@@ -48,8 +52,8 @@ class TaskInProcesses : public SweepTask {
 
  private:
   const SweepTask& task_;
-  mutable std::mutex mutex_;
-  mutable std::vector<std::unique_ptr<RowProcess>> idle_;
+  mutable std::mutex mutex_;                               ///< protects idle_
+  mutable std::vector<std::unique_ptr<RowProcess>> idle_;  ///< processes that no thread uses now
 };
 
 }  // namespace pseudorigid::app

@@ -55,11 +55,12 @@ RunIdentity run_identity(const scene::Scene& scene);
 /// The data at one time that a run needs to continue, in addition to q and v.
 struct Snapshot {
   RunPosition position{};
-  double t = 0;
+  double t = 0;                  ///< internal time
   std::vector<double> memory{};  ///< memory of the method
   mechanics::Counters counters{};
 
   template <class Workspace>
+  /// Copies the position, and the memory and the counters of the method's workspace.
   void take(const RunPosition& at, double time, Workspace& w) {
     position = at;
     t = time;
@@ -79,6 +80,7 @@ inline constexpr const char* at_last_sample = "last sample: ";
 
 /// Adds the entries of a snapshot and of its vectors. The names of the entries begin with `prefix`.
 void add_snapshot(io::Checkpoint& c, const Snapshot& snapshot, SavedVectors vectors, const std::string& prefix = "");
+/// The checkpoint of a run, with the texts of its scene and one snapshot.
 io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot& snapshot, SavedVectors vectors);
 /// True if the checkpoint also contains the last sample.
 inline bool has_last_sample(const io::Checkpoint& c) { return c.has(std::string(at_last_sample) + "q"); }

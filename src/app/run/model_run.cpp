@@ -8,7 +8,7 @@
 namespace pseudorigid::app {
 
 namespace {
-constexpr std::chrono::seconds seconds_between_checkpoints{5};
+constexpr std::chrono::seconds seconds_between_checkpoints{5};  // so a killed run loses at most about this time
 }
 
 ModelRunBase::ModelRunBase(RunnableModel& model, const RunContext& context, const SystemTraits& traits,
@@ -48,11 +48,11 @@ bool ModelRunBase::is_time_to_save() const {
   return context_.ranks->of_first(Clock::now() - last_save_ > seconds_between_checkpoints);
 }
 
-/// Returns to the last sample, so that the interval can be integrated again with shorter steps. Returns false if this
-/// is not possible. A repetition requires a costly force, a method of fixed step and a step that the program has
-/// chosen. It is not possible if the model itself ended the run, after most_halvings halvings, or after `most_failures`
-/// failed steps. The next interval begins with the steps that its own state and the last failure require. A motion that
-/// is violent for a short time therefore does not shorten the steps of the whole run.
+/// Returns to the last sample, so that the interval can be integrated again with shorter steps. Returns false if a
+/// repetition is not possible. A repetition requires a costly force, a method of fixed step and a step that the program
+/// has chosen. It is not possible if the model itself ended the run, after most_halvings halvings, or after
+/// `most_failures` failed steps. The next interval begins with the steps that its own state and the last failure
+/// require. A motion that is violent for a short time therefore does not shorten the steps of the whole run.
 bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
   if (!repeats_intervals() || !verdict_) return false;
   const bool asked = least_halvings_ > position_.halvings;

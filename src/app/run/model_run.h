@@ -1,6 +1,6 @@
 #pragma once
-/// The run of one model. The run chooses the method and the step, integrates the motion, and passes rows, pictures,
-/// checkpoints and progress to a sink. The class ModelRunBase does not depend on the type of the system.
+/// The run of one model. The run chooses the method and the step, integrates the motion, and passes its results to a
+/// sink. ModelRunBase does not depend on the type of the system, so it is compiled only once.
 
 #include <algorithm>
 #include <chrono>

@@ -40,6 +40,7 @@ std::vector<scene::Discretization> affordable(const RunContext& context) {
   return ladder;
 }
 
+/// The scene with another Time/Tolerance.
 scene::Scene with_time_tolerance(scene::Scene scene, double tolerance) {
   scene.time.tolerance = tolerance;
   return scene;
@@ -122,9 +123,9 @@ void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace tr
                        scene::describe(rung()), apart.largest, errors_.error());
 }
 
-/// True if the present run is the final one: it is marked as final, it is the last of the ladder, the estimated error
-/// is within the tolerance, or two successive runs have ended early. In the last case the motion is the cause, and a
-/// finer mesh does not help.
+/// True if the present run is the final one. It is final if it is marked as final, if it is the last of the ladder, or
+/// if its estimated error is within the tolerance. It is also final if two successive runs have ended early: the motion
+/// is then the cause, and a finer mesh does not help.
 bool DiscretizationSearch::settles() const {
   return settled_ || is_last() || n_failures_ == 2 ||
          (n_failures_ == 0 && errors_.error() <= context_.scene.continuum.tolerance);
