@@ -30,7 +30,7 @@ struct Line {
   double frequency = 0;    ///< angular frequency, in radians per unit of time
   double uncertainty = 0;  ///< standard error of the frequency (FrequencyFit)
   double amplitude = 0;
-  double phase = 0;
+  double phase = 0;  ///< in radians
 };
 
 /// The lines of a fit, or the reason why the fit does not have lines. The first line was found at the highest peak of
@@ -53,7 +53,7 @@ struct FrequencyFit {
 };
 
 struct FrequencyOptions {
-  int max_lines = 12;
+  int max_lines = 12;        ///< largest number of lines
   int drift_degree = 2;      ///< degree d of the polynomial for slow drift
   double precision = 1e-13;  ///< lines are added until the dominant frequency has this relative standard error
   double round_off = 1e-12;  ///< a signal with a smaller relative variation counts as constant

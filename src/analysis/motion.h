@@ -50,6 +50,7 @@ struct Deformation {
   /// `deforms` of the summary. Relative variations of Q or C below `resolution` do not count as a motion.
   Deformation(const io::Table& table, double resolution, ModelSummary& summary);
 
+  /// The values of C(i, j) at the samples.
   std::vector<double> component(int i, int j) const;
   /// The indices (i, j), i ≤ j, of the component of C with the largest variance.
   std::pair<int, int> liveliest_component() const;
@@ -61,11 +62,11 @@ struct Deformation {
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms,
                            bool loads_rise = false);
 
-/// Reference value for the energies of one or more models. Over all models, it is the largest of max_t (kinetic +
-/// elastic), of the dissipated energy and of the kinetic energy of an orbit, unless this value is round-off. The value
-/// is round-off if it is less than 1e-12 of the gravitational and external energies. It is also round-off if it is less
-/// than 1e-24 of the unit of energy `unit`. In these cases, the reference is the largest of the gravitational and
-/// external energies, or `unit` if these are zero.
+/// Reference value for the energies of one or more models. It is the largest value over all models and times of three
+/// energies, unless this value is round-off. They are kinetic + elastic, the dissipated energy, and the kinetic energy
+/// of an orbit. The value is round-off if it is less than 1e-12 of the gravitational and external energies. It is also
+/// round-off if it is less than 1e-24 of the unit of energy `unit`. In these cases, the reference is the largest of the
+/// gravitational and external energies, or `unit` if these are zero.
 double energy_reference(std::initializer_list<const io::Table*> models, double unit);
 
 /// Sets the drift of the energy relative to the reference value, its bound, and the first time beyond the bound. Let
@@ -94,7 +95,8 @@ std::string drift_in_words(double drift);
 /// Drift of an angular momentum or a circulation with these columns; empty if the table lacks a column.
 std::optional<double> momentum_drift(const io::Table& table, const std::vector<std::string>& columns);
 
-/// The columns of the angular momentum that is constant without other loads: that of body and orbit if there is one.
+/// The columns of the angular momentum that is constant without loads other than self-gravity. It is that of the body
+/// and its companions together if the table has these columns, otherwise that of the body.
 std::vector<std::string> columns_of_angular_momentum(const io::Table& table);
 
 /// Reference value for angular momenta or circulations: the largest norm of `momenta`. If this norm is round-off, the
@@ -118,9 +120,9 @@ struct MotionSummary {
   ModelSummary model;
   std::size_t n_samples = 0;
   double first_time = 0, last_time = 0;
-  bool has_state = false;
-  std::string signal;  ///< component of C with the largest variance, for example "C33"
-  std::vector<ColumnRange> ranges;
+  bool has_state = false;           ///< true if the table has the columns of Q
+  std::string signal;               ///< component of C with the largest variance, for example "C33"
+  std::vector<ColumnRange> ranges;  ///< of the columns in the table for the terminal
   std::optional<double>
       mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK, with η_K the non-affine fraction of the kinetic energy K
 };

@@ -11,6 +11,8 @@
 
 namespace pseudorigid::io {
 
+/// The internal units of length, mass and time, measured in the units of the input. The functions return derived units
+/// in the same way.
 struct Units {
   double length = 1, mass = 1, time = 1;
 
@@ -18,12 +20,13 @@ struct Units {
   double energy() const { return mass * velocity() * velocity(); }
   double momentum() const { return mass * length * velocity(); }  ///< the unit of angular momentum and circulation
   double stress() const { return energy() / (length * length * length); }
-  /// The unit of the multiplier of det Q = 1, divided by m̄ = tr E₀/3.
+  /// The unit of the multiplier of det Q = 1, divided by m̄ = tr E₀/3 with the second moment of mass E₀.
   double multiplier() const { return 1 / (time * time); }
 
-  /// Converts a quantity with the given unit from internal units to the units of the input.
+  /// Converts a quantity with the given unit from internal units to the units of the input. The words `radius` and `1`
+  /// do not change the number.
   double to_physical(double internal, scene::Unit unit) const;
-  /// Converts a quantity with the given unit from the units of the input to internal units.
+  /// The inverse of to_physical, up to round-off.
   double to_internal(double physical, scene::Unit unit) const;
 };
 

@@ -14,6 +14,7 @@
 
 namespace pseudorigid::app {
 
+/// One run of a polynomial body of this degree.
 struct PolynomialTask {
   int degree;
   std::string name = "polynomial";     ///< name of the files of the run

@@ -51,6 +51,7 @@ reduced::MatricesInLanes in_lanes(const MatrixOf& matrix_of) {
   return values;
 }
 
+/// The matrix of one body, the inverse of `in_lanes`.
 Eigen::Matrix3d of_lane(const reduced::MatricesInLanes& values, int body) {
   Eigen::Matrix3d matrix;
   for (int i = 0; i < 9; ++i) matrix(i / 3, i % 3) = values[i * n_body_lanes + body];
@@ -58,6 +59,7 @@ Eigen::Matrix3d of_lane(const reduced::MatricesInLanes& values, int body) {
 }
 
 template <class Body>
+/// The run of eight bodies of the same form.
 class RunInLanes {
  public:
   using State = mechanics::State<Body>;
@@ -75,6 +77,8 @@ class RunInLanes {
     for (int i = 0; i < n_body_lanes; ++i) inertia_.volume[i] = scenes[i].body.volume;
   }
 
+  /// Runs the bodies and writes their rows. Returns an empty value if no step is found, a motion fails, the step is not
+  /// stable, or a row is not finite.
   std::optional<std::vector<ModelOutcome>> run() {
     const mechanics::StepChoice choice = choose();
     if (!choice.status) return {};
@@ -100,6 +104,7 @@ class RunInLanes {
  private:
   const RunContext& first() const { return contexts_.front(); }
 
+  /// Integrates all bodies from their initial states with `n_steps` steps between samples.
   reduced::MotionsInLanes move(mechanics::MethodId method, const mechanics::SampleTimes& times, long n_steps) const {
     return reduced::motions_in_lanes(scenes_.front().law, inertia_, in_lanes([&](int i) { return scenes_[i].start.q; }),
                                      in_lanes([&](int i) { return scenes_[i].start.v; }), method, times, n_steps);
@@ -122,6 +127,8 @@ class RunInLanes {
     return limit;
   }
 
+  /// The method and the step for all bodies. If the scene gives both, nothing is searched. Otherwise pilot runs in
+  /// lanes find a step for the body with the largest error.
   mechanics::StepChoice choose() const {
     const auto& time = first().scene.time;
     const std::optional<mechanics::MethodId> asked = mechanics::find_method(time.method);
@@ -140,6 +147,7 @@ class RunInLanes {
     return mechanics::detail::choose_among({in_pilots(method)}, {}, true, request);
   }
 
+  /// The method in the form in which the search for the step runs it.
   mechanics::detail::FixedStepMethod in_pilots(mechanics::MethodId id) const {
     return mechanics::with_method(id, [&]<class Method>(Method) -> mechanics::detail::FixedStepMethod {
       if constexpr (Method::adaptive)
@@ -152,6 +160,7 @@ class RunInLanes {
     });
   }
 
+  /// The result of a pilot run, with the matrices of all bodies as one configuration.
   static mechanics::detail::PilotRun pilot(const reduced::MotionsInLanes& motions) {
     mechanics::detail::PilotRun run;
     run.t = motions.t;

@@ -31,8 +31,8 @@ template <class S, class Faces>
 class FieldModel : public RunnableModelOf<S> {
   using Base = RunnableModelOf<S>;
   /// Factor of the tolerance in the search for the step. A pilot run covers only the first part of the motion. After a
-  /// release, the time error can grow in this part at only 0.45 of its mean rate over the run. (Measured at
-  /// Time/Tolerance = 1e-3 and 1e-4 until t = 10.)
+  /// release, the time error can grow in this part at only 0.45 of its mean rate over the run. This was measured at
+  /// Time/Tolerance = 1e-3 and 1e-4 until t = 10.
   static constexpr double reserve = 0.4;
 
  public:

@@ -28,7 +28,7 @@ inline std::optional<Flight> flight_to_contact(const loads::Contact& now, const 
   const double height = now.height - margin, v = now.normal.dot(velocity) - now.speed,
                b = now.normal.dot(loads.acceleration);
   if (!std::isfinite(now.height) || height <= 0 || !loads.quadratic.isZero(0) || loads.drag != 0) return {};
-  // Solves height + v t + b t²/2 = 0 by the formula that has no cancellation for v < 0, the velocity of an approach.
+  // Solves height + v t + b t²/2 = 0. This form of the solution has no cancellation if v < 0, as in an approach.
   const double root = v * v - 2 * b * height;
   if (root < 0) return {};
   const double divisor = -v + std::sqrt(root);

@@ -78,8 +78,8 @@ class ModelStepping {
   /// True if a failed interval between samples is integrated again with shorter steps: force evaluations are costly,
   /// and the step can change.
   bool repeats_intervals() const { return traits_.has_costly_force && adapts(); }
-  /// Replaces a method that is not symplectic, if the program has chosen it, by RATTLE of order 4 with the same ratio
-  /// of the step to the stability limit. In violent motions a change of the step makes such a method lose energy.
+  /// If the program has chosen a method that is not symplectic, replaces it by RATTLE of order 4. The ratio of the step
+  /// to the stability limit does not change. In violent motions a change of the step makes such a method lose energy.
   /// Returns true if the method has changed; the estimate of the time error is then not known.
   bool become_symplectic();
   /// Least number of halvings after which the step is at most the stability limit, if RATTLE has the limit

@@ -44,9 +44,10 @@ class CollisionWatch {
   /// than the longest semi-axis of the body.
   ///
   /// Also fails after a disruption by the tide. The longest semi-axis then exceeds the Hill radius, and the body is not
-  /// bound: `energy_of_body()`, the sum of its kinetic and gravitational energies about its centre, is positive. An
-  /// equilibrium under tide and spin has a negative sum. A body that is stretched beyond the Hill radius for a short
-  /// time is therefore not taken for a disrupted one. For a solid, `energy_of_body` must return a negative number.
+  /// bound. It is not bound if `energy_of_body()`, the sum of its kinetic and gravitational energies about its centre,
+  /// is positive. An equilibrium under tide and spin has a negative sum. A body that is stretched beyond the Hill
+  /// radius for a short time is therefore not taken for a disrupted one. For a solid, `energy_of_body` must return a
+  /// negative number.
   template <class OwnEnergy>
   mechanics::Status look(double t, const mechanics::Orbit& orbit, const Eigen::Matrix3d& S,
                          const mechanics::Orbit::Columns& s, const OwnEnergy& energy_of_body) {

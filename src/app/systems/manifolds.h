@@ -19,8 +19,10 @@
 
 namespace pseudorigid::app {
 
+/// The columns of connections.csv with their units and texts.
 std::vector<scene::Column> connections_columns();
 
+/// Finds the critical points, computes the motions and writes the files. `scales` are the units of the system.
 ModelOutcome run_manifolds(const systems::AnySystemScene& system, const systems::AnyModel& model,
                            const systems::Scales& scales, const RunContext& context);
 

@@ -31,6 +31,7 @@ constexpr int looks_per_step = 8, steps_between_interrupts = 256;
 constexpr double tolerance_of_location = 1e-15;
 
 template <class Form>
+/// The motion and the table of its crossings.
 class SectionRun {
   using Field = mechanics::FieldOf<Form>;
   using State = mechanics::State<Form>;
@@ -99,6 +100,8 @@ class SectionRun {
   }
 
   template <class Workspace>
+  /// Integrates the motion to its end and writes a row for each crossing. Sets `end` to the outcome. Fails if a step
+  /// fails or after an interrupt.
   Status go(State& state, Workspace& w, mechanics::Outcome& end) {
     end = mechanics::Outcome::failed;
     double before = 0;
@@ -140,6 +143,7 @@ class SectionRun {
     return {};
   }
 
+  /// True if the change of sign between two distances is a crossing in a direction that the scene requests.
   bool counts(double before, double after) const {
     const scene::Crossings wanted = context_.scene.section.crossings;
     const bool rises = before < 0 && after >= 0, falls = before > 0 && after <= 0;
@@ -176,7 +180,7 @@ class SectionRun {
   decltype(mechanics::field_of(std::declval<const Form&>())) field_;
   typename Form::Workspace workspace_;
   const std::vector<std::string> columns_;
-  std::size_t watched_;
+  std::size_t watched_;  ///< index of the column that defines the surface
   double end_;
   io::CsvWriter csv_;
   std::vector<double> row_;
