@@ -32,7 +32,8 @@ struct Workshop {
     return has(r, out.model, what, columns) && has(c, out.reference, what, columns);
   }
 
-  /// The same for one table, which belongs to `model`.
+  /// Whether `table`, which belongs to `model`, has the columns. If not, adds `what` and the first missing column to
+  /// `out.not_compared`.
   bool has(const io::Table& table, const ModelSummary& model, std::string_view what, const Columns& columns) {
     const auto lacks = [&table](const std::string& name) { return !table.has_column(name); };
     const auto missing = std::ranges::find_if(columns, lacks);
@@ -90,7 +91,7 @@ std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable
 }
 
 /// The ratio of the dominant frequencies and the bound of its error. A part of the error is empty if it is not known
-/// for both models.
+/// for one of the models.
 FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference) {
   const double a = model.frequency.dominant().frequency, b = reference.frequency.dominant().frequency;
   const ErrorBar &of_a = model.frequency_error, &of_b = reference.frequency_error;
@@ -157,7 +158,8 @@ void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   compare_phases(w, r.component(i, j), c.component(i, j));
 }
 
-/// Whether the body spins (spin_threshold). J/m̄ and Z/m̄ are the axial vectors of Q̇Qᵀ − QQ̇ᵀ and QᵀQ̇ − Q̇ᵀQ.
+/// Whether the body spins at any sample, which means that J or Z exceeds spin_threshold. With m̄ of motion.h, J/m̄ and
+/// Z/m̄ are the axial vectors of Q̇Qᵀ − QQ̇ᵀ and QᵀQ̇ − Q̇ᵀQ. The table must have the columns of Q and Q̇.
 bool spins(const io::Table& table) {
   const auto Q = read<Matrix3d>(table, Q_columns), Qdot = read<Matrix3d>(table, Qdot_columns);
   double spin = 0, bound = 0;
@@ -248,7 +250,8 @@ void compare_momentum(Workshop& w, const std::string& name, const Columns& colum
   w.out.reference.*drift_of = drift(c, reference);
 }
 
-/// The angular momentum of a body with companions is not constant. Its drift is then that of body and orbit.
+/// If a body has companions, its angular momentum is not constant. The drift of the total angular momentum of body and
+/// companions then replaces its drift.
 void judge_total_momentum(Workshop& w) {
   for (const auto& [table, summary] : {std::pair{&w.r, &w.out.model}, std::pair{&w.c, &w.out.reference}})
     if (table->has_column("total_J1"))

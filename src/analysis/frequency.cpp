@@ -32,6 +32,7 @@ double scan_low_frequencies(LineModel model, double peak) {
   return best;
 }
 
+/// Whether a new line may be closer than two resolution widths to another line.
 enum class Neighbours { admitted, excluded };
 
 /// Adds a line for a peak at Ω. The line is free, or constrained to a multiple of the first line. If the peak is close

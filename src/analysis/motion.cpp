@@ -138,7 +138,8 @@ void set_energy_drift(const io::Table& table, double reference, std::optional<do
 }
 
 namespace {
-/// The text " of the elastic ball", or "" for a system, whose adjective is its name.
+/// The text " of the elastic ball" with the adjective of the ball. The text is empty if the adjective is the name, as
+/// for a system.
 std::string of_ball(const ModelSummary& summary) {
   return summary.adjective == summary.name ? "" : fmt::format(" of the {} ball", summary.adjective);
 }

@@ -33,8 +33,9 @@ struct ModelSummary {
   std::optional<double> load{};  ///< angular frequency of the load that causes the dominant line; empty if no load does
   double departure = 0;          ///< max_t |Q − Q(0)|
   double strain_amplitude = 0;   ///< √2 rms_t |C − C̄|, with the mean C̄ over time
-  bool turns = false;            ///< true if Q changes by more than round-off
-  bool deforms = false;          ///< true if C changes by more than round-off
+  bool turns =
+      false;  ///< true if Q departs from its start by more than the resolution of the constructor of Deformation
+  bool deforms = false;  ///< true if the strain amplitude exceeds this resolution, relative to C
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
   double energy_bound = 0;  ///< largest change of the energy without a warning, relative to the reference value
   std::optional<double> energy_beyond_since{};  ///< first time at which the energy has changed by more than this bound
@@ -52,13 +53,14 @@ struct Deformation {
 
   /// The values of C(i, j) at the samples.
   std::vector<double> component(int i, int j) const;
-  /// The indices (i, j), i ≤ j, of the component of C with the largest variance.
+  /// The indices (i, j), i ≤ j, of the component of C with the largest variance; the first one if several variances are
+  /// equal up to round-off.
   std::pair<int, int> liveliest_component() const;
 };
 
-/// The fit of the frequency to the samples of a component of C. The fit does not contain a frequency in three cases:
-/// the times are not equally spaced, the body does not deform, or the loads rise. If the loads rise, the slow change of
-/// the shape is larger than its oscillation.
+/// The fit of the frequency to the samples of a component of C. The result has a reason instead of lines if the times
+/// are not equally spaced, if the body does not deform, or if the loads rise. If the loads rise, the slow change of the
+/// shape is larger than its oscillation. In other cases the result is that of fit_frequency.
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms,
                            bool loads_rise = false);
 

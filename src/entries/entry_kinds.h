@@ -31,7 +31,7 @@ using Problem = std::optional<std::string>;
 /// The value of `Continuum/Mesh` for the built-in mesh of the ball; any other value is the name of a file.
 inline constexpr std::string_view builtin_mesh = "builtin";
 
-/// The general message about a wrong text, `got "…"`, or `got nothing` for an empty text.
+/// The end of a message about a wrong text: `got "…"`, or `got nothing` for an empty text.
 std::string got(std::string_view text);
 
 /// Returns the number if the whole text is a finite number, otherwise an empty optional.

@@ -26,7 +26,8 @@ struct Units {
   /// Converts a quantity with the given unit from internal units to the units of the input. The words `radius` and `1`
   /// do not change the number.
   double to_physical(double internal, scene::Unit unit) const;
-  /// The inverse of to_physical, up to round-off.
+  /// Converts a quantity with the given unit from the units of the input to internal units. It is the inverse of
+  /// to_physical, up to round-off.
   double to_internal(double physical, scene::Unit unit) const;
 };
 

@@ -19,10 +19,10 @@ std::string_view trimmed(std::string_view text);
 /// Case is ignored.
 int edit_distance(std::string_view from, std::string_view to);
 
-/// Returns the candidate nearest to `word` by edit distance, or an empty optional if no candidate is near enough.
-/// Candidates are near enough up to a third of the letters of the last part of `word`, but at least one letter. For
-/// paths like "Body/Radius" the last part is also compared alone. This comparison finds an entry in the wrong
-/// subsection.
+/// Returns the candidate nearest to `word` by edit distance, or an empty optional if no candidate is near enough. A
+/// candidate is near enough if the distance is at most a third of the length of the last part of `word`, or 1. A word
+/// of more than 80 bytes has no near candidate. For paths like "Body/Radius" the last part is also compared alone. This
+/// comparison finds an entry in the wrong subsection.
 std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
 /// Returns the question `; did you mean "…"?` with the nearest candidate, or an empty text if there is none. Characters

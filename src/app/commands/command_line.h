@@ -27,7 +27,7 @@ struct Options {
 };
 
 /// Returns the options of the command line. An empty command line and --help give Command::help. Throws UserError if
-/// the command line is wrong; the files that it names are not read.
+/// the command line is wrong. The function does not read any file.
 Options parse_command_line(int argc, const char* const* argv);
 
 }  // namespace pseudorigid::app

@@ -17,7 +17,8 @@
 ///
 /// A quantity that does not exist is 0. An error, a drift, a phase or a time that is not known is −1. However, if
 /// compared is 0, all columns from the first m_frequency_ratio on are 0. The column m_tenth_of_period_after is the time
-/// t = 0.2 π/|ω − ω'|. After this time, motions of angular frequencies ω and ω' differ in phase by a tenth of a period.
+/// t = 0.2 π/|ω − ω'|, with the angular frequencies ω of m and ω' of the last model. After this time, their phases
+/// differ by a tenth of a period.
 
 #include <string>
 #include <vector>
@@ -26,7 +27,7 @@
 
 namespace pseudorigid::app {
 
-/// The names of the columns of sweep.csv for several models, in the order of the file's head.
+/// The names of the columns of sweep.csv for several models, in the order above.
 std::vector<std::string> columns_of_compared_runs(const scene::Scene& scene, const scene::Needs& needs);
 
 /// The runs of a sweep as tasks, each of which runs all models and compares them.

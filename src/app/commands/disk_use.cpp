@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 /// Usual and largest number of characters of a number in a table. The largest number has 17 digits, sign, point,
 /// exponent and comma.
 constexpr double bytes_per_value = 20, most_bytes_per_value = 24;
-/// Usual number of bytes of a number in a compressed picture (measured, see the head of the header).
+/// Usual number of bytes of a number in a compressed picture, measured for motions without symmetry.
 constexpr double bytes_per_value_of_picture = 5;
 constexpr double bytes_of_small_checkpoint = 1e4;  // mainly the text of the scene
 

@@ -43,8 +43,8 @@ std::optional<double> pulsation_of_polynomial(const scene::Scene& scene, int N) 
   return {};
 }
 
-/// The relative error `excess` as text in per cent. The text gives a bound for errors below the accuracy of the
-/// computation.
+/// The relative error `excess` as text in per cent. If |excess| < 1e-7, the text is a bound, because the frequencies
+/// are not computed more accurately.
 std::string in_per_cent(double excess) {
   return std::abs(excess) < 1e-7 ? "0.00001 % or less" : fmt::format("{:+.2g} %", 100 * excess);
 }

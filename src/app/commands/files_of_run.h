@@ -1,5 +1,5 @@
 #pragma once
-/// The names of the files that a run can write.
+/// The names of the files and checkpoints that a run can write.
 
 #include <string>
 #include <vector>

@@ -36,7 +36,8 @@ const ContinuumModule* open_continuum() {
   if (!fs::exists(library)) throw NoContinuum(fmt::format("there is no {}", library.string()));
   require_address_space();
   open_needed_libraries(library);
-  // The symbols must be visible to all libraries, because MPI and PETSc open further libraries that need these symbols.
+  // RTLD_GLOBAL makes the symbols visible to all libraries, because MPI and PETSc open further libraries that need
+  // them.
   void* const module = dlopen(library.c_str(), RTLD_LAZY | RTLD_GLOBAL);
   void* const found = module ? dlsym(module, "pseudorigid_continuum") : nullptr;
   if (!found) throw NoContinuum(fmt::format("its library cannot be opened: {}", dlerror()));

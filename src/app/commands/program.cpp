@@ -88,7 +88,7 @@ void require_mpi_of(const Launch& launch, const Ranks& ranks) {
 struct Process {
   Executable executable;
   Launch launch{};
-  bool has_continuum = false;
+  bool has_continuum = false;        ///< true if the finite-element library is open
   std::unique_ptr<Ranks> several{};  ///< the ranks of MPI; null if MPI has not been started
 
   /// Opens the finite-element library, unless it is open. If the process may be one of several, also starts MPI, which

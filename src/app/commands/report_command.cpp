@@ -49,7 +49,7 @@ void report_run(const Options& options) {
     if (!is_of_the_place(error)) throw;
     throw UserError(fmt::format("{}: {}", options.output ? "--output" : "DIR", in_words(error)));
   }
-  // The path is printed only if it names a regular file, not a pipe or a device.
+  // The output may be a pipe or a device. Its path is then not printed, because no page remains there.
   if (io::kind_unless_file(path).empty()) io::print(path.native() + "\n");
 }
 

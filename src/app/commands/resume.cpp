@@ -80,7 +80,7 @@ std::string changes_between(const Entries& now, const Entries& before, bool is_s
   return n > most ? fmt::format("{}; and {} more", text, n - most) : text;
 }
 
-/// The columns of each CSV file with samples. The key is the name of the file.
+/// The names of the columns of each CSV file with samples. The key is the name of the file without ".csv".
 std::map<std::string, std::vector<std::string>> headers(const scene::Scene& scene, const scene::Needs& needs) {
   if (needs.system) return {{std::string(needs.system->file), columns_of_run(scene, needs)}};
   std::map<std::string, std::vector<std::string>> headers;
@@ -90,13 +90,14 @@ std::map<std::string, std::vector<std::string>> headers(const scene::Scene& scen
   return headers;
 }
 
-/// Checks that all rows of a table of shapes are complete, because a killed run may have left an incomplete row. The
-/// table need not exist.
+/// Throws UserError if a row of a table of shapes is incomplete, because a killed run may have left such a row. Does
+/// nothing if the table does not exist.
 void require_shapes(const std::filesystem::path& path) {
   if (io::is_there(path)) io::require_rows(path, io::columns_in(path), io::n_rows_before(path, HUGE_VAL));
 }
 
-/// Checks the files of an earlier run of a model. Does nothing if there is no checkpoint.
+/// Throws UserError if a table or the list of pictures of an earlier run is damaged. `name` is the name of the files of
+/// the run. Does nothing if there is no checkpoint.
 void require_files_of_run(const io::RunDirectory& directory, const std::string& name,
                           const std::vector<std::string>& columns) {
   if (!io::is_there(directory.checkpoint(name))) return;

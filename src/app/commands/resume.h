@@ -20,8 +20,9 @@ std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory
 /// scene does not change.
 void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory);
 
-/// Checks that every checkpoint in the directory is readable and belongs to this scene. Throws UserError if an entry
-/// differs that a resumed run may not change. The message names up to five such entries.
+/// Checks that every checkpoint in the directory is readable and belongs to this scene. Throws UserError if a
+/// checkpoint is damaged, or if an entry differs that a resumed run may not change. The message names up to five such
+/// entries.
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene);
 
 /// Checks the files to which a resumed run appends, before the run writes to any of these files. Throws UserError if a

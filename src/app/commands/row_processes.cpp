@@ -204,8 +204,8 @@ FinishedRun TaskInProcesses::run(int k) const {
     process = std::move(idle_.back());
     idle_.pop_back();
   }
-  // The process returns to the list also after an exception. If the process has ended, the next run reports the end
-  // again.
+  // The process returns to the list also after an exception. If the process has ended, the next run in it fails as
+  // well.
   struct Return {
     const TaskInProcesses& owner;
     std::unique_ptr<RowProcess>& process;

@@ -17,7 +17,8 @@ namespace pseudorigid::app {
 /// A copy of this process that computes rows of `task`. The destructor closes the pipes to the copy and ends the copy.
 class RowProcess {
  public:
-  /// The calling process must have a single thread. Throws std::system_error if the process cannot be created.
+  /// The calling process must have a single thread, because a copy has only the calling thread and the locks of the
+  /// others would remain locked. Throws std::system_error if the process cannot be created.
   explicit RowProcess(const SweepTask& task);
   ~RowProcess();
   RowProcess(const RowProcess&) = delete;

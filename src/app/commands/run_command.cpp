@@ -31,7 +31,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Runs one model and writes the statistics of its runs into the manifest.
+/// Runs one model or system, and writes the statistics of its runs into the manifest. `name` is the name of its files.
 ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& context, io::ManifestFile& manifest) {
   ModelOutcome outcome = run(context);
   if (const auto& counters = outcome.statistics.counters; counters.contains("steps"))  // equilibria do not have steps
@@ -111,7 +111,7 @@ int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, cons
   using enum mechanics::Outcome;
   const ModelOutcome sweep = run_sweep(raw, context, executable, shows_progress);
   manifest.content().models["sweep"] = sweep.statistics;
-  // A sweep fails only if the input of one of its runs is wrong.
+  // A sweep has this outcome only if the input of one of its runs is wrong.
   const int exit_code = sweep.end == failed ? exit_wrong_input : exit_code_of(sweep.end);
   return end_run(sweep.end, exit_code, sweep.message, sweep.end == interrupted ? " (--resume goes on from there)" : "",
                  context, manifest);
@@ -175,7 +175,7 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
   return content;
 }
 
-/// Writes the report, which shows the contents of the other files, at the end of the run.
+/// Writes report.html from the other files, so it must be called at the end of the run.
 void add_report(const RunContext& context) {
   io::write_report(context.directory, io::movers_in(context.directory.manifest()));
   context.log->info("the report is {}", context.directory.report().string());

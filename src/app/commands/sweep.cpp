@@ -96,7 +96,7 @@ void require_used(const scene::ReadScene& raw) {
 
 /// Computes the runs that do not have a row yet. Several threads take one group of runs after the other. Groups and
 /// rows do not depend on the number of threads or on an interruption. A thread that runs out of memory leaves its group
-/// to the other threads and ends. The last thread continues alone.
+/// to the other threads and ends. If all threads have ended, the calling thread continues alone.
 class Workers {
  public:
   /// `end` is the run after the last one.
@@ -135,7 +135,7 @@ class Workers {
   const std::optional<std::pair<int, std::string>>& wrong_input() const { return wrong_input_; }
 
  private:
-  static constexpr int group = 8;  ///< runs of a group: the SIMD lanes of a sweep (app/reduced/reduced_in_lanes.h)
+  static constexpr int group = 8;  ///< runs of a group, as many as SIMD lanes (app/reduced/reduced_in_lanes.h)
 
   /// The runs begin, …, end − 1. The runs next, …, end − 1 do not have a row yet.
   struct Group {
@@ -158,7 +158,8 @@ class Workers {
   }
 
   /// Computes groups until none is left. If memory is exhausted and `has_others` is true, leaves the group to another
-  /// thread and returns. Otherwise records the exception and ends the sweep.
+  /// thread and returns. Any other exception is recorded and ends the sweep. A UserError is recorded with its run; of
+  /// several, the earliest run counts.
   void take_groups(bool has_others) {
     while (std::optional<Group> mine = take()) try {
         work_on(*mine);
@@ -236,8 +237,8 @@ int n_threads_of(const scene::Scene& scene, int n_runs) {
   return std::clamp(scene.sweep_threads.value_or(n_cores), 1, std::max(1, n_runs));
 }
 
-/// The number of threads for which the addresses suffice: at most n_threads, and at least 1. Memory must not run out,
-/// because a failed resize in Eigen leaves a pointer that is freed twice.
+/// The number of threads for which the address space suffices: at most n_threads, and at least 1. Memory must not run
+/// out, because a failed resize in Eigen leaves a pointer that is freed twice.
 int n_threads_with_addresses(int n_threads) {
   std::size_t stack = 0;
   pthread_attr_t attributes;

@@ -3,10 +3,9 @@
 /// sweep.csv has a row for each run, with the columns
 ///
 ///   run, the parameters, finished (1 or 0), time (reached), steps, forces (evaluations of the force),
-/// estimated_time_error (0 if not known);
-///   for the ball with the columns of Q: frequency (of the component of C = QᵀQ that varies most, 0 if there is none) and
-/// amplitude of C, as
-///   in analysis/motion.h;
+///   estimated_time_error (0 if it is not known);
+///   for the ball, if its file has the columns of Q: frequency (of the component of C = QᵀQ that varies most, 0 if
+///   there is none) and amplitude of C, with the definitions of analysis/motion.h;
 ///   for every column c of the model's own CSV file: c_end, c_min, c_max over the samples. If the motion conserves c:
 ///   c at the start, and c_drift = c_max − c_min.
 ///

@@ -131,7 +131,7 @@ class SweepRows {
   int first_run_, n_runs_, n_written_ = 0;
   io::Progress progress_;
   std::optional<io::CsvWriter> csv_, samples_;
-  std::map<int, FinishedRun> waiting_;  ///< rows that wait for earlier rows
+  std::map<int, FinishedRun> waiting_;  ///< finished runs whose rows wait for earlier rows, by their numbers
   std::mutex mutex_;
   Clock::time_point last_save_{};
 };

@@ -11,7 +11,8 @@
 
 namespace pseudorigid::app {
 
-/// A function that runs a model and writes its results to the sinks of the context. Other ranks may take part.
+/// A function that runs a model and writes its results to the sinks of the context. If the context has several ranks,
+/// all of them call the function.
 using RunModel = ModelOutcome (*)(const RunContext&);
 /// A function that computes several runs of a sweep at the same time, one for each context. It returns their outcomes
 /// in this order, or an empty value if the runs must be computed one by one.

@@ -79,7 +79,7 @@ std::optional<Refusal> refuses_discretization(const Scene& scene) {
   return {};
 }
 
-/// True if self-gravity or a confining potential keeps the pressure in a fluid positive.
+/// True if self-gravity or a confining potential acts, which can keep the pressure in a fluid positive.
 bool is_held_together(const Scene& scene) {
   return loads::present(scene.loads.get<loads::SelfGravity>()) || scene::is_confined(scene);
 }

@@ -74,7 +74,7 @@ class DegreeSearch {
       }
       const bool is_last = degree_ + 2 > scene::largest_polynomial_degree;
       if (is_last || (errors.n_runs() > 2 && error_ <= tolerance_)) break;
-      // If the motion itself ends, a higher degree does not help.
+      // If the motion itself ends early, a higher degree does not help.
       if (outcome.end == mechanics::Outcome::failed && errors.n_runs() > 2) break;
       before_ = std::move(trace);
     }

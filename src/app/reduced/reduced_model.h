@@ -51,8 +51,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
 
   const System& system() const override { return system_; }
   State initial_state() const override { return start_; }
-  /// The matrix Q. If the scene has contact planes, the centre of mass is a fourth column. If it has companions, their
-  /// coordinates follow, in units of the initial distances.
+  /// The matrix Q. If the scene has contact planes, the centre of mass is a fourth column. If the scene has companions,
+  /// their positions relative to the body are further columns (with_companions).
   Eigen::MatrixXd configuration(const State& state) const override {
     if constexpr (is_loaded) {
       if (system_.has_contact()) return state.q.template leftCols<4>();

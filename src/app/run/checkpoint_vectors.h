@@ -51,11 +51,14 @@ class CheckpointVectors {
     copy("v", mechanics::local_values(state.v));
     snapshot.memory = file.get_doubles(prefix + "memory");
   }
+  /// Copies the memory of the snapshot into the workspace of its method. Throws std::invalid_argument if the memory
+  /// belongs to another method.
   template <class Workspace>
   void restore_memory(Workspace& workspace, Snapshot& snapshot) {
     give_memory(workspace, snapshot.memory);
   }
-  void take_own_memory(Snapshot&) const {}
+  void take_own_memory(Snapshot&) const {}  ///< does nothing: the memory is already that of this process
+  /// Returns copies of q and v, and the memory of the snapshot.
   SavedVectors collect(State& state, const Snapshot& snapshot) const {
     const auto q = mechanics::local_values(state.q), v = mechanics::local_values(state.v);
     return {{q.begin(), q.end()}, {v.begin(), v.end()}, snapshot.memory};
@@ -81,6 +84,7 @@ class CheckpointVectors<Model> {
     snapshot.memory = file.get_doubles(prefix + "memory");
     memory_is_whole_ = true;
   }
+  /// The same for the memory of this rank. If the snapshot has the memory of all ranks, selects the part of this rank.
   template <class Workspace>
   void restore_memory(Workspace& workspace, Snapshot& snapshot) {
     layout_.emplace(order_);

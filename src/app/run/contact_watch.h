@@ -74,7 +74,7 @@ class ContactWatch {
   }
 
  private:
-  /// True after the first call of `look`, and true after the start of the first contact.
+  /// `is_begun_` is true after the first call of `look`, and `has_touched_` after the start of the first contact.
   bool is_begun_ = false, has_touched_ = false;
   double t_ = 0, height_ = 0, v_ = 0;  ///< time, height and n·ẋ_c − ż₀ at the end of the last step
   double first_ = 0, speed_before_ = 0, last_ = 0, largest_force_ = 0,

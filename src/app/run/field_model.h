@@ -58,8 +58,8 @@ class FieldModel : public RunnableModelOf<S> {
     else
       return this->system().multiplier_scale();
   }
-  /// The matrix Q of the affine part of the positions. If the scene has contact, the centre of mass is a fourth column.
-  /// If it has companions, their coordinates follow, in units of the initial distances.
+  /// The matrix Q of the affine part of the positions. If the scene has companions, their positions relative to the
+  /// body are further columns (with_companions). If the scene has contact, the centre of mass is a fourth column.
   Eigen::MatrixXd configuration(const State& state) const final {
     if (context_.needs.orbit)
       return with_companions(affine_part(state.q), this->system().orbit(), this->system().companions(state.q));

@@ -63,7 +63,8 @@ class ModelFiles : public ModelSink {
       0;  ///< number of earlier pictures beyond the schedule, from a run whose earlier end gave more pictures per time
   ShapeSchedule shapes_;
   io::Progress progress_;
-  std::optional<io::CsvWriter> csv_, shapes_csv_;
+  std::optional<io::CsvWriter> csv_,
+      shapes_csv_;  ///< tables of rows and of shapes; empty on ranks other than the first
   std::optional<io::PvdCollection> pvd_;
 };
 

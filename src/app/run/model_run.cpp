@@ -18,6 +18,8 @@ ModelRunBase::ModelRunBase(RunnableModel& model, const RunContext& context, cons
       has_shapes_(sink_->has_shapes() && !model.shape_file().empty()),
       identity_(sink_->keeps_states() ? run_identity(context.scene) : RunIdentity{}) {}
 
+/// Runs the model from its start, or from its checkpoint, to the last sample. Repeats failed intervals with shorter
+/// steps if the model admits this.
 ModelOutcome ModelRunBase::run() {
   const auto start = Clock::now();
   if (Status status = begin(); !status) {
@@ -39,11 +41,13 @@ ModelOutcome ModelRunBase::run() {
   return end(std::move(result), start);
 }
 
+/// Fails if a value of the present row is not finite.
 mechanics::Status ModelRunBase::check_row() const {
   if (std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); })) return {};
   return Status::failure("the motion has grown beyond the range of numbers");
 }
 
+/// True on all ranks if the last checkpoint of the first rank is old enough for a new one. Collective.
 bool ModelRunBase::is_time_to_save() const {
   return context_.ranks->of_first(Clock::now() - last_save_ > seconds_between_checkpoints);
 }
@@ -104,6 +108,8 @@ void ModelRunBase::step_anew() {
   next_stepping_.reset();
 }
 
+/// Starts the run, or continues it from the checkpoint that the sink gives. Fails if the choice of method and step
+/// fails.
 mechanics::Status ModelRunBase::begin() {
   const std::vector<std::string> columns = any_model_.columns();
   if (const std::optional<io::Checkpoint> left = sink_->state_to_resume()) {
@@ -134,6 +140,8 @@ mechanics::Status ModelRunBase::choose_stepping() {
   return status;
 }
 
+/// Restores the run from a checkpoint. If the scene now requires another method or step, chooses them again, and fails
+/// if the choice fails.
 mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   restore_state(file);
   counters_ = good_.counters;
@@ -184,6 +192,7 @@ void ModelRunBase::write(const Snapshot& snapshot, SavedVectors vectors, std::op
   last_save_ = Clock::now();
 }
 
+/// Saves the last state, and makes the outcome of the run. An interrupted run has saved its state already.
 ModelOutcome ModelRunBase::end(mechanics::RunResult result, Clock::time_point start) {
   if (result.outcome == Outcome::interrupted)
     return outcome(Outcome::interrupted, "interrupted at t = " + physical_time(result.t), start);
@@ -198,6 +207,7 @@ ModelOutcome ModelRunBase::end(mechanics::RunResult result, Clock::time_point st
                  start);
 }
 
+/// A clause about the saved state, for the message of a failed run.
 std::string ModelRunBase::saved_state() const {
   std::string text =
       "the state at t = " + physical_time(good_.t) + (is_adaptive() ? "" : ", the last sample,") + " is saved";
@@ -205,10 +215,12 @@ std::string ModelRunBase::saved_state() const {
   return text;
 }
 
+/// A time in the user's units, for messages.
 std::string ModelRunBase::physical_time(double internal) const {
   return fmt::format("{:.6g}", internal * context_.units.time);
 }
 
+/// The outcome of the run, with its counters, its method and its step.
 ModelOutcome ModelRunBase::outcome(Outcome end, const std::string& message, Clock::time_point start) {
   const mechanics::Counters& n = counters_;
   auto& c = statistics_.counters;

@@ -43,7 +43,7 @@ class SearchNotice {
   double next_ = first_;
 };
 
-/// Largest ratio of a step to the stability limit when the step is chosen. The frequency can then grow by a fifth
+/// Largest ratio of a step to the stability limit when the step is chosen. The frequency can then grow by a quarter
 /// before the step is unstable.
 constexpr double reserve = 0.8;
 

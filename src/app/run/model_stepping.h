@@ -79,8 +79,9 @@ class ModelStepping {
   /// and the step can change.
   bool repeats_intervals() const { return traits_.has_costly_force && adapts(); }
   /// If the program has chosen a method that is not symplectic, replaces it by RATTLE of order 4. The ratio of the step
-  /// to the stability limit does not change. In violent motions a change of the step makes such a method lose energy.
-  /// Returns true if the method has changed; the estimate of the time error is then not known.
+  /// to the stability limit does not change. The reason is that a method that is not symplectic loses energy in violent
+  /// motions when the step changes. Returns true if the method has changed; the estimate of the time error is then not
+  /// known.
   bool become_symplectic();
   /// Least number of halvings after which the step is at most the stability limit, if RATTLE has the limit
   /// `rattle_limit`. The number is at most `most_halvings`.

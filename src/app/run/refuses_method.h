@@ -41,8 +41,8 @@ std::optional<scene::Refusal> refuses_method(const scene::Scene& scene, const Sy
     if (mechanics::fits<Method>(system)) {
       if constexpr (mechanics::method_fits<Method, System>())
         if (mechanics::Status status = Method::accepts(mechanics::form_for<Method>(system)); !status) {
-          // The reason then recommends methods. This part is omitted, because some models of the scene may not have
-          // these methods.
+          // The text of `accepts` ends with a recommendation of methods. This part is omitted, because other models of
+          // the scene may not have these methods.
           const std::string& reason = status.reason();
           return refusal_of_method(reason.substr(0, reason.find("; use ")));
         }

@@ -33,17 +33,18 @@ struct RunContext {
   const scene::Scene& scene;
   const scene::Needs& needs;
   const io::RunDirectory& directory;
-  io::Units units;
+  io::Units units;  ///< internal units, measured in the user's units
   std::shared_ptr<io::Logger> log;
-  SinkOfModel sink_of;
-  bool resumes = false;  ///< true if the run continues an earlier run in the directory
-  const Ranks* ranks = &one_rank();
+  SinkOfModel sink_of;                                 ///< makes the sink of each model
+  bool resumes = false;                                ///< true if the run continues an earlier run in the directory
+  const Ranks* ranks = &one_rank();                    ///< processes that share the run of the model
   std::map<std::string, io::Table>* tables = nullptr;  ///< receives modes and Love numbers; null: they go to files
 
   /// Converts a time of the scene to internal units.
   double internal_time(double physical) const { return physical / units.time; }
   /// Factors that convert the columns of tables from internal units to the user's units.
   systems::Scales scales() const { return {units.length, units.mass, units.time}; }
+  /// The time of sample k in the user's units.
   double time_of_sample(long k) const {
     return scene.time.end * (static_cast<double>(k) / static_cast<double>(scene.output.samples));
   }
@@ -81,9 +82,9 @@ struct Stepping {
 /// Result of a model's run.
 struct ModelOutcome {
   mechanics::Outcome end = mechanics::Outcome::finished;
-  std::string message;  ///< one sentence for the user if the run has not finished
-  io::Manifest::Model statistics;
-  std::optional<Stepping> stepping{};
+  std::string message;                                    ///< one sentence for the user if the run has not finished
+  io::Manifest::Model statistics;                         ///< counters and timers of the run
+  std::optional<Stepping> stepping{};                     ///< method and step of a motion; empty for other analyses
   std::map<std::string, io::Manifest::Model> of_rungs{};  ///< statistics of further runs by the names of their files
   std::optional<analysis::OtherResolution>
       other{};            ///< the same motion on another discretisation, for the error in space

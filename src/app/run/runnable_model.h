@@ -61,13 +61,13 @@ class RunnableModelOf : public RunnableModel {
   virtual State initial_state() const = 0;
   /// The configuration, whose time error Time/Tolerance bounds.
   virtual Eigen::MatrixXd configuration(const State&) const = 0;
-  /// Rate of the motion about which small vibrations are considered. The limit of the step is computed for ω + rate,
-  /// with the largest frequency ω of these vibrations.
+  /// Rate of the motion about which small vibrations are considered, per internal unit of time. The limit of the step
+  /// is computed for ω + rate, with the largest frequency ω of these vibrations.
   virtual double rate(const State&) const = 0;
   /// The constraint and its rate are divided by this scale in tolerances and statistics.
   virtual double constraint_scale() const { return 1; }
-  /// Kinetic and potential energy. Methods that are not symplectic can change the sum of both energies. For systems
-  /// with a costly force, the choice of the step bounds this change.
+  /// Kinetic and potential energy, in this order. Methods that are not symplectic can change the sum of both energies.
+  /// For systems with a costly force, the choice of the step bounds this change.
   virtual Eigen::Vector2d energies(const State&) const { return Eigen::Vector2d::Zero(); }
   /// Checks the state after every step. A failure ends the run.
   virtual mechanics::Status judge(const State&) { return {}; }

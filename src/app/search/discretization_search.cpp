@@ -100,7 +100,7 @@ std::optional<Stepping> DiscretizationSearch::silent_stepping() const {
   return stepping;
 }
 
-/// Adds the present run to the series of errors, or counts it as a failure.
+/// `trace` is the history of Q in the present run. After a failure, it is not used.
 void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace trace) {
   if (outcome.end == mechanics::Outcome::failed) {
     ++n_failures_;

@@ -49,7 +49,7 @@ class DiscretizationSearch {
   ModelOutcome run_rung(DeformationTrace& trace);
   /// Method and step of a run that does not write; empty for the first one, which finds them itself.
   std::optional<Stepping> silent_stepping() const;
-  /// Adds the present run to the series of errors, or counts it as a failure.
+  /// Adds the present run to the series of errors. If the run ended early, only counts the failure.
   void note(const ModelOutcome& outcome, DeformationTrace trace);
   /// True if the present run is the final one.
   bool settles() const;

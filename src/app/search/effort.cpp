@@ -64,7 +64,7 @@ double step_of_mesh(const scene::Discretization& d) {
 constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
 /// Typical ratio of the step to the stability limit at rest, if the program chooses the step for a tolerance.
 constexpr double usual_part_of_limit = 0.6;
-/// Costs of the pilot runs and of the companion run, relative to the cost of the run.
+/// Typical costs of the pilot runs and of the companion run, relative to the cost of the run.
 constexpr double pilots = 0.5, companion = 0.35;
 
 /// The viscosity η in internal units.
@@ -191,7 +191,8 @@ std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene
   if (needed.n_unknowns > most_unknowns || needed.n_multipliers > most_unknowns)
     return fmt::format("{}, and no more than {:.3g} have numbers", takes, most_unknowns);
   const double available = io::available_memory();
-  // The checkpoint is collected on the first rank, which may be a rank on this machine.
+  // The checkpoint is collected on the first rank. This rank may be on this machine, so the estimate includes the part
+  // of the checkpoint from the other machines.
   const double here = share * needed.bytes + (1 - share) * needed.checkpoint_bytes;
   if (here <= available) return std::nullopt;
   return fmt::format("{}{}, and {} are available here", takes,

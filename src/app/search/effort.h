@@ -1,7 +1,7 @@
 #pragma once
 /// Estimate of the unknowns, the memory and the largest stable step of a finite-element run. The estimate is made
-/// before the mesh is built. The program shows it to the user, and refuses a run that needs more memory than the
-/// machine has. For small motions about rest, the stable step of RATTLE is
+/// before the mesh is built. The program shows the estimate to the user, and refuses a run that needs more memory than
+/// the machine has. For small motions about rest, the stable step of RATTLE is
 ///
 ///   h = 0.38/(k (k + 0.4)) · 0.493^r / √(μ + 0.296 λ)      (μ, λ Lamé's moduli at rest, ρ = 1, radius 1)
 ///

@@ -21,8 +21,8 @@ struct CompanionPair {
   double resolution, resolution_of_companion;
   std::string companion;  ///< description of the companion for messages
   double rate;            ///< rate p at which the error of Q decreases with the resolution (analysis/space_error.h)
-  /// Rate for the errors of other quantities. A smaller rate gives larger estimates, so this rate is the least measured
-  /// one.
+  /// Rate for the errors of other quantities. A smaller rate gives larger estimates, so this rate is a lower bound of
+  /// the usual rates.
   double least_rate;
 };
 

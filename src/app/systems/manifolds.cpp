@@ -21,10 +21,10 @@ using mechanics::CriticalPoint;
 using mechanics::PhaseVector;
 using mechanics::Status;
 
-/// Distances from a critical point. A motion along a direction of a manifold starts at `start_along`. Motions in all
-/// directions of an unstable manifold start at `start_around`, measured in the slowest direction. A motion has arrived
-/// at a point if its distance is below `arrival_distance`. A motion has left the point at which it starts if its
-/// distance was above `departure_distance`.
+/// Distances from a critical point in (q, q̇), in the scales of the system. A motion along a direction of a manifold
+/// starts at `start_along`. Motions in all directions of an unstable manifold start at `start_around`, measured in the
+/// slowest direction. A motion has arrived at a point if its distance is below `arrival_distance`. A motion has left
+/// the point at which it starts if its distance was above `departure_distance`.
 constexpr double start_along = 1e-5, start_around = 1e-3, arrival_distance = 1e-6, departure_distance = 1e-2;
 /// Tolerance per step of the integration (explicit-8).
 constexpr double local_tolerance = 1e-13;
