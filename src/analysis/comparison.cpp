@@ -58,7 +58,8 @@ struct Workshop {
   }
 };
 
-/// Throws UserError if a table is empty, has a value that is not finite, or has another number of samples.
+/// Throws UserError if a table is empty or has a value that is not finite, or if the tables have different numbers of
+/// samples.
 void check_tables(const ModelRunTable& model, const ModelRunTable& reference) {
   const io::Table &r = model.table, &c = reference.table;
   const std::string files = fmt::format("{}.csv or {}.csv", model.name, reference.name);

@@ -112,8 +112,8 @@ struct Comparison {
 };
 
 /// Compares the samples of two models. Throws UserError if a table is empty, the sample times differ or a value is not
-/// finite. If a table lacks the columns of a quantity, the comparison omits the quantity and usually lists it in
-/// `not_compared`. Dissipated energies and stretches are optional and are not listed.
+/// finite. If a table lacks the columns of a quantity, the comparison omits the quantity and lists it in
+/// `not_compared`. Dissipated energies, stretches and extremes of the volume are optional and are not listed.
 Comparison compare(const ModelRunTable& model, const ModelRunTable& reference, const ComparisonOptions& options = {});
 
 }  // namespace pseudorigid::analysis

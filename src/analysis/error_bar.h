@@ -60,8 +60,8 @@ inline std::string parts_in_words(const ErrorBar& bar) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// The text after a number, for example " +- 0.003". If a part of the error is not known, the text is for example "
-/// (error in space not known)".
+/// The text after a number, for example " +- 0.003". If a part of the error is not known, the text names this part
+/// instead, for example " (error in space not known)".
 inline std::string in_short(const ErrorBar& bar) {
   const auto total = bar.total();
   return total ? " +- " + printed_error(*total) : fmt::format(" ({})", unknown_parts(bar));

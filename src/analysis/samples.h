@@ -39,14 +39,14 @@ std::vector<double> each(F f, const std::vector<First>& first, const std::vector
   return values;
 }
 
-template <class T>
 /// The norm of each sample: Euclidean for vectors, Frobenius for matrices.
+template <class T>
 std::vector<double> norms(const std::vector<T>& samples) {
   return each([](const T& x) { return x.norm(); }, samples);
 }
 
-template <class T>
 /// The norm of the difference of each pair of samples.
+template <class T>
 std::vector<double> distances(const std::vector<T>& a, const std::vector<T>& b) {
   return each([](const T& x, const T& y) { return (x - y).norm(); }, a, b);
 }

@@ -18,8 +18,8 @@ std::string_view without_plus(std::string_view text) {
   return plus ? text.substr(1) : text;
 }
 
-template <class T>
 /// The number of type T if the whole text is such a number, otherwise empty.
+template <class T>
 std::optional<T> whole_text_as(std::string_view text) {
   text = without_plus(text);
   T value{};

@@ -206,8 +206,8 @@ std::string unknown_word(std::string_view word, const std::vector<std::string_vi
 template <class E, std::size_t n>
 using NameTable = std::array<std::pair<std::string_view, E>, n>;
 
-template <class E, std::size_t n>
 /// The names in the order of the table.
+template <class E, std::size_t n>
 std::vector<std::string_view> words_of(const NameTable<E, n>& table) {
   std::vector<std::string_view> words;
   for (const auto& [name, value] : table) words.push_back(name);

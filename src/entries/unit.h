@@ -36,7 +36,8 @@ constexpr void visit_factors(std::string_view words, Visitor&& visitor) {
 
 }  // namespace detail
 
-/// The words of a unit, which are checked when the program is compiled. They must be a string literal.
+/// The words of a unit, which are checked when the program is compiled. They must be a string literal, because
+/// units.cpp identifies them by their address.
 class Unit {
  public:
   constexpr Unit() = default;

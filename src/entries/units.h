@@ -6,6 +6,7 @@
 /// mass^b time^d is multiplied by r^a (ρr³)^b t^d, for example:
 ///   energies  mass·length²/time²            angular momentum J, circulation Z  mass·length²/time
 ///   Q̇  1/time                               multiplier λ per m̄ = tr E₀/3      1/time²
+/// The matrix E₀ = ∫ρ X Xᵀ dX is the second moment of mass.
 
 #include "entries/unit.h"
 

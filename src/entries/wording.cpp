@@ -113,7 +113,8 @@ int edit_distance(std::string_view from, std::string_view to) {
 }
 
 /// The candidate of the same section whose name ends with the last part of `word` after other words, as "Material/Lame
-/// lambda" for "Material/lambda". The result is empty if there is no such candidate, or more than one.
+/// lambda" for "Material/lambda". The result is empty if there is no such candidate, or more than one, or if the last
+/// part has fewer than four letters.
 std::optional<std::string_view> with_last_word(std::string_view word, const std::vector<std::string_view>& candidates) {
   const std::string_view typed = last_part(word), section = word.substr(0, word.size() - typed.size());
   constexpr std::size_t least = 4;

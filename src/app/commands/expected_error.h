@@ -4,13 +4,13 @@
 ///
 ///   ω_model/ω_exact − 1,
 ///
-/// with the angular frequencies ω_model of the model and ω_exact of the elastic ball. Both frequencies are known in
-/// closed form for the pseudo-rigid model (app/run/small_pulsation.h). The program computes the frequencies of
-/// polynomial bodies of degree N = 3 and 5 (polynomial/rest_modes.h). The sweeps of docs/adequacy.md have tested this
-/// prediction for larger motions without spin. At their start, the logarithms of the stretches are at most 0.25 in
-/// magnitude. The velocity gradient L = Q̇Q⁻¹, with the deformation Q, is symmetric. Its Frobenius norm is at most
-/// 1.5/t, with the internal unit of time t. Without self-gravity, t is the radius divided by the speed of shear waves.
-/// For other motions there is no prediction.
+/// with the angular frequencies ω_model of the model and ω_exact of the elastic ball. For the pseudo-rigid model,
+/// app/run/small_pulsation.h gives both frequencies. For polynomial bodies of degree N = 3 and 5,
+/// polynomial/rest_modes.h computes ω_model. The sweeps of docs/adequacy.md have tested this prediction for larger
+/// motions without spin. At their start, the logarithms of the stretches are at most 0.25 in magnitude. The velocity
+/// gradient L = Q̇Q⁻¹, with the deformation Q, is symmetric. Its Frobenius norm is at most 1.5/t, with the internal
+/// unit of time t. Without self-gravity, t is the radius divided by the speed of shear waves. For other motions there
+/// is no prediction.
 
 #include "scene/needs.h"
 #include "scene/scene.h"

@@ -28,8 +28,8 @@ std::vector<fs::path> search_path() {
   return directories;
 }
 
-template <class Record>
 /// Reads a record at a position of the file, in bytes. Returns false if the file is too short.
+template <class Record>
 bool read(std::ifstream& file, std::uint64_t position, Record& record) {
   return static_cast<bool>(
       file.seekg(static_cast<std::streamoff>(position)).read(reinterpret_cast<char*>(&record), sizeof record));

@@ -14,7 +14,8 @@
 
 namespace pseudorigid::app {
 
-/// A copy of this process that computes rows of `task`. The destructor closes the pipes to the copy and ends the copy.
+/// Owner of a copy (fork) of this process, which computes rows of `task`. The destructor closes the pipes to the copy
+/// and ends the copy.
 class RowProcess {
  public:
   /// The calling process must have a single thread, because a copy has only the calling thread and the locks of the

@@ -109,9 +109,9 @@ class Workers {
         end_(end),
         next_(first_ / group * group) {}
 
-  /// Computes the runs with at most `n_threads` threads. Returns the number of threads, including the calling thread,
-  /// which is smaller if a thread cannot be started. After the end of all threads, rethrows the first exception of a
-  /// run. A UserError is not rethrown, but recorded in `wrong_input`.
+  /// Computes the runs with at most `n_threads` threads. Returns the number of threads, including the calling thread.
+  /// This number is smaller than `n_threads` if a thread cannot be started. After the end of all threads, rethrows the
+  /// first exception of a run. A UserError is not rethrown, but recorded in `wrong_input`.
   int work(int n_threads) {
     left_.reserve(static_cast<std::size_t>(n_threads));  // allocated now, because memory may be exhausted later
     std::vector<std::jthread> threads;

@@ -33,10 +33,10 @@ namespace pseudorigid::app {
 /// they begin. An invalid run ends the sweep as failed, and the rows before it are kept.
 void check_sweep(const scene::ReadScene& raw);
 
-/// The least and the largest γ = ρgr/μ of the runs of a sweep of the ball (scene/scale_numbers.h). In a sweep of more
-/// than 1000 runs, only some runs are evaluated. They are at most 1000 equidistant runs, and the runs with first or
-/// last values of the parameters. Runs with wrong input are skipped. `raw` is the scene before validation. The result
-/// is empty if there is no sweep or no self-gravity, or if the system is not the ball.
+/// The least and the largest ratio γ of gravity to elasticity (scene/scale_numbers.h) of the runs of a sweep of the
+/// ball. In a sweep of more than 1000 runs, only some runs are evaluated. They are at most 1000 equidistant runs, and
+/// the runs with first or last values of the parameters. Runs with wrong input are skipped. `raw` is the scene before
+/// validation. The result is empty if there is no sweep or no self-gravity, or if the system is not the ball.
 std::optional<std::pair<double, double>> gammas_of_sweep(const scene::ReadScene& raw);
 
 /// Computes the runs of the sweep, or of its part Sweep/Part, and writes the files. `context` is the context of the

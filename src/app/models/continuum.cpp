@@ -110,7 +110,7 @@ std::optional<Refusal> refuses_body(const Scene& scene) {
   return {};
 }
 
-/// Refuses a given symmetry plane that the motion does not preserve.
+/// Refuses a symmetry plane of Continuum/Symmetry that the motion does not preserve.
 std::optional<Refusal> refuses_symmetry(const Scene& scene) {
   const auto planes = scene::planes_of(scene.continuum.symmetry);
   for (int i = 0; i < 3; ++i) {

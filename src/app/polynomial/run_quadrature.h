@@ -21,8 +21,8 @@
 
 namespace pseudorigid::app {
 
-template <class Body>
 /// Chooses the rule, estimates its error, and keeps both for checkpoints.
+template <class Body>
 class RunQuadrature {
  public:
   RunQuadrature(const RunContext& context, std::string_view model, polynomial::BodySetup setup)

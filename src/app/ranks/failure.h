@@ -23,7 +23,7 @@ struct Failure {
 
 /// The exit code and the message for an exception. Wrong input of the user, and missing kernels for the processor, have
 /// the exit code 2. A lack of memory, disk space or another resource has the exit code 3. A defect of the program has
-/// the exit code 1.
+/// the exit code 1. A FailureOnAllRanks has the code and the message of its original exception.
 Failure failure_of(const std::exception& error);
 
 }  // namespace pseudorigid::app

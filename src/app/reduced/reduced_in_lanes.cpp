@@ -58,8 +58,8 @@ Eigen::Matrix3d of_lane(const reduced::MatricesInLanes& values, int body) {
   return matrix;
 }
 
-template <class Body>
 /// The run of eight bodies of the same form.
+template <class Body>
 class RunInLanes {
  public:
   using State = mechanics::State<Body>;

@@ -16,8 +16,8 @@
 
 namespace pseudorigid::app {
 
-template <class Model>
 /// True if the vectors of the model are distributed over the ranks.
+template <class Model>
 inline constexpr bool is_distributed = requires(const Model& model) {
   model.rank_order();
 };

@@ -53,7 +53,7 @@ inline DeformationTrace trace_of(const std::vector<double>& numbers) {
   return trace;
 }
 
-/// The history as a table with the columns time and Q11 to Q33.
+/// The history as a table with the columns time, in the user's units, and Q11 to Q33.
 inline io::Table table_of(const DeformationTrace& trace, const RunContext& context) {
   io::Table table{.columns = {"time"}, .values = {}};
   table.columns.insert(table.columns.end(), analysis::Q_columns.begin(), analysis::Q_columns.end());

@@ -24,7 +24,8 @@ struct ModeFrequency {
   double spread() const { return (largest - least) / omega; }  ///< relative difference of the copies
 };
 
-/// Data of the ball in internal units: Lamé's moduli at rest, and γ = ρgr/μ with g = (4/3)πGρr.
+/// Data of the ball in internal units: Lamé's moduli λ and μ at rest, and γ = ρgr/μ. Here ρ is the density, r the
+/// radius, and g = (4/3)πGρr the gravity at the surface, with Newton's constant G.
 struct BallAtRest {
   materials::RestModuli moduli;
   bool incompressible;

@@ -17,8 +17,9 @@ namespace pseudorigid::app {
 
 /// Record of the checks of the largest frequency of small vibrations about the motion. This frequency limits the step.
 struct LooksAtFrequency {
-  long next = 0, last = 0;    ///< sample of the next and of the last check
-  double stable_step = 0;     ///< stability limit of RATTLE's step at the last check; 0 before the first check
+  long next = 0, last = 0;  ///< sample of the next and of the last check
+  double stable_step =
+      0;  ///< stability limit of RATTLE's step at the last check, in internal time; 0 before the first check
   double fastest_change = 0;  ///< largest |change of ln(stable_step)| per sample between two checks
 };
 
@@ -34,7 +35,8 @@ struct RunPosition {
   long n_repeated = 0;  ///< number of attempts to integrate an interval that were repeated with shorter steps
   long n_failed = 0;    ///< number of these attempts in which a step failed
   LooksAtFrequency looks{};
-  double max_constraint = 0, max_constraint_rate = 0;  ///< largest scaled constraint |g| and rate |Gv| at the samples
+  double max_constraint = 0,
+         max_constraint_rate = 0;  ///< largest |g| and |Gv| at the samples, scaled, with the constraints g and G = Dg
   /// Estimated time error of the configuration, added over all parts of the run. Each part has its own step. Empty if
   /// the step of one of the parts was not found by a search with an error estimate.
   std::optional<double> time_error = 0;
@@ -59,8 +61,8 @@ struct Snapshot {
   std::vector<double> memory{};  ///< memory of the method
   mechanics::Counters counters{};
 
-  template <class Workspace>
   /// Copies the position, and the memory and the counters of the method's workspace.
+  template <class Workspace>
   void take(const RunPosition& at, double time, Workspace& w) {
     position = at;
     t = time;

@@ -8,7 +8,7 @@
 namespace pseudorigid::app {
 
 namespace {
-constexpr std::chrono::seconds seconds_between_checkpoints{5};  // so a killed run loses at most about this time
+constexpr std::chrono::seconds seconds_between_checkpoints{5};  // a killed run loses about this time
 }
 
 ModelRunBase::ModelRunBase(RunnableModel& model, const RunContext& context, const SystemTraits& traits,
@@ -54,9 +54,10 @@ bool ModelRunBase::is_time_to_save() const {
 
 /// Returns to the last sample, so that the interval can be integrated again with shorter steps. Returns false if a
 /// repetition is not possible. A repetition requires a costly force, a method of fixed step and a step that the program
-/// has chosen. It is not possible if the model itself ended the run, after most_halvings halvings, or after
-/// `most_failures` failed steps. The next interval begins with the steps that its own state and the last failure
-/// require. A motion that is violent for a short time therefore does not shorten the steps of the whole run.
+/// has chosen. A repetition is not possible if the model itself ended the run, or if the steps would need more than
+/// `most_halvings` halvings. It is not possible after a further failed step if `most_failures` steps have failed. The
+/// next interval begins with the steps that its own state and the last failure require. A motion that is violent for a
+/// short time therefore does not shorten the steps of the whole run.
 bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
   if (!repeats_intervals() || !verdict_) return false;
   const bool asked = least_halvings_ > position_.halvings;

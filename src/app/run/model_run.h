@@ -242,7 +242,7 @@ class ModelRun final : public ModelRunBase {
     });
     state_ = good_state_;
   }
-  /// After a resumption within an interval, the kept state becomes the last sample.
+  /// After a resumption within an interval, makes the last sample the kept state if intervals can be repeated.
   void keep_last_sample() {
     if (!last_sample_) return;
     if (repeats_intervals()) {

@@ -29,7 +29,7 @@ struct SystemTraits {
   bool takes_explicit;   ///< true if the method explicit-8 fits the system
 };
 
-/// The part of a run that chooses its method and step.
+/// The part of a run that chooses its method and step; the base class of ModelRunBase.
 class ModelStepping {
  public:
   virtual ~ModelStepping() = default;
@@ -48,6 +48,7 @@ class ModelStepping {
         times_{context.internal_time(context.scene.time.end), context.scene.output.samples} {}
 
   // Functions that depend on the system of the run.
+
   /// The present time of the run in internal units.
   virtual double time() const = 0;
   /// Sets `limit` to the largest stable step of RATTLE times `safety`. Called only for systems in constrained form.

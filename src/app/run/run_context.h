@@ -52,7 +52,7 @@ struct RunContext {
   bool interrupted() const { return ranks->any(io::interrupt_requested()); }
 };
 
-/// A copy of the context with another scene and other needs.
+/// A copy of the context with another scene and other needs, to which the copy refers.
 inline RunContext derived(const RunContext& context, const scene::Scene& scene, const scene::Needs& needs) {
   const auto& [its_scene, its_needs, directory, units, log, sink_of, resumes, ranks, tables] = context;
   return {.scene = scene,
@@ -89,7 +89,8 @@ struct ModelOutcome {
   std::optional<analysis::OtherResolution>
       other{};            ///< the same motion on another discretisation, for the error in space
   std::string results{};  ///< text for standard output
-  bool is_over = false;   ///< true if the model has ended its motion, so that a smaller step does not continue it
+  bool is_over = false;  ///< true if the model has ended its motion, for example by a collision, so that a smaller step
+                         ///< does not continue it
 };
 
 /// Adds a line to the results and to log.txt. Standard output shows the results at the end of the run.

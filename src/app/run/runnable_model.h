@@ -93,7 +93,7 @@ class RunnableModelOf : public RunnableModel {
   /// Writes the observables of a sample into `row`, in the order of columns() and in the user's units. `time` is the
   /// time in the user's units. Fails if an observable cannot be computed.
   virtual mechanics::Status row(double time, const State&, Workspace&, std::vector<double>& row) = 0;
-  /// Writes a picture of the state into a file.
+  /// Writes a picture of the state into a file. Fails if the fields cannot be computed. By default writes nothing.
   virtual mechanics::Status write_frame(const std::filesystem::path&, double /*time*/, const State&, Workspace&) {
     return {};
   }

@@ -79,7 +79,8 @@ inline materials::AnyLaw internal_law(const scene::Scene& scene) {
   return materials::make_law(material.law, internal, scene.body.incompressible);
 }
 
-/// γ = ρgr/μ with g = (4/3)πGρr and the shear modulus μ at rest.
+/// The ratio γ = ρgr/μ of gravity to elasticity, with the density ρ, the radius r and the shear modulus μ at rest. The
+/// gravity at the surface is g = (4/3)πGρr, with Newton's constant G.
 inline double gravity_to_elasticity(const scene::Scene& scene) {
   const double weight_of_density =
       4 * std::numbers::pi / 3 * loads::constant_forcing(internal_loads(scene)).gravity_constant;

@@ -60,6 +60,7 @@ class DiscretizationSearch {
   void load();
   void save() const;
   // These functions do not communicate between the ranks.
+
   /// Restores the state of the search from a checkpoint.
   void take(const io::Checkpoint& c);
   void write_checkpoint() const;

@@ -186,8 +186,8 @@ class ManifoldRun {
     return end.to != 0 && end.distance < arrival_distance;
   }
 
-  template <class State>
   /// Kinetic plus potential energy of the state.
+  template <class State>
   double energy(const State& state) const {
     Eigen::MatrixXd M;
     const Eigen::VectorXd q = state.q + offset_;
@@ -195,8 +195,8 @@ class ManifoldRun {
     return landscape_.potential(q) + 0.5 * state.v.dot(M * state.v);
   }
 
-  template <class State, class Workspace>
   /// Writes a row of manifolds.csv. Fails if a value is not finite.
+  template <class State, class Workspace>
   Status append(const Curve& curve, const State& state, systems::AnyModel& at_rest, Workspace& workspace) {
     row_.assign({double(curve.number), double(curve.from), double(curve.stable), state.t});
     if (Status status = at_rest.row({state.t, state.q, state.v}, workspace, row_); !status) return status;

@@ -30,8 +30,8 @@ constexpr int looks_per_step = 8, steps_between_interrupts = 256;
 /// accepts.
 constexpr double tolerance_of_location = 1e-15;
 
-template <class Form>
 /// The motion and the table of its crossings.
+template <class Form>
 class SectionRun {
   using Field = mechanics::FieldOf<Form>;
   using State = mechanics::State<Form>;
@@ -99,9 +99,9 @@ class SectionRun {
     return choice.local_tolerance;
   }
 
-  template <class Workspace>
   /// Integrates the motion to its end and writes a row for each crossing. Sets `end` to the outcome. Fails if a step
   /// fails or after an interrupt.
+  template <class Workspace>
   Status go(State& state, Workspace& w, mechanics::Outcome& end) {
     end = mechanics::Outcome::failed;
     double before = 0;
