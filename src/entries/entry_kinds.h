@@ -155,7 +155,7 @@ struct BuiltinOrMeshFile {
 
 /// Three rows separated by `;`, each of three numbers separated by `,`.
 struct Matrix {
-  bool symmetric = false;  ///< true: the matrix must be symmetric; scene/validate.h checks this
+  bool symmetric = false;  ///< true if the matrix must be symmetric; scene/validate.h checks the symmetry
 
   static constexpr std::string_view type = "matrix";
   Problem read(std::string_view text, Matrix3& value) const;
@@ -175,7 +175,7 @@ struct AutoOrMatrix {
 
 /// A list of numbers separated by `,`.
 struct Numbers {
-  std::size_t n = 0;  ///< number of entries; 0: any number of entries
+  std::size_t n = 0;  ///< number of entries; if 0, any number is permitted
   Number number{};
   bool may_be_empty = false;
 

@@ -21,7 +21,9 @@ struct ModeFrequency {
   int overtone;  ///< 0 for the mode of lowest frequency of its kind and degree
   int multiplicity;
 
-  double spread() const { return (largest - least) / omega; }  ///< relative difference of the copies
+  double spread() const {
+    return (largest - least) / omega;
+  }  ///< difference of the largest and the least copy, over omega
 };
 
 /// Data of the ball in internal units: Lamé's moduli λ and μ at rest, and γ = ρgr/μ. Here ρ is the density, r the

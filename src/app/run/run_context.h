@@ -38,7 +38,7 @@ struct RunContext {
   SinkOfModel sink_of;                                 ///< makes the sink of each model
   bool resumes = false;                                ///< true if the run continues an earlier run in the directory
   const Ranks* ranks = &one_rank();                    ///< processes that share the run of the model
-  std::map<std::string, io::Table>* tables = nullptr;  ///< receives modes and Love numbers; null: they go to files
+  std::map<std::string, io::Table>* tables = nullptr;  ///< receives modes and Love numbers; if null, they go to files
 
   /// Converts a time of the scene to internal units.
   double internal_time(double physical) const { return physical / units.time; }

@@ -17,7 +17,7 @@ namespace pseudorigid::app {
 /// The discretisation of a run, its method and step, and the place for its history of Q.
 struct ContinuumTask {
   scene::Discretization discretization;
-  std::optional<Stepping> stepping{};  ///< method and step of another run; empty: a search
+  std::optional<Stepping> stepping{};  ///< method and step of another run; if empty, the run searches for them
   DeformationTrace* trace = nullptr;   ///< receives the history of Q; null if the history is not requested
 };
 
