@@ -71,7 +71,7 @@ std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degre
   model.refine(LineModel::Accuracy::rough);
   const double cycles = std::abs(model.bases[0]) / pi;
   if (!(cycles >= 1)) return "the record is shorter than one period";
-  // A slow trend looks like one or two cycles. Below three cycles, the residual of the line must therefore be smaller
+  // A slow trend resembles one or two cycles. Below three cycles, the residual of the line must therefore be smaller
   // than the residual of a polynomial with the same number of parameters.
   if (cycles < polynomial_cycles && LineModel(y, drift_degree + 3).rss() <= model.rss())
     return "the signal drifts without an oscillation that stands out";

@@ -53,14 +53,14 @@ struct Deformation {
 
   /// The values of C(i, j) at the samples.
   std::vector<double> component(int i, int j) const;
-  /// The indices (i, j), i ≤ j, of the component of C with the largest variance; the first one if several variances are
-  /// equal up to round-off.
+  /// The indices (i, j), i ≤ j, of the component of C with the largest variance. If several variances are equal up to
+  /// round-off, the first one counts.
   std::pair<int, int> liveliest_component() const;
 };
 
 /// The fit of the frequency to the samples of a component of C. The result has a reason instead of lines if the times
-/// are not equally spaced, if the body does not deform, or if the loads rise. If the loads rise, the slow change of the
-/// shape is larger than its oscillation. In other cases the result is that of fit_frequency.
+/// are not equally spaced or if the body does not deform. It also has a reason if the loads rise: the slow change of
+/// the shape is larger than its oscillation. In other cases the result is that of fit_frequency.
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms,
                            bool loads_rise = false);
 

@@ -6,9 +6,9 @@
 /// models.
 ///
 /// If the scene leaves the degree open (auto), the program searches for it. It runs the scene with the degrees N = 1,
-/// 3, 5, … and keeps only the values of Q at the samples (the history of Q). In motions with the symmetry of an octant,
-/// an even degree is equivalent to the next lower odd degree. The differences of Q between successive runs give the
-/// error of the last run (analysis/space_error.h with N as the resolution). The first degree whose error is within
+/// 3, 5, …. These runs keep only the values of Q at the samples (the history of Q). In motions with the symmetry of an
+/// octant, an even degree is equivalent to the next lower odd degree. The differences of Q between successive runs give
+/// the error of the last run (analysis/space_error.h with N as the resolution). The first degree whose error is within
 /// Polynomial/Tolerance runs again and writes the results. If no degree has such an error, the last degree of the
 /// search does so, with a warning. A checkpoint contains this degree, so that a resumed run does not repeat the search.
 /// An interrupted search starts again. The error in time is at most a twentieth of the tolerance.

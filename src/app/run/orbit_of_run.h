@@ -33,12 +33,12 @@ inline double own_energy(const mechanics::Orbit& orbit, const Eigen::Matrix3d& S
   return 0.5 * (L * S * L.transpose()).trace() + gravity.energy(shape);
 }
 
-/// Looks for a collision and for a disruption in every step. The companions move on straight lines within a step.
+/// Detects collisions and disruptions in a run. Within a step, the companions are taken to move on straight lines.
 class CollisionWatch {
  public:
-  /// Looks for a collision or a disruption at the end of a step. S is the second moment of the body, and s has the
-  /// coordinates of the companions. After a jump back in time, the step before t is not known, and only the positions
-  /// at t count.
+  /// Checks the state at the end of a step for a collision or a disruption. S is the second moment of the body, and s
+  /// has the coordinates of the companions. After a jump back in time, the step before t is not known, and only the
+  /// positions at t count.
   ///
   /// Fails after a collision. A companion has then been nearer to the centre of the body, or to the other companion,
   /// than the longest semi-axis of the body.
