@@ -59,8 +59,8 @@ struct Deformation {
 };
 
 /// The fit of the frequency to the samples of a component of C. The result has a reason instead of lines if the times
-/// are not equally spaced or if the body does not deform. It also has a reason if the loads rise: the slow change of
-/// the shape is larger than its oscillation. In other cases the result is that of fit_frequency.
+/// are not equally spaced or if the body does not deform. It also has a reason if the loads rise, because then the slow
+/// change of the shape is larger than its oscillation. In other cases the result is that of fit_frequency.
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms,
                            bool loads_rise = false);
 

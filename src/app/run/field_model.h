@@ -117,7 +117,7 @@ class FieldModel : public RunnableModelOf<S> {
   }
   /// Length of the pilot runs in internal time, at most `end`. The unit is r/c for an elastic ball without
   /// self-gravity. At t = 1 the shear front from the surface has reached the centre. This time is 0.4 periods of the
-  /// slowest mode. A contact of a fast body lasts up to three times as long. A force that depends on time can act
+  /// slowest mode. A contact of a fast body can take up to three times as long. A force that depends on time can act
   /// later, so the length is then about four periods after the rise of the loads.
   double pilot_window(double end) const final {
     const double window = mechanics::time_dependent(this->system()) ? 10.0 : context_.needs.contact ? 3.0 : 1.0;
