@@ -34,8 +34,8 @@ struct RunOfModel {
 /// counter the adjective does not contain N.
 std::string adjective_of(const scene::ModelRun& run, const io::Manifest::Model& statistics);
 
-/// Compares each run with the last run, at the samples that all runs have. Returns an empty vector if there are fewer
-/// than two runs or two common samples.
+/// Compares each run with the last run, at the samples that all runs have. Returns a comparison for each run but the
+/// last, in the order of the runs. Returns an empty vector if there are fewer than two runs or two common samples.
 std::vector<analysis::Comparison> comparisons_of(const RunContext& context, std::vector<RunOfModel> runs,
                                                  const OtherResolutions& others);
 

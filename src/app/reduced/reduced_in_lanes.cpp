@@ -40,7 +40,8 @@ bool is_plain(const RunContext& context, const ReducedScene& s) {
          !reduced::ExternalPotential(s.forcing).present();
 }
 
-/// The matrices of all bodies in lanes. `matrix_of(body)` returns the matrix of one body, for example Q.
+/// The matrices of all bodies in lanes: entry i of a body, row by row, has the index i · n_body_lanes + body.
+/// `matrix_of(body)` returns the matrix of one body, for example Q.
 template <class MatrixOf>
 reduced::MatricesInLanes in_lanes(const MatrixOf& matrix_of) {
   reduced::MatricesInLanes values;

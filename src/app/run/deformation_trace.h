@@ -36,8 +36,8 @@ inline TraceDifference difference(const DeformationTrace& a, const DeformationTr
   return d;
 }
 
-/// Conversion of a history to the array of a checkpoint, and back. The array has the sample number and the nine entries
-/// of Q for each sample.
+/// Conversion of a history to the array of a checkpoint, and back. The array has ten numbers for each sample: the
+/// number of the sample, and the entries of Q column by column.
 inline std::vector<double> numbers_of(const DeformationTrace& trace) {
   std::vector<double> numbers;
   for (const auto& [sample, Q] : trace) {

@@ -51,7 +51,8 @@ class ModelStepping {
 
   /// The present time of the run in internal units.
   virtual double time() const = 0;
-  /// Sets `limit` to the largest stable step of RATTLE times `safety`. Called only for systems in constrained form.
+  /// Sets `limit` to the largest stable step of RATTLE times `safety`. Fails if a frequency or a damping rate is not
+  /// found. Called only for systems in constrained form.
   virtual Status rattle_limit(double safety, double& limit) const = 0;
   /// Sets request.stiff to true if the damping would force an explicit method to take too many steps. Called only for
   /// systems in constrained form.
@@ -60,7 +61,8 @@ class ModelStepping {
   virtual mechanics::StepChoice choose_step(const mechanics::StepRequest& request) const = 0;
 
   /// Sets the method, the step and the local tolerance for the rest of the run. If the program searches for them, the
-  /// result of the search is written to the log and the statistics.
+  /// result of the search is written to the log and the statistics. Fails if the stability limit cannot be computed, or
+  /// if the search is interrupted.
   Status choose();
 
   /// True if the scene gives a step that does not exceed the present step.

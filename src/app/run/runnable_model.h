@@ -59,7 +59,7 @@ class RunnableModelOf : public RunnableModel {
   virtual const S& system() const = 0;
   /// The state at the start of the run, in internal units.
   virtual State initial_state() const = 0;
-  /// The configuration, whose time error Time/Tolerance bounds.
+  /// The configuration as a matrix. Time/Tolerance bounds the time error of its entries.
   virtual Eigen::MatrixXd configuration(const State&) const = 0;
   /// Rate of the motion about which small vibrations are considered, per internal unit of time. The limit of the step
   /// is computed for ω + rate, with the largest frequency ω of these vibrations.

@@ -132,7 +132,8 @@ class SectionRun {
   }
 
   /// Sets `distance` to the column minus the value of the section. If the section has a period, multiples of the period
-  /// are subtracted such that |distance| is least. Leaves the columns of the state in `row_`.
+  /// are subtracted such that |distance| is least. Leaves the columns of the state in `row_`. Fails if a column cannot
+  /// be computed or is not finite.
   Status level(const State& state, double& distance) {
     if (Status status = motion_.row(state.t * context_.units.time, state, workspace_, row_); !status) return status;
     if (!std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); }))
@@ -151,7 +152,8 @@ class SectionRun {
   }
 
   /// Locates the crossing between the times `early` and `late` within the step from `start`, and writes a row for it.
-  /// `before` and `after` are the distances at these times. Does nothing if there is no crossing.
+  /// `before` and `after` are the distances at these times. Writes nothing if there is no crossing, or if the column
+  /// jumps. Fails if a step fails.
   Status take(const State& start, double early, double late, double before, double after) {
     if (!counts(before, after)) return {};
     Status status;
