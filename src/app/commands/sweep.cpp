@@ -250,8 +250,8 @@ int n_threads_with_addresses(int n_threads) {
   return static_cast<int>(std::clamp(io::available_addresses() / (double(stack) + heap), 1., double(n_threads)));
 }
 
-/// The number of processes for which the memory suffices, if every run has the discretisation of the first run. If this
-/// discretisation has a mesh file or is not known, the number is n_threads.
+/// The number of processes for which the memory suffices, if every run has the discretisation of the first run. It is
+/// at least 1 and at most n_threads. If this discretisation has a mesh file or is not known, the number is n_threads.
 int n_processes_of(const scene::Scene& scene, int n_threads) {
   const auto discretization = scene::fixed_discretization(scene);
   if (!discretization || scene::has_mesh_file(scene)) return n_threads;

@@ -15,7 +15,7 @@ namespace pseudorigid::app {
 std::optional<scene::Refusal> refuses_polynomial_equilibria(const scene::Scene& scene);
 
 /// Computes the families of all degrees. Values of the parameter without an equilibrium give warnings. The outcome is
-/// `failed` if no figure is found or a row cannot be computed.
+/// `failed` if no figure is found or a row cannot be computed, and `interrupted` after an interrupt.
 ModelOutcome run_polynomial_equilibria(const RunContext& context);
 
 }  // namespace pseudorigid::app

@@ -158,7 +158,7 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   if (!has_step && time() == 0) return choose_stepping();
   if (time() == 0) estimate_quadrature();  // does nothing if the error is known
   if (complete || (has_step && file.get_string("stepping") == identity_.stepping)) return {};
-  // If the scene now gives a shorter step for the same method, the run uses this step without a search.
+  // If the scene now gives a step that is not longer, for the same method, the run uses this step without a search.
   const bool keeps_method = has_step && shortens() && file.get_string("choice") == identity_.choice;
   // New steps begin at a sample. A run that has stopped within an interval first finishes the interval with the old
   // steps.
