@@ -69,8 +69,9 @@ class RunQuadrature {
  private:
   static constexpr double failed = -2;  ///< value of the error in `numbers` if the estimate failed
 
-  /// True if the program adds points for a small tolerance (see the head). False for viscoelastic bodies, because the
-  /// internal strains of their branches belong to the points.
+  /// True if the program adds points. The tolerance is then below its default, and the scene sets neither Time/Step nor
+  /// Polynomial/Quadrature points. False for viscoelastic bodies, because the internal strains of their branches belong
+  /// to the points.
   bool follows() const {
     const scene::Scene& scene = context_.scene;
     return setup_.loads.get<loads::Viscoelasticity>().moduli.empty() && !scene.polynomial.quadrature_points &&
