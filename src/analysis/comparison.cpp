@@ -32,6 +32,8 @@ struct Workshop {
     return has(r, out.model, what, columns) && has(c, out.reference, what, columns);
   }
 
+  /// Whether `table`, which belongs to `model`, has the columns. If not, adds `what` and the first missing column to
+  /// `out.not_compared`.
   bool has(const io::Table& table, const ModelSummary& model, std::string_view what, const Columns& columns) {
     const auto lacks = [&table](const std::string& name) { return !table.has_column(name); };
     const auto missing = std::ranges::find_if(columns, lacks);
@@ -40,6 +42,7 @@ struct Workshop {
     return false;
   }
 
+  /// Adds the series of values/reference, with its maximum and root mean square. A quotient with the numerator 0 is 0.
   void add(std::string name, double reference, std::vector<double> values) {
     Series s{.name = std::move(name), .reference = reference, .values = std::move(values)};
     double squares = 0;
@@ -55,6 +58,8 @@ struct Workshop {
   }
 };
 
+/// Throws UserError if a table is empty or has a value that is not finite, or if the tables have different numbers of
+/// samples.
 void check_tables(const ModelRunTable& model, const ModelRunTable& reference) {
   const io::Table &r = model.table, &c = reference.table;
   const std::string files = fmt::format("{}.csv or {}.csv", model.name, reference.name);
@@ -70,6 +75,7 @@ void check_tables(const ModelRunTable& model, const ModelRunTable& reference) {
                     model.name, r.n_rows(), reference.name, c.n_rows()));
 }
 
+/// The sample times of both tables. Throws UserError if they differ by more than 1e-9 of the interval between samples.
 std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable& reference) {
   check_tables(model, reference);
   constexpr double tolerance = 1e-9;
@@ -85,6 +91,8 @@ std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable
   return time;
 }
 
+/// The ratio of the dominant frequencies and the bound of its error. A part of the error is empty if it is not known
+/// for one of the models.
 FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference) {
   const double a = model.frequency.dominant().frequency, b = reference.frequency.dominant().frequency;
   const ErrorBar &of_a = model.frequency_error, &of_b = reference.frequency_error;
@@ -126,6 +134,8 @@ void compare_phases(Workshop& w, const std::vector<double>& r, const std::vector
   w.add("phase_difference", 1, std::move(apart));
 }
 
+/// Fits the frequencies of the same component of C in both models. Compares them unless a model has no frequency or
+/// follows a load.
 void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   Comparison& out = w.out;
   const bool by_reference = !out.model.deforms && out.reference.deforms;
@@ -149,7 +159,8 @@ void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   compare_phases(w, r.component(i, j), c.component(i, j));
 }
 
-/// Whether the body spins (spin_threshold). J/m̄ and Z/m̄ are the axial vectors of Q̇Qᵀ − QQ̇ᵀ and QᵀQ̇ − Q̇ᵀQ.
+/// Whether the body spins at any sample, which means that J or Z exceeds spin_threshold. With m̄ of motion.h, J/m̄ and
+/// Z/m̄ are the axial vectors of Q̇Qᵀ − QQ̇ᵀ and QᵀQ̇ − Q̇ᵀQ. The table must have the columns of Q and Q̇.
 bool spins(const io::Table& table) {
   const auto Q = read<Matrix3d>(table, Q_columns), Qdot = read<Matrix3d>(table, Qdot_columns);
   double spin = 0, bound = 0;
@@ -161,6 +172,7 @@ bool spins(const io::Table& table) {
   return spin > spin_threshold * bound;
 }
 
+/// Adds the series of Q and C, their error, and the frequencies.
 void compare_states(Workshop& w) {
   if (!w.available("deformation and frequency", Q_columns)) return;
   Comparison& out = w.out;
@@ -228,6 +240,7 @@ void compare_stretches(Workshop& w) {
 
 using Drift = std::optional<double> ModelSummary::*;
 
+/// Adds the series of an angular momentum or a circulation, and sets the drifts of both models.
 void compare_momentum(Workshop& w, const std::string& name, const Columns& columns, Drift drift_of) {
   if (!w.available(name == "circulation" ? "circulation" : "angular momentum", columns)) return;
   const auto r = read<Vector3d>(w.r, columns), c = read<Vector3d>(w.c, columns);
@@ -238,7 +251,8 @@ void compare_momentum(Workshop& w, const std::string& name, const Columns& colum
   w.out.reference.*drift_of = drift(c, reference);
 }
 
-/// The angular momentum of a body with companions is not constant. Its drift is then that of body and orbit.
+/// If a body has companions, its angular momentum is not constant. The drift of the total angular momentum of body and
+/// companions then replaces its drift.
 void judge_total_momentum(Workshop& w) {
   for (const auto& [table, summary] : {std::pair{&w.r, &w.out.model}, std::pair{&w.c, &w.out.reference}})
     if (table->has_column("total_J1"))
@@ -251,6 +265,7 @@ void compare_multipliers(Workshop& w) {
   w.add("multiplier_difference", std::max(largest(r), largest(c)), each(std::minus{}, c, r));
 }
 
+/// Adds the non-affine part of the motion and the extremes of the volume from the table of the reference.
 void report_nonaffine_motion(Workshop& w) {
   const Columns columns{"nonaffine_kinetic_fraction", "nonaffine_displacement"};
   if (!w.has(w.c, w.out.reference, "non-affine motion", columns)) return;

@@ -81,7 +81,7 @@ struct Comparison {
   std::vector<double> time;
   std::vector<Series> series;
   ModelSummary model, reference;
-  bool has_state = false;
+  bool has_state = false;     ///< true if both tables have the columns of Q
   std::string signal;         ///< component of C with the fitted frequency, for example "C33"
   std::string signal_reason;  ///< reason for the choice of this component
   /// Bound for |δQ|/|Q|, the largest part of q_difference that the discretisations may cause. `space` is the error of
@@ -101,6 +101,7 @@ struct Comparison {
   std::optional<double> surface_limit_time;  ///< as in ComparisonOptions; later results depend on the mesh
   std::vector<std::string> not_compared;  ///< quantities that a file lacks: "semi-axes (no column a1 in continuum.csv)"
 
+  /// The series with this name; null if there is none.
   const Series* find(std::string_view name) const;
   /// Whether the models differ by more than the error of the discretisations. The result is empty if a part of this
   /// error is not known. Requires `has_state`.
@@ -111,8 +112,8 @@ struct Comparison {
 };
 
 /// Compares the samples of two models. Throws UserError if a table is empty, the sample times differ or a value is not
-/// finite. If a table lacks the columns of a quantity, the comparison omits the quantity and usually lists it in
-/// `not_compared`. Dissipated energies and stretches are optional and are not listed.
+/// finite. If a table lacks the columns of a quantity, the comparison omits the quantity and lists it in
+/// `not_compared`. Dissipated energies, stretches and extremes of the volume are optional and are not listed.
 Comparison compare(const ModelRunTable& model, const ModelRunTable& reference, const ComparisonOptions& options = {});
 
 }  // namespace pseudorigid::analysis

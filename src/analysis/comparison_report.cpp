@@ -114,6 +114,7 @@ std::string fitted_frequencies(const Comparison& c) {
                      c.reference.adjective, unknown_parts(c.ratio->error));
 }
 
+/// The sentence about two frequencies if the error of their ratio is known.
 std::string known_frequencies(const Comparison& c, double uncertainty) {
   const double excess = c.ratio->value - 1;
   constexpr double round_off = 1e-12, says_little = 0.05;
@@ -153,6 +154,7 @@ std::string pulsation(const ModelSummary& m) {
                      : fmt::format("deforms ({})", m.frequency.reason);
 }
 
+/// The first clause of the summary: the frequencies, or the reason why they are not compared.
 std::string motion_clause(const Comparison& c) {
   const ModelSummary &r = c.model, &e = c.reference;
   if (!c.has_state) return "Deformations and frequencies cannot be compared without the columns Q11 to Q33";
@@ -169,6 +171,8 @@ std::string motion_clause(const Comparison& c) {
                      r.frequency.reason, e.adjective, e.frequency.reason);
 }
 
+/// The clause about the difference of the deformations. It gives the first time at which the difference reaches the
+/// amplitude, if there is such a time.
 std::string difference_clause(const Comparison& c) {
   const Series &q = *c.find("q_difference"), &strain = *c.find("strain_difference");
   if (q.max == 0) return "their deformations are identical";
@@ -191,6 +195,7 @@ std::string nonaffine_clause(const Comparison& c) {
                      c.reference.adjective);
 }
 
+/// A number with this number of digits in a column of the table; "-" if there is none.
 std::string cell(const std::optional<double>& value, int digits) {
   return fmt::format("{:>13}", value ? fmt::format("{:.{}g}", *value, digits) : "-");
 }

@@ -22,9 +22,9 @@ nlohmann::ordered_json comparison_json(const Comparison& comparison);
 /// Writes the table and the JSON into `folder`, as `<name>.csv` and `<name>.json`.
 void write_comparison(const std::filesystem::path& folder, const std::string& name, const Comparison& comparison);
 
-/// Comparisons of several models with the same reference. `overview` returns text for the terminal with one line for
-/// each model. `overview_json` returns the summary sentence, the model difference and the frequency ratio of each
-/// model. The list must not be empty.
+/// Print the comparisons of several models with the same reference. `overview` returns text for the terminal with one
+/// line for each model. `overview_json` returns the summary sentence, the model difference and the frequency ratio of
+/// each model. The list must not be empty.
 std::string overview(const std::vector<Comparison>& comparisons);
 nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons);
 

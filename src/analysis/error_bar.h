@@ -1,6 +1,6 @@
 #pragma once
-/// The error of a number from a run, as a sum of parts. If a part is not known, the output names this part instead of
-/// an error bar.
+/// The error of a number from a run, as a sum of parts, and its text. If a part is not known, the text names this part
+/// instead of an error bar.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,7 +27,7 @@ struct ErrorBar {
 };
 
 /// An error printed with one digit, for example "0.003" or "2e-06". It is rounded up, so that the printed number is
-/// also a bound.
+/// also a bound. An error that is not positive is printed as "0".
 inline std::string printed_error(double error) {
   if (!(error > 0)) return "0";
   const double place = std::pow(10, std::floor(std::log10(error)));
@@ -60,8 +60,8 @@ inline std::string parts_in_words(const ErrorBar& bar) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// The text after a number, for example " +- 0.003" or, if a part of the error is not known, " (error in space not
-/// known)".
+/// The text after a number, for example " +- 0.003". If a part of the error is not known, the text names this part
+/// instead, for example " (error in space not known)".
 inline std::string in_short(const ErrorBar& bar) {
   const auto total = bar.total();
   return total ? " +- " + printed_error(*total) : fmt::format(" ({})", unknown_parts(bar));
@@ -69,10 +69,10 @@ inline std::string in_short(const ErrorBar& bar) {
 
 /// Estimated errors of the samples of a run. An error is empty if it is not known.
 struct RunErrors {
-  std::optional<double> time{};          ///< largest entry of the error of Q
-  std::optional<double> space{};         ///< largest |δQ|/|Q|; 0 for a model without a discretisation in space
-  std::optional<double> quadrature = 0;  ///< largest entry of the error of Q
-  const OtherResolution* other = nullptr;
+  std::optional<double> time{};            ///< largest entry of the error of Q
+  std::optional<double> space{};           ///< largest |δQ|/|Q|; 0 for a model without a discretisation in space
+  std::optional<double> quadrature = 0;    ///< largest entry of the error of Q
+  const OtherResolution* other = nullptr;  ///< the same motion on another discretisation; null if there is none
 };
 
 }  // namespace pseudorigid::analysis

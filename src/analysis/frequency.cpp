@@ -32,12 +32,14 @@ double scan_low_frequencies(LineModel model, double peak) {
   return best;
 }
 
+/// Whether a new line may be closer than two resolution widths to another line.
 enum class Neighbours { admitted, excluded };
 
 /// Adds a line for a peak at Ω. The line is free, or constrained to a multiple of the first line. If the peak is close
 /// to a constrained line, this line becomes free instead. Returns false if Ω is too close to another line.
 bool add_line(LineModel& model, double omega, Neighbours neighbours) {
-  constexpr double tie_width = 0.5 * pi, resolved = 0.7 * pi, well_separated = 2 * pi;
+  constexpr double tie_width = 0.5 * pi, resolved = 0.7 * pi,
+                   well_separated = 2 * pi;  // distances in Ω; π is one resolution width
   double distance = std::numeric_limits<double>::infinity();
   for (Wave& wave : model.waves) {
     const double d = std::abs(model.omega(wave) - omega);
@@ -69,7 +71,7 @@ std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degre
   model.refine(LineModel::Accuracy::rough);
   const double cycles = std::abs(model.bases[0]) / pi;
   if (!(cycles >= 1)) return "the record is shorter than one period";
-  // A slow trend looks like one or two cycles. Below three cycles, the residual of the line must therefore be smaller
+  // A slow trend resembles one or two cycles. Below three cycles, the residual of the line must therefore be smaller
   // than the residual of a polynomial with the same number of parameters.
   if (cycles < polynomial_cycles && LineModel(y, drift_degree + 3).rss() <= model.rss())
     return "the signal drifts without an oscillation that stands out";
@@ -83,6 +85,7 @@ struct Assessment {
   double first_error;         ///< standard error of the first frequency
 };
 
+/// Computes the quality of a model. `size` is the largest magnitude of the samples, for their round-off.
 Assessment assess(LineModel& model, double size) {
   Assessment a{.peaks = periodogram_peaks(model.residual()), .deviation = 0, .first_error = 0};
   const double freedom = std::max<double>(1, double(model.residual().size() - model.n_parameters()));
@@ -149,6 +152,8 @@ Assessment complete_lines(LineModel& model, double size, const FrequencyOptions&
   return outcome;
 }
 
+/// The lines of a model: the first one, and the others by decreasing amplitude. `half_length` is half the length of the
+/// record, which converts Ω to ω.
 std::vector<Line> read_lines(LineModel& model, double deviation, double half_length) {
   const VectorXd curvature = model.inverse_curvature();
   std::vector<Line> lines;

@@ -14,7 +14,7 @@
 ///
 /// The fit has the following limits. The record must contain at least one period. A new line is at least two resolution
 /// widths 2π/T from other lines, with the length T of the record. A closer line is admitted only if it explains the
-/// whole residual, because a modulated or damped line also looks like several close lines. A line at a multiple of ω₀
+/// whole residual, because a modulated or damped line also resembles several close lines. A line at a multiple of ω₀
 /// may be closer too. Frequencies are below the Nyquist frequency. The fit cannot detect that a frequency is an alias
 /// of a higher frequency.
 
@@ -30,7 +30,7 @@ struct Line {
   double frequency = 0;    ///< angular frequency, in radians per unit of time
   double uncertainty = 0;  ///< standard error of the frequency (FrequencyFit)
   double amplitude = 0;
-  double phase = 0;
+  double phase = 0;  ///< in radians
 };
 
 /// The lines of a fit, or the reason why the fit does not have lines. The first line was found at the highest peak of
@@ -53,7 +53,7 @@ struct FrequencyFit {
 };
 
 struct FrequencyOptions {
-  int max_lines = 12;
+  int max_lines = 12;        ///< largest number of lines
   int drift_degree = 2;      ///< degree d of the polynomial for slow drift
   double precision = 1e-13;  ///< lines are added until the dominant frequency has this relative standard error
   double round_off = 1e-12;  ///< a signal with a smaller relative variation counts as constant
@@ -61,7 +61,7 @@ struct FrequencyOptions {
 
 /// The strongest line other than the dominant line, its multiples and slow drifts, if it has at least half of the
 /// dominant amplitude; otherwise empty. A line closer to the dominant line than two resolution widths 2π/T does not
-/// count, because a damped motion looks like several close lines. If there is such a line, two frequencies share the
+/// count, because a damped motion resembles several close lines. If there is such a line, two frequencies share the
 /// motion, and one alone does not describe it. With gravity, this happens if the frequencies of two modes come close
 /// (avoided crossing).
 std::optional<Line> second_line(const FrequencyFit& fit);

@@ -14,11 +14,13 @@
 
 namespace pseudorigid::analysis {
 
+/// A line of the fit: a free frequency, or a multiple of one.
 struct Wave {
   std::size_t base;  ///< index of a free frequency in `bases`
   int multiple;      ///< Ω = multiple · bases[base]
 };
 
+/// The fit of a set of waves, with its coefficients and its residual.
 class LineModel {
  public:
   /// Makes a model without waves. The vector `y` must outlive the model.
@@ -50,13 +52,14 @@ class LineModel {
   Eigen::Index cosine(std::size_t wave) const {
     return drift_.cols() + 2 * Eigen::Index(wave);
   }  ///< column of cos Ωs in A
+  /// True if a step changes every free frequency by less than 1e-13 of its value.
   bool negligible(const Eigen::VectorXd& step) const;
   Eigen::MatrixXd projected_hessian();  ///< computes D and returns S
 
   const Eigen::VectorXd& y_;
-  Eigen::MatrixXd drift_, A_, jacobian_;
+  Eigen::MatrixXd drift_, A_, jacobian_;  ///< the columns P_k of A, then A and D
   Eigen::VectorXd coefficients_, residual_;
-  Eigen::LLT<Eigen::MatrixXd> gram_;
+  Eigen::LLT<Eigen::MatrixXd> gram_;  ///< Cholesky factors of AᵀA
 };
 
 }  // namespace pseudorigid::analysis

@@ -18,10 +18,12 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 
 namespace {
 
+/// True if the table has all of these columns.
 bool has_all(const io::Table& table, const Columns& names) {
   return std::ranges::all_of(names, [&](const std::string& name) { return table.has_column(name); });
 }
 
+/// The product m̄|Q||Q̇| of momentum_reference, or 0 if the table lacks a column.
 double momentum_bound(const io::Table& table) {
   if (!table.has_column("kinetic") || !has_all(table, Q_columns) || !has_all(table, Qdot_columns)) return 0;
   const std::vector<double> Q = norms(read<Matrix3d>(table, Q_columns)),
@@ -35,6 +37,7 @@ ColumnRange range_of(std::string label, const std::vector<double>& values) {
   return {std::move(label), *least, *greatest, values.back()};
 }
 
+/// A summary with the names, the number of samples and the times.
 MotionSummary begin_summary(const ModelRunTable& run) {
   MotionSummary s;
   s.model.name = run.name;
@@ -135,6 +138,8 @@ void set_energy_drift(const io::Table& table, double reference, std::optional<do
 }
 
 namespace {
+/// The text " of the elastic ball" with the adjective of the ball. The text is empty if the adjective is the name, as
+/// for a system.
 std::string of_ball(const ModelSummary& summary) {
   return summary.adjective == summary.name ? "" : fmt::format(" of the {} ball", summary.adjective);
 }

@@ -33,8 +33,9 @@ struct ModelSummary {
   std::optional<double> load{};  ///< angular frequency of the load that causes the dominant line; empty if no load does
   double departure = 0;          ///< max_t |Q − Q(0)|
   double strain_amplitude = 0;   ///< √2 rms_t |C − C̄|, with the mean C̄ over time
-  bool turns = false;            ///< true if Q changes by more than round-off
-  bool deforms = false;          ///< true if C changes by more than round-off
+  bool turns =
+      false;  ///< true if Q departs from its start by more than the resolution of the constructor of Deformation
+  bool deforms = false;  ///< true if the strain amplitude exceeds this resolution, relative to C
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
   double energy_bound = 0;  ///< largest change of the energy without a warning, relative to the reference value
   std::optional<double> energy_beyond_since{};  ///< first time at which the energy has changed by more than this bound
@@ -50,22 +51,24 @@ struct Deformation {
   /// `deforms` of the summary. Relative variations of Q or C below `resolution` do not count as a motion.
   Deformation(const io::Table& table, double resolution, ModelSummary& summary);
 
+  /// The values of C(i, j) at the samples.
   std::vector<double> component(int i, int j) const;
-  /// The indices (i, j), i ≤ j, of the component of C with the largest variance.
+  /// The indices (i, j), i ≤ j, of the component of C with the largest variance. If several variances are equal up to
+  /// round-off, the first one counts.
   std::pair<int, int> liveliest_component() const;
 };
 
-/// The fit of the frequency to the samples of a component of C. The fit does not contain a frequency in three cases:
-/// the times are not equally spaced, the body does not deform, or the loads rise. If the loads rise, the slow change of
-/// the shape is larger than its oscillation.
+/// The fit of the frequency to the samples of a component of C. The result has a reason instead of lines if the times
+/// are not equally spaced or if the body does not deform. It also has a reason if the loads rise, because then the slow
+/// change of the shape is larger than its oscillation. In other cases the result is that of fit_frequency.
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms,
                            bool loads_rise = false);
 
-/// Reference value for the energies of one or more models. Over all models, it is the largest of max_t (kinetic +
-/// elastic), of the dissipated energy and of the kinetic energy of an orbit, unless this value is round-off. The value
-/// is round-off if it is less than 1e-12 of the gravitational and external energies. It is also round-off if it is less
-/// than 1e-24 of the unit of energy `unit`. In these cases, the reference is the largest of the gravitational and
-/// external energies, or `unit` if these are zero.
+/// Reference value for the energies of one or more models. It is the largest value over all models and times of three
+/// energies, unless this value is round-off. They are kinetic + elastic, the dissipated energy, and the kinetic energy
+/// of an orbit. The value is round-off if it is less than 1e-12 of the gravitational and external energies. It is also
+/// round-off if it is less than 1e-24 of the unit of energy `unit`. In these cases, the reference is the largest of the
+/// gravitational and external energies, or `unit` if these are zero.
 double energy_reference(std::initializer_list<const io::Table*> models, double unit);
 
 /// Sets the drift of the energy relative to the reference value, its bound, and the first time beyond the bound. Let
@@ -94,7 +97,8 @@ std::string drift_in_words(double drift);
 /// Drift of an angular momentum or a circulation with these columns; empty if the table lacks a column.
 std::optional<double> momentum_drift(const io::Table& table, const std::vector<std::string>& columns);
 
-/// The columns of the angular momentum that is constant without other loads: that of body and orbit if there is one.
+/// The columns of the angular momentum that is constant without loads other than self-gravity. It is that of the body
+/// and its companions together if the table has these columns, otherwise that of the body.
 std::vector<std::string> columns_of_angular_momentum(const io::Table& table);
 
 /// Reference value for angular momenta or circulations: the largest norm of `momenta`. If this norm is round-off, the
@@ -118,9 +122,9 @@ struct MotionSummary {
   ModelSummary model;
   std::size_t n_samples = 0;
   double first_time = 0, last_time = 0;
-  bool has_state = false;
-  std::string signal;  ///< component of C with the largest variance, for example "C33"
-  std::vector<ColumnRange> ranges;
+  bool has_state = false;           ///< true if the table has the columns of Q
+  std::string signal;               ///< component of C with the largest variance, for example "C33"
+  std::vector<ColumnRange> ranges;  ///< of the columns in the table for the terminal
   std::optional<double>
       mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK, with η_K the non-affine fraction of the kinetic energy K
 };

@@ -8,7 +8,7 @@ namespace pseudorigid::analysis {
 /// Q33.
 struct OtherResolution {
   io::Table samples;
-  double factor;  ///< error in space divided by the difference of the two discretisations (space_error.h)
+  double factor;  ///< ratio of the error in space to the difference of the two motions (space_error.h)
 };
 
 }  // namespace pseudorigid::analysis

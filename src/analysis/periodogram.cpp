@@ -28,6 +28,7 @@ std::vector<double> spectrum(const VectorXd& y, std::size_t n_padded) {
   return magnitude;
 }
 
+/// The value below which a quarter of the values lie.
 double lower_quartile(std::vector<double> values) {
   const auto quarter = values.begin() + std::ptrdiff_t(values.size() / 4);
   std::ranges::nth_element(values, quarter);

@@ -13,7 +13,8 @@ namespace {
 using Eigen::Matrix3d, Eigen::Vector3d;
 using std::numbers::pi;
 
-/// The fit of d + a cos ωt + b sin ωt to a window of samples, with t counted from the first sample of the record.
+/// The fit of d + a cos ωt + b sin ωt to a window of n_window samples. The time t is counted from the first sample of
+/// the record.
 class MovingFit {
  public:
   MovingFit(std::span<const double> values, double angle, std::size_t n_window)
@@ -31,13 +32,14 @@ class MovingFit {
     ++first_;
   }
   std::size_t first() const { return first_; }
-  /// a − ib
+  /// The coefficients of the present window as a − ib. The argument of this number is the phase minus ωt.
   std::complex<double> amplitude() const {
     const Vector3d fit = normal_.ldlt().solve(right_);
     return {fit[1], -fit[2]};
   }
 
  private:
+  /// Adds sample k to the normal equations (sign 1), or removes it (sign −1).
   void add(std::size_t k, double sign) {
     const Vector3d p(1, std::cos(angle_ * double(k)), std::sin(angle_ * double(k)));
     normal_ += sign * p * p.transpose();
@@ -45,8 +47,8 @@ class MovingFit {
   }
 
   std::span<const double> values_;
-  double angle_;  ///< ω times the time step
-  std::size_t n_window_, first_ = 0;
+  double angle_;                      ///< ω times the time step
+  std::size_t n_window_, first_ = 0;  ///< number of samples of the window; its first sample
   double mean_;
   Matrix3d normal_ = Matrix3d::Zero();  ///< Σ p pᵀ over the window, p = (1, cos ωt, sin ωt)
   Vector3d right_ = Vector3d::Zero();   ///< Σ p (y − mean)

@@ -4,9 +4,9 @@
 ///   y(t) ≈ d + a cos ω(t − t_n) + b sin ω(t − t_n),   |t − t_n| ≤ π/ω
 ///
 /// with the given frequency ω, by least squares over one period. The phase at t_n is θ_n = arg(a − ib), and the
-/// amplitude is A_n = √(a² + b²), so that y ≈ d + A_n cos(θ_n + ω(t − t_n)). In the first and the last half period of
-/// the record, no window is centred at t_n. There, θ_n is extrapolated from the nearest fit with the rate ω. While A_n
-/// is below a hundredth of the largest amplitude, θ_n also grows at the rate ω. The phase does not jump by 2π: it
+/// amplitude is A_n = √(a² + b²). The fit is then d + A_n cos(θ_n + ω(t − t_n)). In the first and the last half period
+/// of the record, no window is centred at t_n. There, θ_n is extrapolated from the nearest fit with the rate ω. While
+/// A_n is below a hundredth of the largest amplitude, θ_n also grows at the rate ω. The phase does not jump by 2π: it
 /// increases by about 2π in each period.
 
 #include <span>

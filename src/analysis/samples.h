@@ -39,22 +39,26 @@ std::vector<double> each(F f, const std::vector<First>& first, const std::vector
   return values;
 }
 
+/// The norm of each sample: Euclidean for vectors, Frobenius for matrices.
 template <class T>
 std::vector<double> norms(const std::vector<T>& samples) {
   return each([](const T& x) { return x.norm(); }, samples);
 }
 
+/// The norm of the difference of each pair of samples.
 template <class T>
 std::vector<double> distances(const std::vector<T>& a, const std::vector<T>& b) {
   return each([](const T& x, const T& y) { return (x - y).norm(); }, a, b);
 }
 
+/// The largest absolute value; 0 for an empty list.
 inline double largest(const std::vector<double>& values) {
   double most = 0;
   for (const double v : values) most = std::max(most, std::abs(v));
   return most;
 }
 
+/// The quotient a/b, but 0 for a = 0, even if b = 0.
 inline double ratio_or_zero(double a, double b) { return a == 0 ? 0 : a / b; }
 
 /// The weighted mean Σ w v / Σ w of the values v. It is 0 if Σ w v = 0.

@@ -38,6 +38,7 @@ double space_error(double d, double N, double N_other, double rate = assumed_spa
 /// The rate and the errors of a series of runs with increasing resolution.
 class SpaceErrorLadder {
  public:
+  /// `least_rate` is the lower bound of the rate. The upper bound is largest_space_rate.
   explicit SpaceErrorLadder(double least_rate = least_space_rate) : least_rate_(least_rate) {}
 
   /// Adds the next run with its resolution N. The difference from the previous run is d, which is ignored for the first

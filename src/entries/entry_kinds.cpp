@@ -18,6 +18,7 @@ std::string_view without_plus(std::string_view text) {
   return plus ? text.substr(1) : text;
 }
 
+/// The number of type T if the whole text is such a number, otherwise empty.
 template <class T>
 std::optional<T> whole_text_as(std::string_view text) {
   text = without_plus(text);
@@ -27,6 +28,7 @@ std::optional<T> whole_text_as(std::string_view text) {
   return value;
 }
 
+/// A number with its noun, for example "1 entry" or "2 entries".
 std::string counted(std::size_t n, const char* one, const char* several) {
   return std::to_string(n) + " " + (n == 1 ? one : several);
 }
@@ -205,6 +207,7 @@ struct ShellWord {
   std::string word, value;
 };
 
+/// The expansion at the beginning of the text; empty if a shell would not replace anything there.
 std::optional<ShellWord> shell_word(std::string_view text) {
   const auto value_of = [](const std::string& name) {
     const char* value = std::getenv(name.c_str());

@@ -2,7 +2,8 @@
 /// Kinds of values that an entry of a parameter file can have. Each kind converts text to a value and back, and
 /// describes the permitted values in words. The headers scene/entries.h and src/loads/ define the entries.
 ///
-/// Every kind has these members, with T the type of its value:
+/// Every kind has these members, with T the type of its value. The texts of problems and of `expected` are parts of
+/// error messages:
 ///   std::optional<std::string> read(std::string_view text, T& value) const;   // sets value, or returns the problem
 ///   std::string print(const T& value) const;                                  // read(print(v)) gives v, bit for bit
 ///   std::string expected() const;                                             // "a number > 0"
@@ -30,7 +31,7 @@ using Problem = std::optional<std::string>;
 /// The value of `Continuum/Mesh` for the built-in mesh of the ball; any other value is the name of a file.
 inline constexpr std::string_view builtin_mesh = "builtin";
 
-/// The general message about a wrong text, `got "…"`, or `got nothing` for an empty text.
+/// The end of a message about a wrong text: `got "…"`, or `got nothing` for an empty text.
 std::string got(std::string_view text);
 
 /// Returns the number if the whole text is a finite number, otherwise an empty optional.
@@ -40,7 +41,7 @@ std::optional<double> finite_number(std::string_view text);
 std::string print_number(double value);
 
 /// Prints a computed bound with three digits, for a message. An upper bound is rounded down and a lower bound up, so
-/// the printed number is itself permitted.
+/// that the printed number is itself permitted.
 std::string print_upper_bound(double value);
 std::string print_lower_bound(double value);
 
@@ -111,6 +112,7 @@ struct AutoOrIntegers {
   std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
+/// The word `true` or `false`.
 struct Boolean {
   static constexpr std::string_view type = "boolean";
   Problem read(std::string_view text, bool& value) const;
@@ -153,7 +155,7 @@ struct BuiltinOrMeshFile {
 
 /// Three rows separated by `;`, each of three numbers separated by `,`.
 struct Matrix {
-  bool symmetric = false;  ///< true: the matrix must be symmetric; scene/validate.h checks this
+  bool symmetric = false;  ///< true if the matrix must be symmetric; scene/validate.h checks the symmetry
 
   static constexpr std::string_view type = "matrix";
   Problem read(std::string_view text, Matrix3& value) const;
@@ -173,7 +175,7 @@ struct AutoOrMatrix {
 
 /// A list of numbers separated by `,`.
 struct Numbers {
-  std::size_t n = 0;  ///< number of entries; 0: any positive number
+  std::size_t n = 0;  ///< number of entries; if 0, any number is permitted
   Number number{};
   bool may_be_empty = false;
 
@@ -204,6 +206,7 @@ std::string unknown_word(std::string_view word, const std::vector<std::string_vi
 template <class E, std::size_t n>
 using NameTable = std::array<std::pair<std::string_view, E>, n>;
 
+/// The names in the order of the table.
 template <class E, std::size_t n>
 std::vector<std::string_view> words_of(const NameTable<E, n>& table) {
   std::vector<std::string_view> words;
@@ -228,7 +231,8 @@ constexpr bool is_sound(const NameTable<E, n>& table) {
   return true;
 }
 
-/// The value of an enumeration, written as one word of a table of names.
+/// The value of an enumeration, written as one word of a table of names. A table with an empty name, or with a name or
+/// value that occurs twice, does not compile. `print` throws std::logic_error for a value without a name.
 template <class E, std::size_t n>
 struct Choice {
   consteval explicit Choice(const NameTable<E, n>& names) : table(names) {
@@ -285,7 +289,8 @@ struct Words {
 std::vector<std::string_view> parts_of(std::string_view text, char separator);
 
 /// A comma-separated list of words. Each word sets a bool member of the value to true, and the other members are false.
-/// If n_in_all is not 0, the word `all` sets the first n_in_all members to true.
+/// If n_in_all is not 0, the word `all` sets the first n_in_all members to true. If a word is unknown, `read` returns
+/// the problem, and the value is not valid.
 template <class S, std::size_t n>
 struct Switches {
   consteval Switches(const NameTable<bool S::*, n>& names, std::size_t n_of_all) : table(names), n_in_all(n_of_all) {

@@ -35,8 +35,10 @@ inline double inner(const Matrix3& a, const Matrix3& b) {
   return sum;
 }
 
+/// The Frobenius norm.
 inline double norm(const Matrix3& a) { return std::sqrt(inner(a, a)); }
 
+/// The largest absolute value of an entry.
 inline double largest_entry(const Matrix3& a) {
   double largest = 0;
   for (const auto& row : a)
@@ -63,6 +65,7 @@ inline Matrix3 scaled(double factor, Matrix3 a) {
   return a;
 }
 
+/// The matrix of the absolute values.
 inline Matrix3 absolute(Matrix3 a) {
   for (auto& row : a)
     for (double& entry : row) entry = std::abs(entry);

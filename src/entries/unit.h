@@ -9,7 +9,7 @@ namespace pseudorigid::scene {
 
 namespace detail {
 
-/// The whole number with these digits; 0 if another character occurs.
+/// The whole number with these digits; 0 if another character occurs or if there is no digit.
 constexpr int whole_number(std::string_view digits) {
   int number = 0;
   for (const char digit : digits) {
@@ -36,6 +36,8 @@ constexpr void visit_factors(std::string_view words, Visitor&& visitor) {
 
 }  // namespace detail
 
+/// The words of a unit, which are checked when the program is compiled. They must be a string literal, because
+/// units.cpp identifies them by their address.
 class Unit {
  public:
   constexpr Unit() = default;
@@ -43,6 +45,7 @@ class Unit {
     if (!is_unit(words_)) throw "a unit has the factors length, mass, time, pressure, radius and 1, with whole powers";
   }
 
+  /// True if every word is known and every power is a whole number other than 0.
   static constexpr bool is_unit(std::string_view words) {
     bool sound = true;
     detail::visit_factors(words, [&](std::string_view word, int power) {

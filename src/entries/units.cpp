@@ -14,6 +14,7 @@ Units ball_units(double radius, double density, double time) {
 
 namespace {
 
+/// The powers of length, mass, time and stress in a unit.
 struct Powers {
   int length = 0, mass = 0, time = 0, stress = 0;
 };

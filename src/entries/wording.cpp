@@ -7,14 +7,16 @@
 namespace pseudorigid::scene {
 namespace {
 
-constexpr std::size_t longest_quotation = 100;
+constexpr std::size_t longest_quotation = 100;  // in bytes
 /// Longest text that can be a misspelt name. The bound also limits the cost of the search.
 constexpr std::size_t longest_misspelling = 80;
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
+/// True for a byte of a UTF-8 character other than its first byte.
 bool continues_utf8(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
+/// The part of a path after its last "/".
 std::string_view last_part(std::string_view path) {
   return path.substr(path.rfind('/') + 1);  // npos + 1 == 0: the whole path
 }
@@ -54,8 +56,8 @@ constexpr Lookalike lookalikes[] = {
     {"\uFF1D", "the full-width equals sign U+FF1D", "="},
 };
 
-/// Returns the note ` (with the minus sign U+2212 in place of "-")` about the first lookalike in the text, or an empty
-/// text if there is none.
+/// Returns a note about the first lookalike in the text, for example ` (with the minus sign U+2212 in place of "-")`.
+/// Returns an empty text if there is none.
 std::string note_of_lookalike(std::string_view text) {
   const Lookalike* first = nullptr;
   std::size_t place = text.npos;
@@ -68,6 +70,7 @@ std::string note_of_lookalike(std::string_view text) {
   return std::string(" (with ").append(first->name).append(" in place of ").append(typed).append(")");
 }
 
+/// The text with keyboard characters in place of their lookalikes.
 std::string without_lookalikes(std::string_view text) {
   std::string result(text);
   for (const Lookalike& one : lookalikes)
@@ -109,8 +112,9 @@ int edit_distance(std::string_view from, std::string_view to) {
   return row.back();
 }
 
-/// The candidate of the same section whose name has the word `word` after other words, as "Material/Lame lambda" for
-/// "Material/lambda". The result is empty if there is no such candidate, or more than one.
+/// The candidate of the same section whose name ends with the last part of `word` after other words, as "Material/Lame
+/// lambda" for "Material/lambda". The result is empty if there is no such candidate, or more than one, or if the last
+/// part has fewer than four letters.
 std::optional<std::string_view> with_last_word(std::string_view word, const std::vector<std::string_view>& candidates) {
   const std::string_view typed = last_part(word), section = word.substr(0, word.size() - typed.size());
   constexpr std::size_t least = 4;

@@ -8,7 +8,7 @@
 
 namespace pseudorigid::scene {
 
-/// Returns `text` in quotation marks, shortened to a readable length, with `?` for control characters. If the text
+/// Returns `text` in quotation marks, shortened to at most 100 bytes, with `?` for control characters. If the text
 /// contains characters that only look like ASCII characters, the name of the first one follows the quotation.
 std::string quote(std::string_view text);
 
@@ -19,11 +19,15 @@ std::string_view trimmed(std::string_view text);
 /// Case is ignored.
 int edit_distance(std::string_view from, std::string_view to);
 
-/// Returns the candidate nearest to `word`, or an empty optional if no candidate is near enough. For paths like
-/// "Body/Radius" the last part is also compared alone. This comparison finds an entry in the wrong subsection.
+/// Returns the candidate nearest to `word` by edit distance, or an empty optional if no candidate is near enough. A
+/// candidate is near enough if the distance is at most a third of the length of the last part of `word`, or 1. A word
+/// of more than 80 bytes has no near candidate. For paths like "Body/Radius" the last part is also compared alone. This
+/// comparison finds an entry in the wrong subsection.
 std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
-/// Returns the question `; did you mean "…"?`, or an empty text if no candidate is near enough.
+/// Returns the question `; did you mean "…"?` with the nearest candidate, or an empty text if there is none. Characters
+/// that only look like ASCII characters are replaced before the search. If no candidate is near, a candidate that ends
+/// with the word is proposed.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
 
 }  // namespace pseudorigid::scene

@@ -17,8 +17,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Joins the lines of CLI11's text for a wrong command line, because an error message has one sentence. Appends a hint
-/// to --help.
+/// Joins the lines of CLI11's text for a wrong command line, because an error message of the program has one line.
+/// Appends a hint to --help.
 std::string one_sentence(std::string text) {
   for (char& c : text)
     if (c == '\n') c = ' ';
@@ -26,6 +26,8 @@ std::string one_sentence(std::string text) {
   return text + "; see pseudorigid --help";
 }
 
+/// Checks of arguments for CLI11, which accepts an empty argument. Each returns the error message, or "" if the
+/// argument is valid.
 std::string names_a_file(const std::string& scene) {
   return scene.empty() ? "expected the name of a parameter file, got nothing" : "";
 }
@@ -57,7 +59,7 @@ std::string note_on_scenes() {
 }
 
 /// Throws a UserError if the first argument is neither a command nor an option. The message lists the commands, which
-/// the message of CLI11 does not do.
+/// CLI11's own message does not list. If the argument is a parameter file, the message recommends `pseudorigid run`.
 void require_known_command(const CLI::App& app, int argc, const char* const* argv) {
   const std::string_view word = argc > 1 ? argv[1] : "";
   if (word.empty() || word.starts_with('-')) return;
@@ -70,7 +72,8 @@ void require_known_command(const CLI::App& app, int argc, const char* const* arg
                               scene::did_you_mean(word, {names.begin(), names.end()}), fmt::join(names, ", ")));
 }
 
-/// Throws a UserError for `words`, the surplus arguments and unknown options of the command.
+/// Throws a UserError for `words`, the surplus arguments and unknown options of the command. The message names the
+/// first unknown option, or the first argument if there is no such option.
 [[noreturn]] void refuse_arguments(const CLI::App& command, const std::vector<std::string>& words) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())

@@ -1,5 +1,5 @@
 #pragma once
-/// The command line of `pseudorigid` (README.md), and its conversion to options.
+/// Conversion of the command line of `pseudorigid` to options. `pseudorigid --help` lists the commands.
 
 #include <filesystem>
 #include <optional>
@@ -15,17 +15,19 @@ enum class Command { run, check, parameters, report, version, help };
 
 struct Options {
   Command command = Command::help;
-  std::filesystem::path scene;
-  std::vector<std::string> overrides;           ///< arguments of --set
-  std::optional<std::filesystem::path> output;  ///< argument of --output
-  std::filesystem::path run_directory;          ///< argument DIR of `report`
-  bool resume = false;
+  std::filesystem::path scene;         ///< path of the parameter file
+  std::vector<std::string> overrides;  ///< arguments of --set, for example "Time/End=10"
+  std::optional<std::filesystem::path>
+      output;  ///< argument of --output: the results directory of `run`, or the page of `report`
+  std::filesystem::path run_directory;  ///< argument DIR of `report`
+  bool resume = false;                  ///< true if the run continues from its last checkpoint
   io::Verbosity verbosity = io::Verbosity::normal;
-  scene::Format format = scene::Format::markdown;
-  std::string help;  ///< text of --help
+  scene::Format format = scene::Format::markdown;  ///< argument of --format of the command `parameters`
+  std::string help;                                ///< text of --help, for the whole program or for one command
 };
 
-/// Throws a UserError of one sentence for a wrong command line.
+/// Returns the options of the command line. An empty command line and --help give Command::help. Throws UserError if
+/// the command line is wrong. The function does not read any file.
 Options parse_command_line(int argc, const char* const* argv);
 
 }  // namespace pseudorigid::app

@@ -38,13 +38,15 @@ void truncate_to_common_samples(std::vector<RunOfModel>& runs) {
   if (n_common < 2) runs.clear();
 }
 
+/// The counter of a run with this name; empty if the run does not have it.
 std::optional<double> counter(const io::Manifest::Model& statistics, const char* name) {
   const auto found = statistics.counters.find(name);
   return found == statistics.counters.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// The errors that a model's run has estimated. The pseudo-rigid body has no error in space and no quadrature error.
-/// For finite elements, the error in space contains the quadrature error.
+/// The errors that a model's run has estimated. An error is empty if the run has not estimated it. The error in space
+/// and the quadrature error of the pseudo-rigid body are 0. For finite elements, the error in space contains the
+/// quadrature error, so the latter is 0.
 analysis::RunErrors errors_of(const scene::ModelDescription& model, const io::Manifest::Model& statistics,
                               const OtherResolutions& others) {
   const auto other = others.find(model.name);
@@ -59,6 +61,7 @@ long n_failed_intervals(const io::Manifest::Model& statistics) {
   return static_cast<long>(counter(statistics, "failed_intervals").value_or(0));
 }
 
+/// Logs a warning if the energy of a model changes by more than its bound (analysis/motion.h).
 void warn_of_energy(const RunContext& context, const analysis::ModelSummary& summary) {
   if (const std::string clause = analysis::energy_clause(summary); !clause.empty())
     context.log->warn("{}; a smaller Time/Step or Time/Tolerance keeps it better", clause);
@@ -77,8 +80,8 @@ analysis::Comparison compare(const RunContext& context, const RunOfModel& run, c
                              const OtherResolutions& others) {
   const scene::Scene& scene = context.scene;
   analysis::ComparisonOptions options{.facts = facts_of(context)};
-  // The exact ratio applies if the pseudo-rigid model is compared with the finite-element model. The ball must be
-  // incompressible, because a compressible ball can oscillate mainly in its volume.
+  // The exact ratio of the frequencies applies only to the pseudo-rigid model compared with the finite-element model.
+  // The ball must be incompressible, because a compressible ball can oscillate mainly in its volume.
   if (const auto small = small_pulsation(scene);
       small && scene.body.incompressible && !run.model->has_nonaffine && reference.model->discretized)
     options.exact_frequency_ratio = small->ratio();

@@ -1,8 +1,8 @@
 #pragma once
 /// The comparison of the models of a run. Each run is compared with the last one, whose model has the most degrees of
-/// freedom. For two runs the files are comparison.csv and comparison.json. For more runs, each comparison has the files
-/// `comparison-<model>.csv` and `comparison-<model>.json`, and comparison.json is an overview. If a model runs alone, a
-/// summary is printed on the terminal.
+/// freedom. For two runs the files are comparison.csv and comparison.json. For more runs, each comparison has two files
+/// with the name of its run, `comparison-<run>.csv` and `comparison-<run>.json`, and comparison.json is an overview. If
+/// a model runs alone, a summary is printed on the terminal.
 
 #include <functional>
 #include <map>
@@ -16,35 +16,37 @@
 
 namespace pseudorigid::app {
 
-/// Maps the name of a model to its motion on another discretisation.
+/// Maps the name of a model to its motion on another discretisation. The difference between both motions gives the
+/// errors in space of all compared quantities.
 using OtherResolutions = std::map<std::string, analysis::OtherResolution, std::less<>>;
 
 /// A run of a model, with the table of its samples.
 struct RunOfModel {
   const scene::ModelDescription* model;
-  std::string name;  ///< name of the files of the run
-  std::string adjective;
-  io::Manifest::Model statistics;
+  std::string name;                ///< name of the files of the run
+  std::string adjective;           ///< adjective of the ball in tables and sentences (adjective_of)
+  io::Manifest::Model statistics;  ///< counters of the run, with its estimated errors
   io::Table table;
 };
 
-/// The adjective of the ball in a run, for example "elastic". If the run has chosen its degree, the text is for example
-/// "polynomial N = 7".
+/// The adjective of the ball in a run for tables and sentences, for example "elastic". If the run has chosen its degree
+/// N, the adjective contains N, for example "polynomial N = 7". `statistics` has the counter `degree`; without this
+/// counter the adjective does not contain N.
 std::string adjective_of(const scene::ModelRun& run, const io::Manifest::Model& statistics);
 
-/// Compares each run with the last run, at the samples that all runs have. Returns an empty vector if there are fewer
-/// than two runs or two common samples.
+/// Compares each run with the last run, at the samples that all runs have. Returns a comparison for each run but the
+/// last, in the order of the runs. Returns an empty vector if there are fewer than two runs or two common samples.
 std::vector<analysis::Comparison> comparisons_of(const RunContext& context, std::vector<RunOfModel> runs,
                                                  const OtherResolutions& others);
 
-/// Compares the models that have results, writes the comparison files, and prints a table unless `quiet` is true. Does
-/// nothing for fewer than two runs or two common samples. Returns the reason if printing fails, otherwise an empty
-/// string.
+/// Compares the models that have an entry in the manifest. Writes the comparison files, and prints a table unless
+/// `quiet` is true. Does nothing for fewer than two runs or two common samples. Returns the reason if printing fails,
+/// otherwise an empty string.
 std::string compare_models(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others,
                            bool quiet);
 
-/// Prints a summary of the motion of the system, or of the only model. Does nothing if there are several models or
-/// fewer than two samples. Returns the reason if printing fails, otherwise an empty string.
+/// Prints a summary of the motion of the system, or of the only model. Does nothing if there are several models, no CSV
+/// file or fewer than two samples. Returns the reason if printing fails, otherwise an empty string.
 std::string summarize_run(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others);
 
 }  // namespace pseudorigid::app

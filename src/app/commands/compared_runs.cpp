@@ -17,6 +17,8 @@ namespace {
 
 using analysis::Comparison, analysis::ModelSummary;
 
+/// `none` is the value of a quantity that does not exist. `unknown` is the value of an error, a drift, a phase or a
+/// time that is not known.
 constexpr double none = 0, unknown = -1;
 
 /// A column of comparison.csv that compares two models, and the group of quantities that this column requires.
@@ -52,6 +54,7 @@ struct Results {
   std::string message;
 };
 
+/// The counter of a run with this name, or `otherwise` if the run does not have it.
 double counter(const io::Manifest::Model& statistics, const char* name, double otherwise) {
   const auto found = statistics.counters.find(name);
   return found == statistics.counters.end() ? otherwise : found->second;
@@ -97,19 +100,22 @@ constexpr std::array columns_of_model{
                                    const ModelSummary* s) { return s ? s->energy_drift.value_or(unknown) : unknown; }},
 };
 
+/// Time after which the phases of the two motions differ by a tenth of a period. The result is −1 if a frequency is not
+/// known or if both frequencies are equal.
 double tenth_of_period_after(const Comparison& c) {
   if (!c.ratio) return unknown;
   const double apart = std::abs(c.model.frequency.dominant().frequency - c.reference.frequency.dominant().frequency);
   return apart > 0 ? 0.2 * std::numbers::pi / apart : unknown;
 }
 
-/// |phase_difference| after n periods of the reference, or −1 if it is not known.
+/// |phase_difference| in periods after n periods of the reference, or −1 if it is not known.
 template <int n>
 double phase_after(const Comparison& c) {
   const auto found = c.phase_after_periods.find(n);
   return found == c.phase_after_periods.end() ? unknown : std::abs(found->second);
 }
 
+/// A column for a comparison: its name, for a model the part after "m_", and a function for its value.
 struct ColumnOfPair {
   const char* name;
   double (*value)(const Comparison&);
@@ -152,7 +158,7 @@ std::vector<scene::ModelRun> runs_of_models(const scene::Scene& scene, const sce
 }
 
 /// Runs the models one after the other. If a model stops early, its samples are kept, and the other models still run.
-/// An interrupt ends the runs of all models.
+/// After an interrupt, no further model runs, and the results are incomplete.
 Results run_models(const RunContext& context, const Executable& executable, std::map<std::string, io::Table>& tables) {
   Results results;
   const auto n_samples = static_cast<std::size_t>(context.scene.output.samples) + 1;
@@ -170,7 +176,7 @@ Results run_models(const RunContext& context, const Executable& executable, std:
   return results;
 }
 
-/// Appends the columns that follow the parameters.
+/// Appends the values of all columns that follow the parameters.
 void add_results(const RunContext& context, const Results& results, std::vector<double>& row) {
   const std::vector<Comparison> comparisons = comparisons_of(context, results.runs, results.others);
   row.push_back(!comparisons.empty());

@@ -2,21 +2,23 @@
 /// The runs of a sweep with several models. Each run computes all models and compares each model with the last one. Let
 /// m be the name of a model's files, with "_" in place of "-". The columns of sweep.csv are then
 ///
-///   run, the parameters, compared (1 or 0);
-///   for every m  m_finished (1 or 0), m_time (reached), m_steps, m_forces, m_time_error, m_space_error, m_frequency,
+///   run, the parameters, compared (1 if all models have at least two common samples, otherwise 0);
+///   for every m  m_finished (1 if all samples exist, otherwise 0), m_time (reached), m_steps, m_forces (evaluations of
+///                the force), m_time_error, m_space_error, m_frequency,
 ///                m_frequency_error, m_second_line (its amplitude over that of the dominant line),
-///                m_amplitude (of C = QᵀQ), m_energy_drift, as in comparison.json;
+///                m_amplitude (of C = QᵀQ), m_energy_drift, with the values of comparison.json;
 ///   for every m but the last
 ///                m_frequency_ratio, m_frequency_ratio_error, m_tenth_of_period_after, m_phase_after_1_period,
 ///                m_phase_after_10_periods, m_phase_difference_max (without signs, in periods of the last model),
 ///                m_q_difference_error, and m_c_max, m_c_rms for every column c of comparison.csv that compares the two
 ///                models;
 ///   for the last model  nonaffine_kinetic_fraction (mean), nonaffine_displacement (largest), min_jacobian,
-///                volume_error (largest), and surface_limit_time.
+///                volume_error (largest), and surface_limit_time (first time at which the surface reaches Biot's limit).
 ///
 /// A quantity that does not exist is 0. An error, a drift, a phase or a time that is not known is −1. However, if
-/// compared is 0, all columns from the first m_frequency_ratio on are 0. Motions of angular frequencies ω and ω' have
-/// phases that differ by a tenth of a period after the time t = 0.2 π/|ω − ω'|.
+/// compared is 0, all columns from the first m_frequency_ratio on are 0. The column m_tenth_of_period_after is the time
+/// t = 0.2 π/|ω − ω'|, with the angular frequencies ω of m and ω' of the last model. After this time, their phases
+/// differ by a tenth of a period.
 
 #include <string>
 #include <vector>
@@ -25,9 +27,10 @@
 
 namespace pseudorigid::app {
 
-/// The columns of sweep.csv for several models.
+/// The names of the columns of sweep.csv for several models, in the order above.
 std::vector<std::string> columns_of_compared_runs(const scene::Scene& scene, const scene::Needs& needs);
 
+/// The runs of a sweep as tasks, each of which runs all models and compares them.
 class ComparedRuns : public ModelRuns {
  public:
   using ModelRuns::ModelRuns;

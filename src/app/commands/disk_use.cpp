@@ -26,9 +26,11 @@ namespace fs = std::filesystem;
 /// Usual and largest number of characters of a number in a table. The largest number has 17 digits, sign, point,
 /// exponent and comma.
 constexpr double bytes_per_value = 20, most_bytes_per_value = 24;
+/// Usual number of bytes of a number in a compressed picture, measured for motions without symmetry.
 constexpr double bytes_per_value_of_picture = 5;
 constexpr double bytes_of_small_checkpoint = 1e4;  // mainly the text of the scene
 
+/// Bytes of the files of a run by kind.
 struct DiskUse {
   double tables = 0, pictures = 0, checkpoints = 0;
   double total() const { return tables + pictures + checkpoints; }
@@ -36,6 +38,7 @@ struct DiskUse {
 
 double n_samples(const scene::Scene& scene) { return scene.output.samples + 1.0; }
 
+/// Number of entries in sweep.csv and trajectories.csv for the runs of the part Sweep/Part.
 double values_of_sweep(const scene::Scene& scene, const scene::Needs& needs) {
   const auto [first, end] = scene::runs_of_part(scene.sweep_part, scene::n_runs(scene.sweep));
   const auto n_runs = static_cast<double>(end - first);
@@ -43,8 +46,8 @@ double values_of_sweep(const scene::Scene& scene, const scene::Needs& needs) {
     return n_runs * static_cast<double>(columns_of_linear_runs(scene, needs).size());
   if (needs.comparison) return n_runs * static_cast<double>(columns_of_compared_runs(scene, needs).size());
   const auto n_columns = static_cast<double>(columns_of_run(scene, needs).size());
-  // For each column, a row has the end, least and greatest value. In addition, it has parameters, steps, frequency and
-  // others.
+  // For each column, a row has the end, least and greatest value. A row also has about ten other values, for example
+  // parameters, steps and frequency.
   constexpr double per_column = 3, more = 10;
   return n_runs * (more + per_column * n_columns + (scene.sweep_trajectories ? n_samples(scene) * (n_columns + 1) : 0));
 }
@@ -52,7 +55,7 @@ double values_of_sweep(const scene::Scene& scene, const scene::Needs& needs) {
 /// Number of entries in all tables that have a row for every sample.
 double values_of_motion(const scene::Scene& scene, const scene::Needs& needs) {
   if (needs.system) return n_samples(scene) * static_cast<double>(columns_of_run(scene, needs).size());
-  constexpr double of_comparison = 16;
+  constexpr double of_comparison = 16;  // about the number of columns of a comparison file
   double n = 0, n_runs = 0;
   for (const scene::ModelDescription* model : needs.models)
     for (std::size_t i = scene::runs_of(*model, scene).size(); i > 0; --i, ++n_runs)
@@ -60,13 +63,15 @@ double values_of_motion(const scene::Scene& scene, const scene::Needs& needs) {
   return n_samples(scene) * (n + (needs.comparison ? (n_runs - 1) * of_comparison : 0));
 }
 
+/// Number of entries in the tables of families of relative equilibria.
 double values_of_families(const scene::Scene& scene, const scene::Needs& needs) {
   double n = 0;
   for (const scene::ModelDescription* model : needs.models) n += static_cast<double>(model->equilibria.columns.size());
   return n * scene.equilibria.number;
 }
 
-/// Number of entries in all tables; empty if it depends on the motion.
+/// Number of entries in all tables; empty if the motion determines the number of rows. The tables of modes, Love
+/// numbers and the equilibria of systems count as 0, because they are small.
 std::optional<double> values_of_tables(const scene::Scene& scene, const scene::Needs& needs) {
   using enum scene::Analysis;
   if (!scene.sweep.empty()) return values_of_sweep(scene, needs);
@@ -116,6 +121,7 @@ double bytes_of_checkpoints(const scene::Scene& scene, const std::optional<Effor
   return new_and_old * (bytes_of_small_checkpoint + (of_elements ? of_elements->checkpoint_bytes : 0));
 }
 
+/// The path itself if it exists, otherwise its nearest parent directory that exists.
 fs::path nearest_existing(fs::path path) {
   std::error_code error;
   path = fs::absolute(path, error);
@@ -123,6 +129,7 @@ fs::path nearest_existing(fs::path path) {
   return path;
 }
 
+/// Bytes of the regular files in a folder, without its subfolders; 0 if the folder cannot be read.
 double bytes_of_files(const fs::path& folder) {
   std::error_code error;
   double bytes = 0;

@@ -11,13 +11,15 @@
 namespace pseudorigid::app {
 
 /// Adds a line about the space for tables, pictures and checkpoints to needs.needed. If the space exceeds the free
-/// space on the disk of the directory, also adds a warning. The directory need not exist yet. The run is not refused,
-/// because the estimate may be too high, and --resume continues a run that a full disk has stopped. If the number of
-/// rows depends on the motion, the line says so, and there is no warning.
+/// space on the disk of the results directory, also adds a warning to needs.warnings. The directory need not exist yet.
+/// The run is not refused, because the estimate may be too high, and --resume continues a run that a full disk has
+/// stopped. If the motion determines the number of rows, the line states this, and there is no warning. If the
+/// operating system does not give the free space, the line omits it, and there is no warning.
 void describe_disk_use(const scene::Scene& scene, const io::RunDirectory& directory, scene::Needs& needs);
 
-/// Throws UserError if the disk is too small for the samples of all runs of a sweep. Does nothing if the scene does not
-/// request these samples (Sweep/Trajectories).
+/// Throws UserError if the disk is too small for the samples of all runs of a sweep. Each number counts with its
+/// largest size of 24 bytes. Does nothing if the scene is not a sweep, if it does not request these samples
+/// (Sweep/Trajectories), or if the free space is not known.
 void require_room_for_trajectories(const scene::Scene& scene, const scene::Origins& origins,
                                    const io::RunDirectory& directory);
 

@@ -17,9 +17,12 @@
 namespace pseudorigid::app {
 namespace {
 
+/// Bounds of the sweeps of docs/adequacy.md: the largest |ln stretch|, and half the largest norm of L in the inverse
+/// internal unit of time. `no_spin` is the largest relative asymmetry of L that counts as round-off.
 constexpr double largest_amplitude = 0.25, largest_rate = 0.75, no_spin = 1e-9;
 
-/// True if the initial state has no spin, and is in the range of the sweeps of docs/adequacy.md.
+/// True if the initial state has no spin and is in the range of the sweeps of docs/adequacy.md. Without spin, the
+/// velocity gradient L = Q̇Q⁻¹ is symmetric.
 bool is_moderate(const scene::Scene& scene) {
   const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation);
   const Eigen::Matrix3d L = loads::to_eigen(scene.initial_state.velocity) * Q.inverse() * units_of(scene).time;
@@ -28,8 +31,8 @@ bool is_moderate(const scene::Scene& scene) {
          (L - L.transpose()).norm() <= no_spin * (1 + L.norm());
 }
 
-/// Frequency of the slowest pulsation (spheroidal, degree 2) of the polynomial body of degree N, in internal units.
-/// Empty if the computation fails.
+/// Angular frequency of the slowest pulsation (spheroidal, degree 2) of the polynomial body of degree N, in internal
+/// units. Empty if the computation fails, or if the pulsation is not among the six lowest frequencies.
 std::optional<double> pulsation_of_polynomial(const scene::Scene& scene, int N) {
   constexpr std::size_t n_frequencies = 6;
   std::vector<polynomial::RestFrequency> found;
@@ -40,6 +43,8 @@ std::optional<double> pulsation_of_polynomial(const scene::Scene& scene, int N) 
   return {};
 }
 
+/// The relative error `excess` as text in per cent. If |excess| < 1e-7, the text is a bound, because the frequencies
+/// are not computed more accurately.
 std::string in_per_cent(double excess) {
   return std::abs(excess) < 1e-7 ? "0.00001 % or less" : fmt::format("{:+.2g} %", 100 * excess);
 }

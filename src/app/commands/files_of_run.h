@@ -1,5 +1,5 @@
 #pragma once
-/// The names of the files that a run can write.
+/// The names of the files and checkpoints that a run can write.
 
 #include <string>
 #include <vector>
@@ -11,7 +11,8 @@
 
 namespace pseudorigid::app {
 
-/// The names of the files of all models and systems of the catalogue, without extensions.
+/// The names, without extensions, of the files of all models and systems of the catalogue. A model with several runs
+/// has a name for each possible run, for example "polynomial-3".
 inline std::vector<std::string> movers(const scene::Catalogue& catalogue) {
   std::vector<std::string> names;
   for (const scene::ModelDescription& model : catalogue.models) {
@@ -22,7 +23,8 @@ inline std::vector<std::string> movers(const scene::Catalogue& catalogue) {
   return names;
 }
 
-/// The names of all checkpoints.
+/// The names of everything that can write a checkpoint: models, systems, sweeps and the two searches for a
+/// discretisation and a degree.
 inline std::vector<std::string> writers_of_checkpoints(const scene::Catalogue& catalogue) {
   std::vector<std::string> names = movers(catalogue);
   names.insert(names.end(), {SweepRows::name, DiscretizationSearch::checkpoint_name, degree_checkpoint_name});

@@ -10,6 +10,7 @@
 
 namespace pseudorigid::app {
 
+/// Maps the name of each library to its version. The finite-element library adds its own libraries when it is opened.
 inline std::map<std::string, std::string> common_libraries() {
   const auto version = [](int a, int b, int c) { return fmt::format("{}.{}.{}", a, b, c); };
   return {{"Eigen", version(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},

@@ -9,10 +9,10 @@
 namespace pseudorigid::app {
 namespace {
 
-/// A table of the analysis, and how its values become columns of sweep.csv.
+/// A table of modes or Love numbers, and the columns of sweep.csv that receive its values.
 struct Part {
   std::string file;                ///< name of the table without .csv
-  std::string prefix;              ///< of the columns of sweep.csv
+  std::string prefix;              ///< beginning of the names of the columns of sweep.csv
   std::vector<std::string> names;  ///< columns of the table; the first one numbers its rows
   std::vector<int> numbers;        ///< values of the first column, in the order of the columns of sweep.csv
 };
@@ -38,7 +38,8 @@ std::vector<Part> parts_of(const scene::Scene& scene, const scene::Needs& needs)
   return parts;
 }
 
-/// Appends the values of a table, or zeros for rows that it does not have.
+/// Appends the values of a table to a row of sweep.csv, in the order of part.numbers. If the table lacks a row, appends
+/// zeros.
 void append(const Part& part, const io::Table& table, std::vector<double>& row) {
   for (const int number : part.numbers) {
     std::size_t i = 0;

@@ -1,5 +1,6 @@
 #pragma once
-/// The runs of a sweep of modes or Love numbers, with one or more models. The columns of sweep.csv are
+/// The runs of a sweep of modes or Love numbers, with one or more models. Let m be the name of a model, or of a run of
+/// a model, with "_" in place of "-". The columns of sweep.csv are
 ///
 ///   run, the parameters, finished (1 or 0);
 ///   modes:         m_omega_i, m_kind_i, m_degree_i, … for every model m and the rows i = 1, 2, … of its table of modes
@@ -7,8 +8,7 @@
 ///   Love numbers:  m_h_n, m_l_n, m_k_n, … for every run m of a model and the degrees n of the tide
 ///                  (app/run/love_table.h).
 ///
-/// In the names of runs, "_" replaces "-". A value is 0 if the
-/// table does not have its row, or if the model has failed.
+/// A value is 0 if the table does not have its row, or if the model has failed.
 
 #include <string>
 #include <vector>
@@ -17,9 +17,10 @@
 
 namespace pseudorigid::app {
 
-/// The columns of sweep.csv of a scene with Analysis = modes or love numbers.
+/// The names of the columns of sweep.csv for a scene with Analysis = modes or love numbers.
 std::vector<std::string> columns_of_linear_runs(const scene::Scene& scene, const scene::Needs& needs);
 
+/// The runs of a sweep as tasks, each of which computes the modes or Love numbers of all models.
 class LinearRuns : public ModelRuns {
  public:
   using ModelRuns::ModelRuns;

@@ -16,16 +16,17 @@
 
 namespace pseudorigid::app {
 
-/// The beginning of the names of the columns of a model's run in sweep.csv: the name of its files with "_" in place of
-/// "-", and another "_".
+/// The prefix of the names of a run's columns in sweep.csv. It is the name of the run's files with "_" in place of "-",
+/// followed by "_".
 std::string column_prefix(std::string_view run);
 
 /// The columns that precede the results: "run" and the parameters of the sweep.
 std::vector<std::string> first_columns(const scene::Scene& scene);
 
+/// Base class of ComparedRuns and LinearRuns, which define the columns and the results.
 class ModelRuns : public SweepTask {
  public:
-  /// `context` is the context of the first run of the sweep.
+  /// `context` is the context of the first run of the sweep. The object keeps references to all three arguments.
   ModelRuns(const scene::ReadScene& raw, const Executable& executable, const RunContext& context)
       : executable_(executable), context_(context), raw_(raw), silent_(io::make_logger(io::Verbosity::silent, {})) {}
 
@@ -33,6 +34,7 @@ class ModelRuns : public SweepTask {
   FinishedRun run(int k) const final;
 
  protected:
+  /// Maps the name of a model's file to its table.
   using Tables = std::map<std::string, io::Table>;
 
   const Executable& executable_;
@@ -41,8 +43,9 @@ class ModelRuns : public SweepTask {
   /// The columns of sweep.csv for the scene of a run. A run with other columns than the first one is refused.
   virtual std::vector<std::string> columns_of(const scene::Scene& scene, const scene::Needs& needs) const = 0;
 
-  /// Runs the models in `context` and sets the outcome and the message of `run`. The tables appear in `tables` by the
-  /// names of their files. Unless the run is interrupted, appends the results to the row.
+  /// Runs the models in `context`, and sets the outcome and the message of `run`. The models write their tables into
+  /// `tables`. Appends the results to the row of `run`, unless the run is interrupted; a row of an interrupted run is
+  /// not used.
   virtual void compute(const RunContext& context, Tables& tables, FinishedRun& run) const = 0;
 
   const RunContext& context_;
@@ -50,7 +53,9 @@ class ModelRuns : public SweepTask {
   std::shared_ptr<io::Logger> silent_;
 };
 
-/// Adds the outcome of a model to that of the run. Returns true if the run was interrupted.
+/// Adds the outcome of a model to the outcome `end` and the message of a run of the sweep. A finished model changes
+/// neither. Otherwise `end` becomes the outcome of the model, and its message is appended. Returns true if the model
+/// was interrupted.
 bool add_outcome(const ModelOutcome& outcome, mechanics::Outcome& end, std::string& message);
 
 }  // namespace pseudorigid::app

@@ -28,6 +28,7 @@ std::vector<fs::path> search_path() {
   return directories;
 }
 
+/// Reads a record at a position of the file, in bytes. Returns false if the file is too short.
 template <class Record>
 bool read(std::ifstream& file, std::uint64_t position, Record& record) {
   return static_cast<bool>(
@@ -58,14 +59,18 @@ std::vector<std::string> needed_by(const fs::path& library) {
   return needed;
 }
 
+/// Opens libraries in depth-first order, each one once.
 class Opener {
  public:
+  /// Opens the libraries that `library` needs, unless the process has them already.
   void open_needed(const fs::path& library) {
     for (const std::string& name : needed_by(library))
       if (seen_.insert(name).second && !dlopen(name.c_str(), RTLD_LAZY | RTLD_NOLOAD)) open(name);
   }
 
  private:
+  /// Opens the first library of this name in the search path, after the libraries that this library needs. Ignores a
+  /// failure, because the linker tries again when the finite-element library is opened.
   void open(const std::string& name) {
     for (const fs::path& directory : directories_)
       if (const fs::path library = directory / name; fs::exists(library)) {

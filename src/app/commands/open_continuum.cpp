@@ -13,10 +13,10 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Throws std::system_error if the limit of the address space is too low. Otherwise the libraries would fail later at
-/// various places with various messages.
+/// Throws std::system_error if the limit of the address space (ulimit -v) is too low. Does nothing if there is no
+/// limit. Without this check the libraries would fail later at various places with various messages.
 void require_address_space() {
-  constexpr double needed = 0.67e9;  // measured: the loader fails below 0.5e9, and MPI hangs below 0.65e9
+  constexpr double needed = 0.67e9;  // bytes; measured: the loader fails below 0.5e9, and MPI hangs below 0.65e9
   rlimit limit{};
   if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
   const auto allowed = static_cast<double>(limit.rlim_cur);
@@ -36,7 +36,8 @@ const ContinuumModule* open_continuum() {
   if (!fs::exists(library)) throw NoContinuum(fmt::format("there is no {}", library.string()));
   require_address_space();
   open_needed_libraries(library);
-  // The symbols must be visible to all libraries, because MPI and PETSc open further libraries that need these symbols.
+  // RTLD_GLOBAL makes the symbols visible to all libraries, because MPI and PETSc open further libraries that need
+  // them.
   void* const module = dlopen(library.c_str(), RTLD_LAZY | RTLD_GLOBAL);
   void* const found = module ? dlsym(module, "pseudorigid_continuum") : nullptr;
   if (!found) throw NoContinuum(fmt::format("its library cannot be opened: {}", dlerror()));

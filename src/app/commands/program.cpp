@@ -45,8 +45,8 @@ struct Input {
   scene::ReadScene raw, read;
 };
 
-/// Sets the number of samples of a resumed scene, which may have a later Time/End. Throws UserError if Time/End is not
-/// possible.
+/// Sets the number of samples of a resumed scene, which may have a later Time/End (keep_sampling). Throws UserError if
+/// Time/End is not possible.
 void go_on(scene::Scene& scene, const Options& options) {
   try {
     keep_sampling(scene, io::RunDirectory(scene.output.directory, options.scene, options.output));
@@ -55,6 +55,8 @@ void go_on(scene::Scene& scene, const Options& options) {
   }
 }
 
+/// Reads and validates the scene, and checks the sweep, the mesh file, the disk and the memory. The memory is not
+/// checked if the number of ranks is not known. Throws UserError if the scene cannot run.
 Input read_and_validate(const Options& options, const scene::Catalogue& catalogue, int n_ranks) {
   Input input{scene::read_scene(options.scene, options.overrides, catalogue), {}};
   input.read = input.raw;
@@ -86,7 +88,7 @@ void require_mpi_of(const Launch& launch, const Ranks& ranks) {
 struct Process {
   Executable executable;
   Launch launch{};
-  bool has_continuum = false;
+  bool has_continuum = false;        ///< true if the finite-element library is open
   std::unique_ptr<Ranks> several{};  ///< the ranks of MPI; null if MPI has not been started
 
   /// Opens the finite-element library, unless it is open. If the process may be one of several, also starts MPI, which
@@ -110,8 +112,8 @@ struct Process {
   int n_ranks() const { return several ? several->size() : launch.n_ranks == 1 ? 1 : Launch::unknown; }
 };
 
-/// Texts of all inputs that determine the actions of a process. The inputs are the scene with included files and
-/// overrides, the options, the mesh file, and the environment.
+/// Lines with all inputs that determine the actions of a process. All ranks must have the same lines. The inputs are
+/// the scene with included files and overrides, the options, the mesh file, and the environment.
 std::vector<std::string> identity_of(const Options& options, const scene::ReadScene& read) {
   const io::RunDirectory directory(read.scene.output.directory, options.scene, options.output);
   std::vector<std::string> lines{fmt::format("results in {}", directory.path().string()),
@@ -137,6 +139,8 @@ void open_continuum_for(const scene::ReadScene& read, int argc, char** argv, Pro
       refusal, read.scene, [&](scene::Scene trial) { return is_accepted(std::move(trial), read.origins); }));
 }
 
+/// The command `run` on this rank. A scene without finite elements runs on the first rank, and the other ranks return
+/// at once. Returns the exit code.
 int run(const Options& options, int argc, char** argv, Process& process, const scene::Catalogue& catalogue) {
   Input input;
   on_all_ranks(*process.executable.ranks, [&] {
@@ -164,7 +168,8 @@ int run(const Options& options, int argc, char** argv, Process& process, const s
   open_continuum_for(input.raw, argc, argv, process);
   process.executable.instructions();
   if (!is_first) return assist_scene(read, options, process.executable);
-  // The destructor informs the other ranks that the run has ended, also after an exception.
+  // The destructor tells the other ranks, which wait in assist_scene, that the run has ended. It does so also after an
+  // exception.
   struct Dismissal {
     const Ranks& ranks;
     ~Dismissal() { ranks.of_first(false); }
@@ -172,6 +177,7 @@ int run(const Options& options, int argc, char** argv, Process& process, const s
   return run_scene(input.raw, read, options, {argv, argv + argc}, process.executable);
 }
 
+/// Executes the command and returns the exit code.
 int dispatch(const Options& options, int argc, char** argv, Process& process) {
   const scene::Catalogue catalogue = catalogue_with(process.executable.models);
   switch (options.command) {
@@ -224,7 +230,8 @@ int run_program(int argc, char** argv, const Executable& executable) {
     const Failure failure = failure_of(error);
     const Ranks& ranks = *process.executable.ranks;
     // If all ranks have an error, the first rank reports it. If only a later rank has an error, this rank reports the
-    // error and aborts all ranks. Otherwise the first rank would wait for this rank forever.
+    // error and aborts all ranks. Otherwise the first rank would wait for this rank forever. A process that MPI has not
+    // connected to the others reports its own error.
     const bool alone = ranks.rank() > 0 && !dynamic_cast<const FailureOnAllRanks*>(&error);
     const bool unconnected = process.several && ranks.size() == 1 && launch.n_ranks == Launch::unknown;
     const bool is_first = ranks.rank() == 0 && launch.rank == 0;

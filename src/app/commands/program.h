@@ -24,14 +24,16 @@ struct Executable {
   const ContinuumModule* (*open_continuum)() = []() -> const ContinuumModule* {
     throw NoContinuum("this program has none");
   };
-  const Ranks* ranks = &one_rank();
+  const Ranks* ranks = &one_rank();  ///< processes that share the run
 
+  /// The model with this description, which must be one of `models`.
   const BallModel& model(const scene::ModelDescription& description) const {
     return *std::ranges::find(models, description.name, [](const BallModel& m) { return m.description.name; });
   }
 };
 
-/// Executes the command line and returns the exit code: 0 done, 2 wrong input, 3 stopped early, 1 a defect.
+/// Executes the command line and returns the exit code: 0 done, 2 wrong input, 1 a defect. The code is 3 if the run
+/// stopped early, or if a resource such as memory or disk space is exhausted. Exceptions do not leave this function.
 int run_program(int argc, char** argv, const Executable& executable);
 
 }  // namespace pseudorigid::app

@@ -18,6 +18,8 @@
 namespace pseudorigid::app {
 namespace {
 
+/// Names of the models or of the system of the run, from its manifest. Throws UserError if the directory has no
+/// readable manifest.
 std::vector<std::string> movers_of_run(const io::RunDirectory& directory) try {
   return io::movers_in(directory.manifest());
 } catch (const UserError& error) {
@@ -30,6 +32,7 @@ bool is_of_the_place(const io::WriteError& error) {
   return std::ranges::find(numbers, error.error_number) != std::end(numbers);
 }
 
+/// The text of a write error. ENXIO means that the path is a pipe that no process reads.
 std::string in_words(const io::WriteError& error) {
   return error.error_number == ENXIO ? fmt::format("nobody reads from '{}'", error.path.native()) : error.what();
 }
@@ -46,7 +49,7 @@ void report_run(const Options& options) {
     if (!is_of_the_place(error)) throw;
     throw UserError(fmt::format("{}: {}", options.output ? "--output" : "DIR", in_words(error)));
   }
-  // The path is printed only if it names a regular file, not a pipe or a device.
+  // The output may be a pipe or a device. Its path is then not printed, because no page remains there.
   if (io::kind_unless_file(path).empty()) io::print(path.native() + "\n");
 }
 

@@ -34,7 +34,8 @@ constexpr std::array<std::string_view, 6> may_change{end_of_time,     number_of_
 
 using Entries = std::map<std::string, std::string>;
 
-/// The entries in the text `prm`. `origin` is the file that contains the text, for messages.
+/// Maps the paths of the entries in the text `prm` to their values. `origin` is the file that contains the text, for
+/// messages.
 Entries entries_of(const std::string& prm, const std::filesystem::path& origin) {
   Entries entries;
   scene::read_prm_text(prm, origin, [&](const scene::Statement& statement) {
@@ -48,12 +49,13 @@ Entries entries_of(const std::filesystem::path& checkpoint) {
   return entries_of(io::Checkpoint::load(checkpoint).get_string("scene"), checkpoint);
 }
 
+/// The value of an entry as a number; empty if the entry does not exist or is not a finite number.
 std::optional<double> number(const Entries& entries, const char* path) {
   const auto found = entries.find(path);
   return found == entries.end() ? std::nullopt : scene::finite_number(found->second);
 }
 
-/// A change of an entry as text, for example "Body/Radius = 2, which was 1".
+/// A change of an entry as text, for example "Body/Radius = 2, which was 1". One of the two scenes may lack the entry.
 std::string change_of(const std::string& path, const Entries& now, const Entries& before) {
   const auto found = now.find(path), old = before.find(path);
   if (found == now.end()) return fmt::format("{} is not there, and was {}", path, scene::quote(old->second));
@@ -61,8 +63,8 @@ std::string change_of(const std::string& path, const Entries& now, const Entries
   return fmt::format("{} = {}, which was {}", path, scene::quote(found->second), scene::quote(old->second));
 }
 
-/// A clause for each of the first five forbidden changes of entries, and the number of further ones; "" if there is no
-/// such change.
+/// A text with the first five forbidden changes of entries and the number of further ones; "" if there is no such
+/// change. In a sweep every change is forbidden.
 std::string changes_between(const Entries& now, const Entries& before, bool is_sweep) {
   Entries all = now;
   all.insert(before.begin(), before.end());
@@ -78,7 +80,7 @@ std::string changes_between(const Entries& now, const Entries& before, bool is_s
   return n > most ? fmt::format("{}; and {} more", text, n - most) : text;
 }
 
-/// The columns of each CSV file with samples. The key is the name of the file.
+/// The names of the columns of each CSV file with samples. The key is the name of the file without ".csv".
 std::map<std::string, std::vector<std::string>> headers(const scene::Scene& scene, const scene::Needs& needs) {
   if (needs.system) return {{std::string(needs.system->file), columns_of_run(scene, needs)}};
   std::map<std::string, std::vector<std::string>> headers;
@@ -88,13 +90,14 @@ std::map<std::string, std::vector<std::string>> headers(const scene::Scene& scen
   return headers;
 }
 
-/// Checks that all rows of a table of shapes are complete, because a killed run may have left an incomplete row. The
-/// table need not exist.
+/// Throws UserError if a row of a table of shapes is incomplete, because a killed run may have left such a row. Does
+/// nothing if the table does not exist.
 void require_shapes(const std::filesystem::path& path) {
   if (io::is_there(path)) io::require_rows(path, io::columns_in(path), io::n_rows_before(path, HUGE_VAL));
 }
 
-/// Checks the files of an earlier run of a model. Does nothing if there is no checkpoint.
+/// Throws UserError if a table or the list of pictures of an earlier run is damaged. `name` is the name of the files of
+/// the run. Does nothing if there is no checkpoint.
 void require_files_of_run(const io::RunDirectory& directory, const std::string& name,
                           const std::vector<std::string>& columns) {
   if (!io::is_there(directory.checkpoint(name))) return;

@@ -11,7 +11,7 @@
 
 namespace pseudorigid::app {
 
-/// The paths of all checkpoints of models, systems and searches that exist in the directory.
+/// The paths of all checkpoints of models, systems, sweeps and searches that exist in the directory.
 std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene);
 
 /// Sets the number of samples of a resumed scene, so that the interval between samples remains the interval of the
@@ -20,13 +20,14 @@ std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory
 /// scene does not change.
 void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory);
 
-/// Checks that every checkpoint in the directory is readable and belongs to this scene. Throws a UserError that names
-/// up to five entries that differ.
+/// Checks that every checkpoint in the directory is readable and belongs to this scene. Throws UserError if a
+/// checkpoint is damaged, or if an entry differs that a resumed run may not change. The message names up to five such
+/// entries.
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene);
 
 /// Checks the files to which a resumed run appends, before the run writes to any of these files. Throws UserError if a
-/// list of pictures or a table is damaged. A damaged table has text in place of numbers, or fewer samples than its
-/// checkpoint. Does nothing for sweeps and for analyses other than a motion.
+/// list of pictures, a table of samples or a table of shapes is damaged. A damaged table has text in place of numbers,
+/// or fewer rows than it must have. Does nothing for sweeps and for analyses other than a motion.
 void require_sound_files(const io::RunDirectory& directory, const scene::Scene& scene, const scene::Needs& needs);
 
 }  // namespace pseudorigid::app

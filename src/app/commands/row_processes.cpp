@@ -24,6 +24,7 @@
 namespace pseudorigid::app {
 namespace {
 
+/// Kind of an answer: a row, or the kind of the exception that the task has thrown.
 enum class Answer : std::int64_t { row, wrong_input, no_memory, failure };
 
 /// The first part of an answer, with the kind of the answer and the sizes of the parts that follow.
@@ -32,6 +33,7 @@ struct Header {
   std::int64_t end, n_row, n_columns, n_values, n_letters;
 };
 
+/// Writes all bytes to a file descriptor. Returns false if this is not possible, for example if the reader has ended.
 bool write_all(int file, const void* data, std::size_t size) {
   const char* p = static_cast<const char*>(data);
   while (size > 0) {
@@ -44,6 +46,8 @@ bool write_all(int file, const void* data, std::size_t size) {
   return true;
 }
 
+/// Writes the header, the row, the values of the samples and the message. The names of the columns follow, each after
+/// its length.
 bool write_answer(int file, Answer answer, const FinishedRun& run) {
   const Header header{answer,
                       static_cast<std::int64_t>(run.end),
@@ -62,6 +66,7 @@ bool write_answer(int file, Answer answer, const FinishedRun& run) {
   return written;
 }
 
+/// Computes run k. Converts an exception to an answer whose run has only the message.
 std::pair<Answer, FinishedRun> answer_of(const SweepTask& task, int k) {
   try {
     return {Answer::row, task.run(k)};
@@ -199,8 +204,8 @@ FinishedRun TaskInProcesses::run(int k) const {
     process = std::move(idle_.back());
     idle_.pop_back();
   }
-  // The process returns to the list also after an exception. If the process has ended, the next run reports the end
-  // again.
+  // The process returns to the list also after an exception. If the process has ended, the next run in it fails as
+  // well.
   struct Return {
     const TaskInProcesses& owner;
     std::unique_ptr<RowProcess>& process;

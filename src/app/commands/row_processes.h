@@ -14,10 +14,12 @@
 
 namespace pseudorigid::app {
 
-/// A copy of this process that computes rows of `task`. The destructor closes the pipes to the copy and ends the copy.
+/// Owner of a copy (fork) of this process, which computes rows of `task`. The destructor closes the pipes to the copy
+/// and ends the copy.
 class RowProcess {
  public:
-  /// The calling process must have a single thread. Throws std::system_error if the process cannot be created.
+  /// The calling process must have a single thread, because a copy has only the calling thread and the locks of the
+  /// others would remain locked. Throws std::system_error if the process cannot be created.
   explicit RowProcess(const SweepTask& task);
   ~RowProcess();
   RowProcess(const RowProcess&) = delete;
@@ -29,16 +31,20 @@ class RowProcess {
   FinishedRun run(int k);
 
  private:
+  /// Loop of the copy: reads the number of a run, writes its answer, and ends when the pipe closes.
   [[noreturn]] static void serve(const SweepTask& task, int requests, int answers);
+  /// Reads `size` bytes of an answer. Returns false if the copy has ended. After an interrupt, sends SIGTERM to the
+  /// copy, which then ends its run.
   bool receive(void* data, std::size_t size);
+  /// Throws std::runtime_error with the reason why the copy ended before the answer for run k.
   [[noreturn]] void report_end(int k);
 
-  int to_ = -1, from_ = -1;
-  pid_t process_ = -1;
+  int to_ = -1, from_ = -1;  ///< pipes: `to_` sends the numbers of runs, `from_` receives their answers
+  pid_t process_ = -1;       ///< the copy; −1 after its end
 };
 
-/// A task that distributes the runs of `task` over `n_processes` processes. At most this number of threads may call
-/// `run` at the same time.
+/// A task that distributes the runs of `task` over `n_processes` processes. At most `n_processes` threads may call
+/// `run` at the same time. With more threads, `run` throws std::logic_error.
 class TaskInProcesses : public SweepTask {
  public:
   TaskInProcesses(const SweepTask& task, int n_processes);
@@ -48,8 +54,8 @@ class TaskInProcesses : public SweepTask {
 
  private:
   const SweepTask& task_;
-  mutable std::mutex mutex_;
-  mutable std::vector<std::unique_ptr<RowProcess>> idle_;
+  mutable std::mutex mutex_;                               ///< protects idle_
+  mutable std::vector<std::unique_ptr<RowProcess>> idle_;  ///< processes that no thread uses now
 };
 
 }  // namespace pseudorigid::app

@@ -31,7 +31,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Runs one model and writes the statistics of its runs into the manifest.
+/// Runs one model or system, and writes the statistics of its runs into the manifest. `name` is the name of its files.
 ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& context, io::ManifestFile& manifest) {
   ModelOutcome outcome = run(context);
   if (const auto& counters = outcome.statistics.counters; counters.contains("steps"))  // equilibria do not have steps
@@ -42,6 +42,7 @@ ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& co
   return outcome;
 }
 
+/// True if the directory has a checkpoint, from which --resume can continue.
 bool is_resumable(const RunContext& context) { return !checkpoints(context.directory, context.scene).empty(); }
 
 /// The context in which a model runs. All ranks share a finite-element run, but a single process computes modes and
@@ -62,7 +63,8 @@ std::string print(const std::string& results) try {
   return error.what();
 }
 
-/// Writes the last line of the log, and the outcome of the run into the manifest. Returns the exit code.
+/// Writes the last line of the log, and the outcome of the run into the manifest. If the run has not finished, this
+/// line is `message` followed by `advice`. Returns the exit code.
 int end_run(mechanics::Outcome outcome, int exit_code, const std::string& message, const char* advice,
             const RunContext& context, io::ManifestFile& manifest) {
   if (outcome == mechanics::Outcome::finished)
@@ -73,6 +75,8 @@ int end_run(mechanics::Outcome outcome, int exit_code, const std::string& messag
   return exit_code;
 }
 
+/// Runs the system or the models, compares them, and prints the results. If a model does not finish, the later ones do
+/// not run. Returns the exit code.
 int run_models(const RunContext& context, const Executable& executable, io::ManifestFile& manifest, bool quiet) {
   using enum mechanics::Outcome;
   ModelOutcome last;
@@ -101,19 +105,20 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
   return end_run(last.end, exit_code_of(last.end), last.message, advice, context, manifest);
 }
 
+/// Runs the sweep and returns the exit code.
 int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
                     io::ManifestFile& manifest, bool shows_progress) {
   using enum mechanics::Outcome;
   const ModelOutcome sweep = run_sweep(raw, context, executable, shows_progress);
   manifest.content().models["sweep"] = sweep.statistics;
-  // A sweep fails only if the input of one of its runs is wrong.
+  // A sweep has this outcome only if the input of one of its runs is wrong.
   const int exit_code = sweep.end == failed ? exit_wrong_input : exit_code_of(sweep.end);
   return end_run(sweep.end, exit_code, sweep.message, sweep.end == interrupted ? " (--resume goes on from there)" : "",
                  context, manifest);
 }
 
-/// The columns of a model's file, one by one. In the documentation, one line can describe a range such as "Q11 ...
-/// Q33".
+/// The columns of a model's file with their units and texts, for the manifest. In the documentation, one line can
+/// describe a range of columns such as "Q11 ... Q33", so this function repeats the line for each column.
 std::vector<scene::Column> columns_of(const scene::ModelDescription& model, const scene::Quantities& quantities) {
   const auto stem = [](std::string_view name) { return name.substr(0, name.find_first_of("0123456789")); };
   std::vector<scene::Column> columns;
@@ -170,7 +175,7 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
   return content;
 }
 
-/// Writes the report, which shows the contents of the other files, at the end of the run.
+/// Writes report.html from the other files, so it must be called at the end of the run.
 void add_report(const RunContext& context) {
   io::write_report(context.directory, io::movers_in(context.directory.manifest()));
   context.log->info("the report is {}", context.directory.report().string());
@@ -188,9 +193,9 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
   return failure.exit_code;
 }
 
-/// Prepares the directory and returns its lock. A lock of another run, a pipe with the name of a result, and an
-/// unsuitable checkpoint are reported before any result changes. The message names the entry or option that determines
-/// the directory.
+/// Prepares the directory and returns its lock. Throws UserError for a lock of another run, a pipe with the name of a
+/// result, or an unsuitable checkpoint, before any result changes. The message names the entry or option that
+/// determines the directory.
 io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const scene::Needs& needs,
                     const Options& options) {
   constexpr const char* entry = "Output/Directory";

@@ -11,8 +11,9 @@
 
 namespace pseudorigid::app {
 
-/// Runs a scene. `raw` is the scene before scene::validate, and `read` is the validated scene; the runs of a sweep are
-/// validated one by one. Returns the exit code. After the directory is prepared, exceptions are written to the log.
+/// Runs a scene and returns the exit code. `raw` is the scene before scene::validate. `read` is the validated scene, or
+/// the first run of a sweep, whose other runs are validated when they begin. Before the results directory is prepared,
+/// exceptions leave this function. Later they are written to the log and determine the exit code.
 int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
               const std::vector<std::string>& command, const Executable& executable);
 

@@ -3,8 +3,8 @@
 
 namespace pseudorigid::app {
 
-/// Throws std::system_error if the limit is less than the program needs. Otherwise the operating system would kill the
-/// program later.
+/// Throws std::system_error if the limit is less than the 512 kB that the program needs. With a lower limit, the
+/// operating system would kill the program later without a message.
 void require_stack();
 
 }  // namespace pseudorigid::app

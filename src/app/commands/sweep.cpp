@@ -36,16 +36,19 @@
 namespace pseudorigid::app {
 namespace {
 
+/// The number of run k, counted from 1, and its parameters, for messages.
 std::string describe_run(const scene::Sweep& sweep, int k) {
   return fmt::format("run {} of the sweep, {}", k + 1, describe_values(scene::values_of_run(sweep, k)));
 }
 
+/// Throws UserError with the sentence, and with the place of Sweep/Parameters in the scene file.
 [[noreturn]] void refuse_parameter(const scene::ReadScene& raw, const std::string& sentence) {
   constexpr const char* entry = "Sweep/Parameters";
   throw UserError(fmt::format("{}: {}: {}", raw.origins.of(entry), entry, sentence));
 }
 
-/// The columns of sweep.csv for a scene; `conserved` are the names of the constants of the motion.
+/// The names of the columns of sweep.csv for a scene. `conserved` has the names of the columns that the motion
+/// conserves; only sweeps with one model use it.
 std::vector<std::string> columns_of(const scene::Scene& scene, const scene::Needs& needs,
                                     const std::set<std::string>& conserved) {
   return scene::is_linear(scene.analysis) ? columns_of_linear_runs(scene, needs)
@@ -93,7 +96,7 @@ void require_used(const scene::ReadScene& raw) {
 
 /// Computes the runs that do not have a row yet. Several threads take one group of runs after the other. Groups and
 /// rows do not depend on the number of threads or on an interruption. A thread that runs out of memory leaves its group
-/// to the other threads and ends. The last thread continues alone.
+/// to the other threads and ends. If all threads have ended, the calling thread continues alone.
 class Workers {
  public:
   /// `end` is the run after the last one.
@@ -106,8 +109,9 @@ class Workers {
         end_(end),
         next_(first_ / group * group) {}
 
-  /// Computes the runs. Returns the number of threads, including the calling thread. After the end of all threads,
-  /// rethrows the first exception of a run. A UserError is not rethrown, but recorded in `wrong_input`.
+  /// Computes the runs with at most `n_threads` threads. Returns the number of threads, including the calling thread.
+  /// This number is smaller than `n_threads` if a thread cannot be started. After the end of all threads, rethrows the
+  /// first exception of a run. A UserError is not rethrown, but recorded in `wrong_input`.
   int work(int n_threads) {
     left_.reserve(static_cast<std::size_t>(n_threads));  // allocated now, because memory may be exhausted later
     std::vector<std::jthread> threads;
@@ -123,19 +127,23 @@ class Workers {
     return static_cast<int>(threads.size()) + 1;
   }
 
+  /// Number of runs that failed before their end.
   int n_failed() const { return n_failed_; }
+  /// Number of runs that were computed together in SIMD lanes.
   int n_together() const { return n_together_; }
   /// The number of the first run with wrong input, and its message; empty if there is no such run.
   const std::optional<std::pair<int, std::string>>& wrong_input() const { return wrong_input_; }
 
  private:
-  static constexpr int group = 8;
+  static constexpr int group = 8;  ///< runs of a group, as many as SIMD lanes (app/reduced/reduced_in_lanes.h)
 
   /// The runs begin, …, end − 1. The runs next, …, end − 1 do not have a row yet.
   struct Group {
     int begin, next, end;
   };
 
+  /// The next group: one that another thread has left, or a new one. Empty after an interrupt, or if there is no
+  /// further group.
   std::optional<Group> take() {
     const std::lock_guard lock(mutex_);
     if (io::interrupt_requested()) return {};
@@ -149,6 +157,9 @@ class Workers {
     return Group{begin, std::max(begin, first_), std::min(begin + group, end_)};
   }
 
+  /// Computes groups until none is left. If memory is exhausted and `has_others` is true, leaves the group to another
+  /// thread and returns. Any other exception is recorded and ends the sweep. A UserError is recorded with its run; of
+  /// several, the earliest run counts.
   void take_groups(bool has_others) {
     while (std::optional<Group> mine = take()) try {
         work_on(*mine);
@@ -169,6 +180,8 @@ class Workers {
       }
   }
 
+  /// Computes the runs of a group that do not have a row yet, and delivers their rows. After an interrupt or an
+  /// exception, mine.next is the first run without a row.
   void work_on(Group& mine) {
     int& k = mine.next;
     if (auto together = task_.run_together(mine.begin, mine.end)) {
@@ -194,6 +207,7 @@ class Workers {
     rows_.deliver(k, std::move(run));
   }
 
+  /// Counts a failed run, and logs the first ten.
   void note_failure(int k, const std::string& message) {
     const std::lock_guard lock(mutex_);
     if (++n_failed_ <= 10)
@@ -207,23 +221,24 @@ class Workers {
   SweepRows& rows_;
   int first_;  ///< first run without a row when the sweep starts
   int end_;
-  std::mutex mutex_;         ///< protects the members below
-  int next_;                 ///< first run of the next group
-  std::vector<Group> left_;  ///< groups that threads without memory have left
-  std::exception_ptr error_;
+  std::mutex mutex_;          ///< protects the members below
+  int next_;                  ///< first run of the next group; a multiple of `group`
+  std::vector<Group> left_;   ///< groups that threads without memory have left
+  std::exception_ptr error_;  ///< first exception other than a UserError
   std::optional<std::pair<int, std::string>> wrong_input_;
   int n_failed_ = 0;
   std::atomic<int> n_together_ = 0;
 };
 
-/// The number of threads. It is at least 1, even if the part of the sweep does not have runs.
+/// The number of threads: Sweep/Threads or the number of cores, but at most the number of runs. It is at least 1, even
+/// if the part of the sweep does not have runs.
 int n_threads_of(const scene::Scene& scene, int n_runs) {
   const auto n_cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   return std::clamp(scene.sweep_threads.value_or(n_cores), 1, std::max(1, n_runs));
 }
 
-/// The number of threads for which the addresses suffice: at most n_threads, and at least 1. Memory must not run out,
-/// because a failed resize in Eigen leaves a pointer that is freed twice.
+/// The number of threads for which the address space suffices: at most n_threads, and at least 1. Memory must not run
+/// out, because a failed resize in Eigen leaves a pointer that is freed twice.
 int n_threads_with_addresses(int n_threads) {
   std::size_t stack = 0;
   pthread_attr_t attributes;
@@ -235,8 +250,8 @@ int n_threads_with_addresses(int n_threads) {
   return static_cast<int>(std::clamp(io::available_addresses() / (double(stack) + heap), 1., double(n_threads)));
 }
 
-/// The number of processes for which the memory suffices, if every run has the discretisation of the first run. If this
-/// discretisation has a mesh file or is not known, the number is n_threads.
+/// The number of processes for which the memory suffices, if every run has the discretisation of the first run. It is
+/// at least 1 and at most n_threads. If this discretisation has a mesh file or is not known, the number is n_threads.
 int n_processes_of(const scene::Scene& scene, int n_threads) {
   const auto discretization = scene::fixed_discretization(scene);
   if (!discretization || scene::has_mesh_file(scene)) return n_threads;
@@ -244,6 +259,7 @@ int n_processes_of(const scene::Scene& scene, int n_threads) {
   return std::clamp(static_cast<int>(std::min(room, 1e6)), 1, n_threads);
 }
 
+/// The task of the scene: linear analyses, compared models, a system, or a single model.
 std::unique_ptr<SweepTask> task_of(const scene::ReadScene& raw, const RunContext& context,
                                    const Executable& executable) {
   const scene::Needs& needs = context.needs;

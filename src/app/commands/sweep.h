@@ -2,9 +2,10 @@
 /// A sweep, which runs the scene for every combination of its parameters (scene/sweep.h) on several cores. The file
 /// sweep.csv has a row for each run, with the columns
 ///
-///   run, the parameters, finished (1 or 0), time reached, steps, forces, estimated_time_error;
-///   for the ball: frequency (of the component of C = QᵀQ that varies most, 0 if there is none) and amplitude of C, as
-///   in analysis/motion.h;
+///   run, the parameters, finished (1 or 0), time (reached), steps, forces (evaluations of the force),
+///   estimated_time_error (0 if it is not known);
+///   for the ball, if its file has the columns of Q: frequency (of the component of C = QᵀQ that varies most, 0 if
+///   there is none) and amplitude of C, with the definitions of analysis/motion.h;
 ///   for every column c of the model's own CSV file: c_end, c_min, c_max over the samples. If the motion conserves c:
 ///   c at the start, and c_drift = c_max − c_min.
 ///
@@ -26,20 +27,21 @@
 
 namespace pseudorigid::app {
 
-/// Checks a sweep before anything is written. `raw` is the scene before validation. Throws UserError if a run with
-/// first or last values of the parameters is not valid. Also throws UserError if a parameter is not used or has the
-/// name of a column. Other runs are validated when they begin. An invalid run ends the sweep as failed, and the rows
-/// before it are kept.
+/// Checks a sweep before anything is written. Does nothing without a sweep. `raw` is the scene before validation.
+/// Throws UserError if a run with first or last values of the parameters is not valid. Also throws UserError if a
+/// parameter is not used, has the name of a column, or changes the columns of sweep.csv. Other runs are validated when
+/// they begin. An invalid run ends the sweep as failed, and the rows before it are kept.
 void check_sweep(const scene::ReadScene& raw);
 
-/// The least and the largest γ = ρgr/μ of the runs of a sweep of the ball (scene/scale_numbers.h). In a sweep of more
-/// than 1000 runs, only at most 1000 equidistant runs and the runs with first or last values of the parameters are
-/// evaluated. Runs with wrong input are skipped. `raw` is the scene before validation. The result is empty if there is
-/// no sweep or no self-gravity, or if the system is not the ball.
+/// The least and the largest ratio γ of gravity to elasticity (scene/scale_numbers.h) of the runs of a sweep of the
+/// ball. In a sweep of more than 1000 runs, only some runs are evaluated. They are at most 1000 equidistant runs, and
+/// the runs with first or last values of the parameters. Runs with wrong input are skipped. `raw` is the scene before
+/// validation. The result is empty if there is no sweep or no self-gravity, or if the system is not the ball.
 std::optional<std::pair<double, double>> gammas_of_sweep(const scene::ReadScene& raw);
 
 /// Computes the runs of the sweep, or of its part Sweep/Part, and writes the files. `context` is the context of the
-/// first run.
+/// first run. The outcome is `failed` if the input of a run is wrong, and `interrupted` after an interrupt. A run that
+/// stops early is a finished row with the value 0 of the column finished.
 ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
                        bool shows_progress);
 

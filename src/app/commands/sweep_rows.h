@@ -20,11 +20,13 @@
 
 namespace pseudorigid::app {
 
+/// The open tables of a sweep and their checkpoint.
 class SweepRows {
  public:
-  static constexpr const char* name = "sweep";
+  static constexpr const char* name = "sweep";  ///< name of the table and of the checkpoint, without extension
 
   /// Creates the table of the runs first_run, …, first_run + n_runs − 1, or continues it if the sweep is resumed.
+  /// Throws UserError if a table of the earlier run is damaged.
   SweepRows(const RunContext& context, const std::vector<std::string>& columns, int first_run, int n_runs,
             bool shows_progress)
       : identity_(run_identity(context.scene)),
@@ -46,6 +48,7 @@ class SweepRows {
     save();
   }
 
+  /// Number of rows in the file, including those of the earlier run of a resumed sweep.
   int n_written() const { return n_written_; }
   /// The first run whose row is not yet written.
   int next_run() const { return first_run_ + n_written_; }
@@ -63,6 +66,7 @@ class SweepRows {
     if (Clock::now() - last_save_ > std::chrono::seconds(5)) save();
   }
 
+  /// Ends the progress display and saves the checkpoint. Call it after all threads have ended.
   void finish() {
     progress_.finish();
     save();
@@ -71,8 +75,10 @@ class SweepRows {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// The number of a run in the files, which count from 1.
   static double run_number(int run) { return run + 1.0; }
 
+  /// The names of the columns of trajectories.csv.
   static std::vector<std::string> columns_of_samples(const RunContext& context) {
     std::vector<std::string> names{"run"};
     for (std::string& name : columns_of_run(context.scene, context.needs)) names.push_back(std::move(name));
@@ -87,12 +93,14 @@ class SweepRows {
       io::require_rows(context.directory.csv(trajectories_name), columns_of_samples(context), n_samples);
   }
 
+  /// Creates trajectories.csv, or continues it after its first n_rows rows if the sweep is resumed.
   void open_samples(const RunContext& context, std::int64_t n_rows) {
     const std::vector<std::string> names = columns_of_samples(context);
     const auto path = context.directory.csv(trajectories_name);
     samples_.emplace(context.resumes ? io::CsvWriter::resume(path, names, n_rows) : io::CsvWriter::create(path, names));
   }
 
+  /// Appends the samples of a run to trajectories.csv, each row with the number of the run.
   void append_samples(double run, const io::Table& samples) {
     std::vector<double> row;
     for (std::size_t i = 0; i < samples.n_rows(); ++i) {
@@ -103,6 +111,8 @@ class SweepRows {
     }
   }
 
+  /// Writes the rows to the disk, and then a checkpoint with their number. In this order, the checkpoint never counts a
+  /// row that the file lacks.
   void save() {
     csv_->flush();
     io::Checkpoint checkpoint;
@@ -121,7 +131,7 @@ class SweepRows {
   int first_run_, n_runs_, n_written_ = 0;
   io::Progress progress_;
   std::optional<io::CsvWriter> csv_, samples_;
-  std::map<int, FinishedRun> waiting_;  ///< rows that wait for earlier rows
+  std::map<int, FinishedRun> waiting_;  ///< finished runs whose rows wait for earlier rows, by their numbers
   std::mutex mutex_;
   Clock::time_point last_save_{};
 };

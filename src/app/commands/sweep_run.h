@@ -17,27 +17,32 @@
 
 namespace pseudorigid::app {
 
-/// The parameters of a run as text, for example "mu = 0.5, k = 2".
+/// The parameters of a run as text in alphabetical order, for example "k = 2, mu = 0.5".
 std::string describe_values(const scene::ParameterValues& values);
 
 /// The validated scene of a run with these parameters. Throws UserError if the scene cannot run.
 scene::Scene scene_of_run(const scene::ReadScene& raw, const scene::ParameterValues& values);
 
-/// The numbers of the runs in which each parameter has its first or its last value. For parameters of a Latin
-/// hypercube, these are the first and the last point of the hypercube.
+/// The numbers, from 0, of the runs in which every parameter has its first or its last value, in all combinations.
+/// Parameters of a Latin hypercube vary together: they have the values of its first or its last point.
 std::set<int> corners(const scene::Sweep& sweep);
 
-/// Names of the columns of the ball that the motion conserves. The energy is always conserved, the momenta if
-/// `is_free`, and the volume if `incompressible`.
+/// Names of the columns of the ball that the motion conserves. The energy, with the energies of loads and dissipation,
+/// is always conserved. Angular momentum J and circulation Z are conserved if `is_free`, which means that no load acts.
+/// The volume is conserved if `incompressible`.
 std::set<std::string> names_conserved(bool is_free, bool incompressible);
 
-/// Names of the two columns "frequency" and "amplitude" of the ball.
+/// The two names "frequency" and "amplitude" of columns of sweep.csv. Only sweeps of the ball whose files have the
+/// columns of Q contain these columns.
 std::vector<std::string> columns_of_frequencies();
 
-/// The columns of sweep.csv for one model or system. The names in `conserved` have a value and a drift.
+/// The names of the columns of sweep.csv for one model or system (sweep.h). A column in `conserved` gives the initial
+/// value and the drift. Any other column gives the last, the least and the greatest value.
 std::vector<std::string> columns_of_sweep(const scene::Scene& scene, const scene::Needs& needs,
                                           const std::set<std::string>& conserved);
 
+/// The runs of a sweep as tasks, each with one model or system. Runs together in SIMD lanes are possible if the model
+/// offers them and Sweep/Lanes is true.
 class SweepRun : public SweepTask {
  public:
   SweepRun(const scene::ReadScene& raw, RunModel run, RunTogether together, const RunContext& context);
@@ -55,16 +60,20 @@ class SweepRun : public SweepTask {
     ModelOutcome outcome;
   };
 
+  /// The context of a run that writes no files and no log. The rows go to `result`.
   RunContext context_of(const scene::Scene& scene, Result& result) const;
+  /// The row of run k, with its samples if the scene keeps them.
   FinishedRun finished(int k, Result result) const;
+  /// The row of run k in sweep.csv. Values that depend on samples are 0 if the run has none.
   std::vector<double> row(int k, const Result& result) const;
+  /// Appends the frequency and the amplitude of C to the row; both are 0 if there are fewer than two samples.
   void add_frequency(const io::Table& table, std::vector<double>& row) const;
 
   const scene::ReadScene& raw_;
   RunModel run_;
   RunTogether together_;
   const RunContext& context_;
-  std::set<std::string> conserved_;
+  std::set<std::string> conserved_;  ///< columns that are conserved in every run
   std::shared_ptr<io::Logger> silent_;
 };
 

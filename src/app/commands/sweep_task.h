@@ -1,5 +1,6 @@
 #pragma once
-/// Interface to the runs k = 0, 1, … of a sweep. The interface gives the columns of sweep.csv and the row of each run.
+/// Interface to the runs k = 0, 1, … of a sweep. An implementation gives the columns of sweep.csv and computes the row
+/// of each run.
 
 #include <optional>
 #include <string>
@@ -15,19 +16,20 @@ struct FinishedRun {
   std::vector<double> row;  ///< row of sweep.csv
   io::Table samples;        ///< samples, if they are kept and the sweep has one model; otherwise empty
   mechanics::Outcome end = mechanics::Outcome::finished;
-  std::string message;  ///< one sentence if the run has not finished
+  std::string message;  ///< one sentence if the run has not finished; otherwise empty
 };
 
 class SweepTask {
  public:
   virtual ~SweepTask() = default;
 
+  /// The names of the columns of sweep.csv, in the order of FinishedRun::row.
   virtual std::vector<std::string> columns() const = 0;
   /// Computes run k. Several threads call this function at the same time. Throws UserError if the scene of the run is
   /// not valid.
   virtual FinishedRun run(int k) const = 0;
-  /// Computes the runs first, …, last − 1 together and returns their rows. Returns an empty value if the runs must be
-  /// computed one by one.
+  /// Computes the runs first, …, last − 1 together, in SIMD lanes, and returns them in this order. Returns an empty
+  /// value if the runs must be computed one by one.
   virtual std::optional<std::vector<FinishedRun>> run_together(int /*first*/, int /*last*/) const { return {}; }
 };
 

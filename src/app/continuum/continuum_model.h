@@ -21,7 +21,8 @@
 
 namespace pseudorigid::app {
 
-/// `Ball` is a continuum::ElasticBall or continuum::CompressibleBall.
+/// The finite-element model on one discretisation. `Ball` is continuum::ElasticBall for an incompressible body and
+/// continuum::CompressibleBall for a compressible one.
 template <class Ball>
 class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   using Base = FieldModel<Ball, continuum::MaterialFaces>;
@@ -114,6 +115,8 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
     counters["reductions"] = own.reductions;
   }
 
+  /// The mesh of the scene: the computed sector of the builtin ball, or the whole body of a mesh file. Logs the
+  /// displacement if the centre of mass of the file is not the origin.
   static continuum::BallMesh mesh_of(const RunContext& context, int n_refinements) {
     const MPI_Comm communicator = context.ranks->size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF;
     if (!scene::has_mesh_file(context.scene))
@@ -129,8 +132,8 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
     mesh.cells = body.mesh.cells;
     return {mesh, n_refinements, communicator};
   }
-  /// Grading of the mesh towards the two poles on one axis. If the scene has planes, this axis is closest to the normal
-  /// of the first plane. Otherwise it is the z axis.
+  /// Grading of the builtin mesh towards the two poles on one axis. If the scene has planes, this axis is closest to
+  /// the normal of the first plane. Otherwise it is the z axis.
   static continuum::Grading grading_of(const scene::Scene& scene) {
     continuum::Grading grading{.size = scene.continuum.grading};
     const auto planes = loads::constant_forcing(internal_loads(scene)).planes;
@@ -141,7 +144,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   System ball_;
   continuum::RankOrder rank_order_;
   WrinklingWatch wrinkling_;
-  std::optional<mechanics::Vibration> vibration_;  ///< empty before the first row with its columns
+  std::optional<mechanics::Vibration> vibration_;  ///< empty before the first row with the columns of vibration
   mechanics::PointBlocks blocks_;                  ///< empty before the first picture
   continuum::MessageCounts counts_at_start_ = continuum::message_counts();
 };

@@ -68,6 +68,7 @@ ModelOutcome run_on_all_ranks(const RunContext& context) {
       });
 }
 
+/// The versions of deal.II and, if the library uses it, CHOLMOD.
 std::map<std::string, std::string> libraries() {
   std::map<std::string, std::string> versions{{"deal.II", DEAL_II_PACKAGE_VERSION}};
 #ifdef PSEUDORIGID_CHOLMOD

@@ -14,6 +14,7 @@
 namespace pseudorigid::app {
 namespace {
 
+/// Computes the Love numbers of these degrees on one discretisation. Fails if a solution fails.
 mechanics::Status find(const scene::Scene& scene, const scene::Discretization& discretization,
                        const std::vector<int>& degrees, std::vector<continuum::BallLoveNumbers>& numbers) {
   const BallAtRestOnMesh ball(scene, discretization);
@@ -21,8 +22,8 @@ mechanics::Status find(const scene::Scene& scene, const scene::Discretization& d
 }
 
 /// Raises the relative error of a degree to the largest one of the lower degrees. A mesh resolves tides of a low degree
-/// better. A smaller relative error at a higher degree would therefore be an accident of the difference from the
-/// companion.
+/// better. If the difference from the companion is relatively smaller at a higher degree, the reason is chance, and the
+/// bound would be too small.
 struct RisingBound {
   double relative = 0;
 

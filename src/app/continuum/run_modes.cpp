@@ -20,6 +20,7 @@ namespace {
 using continuum::BallFrequency, continuum::ModeKind;
 using Clock = std::chrono::steady_clock;
 
+/// The rows of the table of modes for the computed frequencies.
 std::vector<ModeFrequency> rows_of(const std::vector<BallFrequency>& frequencies) {
   std::vector<ModeFrequency> rows;
   for (const BallFrequency& f : frequencies)

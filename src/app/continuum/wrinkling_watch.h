@@ -21,6 +21,7 @@ class WrinklingWatch {
     if (context.needs.surface_watch) limit_ = materials::surface_limit(law);
   }
 
+  /// Checks the positions x at a sample. `time` is in the user's units. Collective.
   void look(double time, const continuum::BallSpace& space, const continuum::Vector& x) {
     if (!limit_) return;
     const continuum::LeastPlace surface = continuum::least_surface_stretch(space, x);
@@ -37,11 +38,13 @@ class WrinklingWatch {
   /// The least ratio of stretches, the time of the warning (0 without a warning), and 1 if there was a warning; for
   /// checkpoints.
   std::array<double, 3> remarks() const { return {least_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
+  /// Restores the numbers of `remarks`.
   void take_remarks(std::span<const double, 3> remarks) {
     least_ = remarks[0];
     if (remarks[2] != 0) first_ = remarks[1];
   }
 
+  /// Adds the counters of the least ratio of stretches and of the time of the warning, if they exist.
   void report(io::Manifest::Model& statistics) const {
     if (limit_ && least_ < 1) statistics.counters["least_surface_stretch_ratio"] = least_;
     if (first_) statistics.counters["surface_limit_time"] = *first_;
@@ -50,8 +53,8 @@ class WrinklingWatch {
  private:
   const RunContext& context_;
   std::optional<double> limit_;  ///< limit of the law; if empty, nothing is checked
-  double least_ = 1;
-  std::optional<double> first_;
+  double least_ = 1;  ///< least ratio of the stretch along the surface to the stretch along the normal, so far
+  std::optional<double> first_;  ///< time of the warning in the user's units; empty before it
 };
 
 }  // namespace pseudorigid::app

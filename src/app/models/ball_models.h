@@ -11,11 +11,14 @@
 
 namespace pseudorigid::app {
 
+/// A function that runs a model and writes its results to the sinks of the context. If the context has several ranks,
+/// all of them call the function.
 using RunModel = ModelOutcome (*)(const RunContext&);
-/// A function that computes several runs of a sweep at the same time. It returns an empty value if the runs must be
-/// computed one by one.
+/// A function that computes several runs of a sweep at the same time, one for each context. It returns their outcomes
+/// in this order, or an empty value if the runs must be computed one by one.
 using RunTogether = std::optional<std::vector<ModelOutcome>> (*)(std::span<const RunContext>);
 
+/// A model of the ball: its description for parameter files, and the functions that run it.
 struct BallModel {
   /// `run` is null for a discretized model, whose function is in a library that the program opens later. Throws
   /// std::logic_error if any other part of the description is missing.
@@ -26,6 +29,7 @@ struct BallModel {
   RunTogether together;  ///< null if the runs of a sweep are computed one by one
 };
 
+/// The pseudo-rigid model, polynomial bodies and the finite-element model.
 BallModel reduced_model();
 BallModel polynomial_model();
 BallModel continuum_model();

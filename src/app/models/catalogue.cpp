@@ -14,6 +14,7 @@
 namespace pseudorigid::app {
 namespace {
 
+/// True if the description has all parts that every model must have.
 bool is_complete(const scene::ModelDescription& m) {
   return !m.name.empty() && !m.adjective.empty() && !m.documentation.empty() && !m.columns.empty() && m.header &&
          m.needed && m.skipped && m.refuses;

@@ -18,6 +18,7 @@ namespace {
 using scene::Refusal;
 using scene::Scene;
 
+/// The line for the user about the mesh, the degree and the computed sector.
 std::string continuum_needed(const Scene& scene) {
   const auto found = [](const std::optional<int>& value) { return value ? std::to_string(*value) : "auto"; };
   const auto fixed = scene::fixed_discretization(scene);
@@ -35,6 +36,7 @@ std::string continuum_needed(const Scene& scene) {
               : fmt::format(", {}, one of {} ({})", sector.name(), sector.n_images(), sector.reason));
 }
 
+/// The discretisation of the companion run in words; empty if a search chooses the discretisation.
 std::optional<std::string> continuum_companion(const Scene& scene) {
   const auto fixed = scene::fixed_discretization(scene);
   return fixed ? std::optional(scene::describe(scene::companion(*fixed))) : std::nullopt;
@@ -62,6 +64,8 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
   return {};
 }
 
+/// Refuses degree 1 for an incompressible body and for a mesh file. Also refuses a grading and a symmetry plane for a
+/// mesh file.
 std::optional<Refusal> refuses_discretization(const Scene& scene) {
   if (scene.body.incompressible && scene.continuum.degree == 1)
     return Refusal{"Continuum/Degree", "expected a whole number from 2 to 8 for an incompressible body, got 1"};
@@ -75,13 +79,13 @@ std::optional<Refusal> refuses_discretization(const Scene& scene) {
   return {};
 }
 
-/// True if self-gravity or a confining potential keeps the pressure in a fluid positive.
+/// True if self-gravity or a confining potential acts, which can keep the pressure in a fluid positive.
 bool is_held_together(const Scene& scene) {
   return loads::present(scene.loads.get<loads::SelfGravity>()) || scene::is_confined(scene);
 }
 
-/// Refuses bodies and loads that other models have and the finite-element model does not have. Also refuses a fluid
-/// without volumetric stiffness.
+/// Refuses bodies and loads that other models have and the finite-element model does not have. Also refuses an ideal
+/// fluid without volumetric stiffness, because nothing else keeps the shape of its elements.
 std::optional<Refusal> refuses_body(const Scene& scene) {
   const auto offered_for_others = [&](const char* path, const char* what) {
     return Refusal{path, fmt::format("{} is", what), {}, scene::names_where(scene, [](const auto& model) {
@@ -106,6 +110,7 @@ std::optional<Refusal> refuses_body(const Scene& scene) {
   return {};
 }
 
+/// Refuses a symmetry plane of Continuum/Symmetry that the motion does not preserve.
 std::optional<Refusal> refuses_symmetry(const Scene& scene) {
   const auto planes = scene::planes_of(scene.continuum.symmetry);
   for (int i = 0; i < 3; ++i) {
@@ -120,6 +125,7 @@ std::optional<Refusal> refuses_symmetry(const Scene& scene) {
   return {};
 }
 
+/// The first reason to refuse the scene, or an empty value.
 std::optional<Refusal> refuses(const Scene& scene) {
   for (const auto judge : {refuses_discretization, refuses_modes, refuses_body, refuses_symmetry, refuses_motion})
     if (auto refusal = judge(scene)) return refusal;

@@ -20,6 +20,7 @@ namespace {
 using scene::Refusal;
 using scene::Scene;
 
+/// The line for the user about the degree and the computed part of the ball.
 std::string polynomial_needed(const Scene& scene) {
   const auto& degrees = scene.polynomial.degrees;
   std::string of_degree = "degree";
@@ -36,6 +37,7 @@ std::string polynomial_needed(const Scene& scene) {
                      sector.reason);
 }
 
+/// The degree of the companion run in words; empty if a search chooses the degree.
 std::optional<std::string> polynomial_companion(const Scene& scene) {
   const auto& degrees = scene.polynomial.degrees;
   return degrees.empty() ? std::nullopt
@@ -47,12 +49,15 @@ std::string polynomial_skipped(const Scene&) { return "polynomial body: not amon
 /// Name of the files of a run whose degree is not the last of the list.
 std::string rung(int N) { return fmt::format("polynomial-{}", N); }
 
+/// The names of the files of all possible runs but the last of a list.
 std::vector<std::string> rungs() {
   std::vector<std::string> names;
   for (int N = 1; N < scene::largest_polynomial_degree; ++N) names.push_back(rung(N));
   return names;
 }
 
+/// A run for each degree of the list, or one run if a search chooses the degree. The last run has the name of the
+/// model.
 std::vector<scene::ModelRun> runs(const Scene& scene) {
   const auto& degrees = scene.polynomial.degrees;
   if (degrees.empty()) return {{"polynomial", "polynomial", true}};
@@ -77,6 +82,8 @@ std::optional<Refusal> refuses_body(const Scene& scene) {
   return {};
 }
 
+/// Refuses modes and Love numbers if the degree is not given, or if the body is not a ball. Also refuses modes of
+/// several degrees, and Love numbers of degrees that no polynomial body has.
 std::optional<Refusal> refuses_modes(const Scene& scene) {
   if (!scene::is_linear(scene.analysis)) return {};
   if (scene.polynomial.degrees.empty())

@@ -14,11 +14,12 @@
 
 namespace pseudorigid::app {
 
+/// One run of a polynomial body of this degree.
 struct PolynomialTask {
   int degree;
   std::string name = "polynomial";     ///< name of the files of the run
   DeformationTrace* trace = nullptr;   ///< receives the history of Q; null if the history is not requested
-  std::optional<Stepping> stepping{};  ///< method and step of another run; empty: a search
+  std::optional<Stepping> stepping{};  ///< method and step of another run; if empty, the run searches for them
 };
 
 /// Number of quadrature points in each direction: the entry of the scene, but at least the number that the degree

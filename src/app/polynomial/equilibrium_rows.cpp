@@ -34,12 +34,14 @@ std::vector<mechanics::Rate> slowest_rates(const RotationMember& member) {
   return rates;
 }
 
+/// The number of negative directions of the energy, added over all classes of motions.
 int negative_directions(const RotationMember& member) {
   int n = 0;
   for (const ClassStability& of_class : member.classes) n += of_class.stability.n_negative;
   return n;
 }
 
+/// The setup without symmetry planes, and with only the loads that a steady rotation can have.
 polynomial::BodySetup of_whole_body(polynomial::BodySetup setup, bool incompressible) {
   setup = polynomial::conservative_setup(std::move(setup), incompressible);
   setup.reflect = {};

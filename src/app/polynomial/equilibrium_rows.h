@@ -12,21 +12,26 @@
 
 namespace pseudorigid::app {
 
+/// The columns of the file with their units and texts.
 std::vector<scene::Column> polynomial_equilibria_columns();
 
-/// Name of a class of motions, for example "even in z, m = 2".
+/// Name of a class of motions. Examples are "even in z, m = 2" for a spheroid and "odd in z, even under the half turn"
+/// for an ellipsoid.
 std::string name_of(const polynomial::MotionClass& motions, polynomial::Figure figure);
 
 /// The class that contains the fastest growing motion; null if no motion grows.
 const polynomial::ClassStability* fastest_growing(const polynomial::RotationMember& member);
 
+/// Makes the rows for the figures of one polynomial body.
 class EquilibriumRows {
  public:
+  /// The object refers to `spectrum`, which must exist as long as the object.
   EquilibriumRows(const polynomial::BodySetup& setup, bool incompressible,
                   const polynomial::RotationSpectrum& spectrum);
 
   /// Sets `row` to one row of the table. All columns are in internal units except the parameter, which has the unit of
-  /// its family. `special` is null for an ordinary member of the family. Fails if the figure cannot be observed.
+  /// its family. `special` is null for an ordinary member of the family. Fails if the observables of the figure cannot
+  /// be computed.
   mechanics::Status row(int index, const polynomial::RotationMember& member, const polynomial::SpecialRotation* special,
                         std::vector<double>& row) const;
 

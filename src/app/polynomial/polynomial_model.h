@@ -21,7 +21,7 @@
 
 namespace pseudorigid::app {
 
-/// `Body` is a polynomial::IncompressibleBody or polynomial::CompressibleBody.
+/// The polynomial model of one degree. `Body` is polynomial::IncompressibleBody or polynomial::CompressibleBody.
 template <class Body>
 class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces> {
   using Base = FieldModel<Body, polynomial::MaterialFaces>;
@@ -114,7 +114,7 @@ class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces>
 
   System body_;
   RunQuadrature<System> quadrature_;
-  std::optional<polynomial::BodyVibration> vibration_;  ///< empty before the first row with its columns
+  std::optional<polynomial::BodyVibration> vibration_;  ///< empty before the first row with the columns of vibration
   std::optional<Picture> picture_;                      ///< empty before the first picture
 };
 

@@ -41,6 +41,8 @@ double log_ratio_of_axes(double a2_to_a1) {
   return std::abs(value) < apart ? -apart : value;
 }
 
+/// The family of the scene for RotationFinder. It maps a value of the parameter, in the unit of the family, to a
+/// condition on the figure. For Jacobi's family, the pseudo-rigid figure is the initial guess.
 polynomial::FamilyOfRotations family_of(const scene::Scene& scene) {
   const double time_unit = units_of(scene).time;
   switch (scene.equilibria.family) {
@@ -71,6 +73,7 @@ polynomial::FamilyOfRotations family_of(const scene::Scene& scene) {
   }
 }
 
+/// The values of the parameter that the scene requests.
 std::vector<double> parameters_of(const scene::Scene::Equilibria& asked) {
   const reduced::ParameterRange range{asked.first, asked.last, asked.number};
   std::vector<double> values;
@@ -78,6 +81,7 @@ std::vector<double> parameters_of(const scene::Scene::Equilibria& asked) {
   return values;
 }
 
+/// The run of all degrees, and its table and results.
 class EquilibriaRun {
  public:
   explicit EquilibriaRun(const RunContext& context)
@@ -101,11 +105,14 @@ class EquilibriaRun {
   }
 
  private:
+  /// Sets the outcome and its message.
   void end(mechanics::Outcome how, std::string message) {
     outcome_.end = how;
     outcome_.message = std::move(message);
   }
 
+  /// Computes the family of one degree, and writes its rows and results. After an interrupt, writes the figures found
+  /// so far.
   void add_degree(int degree) {
     const scene::Scene& scene = context_.scene;
     const polynomial::BodySetup setup = body_setup(scene, {}, degree);
@@ -127,6 +134,7 @@ class EquilibriaRun {
                       n_values, scene.equilibria.number, name, degree));
   }
 
+  /// Writes the members and the special points of a family by rising parameter.
   void write(const polynomial::RotationFamily& family, const EquilibriumRows& rows) {
     std::vector<std::pair<const polynomial::RotationMember*, const polynomial::SpecialRotation*>> sorted;
     for (const auto& member : family.members) sorted.emplace_back(&member, nullptr);
@@ -140,6 +148,7 @@ class EquilibriaRun {
     }
   }
 
+  /// Adds the lines about a degree to the results.
   void report(int degree, const polynomial::RotationFamily& family, Figure figure, const std::string& name) {
     const auto n_stable = std::ranges::count_if(
         family.members, [](const polynomial::RotationMember& member) { return !fastest_growing(member); });

@@ -6,6 +6,8 @@
 
 namespace pseudorigid::app {
 
+/// Computes the Love numbers of all degrees of the scene. The outcome is `failed` if a solution fails, and
+/// `interrupted` after an interrupt. The later files are then not written.
 ModelOutcome run_polynomial_love_numbers(const RunContext& context);
 
 }  // namespace pseudorigid::app

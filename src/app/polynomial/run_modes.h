@@ -1,11 +1,13 @@
 #pragma once
 /// Runs `Analysis = modes` for the polynomial model and writes the frequencies about rest into modes.csv. If the scene
-/// has another model too, the file is modes-polynomial.csv.
+/// also has the finite-element model, the file is modes-polynomial.csv.
 
 #include "app/run/run_context.h"
 
 namespace pseudorigid::app {
 
+/// Computes the modes of the body whose degree the scene gives. The outcome is `failed` if the computation fails, if
+/// the ball is unstable at rest, or if the copies of a mode differ. The file is then not written.
 ModelOutcome run_polynomial_modes(const RunContext& context);
 
 }  // namespace pseudorigid::app

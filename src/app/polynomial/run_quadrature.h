@@ -21,6 +21,7 @@
 
 namespace pseudorigid::app {
 
+/// Chooses the rule, estimates its error, and keeps both for checkpoints.
 template <class Body>
 class RunQuadrature {
  public:
@@ -54,6 +55,8 @@ class RunQuadrature {
     length_ = numbers[2];
   }
 
+  /// Adds the number of points and the estimated error. If the run has become longer than the estimate assumes, the
+  /// error grows as a power of the duration.
   void report(const Body& body, io::Manifest::Model& statistics) const {
     auto& counters = statistics.counters;
     counters["quadrature_points"] = body.space().n_points_in_direction();
@@ -64,9 +67,11 @@ class RunQuadrature {
   }
 
  private:
-  static constexpr double failed = -2;
+  static constexpr double failed = -2;  ///< value of the error in `numbers` if the estimate failed
 
-  /// The internal strains of viscoelastic branches belong to the points, so these bodies keep their rule.
+  /// True if the program adds points. The tolerance is then below its default, and the scene sets neither Time/Step nor
+  /// Polynomial/Quadrature points. False for viscoelastic bodies, because the internal strains of their branches belong
+  /// to the points.
   bool follows() const {
     const scene::Scene& scene = context_.scene;
     return setup_.loads.get<loads::Viscoelasticity>().moduli.empty() && !scene.polynomial.quadrature_points &&
@@ -99,6 +104,7 @@ class RunQuadrature {
       context_.log->warn("{}: the tolerance is below the error of the quadrature", model_);
   }
 
+  /// Replaces the body by one with this number of points, if its own number differs.
   void set_points(int n_points, Body& body) {
     setup_.n_points = n_points;
     if (n_points != body.space().n_points_in_direction()) body = Body(setup_);
@@ -109,8 +115,8 @@ class RunQuadrature {
   polynomial::BodySetup setup_;
   std::optional<double> error_{};  ///< error of Q for a run of duration length_
   bool is_known_ = false;          ///< true if the error was estimated, or if the estimate failed
-  double length_ = 1;
-  long n_force_ = 0;
+  double length_ = 1;              ///< internal duration of the run to which error_ applies
+  long n_force_ = 0;               ///< force evaluations of the estimates
 };
 
 }  // namespace pseudorigid::app

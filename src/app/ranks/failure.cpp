@@ -26,7 +26,8 @@ Failure failure_of(const std::exception& error) {
   // If no machine could provide the requested size, std::vector throws length_error in place of bad_alloc.
   if (is<std::bad_alloc>(error) || is<std::length_error>(error))
     return {exit_stopped, "the memory does not suffice for this scene"};
-  // A system_error has causes such as a file that cannot be read or removed, or a thread that cannot be started.
+  // A system_error is not a defect of the program. Its causes are, for example, a file that cannot be read or removed,
+  // or a thread that cannot be started.
   if (is<std::system_error>(error)) return {exit_stopped, std::string("the system refuses: ") + error.what()};
   return {exit_defect, std::string("a defect of pseudorigid, please report it: ") + error.what()};
 }

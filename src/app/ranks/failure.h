@@ -8,8 +8,10 @@
 
 namespace pseudorigid::app {
 
+/// Done, a defect of the program, wrong input, and a run that stopped early.
 constexpr int exit_done = 0, exit_defect = 1, exit_wrong_input = 2, exit_stopped = 3;
 
+/// The exit code of a run with this outcome. A failed and an interrupted run have the same code.
 constexpr int exit_code_of(mechanics::Outcome outcome) {
   return outcome == mechanics::Outcome::finished ? exit_done : exit_stopped;
 }
@@ -19,8 +21,9 @@ struct Failure {
   std::string message;  ///< one sentence for the user
 };
 
-/// The exit code and the message for an exception. Wrong input of the user has the exit code 2. A lack of memory, disk
-/// space or another resource has the exit code 3. A defect of the program has the exit code 1.
+/// The exit code and the message for an exception. Wrong input of the user, and missing kernels for the processor, have
+/// the exit code 2. A lack of memory, disk space or another resource has the exit code 3. A defect of the program has
+/// the exit code 1. A FailureOnAllRanks has the code and the message of its original exception.
 Failure failure_of(const std::exception& error);
 
 }  // namespace pseudorigid::app

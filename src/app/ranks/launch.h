@@ -12,8 +12,10 @@
 
 namespace pseudorigid::app {
 
+/// The place of this process among the processes that a launcher has started together. A process without a launcher has
+/// the rank 0 of 1.
 struct Launch {
-  static constexpr int unknown = 0;
+  static constexpr int unknown = 0;  ///< value of n_ranks if only MPI can give the number
   int rank = 0;
   int n_ranks = 1;       ///< `unknown` if the launcher gives only the rank
   int n_ranks_here = 1;  ///< number of ranks on this machine; 1 if the launcher does not give it

@@ -1,7 +1,7 @@
 #pragma once
 /// Interface to the processes of a run. If a launcher has started several processes, a scene without finite elements
 /// runs on one of them only. A scene with finite elements runs on all processes. The first process then writes the
-/// files and the messages.
+/// messages and the files, except for the pieces of pictures, which each process writes itself.
 
 #include <string>
 
@@ -12,6 +12,7 @@ namespace pseudorigid::app {
 class Ranks {
  public:
   virtual ~Ranks() = default;
+  /// The number of this process, from 0.
   virtual int rank() const { return 0; }
   virtual int size() const { return 1; }
   /// True if `mine` is true on any rank. Collective.

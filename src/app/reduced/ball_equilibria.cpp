@@ -28,7 +28,8 @@ class FamilyMaker {
         body_{potential_, scene_.body.E0.trace() / 3, scene.body.incompressible} {}
 
   /// Computes a family; none and at_rest give an empty family. `range` is the range of the parameter of the family. If
-  /// the parameter is a spin, it has the user's unit in `range` and in the result.
+  /// the parameter is a spin, it has the user's unit in `range` and in the result. `ratio` is a₃/a₁, which only
+  /// Riemann's families use.
   EquilibriumFamily make(Family family, reduced::ParameterRange range, double ratio, double time_unit) const {
     switch (family) {
       case Family::none:
@@ -71,6 +72,7 @@ constexpr int most_rates = 10;  // spheroids have 10 rates, other figures 8; mis
 
 enum Kind { member = 0 };  // the kind of a special point is 1 + SpecialKind
 
+/// The row of a figure in internal units, in the order of ball_equilibria_columns().
 std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& p) {
   const reduced::SteadyMotion& m = p.motion;
   std::vector<double> row{static_cast<double>(index), static_cast<double>(kind), p.parameter};
@@ -98,6 +100,7 @@ std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& 
   return row;
 }
 
+/// Writes the members and the special points by rising parameter.
 void write_family(const EquilibriumFamily& family, const RunContext& context) {
   std::vector<std::pair<int, const EquilibriumPoint*>> rows;
   for (const EquilibriumPoint& point : family.points) rows.emplace_back(member, &point);

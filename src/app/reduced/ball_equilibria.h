@@ -17,6 +17,8 @@ namespace pseudorigid::app {
 /// The columns of equilibria.csv for the ball.
 std::vector<scene::Column> ball_equilibria_columns();
 
+/// Computes the family of the scene and writes equilibria.csv. The outcome is `failed` if the family has no member in
+/// the range. After an interrupt, the file has the members found so far.
 ModelOutcome run_ball_equilibria(const RunContext& context);
 
 /// Sets `figure` to the member of the family with this parameter, in internal units. If the parameter is a spin,
@@ -31,8 +33,9 @@ std::string parameter_name(scene::Family family);
 ///
 ///   Q₀ = D A,   Q̇₀ = D (ω̂A − AΛ̂) + V
 ///
-/// with A, ω and Λ of the equilibrium, the Deformation D and the Velocity V of the scene, and ω̂x = ω × x. Returns the
-/// new scene, or an unchanged scene if the entry is `none`. Throws UserError if there is no such equilibrium.
+/// with A, ω and Λ of the equilibrium in the user's units, and ω̂x = ω × x. D and V are the entries Deformation and
+/// Velocity of the scene. Returns the new scene, or an unchanged scene if the entry is `none`. Throws UserError if
+/// there is no such equilibrium.
 scene::Scene with_equilibrium(scene::Scene scene, const scene::Origins& origins);
 
 }  // namespace pseudorigid::app

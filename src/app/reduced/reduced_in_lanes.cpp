@@ -40,7 +40,8 @@ bool is_plain(const RunContext& context, const ReducedScene& s) {
          !reduced::ExternalPotential(s.forcing).present();
 }
 
-/// The matrices of all bodies in lanes. `matrix_of(body)` returns the matrix of one body, for example Q.
+/// The matrices of all bodies in lanes: entry i of a body, row by row, has the index i · n_body_lanes + body.
+/// `matrix_of(body)` returns the matrix of one body, for example Q.
 template <class MatrixOf>
 reduced::MatricesInLanes in_lanes(const MatrixOf& matrix_of) {
   reduced::MatricesInLanes values;
@@ -51,12 +52,14 @@ reduced::MatricesInLanes in_lanes(const MatrixOf& matrix_of) {
   return values;
 }
 
+/// The matrix of one body, the inverse of `in_lanes`.
 Eigen::Matrix3d of_lane(const reduced::MatricesInLanes& values, int body) {
   Eigen::Matrix3d matrix;
   for (int i = 0; i < 9; ++i) matrix(i / 3, i % 3) = values[i * n_body_lanes + body];
   return matrix;
 }
 
+/// The run of eight bodies of the same form.
 template <class Body>
 class RunInLanes {
  public:
@@ -75,6 +78,8 @@ class RunInLanes {
     for (int i = 0; i < n_body_lanes; ++i) inertia_.volume[i] = scenes[i].body.volume;
   }
 
+  /// Runs the bodies and writes their rows. Returns an empty value if no step is found, a motion fails, the step is not
+  /// stable, or a row is not finite.
   std::optional<std::vector<ModelOutcome>> run() {
     const mechanics::StepChoice choice = choose();
     if (!choice.status) return {};
@@ -100,6 +105,7 @@ class RunInLanes {
  private:
   const RunContext& first() const { return contexts_.front(); }
 
+  /// Integrates all bodies from their initial states with `n_steps` steps between samples.
   reduced::MotionsInLanes move(mechanics::MethodId method, const mechanics::SampleTimes& times, long n_steps) const {
     return reduced::motions_in_lanes(scenes_.front().law, inertia_, in_lanes([&](int i) { return scenes_[i].start.q; }),
                                      in_lanes([&](int i) { return scenes_[i].start.v; }), method, times, n_steps);
@@ -122,6 +128,8 @@ class RunInLanes {
     return limit;
   }
 
+  /// The method and the step for all bodies. If the scene gives both, nothing is searched. Otherwise pilot runs in
+  /// lanes find a step for the body with the largest error.
   mechanics::StepChoice choose() const {
     const auto& time = first().scene.time;
     const std::optional<mechanics::MethodId> asked = mechanics::find_method(time.method);
@@ -140,6 +148,7 @@ class RunInLanes {
     return mechanics::detail::choose_among({in_pilots(method)}, {}, true, request);
   }
 
+  /// The method in the form in which the search for the step runs it.
   mechanics::detail::FixedStepMethod in_pilots(mechanics::MethodId id) const {
     return mechanics::with_method(id, [&]<class Method>(Method) -> mechanics::detail::FixedStepMethod {
       if constexpr (Method::adaptive)
@@ -152,6 +161,7 @@ class RunInLanes {
     });
   }
 
+  /// The result of a pilot run, with the matrices of all bodies as one configuration.
   static mechanics::detail::PilotRun pilot(const reduced::MotionsInLanes& motions) {
     mechanics::detail::PilotRun run;
     run.t = motions.t;

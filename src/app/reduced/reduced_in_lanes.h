@@ -14,7 +14,8 @@ namespace pseudorigid::app {
 ///
 /// Returns an empty value if the runs must be computed one by one. In runs that are computed together, the bodies must
 /// be incompressible, and only the stress of the law may act on them. Law, method, tolerance, step and times must be
-/// equal. All motions must reach their end, and the step must be stable for all of them.
+/// equal, and the method must be offered in lanes (reduced::moves_in_lanes). All motions must reach their end, and the
+/// step must be stable for all of them.
 std::optional<std::vector<ModelOutcome>> run_reduced_in_lanes(std::span<const RunContext> contexts);
 
 }  // namespace pseudorigid::app

@@ -52,8 +52,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
 
   const System& system() const override { return system_; }
   State initial_state() const override { return start_; }
-  /// The matrix Q. If the scene has contact planes, the centre of mass is a fourth column. If it has companions, their
-  /// coordinates follow, in units of the initial distances.
+  /// The matrix Q. If the scene has contact planes, the centre of mass is a fourth column. If the scene has companions,
+  /// their positions relative to the body are further columns (with_companions).
   Eigen::MatrixXd configuration(const State& state) const override {
     if constexpr (is_loaded) {
       if (system_.has_contact()) return state.q.template leftCols<4>();
@@ -117,9 +117,10 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     return {};
   }
 
-  /// Records the contact after a step, and checks the least singular value of Q for a body that can change its volume.
-  /// This value is the distance of Q from the nearest singular matrix (Eckart and Young). If it is at most the
-  /// tolerance of Q, the exact motion may have collapsed already, and the function fails.
+  /// Records the contact after a step. Fails after a collision or a disruption (orbit_of_run.h). For a body that can
+  /// change its volume, also checks the least singular value of Q. This value is the distance of Q from the nearest
+  /// singular matrix (Eckart and Young). If it is at most the tolerance of Q, the exact motion may have collapsed
+  /// already, and the function fails.
   mechanics::Status judge(const State& state) override {
     look_at_contact(state);
     const Eigen::Matrix3d Q = Q_of(state);
@@ -199,12 +200,14 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
       }
     return {};
   }
+  /// Records the contact; does nothing without planes.
   void look_at_contact(const State& state) {
     if constexpr (is_loaded)
       if (on_planes()) contacts_.look(state.t, system_.contact(state.t, state.q), System::center(state.v));
   }
 
   Eigen::Matrix3d Q_of(const State& state) const { return system_.motion(state).q; }
+  /// The motion of the centre of mass. With planes, it is a part of the state. Otherwise it does not depend on Q.
   reduced::CenterOfMass::Motion center_at(const State& state) {
     if constexpr (is_loaded)
       if (on_planes()) return {System::center(state.q), System::center(state.v)};
@@ -233,6 +236,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     return fields;
   }
 
+  /// Records the size of Q and its distance from the start.
   void note_motion(const Eigen::Matrix3d& Q) {
     ++n_noted_;
     motion_ = std::max(motion_, (Q - Q_of(start_)).cwiseAbs().maxCoeff());
@@ -264,6 +268,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     return mechanics::Status::failure("the body is stretched more than 1e12 times, which numbers do not resolve");
   }
 
+  /// Adds the position and velocity of the centre of mass and its energies to the observables. With drag, the energy
+  /// that it has lost counts as dissipated. Fails if its motion is not finite.
   mechanics::Status add_center_of_mass(const State& state) {
     const double t = state.t;
     const auto motion = center_at(state);

@@ -7,6 +7,8 @@
 namespace pseudorigid::app {
 namespace {
 
+/// The body of the entry Body/Inertia if the scene gives it, otherwise the ellipsoid of Body/Semi-axes; in internal
+/// units.
 reduced::ReferenceBody reference_body(const scene::Scene& scene, const io::Units& units) {
   const auto body = reduced::ReferenceBody::ellipsoid(to_eigen(scene.body.semi_axes));
   if (!scene.body.inertia) return body;

@@ -15,10 +15,11 @@
 
 namespace pseudorigid::app {
 
+/// The data of a pseudo-rigid body and its motion, in internal units.
 struct ReducedScene {
   materials::AnyLaw law;
   reduced::ReferenceBody body;
-  loads::Loads loads;
+  loads::Loads loads;      ///< all loads
   loads::Forcing forcing;  ///< loads that do not depend on time
   reduced::Dissipation dissipation;
   reduced::CenterOfMass center;
@@ -26,6 +27,7 @@ struct ReducedScene {
   bool keeps_diagonal;                            ///< true if Q stays diagonal in a motion without contact
 };
 
+/// Converts a scene. If the body is incompressible, loads that only change its volume are removed.
 ReducedScene reduced_scene(const scene::Scene& scene);
 
 /// The forms of the pseudo-rigid body. Each form has only the forces and coordinates that it needs.
@@ -50,6 +52,7 @@ GeneralBody<incompressible> general_body(const ReducedScene& s) {
   return {potential_of(s), s.body};
 }
 
+/// The form with the fewest forces and coordinates that contains all forces of the scene.
 ReducedForm form_of(const ReducedScene& scene);
 
 /// The system of a form. The form `elastic` is valid only for the law of Ciarlet and Geymonat without self-gravity and

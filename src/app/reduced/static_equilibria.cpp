@@ -21,6 +21,7 @@ namespace {
 /// number of starts.
 constexpr int n_static_starts = 400, n_static_starts_at_most = 20000;
 
+/// The row of a critical point in internal units, in the order of static_equilibria_columns().
 std::vector<double> static_row(int index, const mechanics::CriticalPoint& p, const ReducedScene& s,
                                const reduced::Potential& potential) {
   const Eigen::Matrix3d Q = reduced::StaticLandscape::matrix(p.q);

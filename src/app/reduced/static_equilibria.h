@@ -12,6 +12,8 @@ namespace pseudorigid::app {
 /// The columns of equilibria.csv for a body with n_modes degrees of freedom.
 std::vector<scene::Column> static_equilibria_columns(int n_modes);
 
+/// Searches for the critical points and writes the file. The outcome is `failed` if the search fails or finds no point.
+/// Warns if Morse's count shows that points are missing.
 ModelOutcome run_static_equilibria(const RunContext& context);
 
 }  // namespace pseudorigid::app

@@ -16,6 +16,7 @@
 
 namespace pseudorigid::app {
 
+/// True if the vectors of the model are distributed over the ranks.
 template <class Model>
 inline constexpr bool is_distributed = requires(const Model& model) {
   model.rank_order();
@@ -29,7 +30,8 @@ void give_memory(Workspace& workspace, std::span<const double> memory) {
     throw std::invalid_argument("memory of another method");
 }
 
-/// Transfer for a model whose vectors are complete on one process.
+/// Transfer for a model whose vectors are complete on one process. The functions have the interface of the transfer for
+/// distributed vectors below.
 template <class Model>
 class CheckpointVectors {
   using State = typename Model::State;
@@ -37,7 +39,8 @@ class CheckpointVectors {
  public:
   explicit CheckpointVectors(const Model&) {}
 
-  /// Reads a snapshot and its state.
+  /// Reads t, q and v into `state`, and all other data into `snapshot`. The names of the entries begin with `prefix`.
+  /// Throws UserError if an entry is missing or has the wrong size.
   void take(const io::Checkpoint& file, State& state, Snapshot& snapshot, const std::string& prefix = "") {
     from_checkpoint(file, snapshot, prefix);
     state.t = snapshot.t;
@@ -48,11 +51,14 @@ class CheckpointVectors {
     copy("v", mechanics::local_values(state.v));
     snapshot.memory = file.get_doubles(prefix + "memory");
   }
+  /// Copies the memory of the snapshot into the workspace of its method. Throws std::invalid_argument if the memory
+  /// belongs to another method.
   template <class Workspace>
   void restore_memory(Workspace& workspace, Snapshot& snapshot) {
     give_memory(workspace, snapshot.memory);
   }
-  void take_own_memory(Snapshot&) const {}
+  void take_own_memory(Snapshot&) const {}  ///< does nothing: the memory is already that of this process
+  /// Returns copies of q and v, and the memory of the snapshot.
   SavedVectors collect(State& state, const Snapshot& snapshot) const {
     const auto q = mechanics::local_values(state.q), v = mechanics::local_values(state.v);
     return {{q.begin(), q.end()}, {v.begin(), v.end()}, snapshot.memory};
@@ -68,8 +74,8 @@ class CheckpointVectors<Model> {
  public:
   explicit CheckpointVectors(const Model& model) : order_(model.rank_order()) {}
 
-  /// Reads the snapshot, q and v of this rank, and the memory of all ranks. The part of the memory that belongs to this
-  /// rank is not known yet. The workspace of the method, which is made later, determines this part.
+  /// Reads the snapshot, q and v of this rank, and the memory of all ranks. The workspace of the method determines the
+  /// part of the memory that belongs to this rank. This workspace is made later, so `restore_memory` selects the part.
   void take(const io::Checkpoint& file, State& state, Snapshot& snapshot, const std::string& prefix = "") {
     from_checkpoint(file, snapshot, prefix);
     state.t = snapshot.t;
@@ -78,6 +84,7 @@ class CheckpointVectors<Model> {
     snapshot.memory = file.get_doubles(prefix + "memory");
     memory_is_whole_ = true;
   }
+  /// The same for the memory of this rank. If the snapshot has the memory of all ranks, selects the part of this rank.
   template <class Workspace>
   void restore_memory(Workspace& workspace, Snapshot& snapshot) {
     layout_.emplace(order_);
@@ -89,7 +96,7 @@ class CheckpointVectors<Model> {
   void take_own_memory(Snapshot& snapshot) const {
     if (!snapshot.memory.empty()) snapshot.memory = layout_->take(snapshot.memory);
   }
-  /// Returns the complete vectors on the rank that writes the checkpoint. Collective.
+  /// Returns the complete vectors on the first rank, which writes the checkpoint. Collective.
   SavedVectors collect(State& state, const Snapshot& snapshot) const {
     return {order_.collect_position(state.q), order_.collect_field(mechanics::local_values(state.v)),
             snapshot.memory.empty() ? std::vector<double>() : layout_->collect(snapshot.memory)};

@@ -44,6 +44,8 @@ class ContactWatch {
     v_ = v;
   }
 
+  /// Writes the summary into the observables of a sample. `o.force` already has the force at this sample, which also
+  /// counts for the largest force.
   void write(mechanics::ContactObservables& o) const {
     o.first = first_;
     o.last = last_;
@@ -57,6 +59,7 @@ class ContactWatch {
     return {is_begun_ ? 1.0 : 0.0, t_,    height_,        v_,          has_touched_ ? 1.0 : 0.0, first_,
             speed_before_,         last_, largest_force_, restitution_};
   }
+  /// Restores the data members from this array.
   void take_numbers(std::span<const double, n_numbers> numbers) {
     is_begun_ = numbers[0] != 0;
     t_ = numbers[1];
@@ -71,9 +74,11 @@ class ContactWatch {
   }
 
  private:
+  /// `is_begun_` is true after the first call of `look`, and `has_touched_` after the start of the first contact.
   bool is_begun_ = false, has_touched_ = false;
   double t_ = 0, height_ = 0, v_ = 0;  ///< time, height and n·ẋ_c − ż₀ at the end of the last step
-  double first_ = 0, speed_before_ = 0, last_ = 0, largest_force_ = 0, restitution_ = 0;
+  double first_ = 0, speed_before_ = 0, last_ = 0, largest_force_ = 0,
+         restitution_ = 0;  ///< the summary, with the closing speed at `first_`
 };
 
 }  // namespace pseudorigid::app

@@ -19,8 +19,9 @@ struct NoContinuum : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The functions of the library.
 struct ContinuumModule {
-  ModelOutcome (*run)(const RunContext& context);
+  ModelOutcome (*run)(const RunContext& context);     ///< runs the finite-element model; collective
   std::map<std::string, std::string> (*libraries)();  ///< name → version, for the manifest
   std::string_view (*instructions)();                 ///< SIMD instructions of the kernels; throws mechanics::NoKernels
   /// Starts MPI for the processes of a launcher. The destructor of the returned object ends MPI.
@@ -29,4 +30,5 @@ struct ContinuumModule {
 
 }  // namespace pseudorigid::app
 
+/// The only function of the library that the program finds by its name. The table is valid until the program ends.
 extern "C" const pseudorigid::app::ContinuumModule* pseudorigid_continuum();

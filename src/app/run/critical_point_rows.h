@@ -11,14 +11,15 @@
 namespace pseudorigid::app {
 
 /// Columns of a critical point for `n_modes` degrees of freedom. The first four have the Morse index, the nullity, and
-/// the dimensions of the unstable and the stable manifold. The others have the eigenvalues of the Hessian of the
-/// potential and the rates of small motions.
+/// the dimensions of the unstable and the stable manifold. The next n_modes columns have the eigenvalues of the Hessian
+/// of the potential in the metric of the kinetic energy. The last 4 n_modes have the real and imaginary parts of the
+/// rates z of small motions exp(zt).
 std::vector<scene::Column> critical_point_columns(int n_modes);
-/// Appends the values of these columns to `row`.
+/// Appends the values of these columns, in internal units, to `row`.
 void append_critical_point(const mechanics::CriticalPoint& point, std::vector<double>& row);
 
 /// Adds the number of points and a line for each point to the results of `outcome`. Adds the counters of the search to
-/// the statistics of `outcome`. `energy` is the unit of the potential V.
+/// the statistics of `outcome`. `energy` is the internal unit of energy in the user's units, for the potential V.
 void report_search(const mechanics::CriticalPoints& found, double energy, const RunContext& context,
                    ModelOutcome& outcome);
 

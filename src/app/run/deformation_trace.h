@@ -36,8 +36,8 @@ inline TraceDifference difference(const DeformationTrace& a, const DeformationTr
   return d;
 }
 
-/// Conversion of a history to the array of a checkpoint, and back. The array has the sample number and the nine entries
-/// of Q for each sample.
+/// Conversion of a history to the array of a checkpoint, and back. The array has ten numbers for each sample: the
+/// number of the sample, and the entries of Q column by column.
 inline std::vector<double> numbers_of(const DeformationTrace& trace) {
   std::vector<double> numbers;
   for (const auto& [sample, Q] : trace) {
@@ -53,7 +53,7 @@ inline DeformationTrace trace_of(const std::vector<double>& numbers) {
   return trace;
 }
 
-/// The history as a table with the columns time and Q11 to Q33.
+/// The history as a table with the columns time, in the user's units, and Q11 to Q33.
 inline io::Table table_of(const DeformationTrace& trace, const RunContext& context) {
   io::Table table{.columns = {"time"}, .values = {}};
   table.columns.insert(table.columns.end(), analysis::Q_columns.begin(), analysis::Q_columns.end());

@@ -25,13 +25,14 @@
 
 namespace pseudorigid::app {
 
-/// `Faces` is continuum::MaterialFaces or polynomial::MaterialFaces.
+/// The type S is the system. `Faces` computes the shapes for the report and is continuum::MaterialFaces or
+/// polynomial::MaterialFaces.
 template <class S, class Faces>
 class FieldModel : public RunnableModelOf<S> {
   using Base = RunnableModelOf<S>;
   /// Factor of the tolerance in the search for the step. A pilot run covers only the first part of the motion. After a
-  /// release, the time error can first grow at only 0.45 of its mean rate over the run. (Measured at Time/Tolerance =
-  /// 1e-3 and 1e-4 until t = 10.)
+  /// release, the time error can grow in this part at only 0.45 of its mean rate over the run. This was measured at
+  /// Time/Tolerance = 1e-3 and 1e-4 until t = 10.
   static constexpr double reserve = 0.4;
 
  public:
@@ -57,8 +58,8 @@ class FieldModel : public RunnableModelOf<S> {
     else
       return this->system().multiplier_scale();
   }
-  /// The matrix Q of the affine part of the positions. If the scene has contact, the centre of mass is a fourth column.
-  /// If it has companions, their coordinates follow, in units of the initial distances.
+  /// The matrix Q of the affine part of the positions. If the scene has companions, their positions relative to the
+  /// body are further columns (with_companions). If the scene has contact, the centre of mass is a fourth column.
   Eigen::MatrixXd configuration(const State& state) const final {
     if (context_.needs.orbit)
       return with_companions(affine_part(state.q), this->system().orbit(), this->system().companions(state.q));
@@ -83,6 +84,7 @@ class FieldModel : public RunnableModelOf<S> {
     }
     return start;
   }
+  /// The body at rest, pressed into the nearest plane by the depth of its first contact.
   State in_contact(const State& state) const final {
     State pressed = start_of_pilot(state);
     const loads::Contact now = this->system().contact(pressed.t, pressed.q);
@@ -103,6 +105,7 @@ class FieldModel : public RunnableModelOf<S> {
     return rest;
   }
   double least_jacobian(const State& state) const final { return least_jacobian_at(state.q); }
+  /// Compares the least det F at q ± h v with half of its value at q. This linear motion predicts a step h.
   bool keeps_volume(const State& state, double h) const final {
     const double most_change = 0.5, bound = (1 - most_change) * least_jacobian_at(state.q);
     Vector x = state.q;
@@ -114,7 +117,7 @@ class FieldModel : public RunnableModelOf<S> {
   }
   /// Length of the pilot runs in internal time, at most `end`. The unit is r/c for an elastic ball without
   /// self-gravity. At t = 1 the shear front from the surface has reached the centre. This time is 0.4 periods of the
-  /// slowest mode. A contact of a fast body takes up to three times as long. A force that depends on time can act
+  /// slowest mode. A contact of a fast body can take up to three times as long. A force that depends on time can act
   /// later, so the length is then about four periods after the rise of the loads.
   double pilot_window(double end) const final {
     const double window = mechanics::time_dependent(this->system()) ? 10.0 : context_.needs.contact ? 3.0 : 1.0;
@@ -142,6 +145,8 @@ class FieldModel : public RunnableModelOf<S> {
     for (std::size_t n = 0; n < rows.n_rows(); ++n)
       (*trace_)[sample_at(rows.row(n)[0])] = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + first);
   }
+  /// Three numbers of the non-affine displacement, three of the derived class, and the numbers of the contacts if the
+  /// scene has planes.
   std::vector<double> remarks() const final {
     std::vector<double> remarks;
     for (const auto& part : {nonaffine_.remarks(), own_remarks()})
@@ -155,7 +160,8 @@ class FieldModel : public RunnableModelOf<S> {
     take_own_remarks(remarks.subspan<3, 3>());
     if (context_.needs.contact) contacts_.take_numbers(remarks.subspan<6, ContactWatch::n_numbers>());
   }
-  /// Records the contact at the end of a step. Fails if a companion has come to the body. Collective.
+  /// Without companions, records the contact at the end of a step and does not fail. With companions, fails after a
+  /// collision, or after a disruption of a fluid body (orbit_of_run.h). Collective.
   mechanics::Status judge(const State& state) final {
     if (context_.needs.orbit) {
       const mechanics::Orbit& orbit = this->system().orbit();
@@ -207,13 +213,16 @@ class FieldModel : public RunnableModelOf<S> {
 
   /// The field c + A X of positions, or of velocities.
   virtual Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const = 0;
+  /// The matrix Q of the affine motion that is nearest to the field in the mean square over the mass. Collective.
   virtual Eigen::Matrix3d affine_part(const Vector& x) const = 0;
+  /// The mean of the field over the mass: the centre of mass, or its velocity. Collective.
   virtual Eigen::Vector3d mean(const Vector& x) const = 0;
   /// Least det F over the quadrature points. Collective.
   virtual double least_jacobian_at(const Vector& x) const = 0;
   /// The energy of vibration. `known` has the other observables of the state. Collective.
   virtual mechanics::VibrationObservables vibration(const State& state,
                                                     const mechanics::ContinuumObservables& known) = 0;
+  /// Three numbers of the derived class for checkpoints, as in RunnableModel::remarks.
   virtual std::array<double, 3> own_remarks() const = 0;
   virtual void take_own_remarks(std::span<const double, 3> remarks) = 0;
 
@@ -225,6 +234,7 @@ class FieldModel : public RunnableModelOf<S> {
     const double end = context_.internal_time(context_.scene.time.end);
     return orbit.near_closest_approach(end, pilot_window(end) / 2);
   }
+  /// The number of the sample at a time in the user's units.
   long sample_at(double time) const {
     return std::lround(time / context_.scene.time.end * static_cast<double>(context_.scene.output.samples));
   }

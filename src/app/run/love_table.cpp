@@ -11,7 +11,7 @@ namespace pseudorigid::app {
 
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other, double round_off) {
-  constexpr double factor = 2;
+  constexpr double factor = 2;  // the difference counts twice in a bound (love_table.h)
   std::vector<LoveRow> rows;
   const auto bound = [=](double value, double other_value) {
     return factor * std::abs(value - other_value) + round_off * std::abs(value);

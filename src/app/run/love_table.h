@@ -11,20 +11,22 @@
 
 namespace pseudorigid::app {
 
-/// Love numbers of one degree, and bounds of the errors of h and l that the discretisation causes.
+/// Love numbers of one degree, and bounds of the errors of h and l that the discretisation causes. The bounds are 0 for
+/// the pseudo-rigid body.
 struct LoveRow {
   gravity::LoveNumbers numbers;
   double h_error = 0, l_error = 0;
 };
 
-/// Rows with bounds of their errors, from the numbers of another discretisation. A bound is twice the difference plus
-/// `round_off`, the relative round-off of the solver, times the number.
+/// Rows with bounds of their errors, from the numbers `other` of another discretisation for the same degrees. A bound
+/// is twice the difference plus `round_off`, the relative round-off of the solver, times the number.
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other, double round_off);
 
 /// The name of the CSV file of a run of a model.
 std::string love_file(std::string_view run);
 
+/// The columns of love-<run>.csv with their units and texts.
 std::vector<scene::Column> love_columns();
 
 /// Writes love-<run>.csv and adds the table for the terminal to the results of `outcome`. The title of the table

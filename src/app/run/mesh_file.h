@@ -9,6 +9,7 @@
 
 namespace pseudorigid::app {
 
+/// The mesh of a file, with its centre of mass at the origin.
 struct CenteredMesh {
   io::HexahedralMesh mesh;           ///< in internal units
   io::HexahedralMesh::Point center;  ///< centre of mass in the unit of length of the file

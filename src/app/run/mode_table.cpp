@@ -21,13 +21,14 @@ double exact_frequency(const ModeFrequency& f, const BallAtRest& ball) {
                                                                         std::sqrt(mu / (lambda + 2 * mu))));
 }
 
-/// The frequency of the corresponding mode of the pseudo-rigid ball; 0 if the pseudo-rigid ball does not have the mode.
-/// The modes of the pseudo-rigid ball are Q = Id + εH with
+/// The angular frequency of the corresponding mode of the pseudo-rigid ball, in internal units; 0 if the pseudo-rigid
+/// ball does not have the mode. The modes of the pseudo-rigid ball are Q = Id + εH with
 ///
 ///   degree 2:   m̄ Ḧ = −(2 + 4γ/25)μ Vol H,   H symmetric and trace-free (five motions),
 ///   degree 0:   m̄ Ḧ = −(3λ + 2μ) Vol H,      H ∝ Id (compressible balls only).
 ///
-/// The volume is Vol = 5m̄/(ρr²).
+/// The inertia is m̄ = ∫ρX₁² dX over the ball of radius r and density ρ, so the volume is Vol = 5m̄/(ρr²). Lamé's
+/// moduli are λ and μ, and γ = ρgr/μ.
 double reduced_frequency(const ModeFrequency& f, const BallAtRest& ball) {
   if (!f.spheroidal || f.overtone != 0) return 0;
   const auto [mu, lambda] = ball.moduli;
@@ -35,6 +36,7 @@ double reduced_frequency(const ModeFrequency& f, const BallAtRest& ball) {
   return f.degree == 0 ? std::sqrt(5 * (3 * lambda + 2 * mu)) : 0;
 }
 
+/// The usual name of a mode, for example "S2" or "T3, overtone 1".
 std::string name_of(const ModeFrequency& f) {
   return fmt::format("{}{}{}", f.spheroidal ? 'S' : 'T', f.degree,
                      f.overtone == 0 ? "" : fmt::format(", overtone {}", f.overtone));

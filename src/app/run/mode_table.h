@@ -21,10 +21,13 @@ struct ModeFrequency {
   int overtone;  ///< 0 for the mode of lowest frequency of its kind and degree
   int multiplicity;
 
-  double spread() const { return (largest - least) / omega; }
+  double spread() const {
+    return (largest - least) / omega;
+  }  ///< difference of the largest and the least copy, over omega
 };
 
-/// Data of the ball in internal units: Lamé's moduli at rest, and γ = ρgr/μ with g = (4/3)πGρr.
+/// Data of the ball in internal units: Lamé's moduli λ and μ at rest, and γ = ρgr/μ. Here ρ is the density, r the
+/// radius, and g = (4/3)πGρr the gravity at the surface, with Newton's constant G.
 struct BallAtRest {
   materials::RestModuli moduli;
   bool incompressible;
@@ -35,14 +38,15 @@ struct BallAtRest {
 /// frequency. Example: "the copies of T3 differ by 5.3e-01". If the difference exceeds a hundredth, the copies belong
 /// to different modes, or the mesh is too coarse for the mode.
 std::string differing_copies(const std::vector<ModeFrequency>& frequencies, double spread = 1e-2);
-/// Text about the fastest growing motion; empty if no motion grows. Example: "the ball is unstable at rest: a motion of
-/// kind T1 grows at the rate 0.3".
+/// Text about the fastest growing motion; empty if no motion grows. The rate is in the user's unit 1/time. Example:
+/// "the ball is unstable at rest: a motion of kind T1 grows at the rate 0.3".
 std::string instability(const std::vector<ModeFrequency>& frequencies, const io::Units& units);
 
 /// The name of the CSV file of a model: "modes" for the last and most accurate model of the scene, and "modes-<model>"
 /// for the others.
 std::string mode_file(const scene::Needs& needs, std::string_view model);
 
+/// The columns of the file with their units and texts.
 std::vector<scene::Column> mode_columns();
 
 /// Writes the CSV file `file`, and adds the table for the terminal to the results of `outcome`.

@@ -17,8 +17,9 @@ namespace pseudorigid::app {
 
 /// Record of the checks of the largest frequency of small vibrations about the motion. This frequency limits the step.
 struct LooksAtFrequency {
-  long next = 0, last = 0;    ///< sample of the next and of the last check
-  double stable_step = 0;     ///< stability limit of RATTLE's step at the last check; 0 before the first check
+  long next = 0, last = 0;  ///< sample of the next and of the last check
+  double stable_step =
+      0;  ///< stability limit of RATTLE's step at the last check, in internal time; 0 before the first check
   double fastest_change = 0;  ///< largest |change of ln(stable_step)| per sample between two checks
 };
 
@@ -34,7 +35,8 @@ struct RunPosition {
   long n_repeated = 0;  ///< number of attempts to integrate an interval that were repeated with shorter steps
   long n_failed = 0;    ///< number of these attempts in which a step failed
   LooksAtFrequency looks{};
-  double max_constraint = 0, max_constraint_rate = 0;  ///< largest scaled constraint |g| and rate |Gv| at the samples
+  double max_constraint = 0,
+         max_constraint_rate = 0;  ///< largest |g| and |Gv| at the samples, scaled, with the constraints g and G = Dg
   /// Estimated time error of the configuration, added over all parts of the run. Each part has its own step. Empty if
   /// the step of one of the parts was not found by a search with an error estimate.
   std::optional<double> time_error = 0;
@@ -55,10 +57,11 @@ RunIdentity run_identity(const scene::Scene& scene);
 /// The data at one time that a run needs to continue, in addition to q and v.
 struct Snapshot {
   RunPosition position{};
-  double t = 0;
+  double t = 0;                  ///< internal time
   std::vector<double> memory{};  ///< memory of the method
   mechanics::Counters counters{};
 
+  /// Copies the position, and the memory and the counters of the method's workspace.
   template <class Workspace>
   void take(const RunPosition& at, double time, Workspace& w) {
     position = at;
@@ -79,6 +82,7 @@ inline constexpr const char* at_last_sample = "last sample: ";
 
 /// Adds the entries of a snapshot and of its vectors. The names of the entries begin with `prefix`.
 void add_snapshot(io::Checkpoint& c, const Snapshot& snapshot, SavedVectors vectors, const std::string& prefix = "");
+/// The checkpoint of a run, with the texts of its scene and one snapshot.
 io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot& snapshot, SavedVectors vectors);
 /// True if the checkpoint also contains the last sample.
 inline bool has_last_sample(const io::Checkpoint& c) { return c.has(std::string(at_last_sample) + "q"); }

@@ -45,7 +45,7 @@ class ModelFiles : public ModelSink {
   void progress_ends() override { progress_.finish(); }
 
  private:
-  bool writes() const { return context_.ranks->is_first(); }
+  bool writes() const { return context_.ranks->is_first(); }  ///< the first rank writes
   std::filesystem::path csv() const { return context_.directory.csv(model_); }
   std::filesystem::path checkpoint() const { return context_.directory.checkpoint(model_); }
   /// A time half an interval before the next sample. This time separates the written samples from the next ones in
@@ -63,11 +63,13 @@ class ModelFiles : public ModelSink {
       0;  ///< number of earlier pictures beyond the schedule, from a run whose earlier end gave more pictures per time
   ShapeSchedule shapes_;
   io::Progress progress_;
-  std::optional<io::CsvWriter> csv_, shapes_csv_;
+  std::optional<io::CsvWriter> csv_,
+      shapes_csv_;  ///< tables of rows and of shapes; empty on ranks other than the first
   std::optional<io::PvdCollection> pvd_;
 };
 
-/// Returns a function that makes sinks for files in the directory of the run.
+/// Returns a function that makes sinks for files in the directory of the run. If `shows_progress` is true, the sinks
+/// show the completed fraction on the terminal.
 SinkOfModel files_of_models(bool shows_progress);
 
 }  // namespace pseudorigid::app

@@ -8,7 +8,7 @@
 namespace pseudorigid::app {
 
 namespace {
-constexpr std::chrono::seconds seconds_between_checkpoints{5};
+constexpr std::chrono::seconds seconds_between_checkpoints{5};  // a killed run loses about this time
 }
 
 ModelRunBase::ModelRunBase(RunnableModel& model, const RunContext& context, const SystemTraits& traits,
@@ -18,6 +18,8 @@ ModelRunBase::ModelRunBase(RunnableModel& model, const RunContext& context, cons
       has_shapes_(sink_->has_shapes() && !model.shape_file().empty()),
       identity_(sink_->keeps_states() ? run_identity(context.scene) : RunIdentity{}) {}
 
+/// Runs the model from its start, or from its checkpoint, to the last sample. Repeats failed intervals with shorter
+/// steps if the model admits this.
 ModelOutcome ModelRunBase::run() {
   const auto start = Clock::now();
   if (Status status = begin(); !status) {
@@ -39,20 +41,23 @@ ModelOutcome ModelRunBase::run() {
   return end(std::move(result), start);
 }
 
+/// Fails if a value of the present row is not finite.
 mechanics::Status ModelRunBase::check_row() const {
   if (std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); })) return {};
   return Status::failure("the motion has grown beyond the range of numbers");
 }
 
+/// True on all ranks if the last checkpoint of the first rank is old enough for a new one. Collective.
 bool ModelRunBase::is_time_to_save() const {
   return context_.ranks->of_first(Clock::now() - last_save_ > seconds_between_checkpoints);
 }
 
-/// Returns to the last sample, so that the interval can be integrated again with shorter steps. Returns false if this
-/// is not possible. A repetition requires a costly force, a method of fixed step and a step that the program has
-/// chosen. It is not possible if the model itself ended the run, after most_halvings halvings, or after `most_failures`
-/// failed steps. The next interval begins with the steps that its own state and the last failure require. A motion that
-/// is violent for a short time therefore does not shorten the steps of the whole run.
+/// Returns to the last sample, so that the interval can be integrated again with shorter steps. Returns false if a
+/// repetition is not possible. A repetition requires a costly force, a method of fixed step and a step that the program
+/// has chosen. A repetition is not possible if the model itself ended the run, or if the steps would need more than
+/// `most_halvings` halvings. It is not possible after a further failed step if `most_failures` steps have failed. The
+/// next interval begins with the steps that its own state and the last failure require. A motion that is violent for a
+/// short time therefore does not shorten the steps of the whole run.
 bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
   if (!repeats_intervals() || !verdict_) return false;
   const bool asked = least_halvings_ > position_.halvings;
@@ -104,6 +109,8 @@ void ModelRunBase::step_anew() {
   next_stepping_.reset();
 }
 
+/// Starts the run, or continues it from the checkpoint that the sink gives. Fails if the choice of method and step
+/// fails.
 mechanics::Status ModelRunBase::begin() {
   const std::vector<std::string> columns = any_model_.columns();
   if (const std::optional<io::Checkpoint> left = sink_->state_to_resume()) {
@@ -134,6 +141,8 @@ mechanics::Status ModelRunBase::choose_stepping() {
   return status;
 }
 
+/// Restores the run from a checkpoint. If the scene now requires another method or step, chooses them again, and fails
+/// if the choice fails.
 mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   restore_state(file);
   counters_ = good_.counters;
@@ -149,7 +158,7 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   if (!has_step && time() == 0) return choose_stepping();
   if (time() == 0) estimate_quadrature();  // does nothing if the error is known
   if (complete || (has_step && file.get_string("stepping") == identity_.stepping)) return {};
-  // If the scene now gives a shorter step for the same method, the run uses this step without a search.
+  // If the scene now gives a step that is not longer, for the same method, the run uses this step without a search.
   const bool keeps_method = has_step && shortens() && file.get_string("choice") == identity_.choice;
   // New steps begin at a sample. A run that has stopped within an interval first finishes the interval with the old
   // steps.
@@ -184,6 +193,7 @@ void ModelRunBase::write(const Snapshot& snapshot, SavedVectors vectors, std::op
   last_save_ = Clock::now();
 }
 
+/// Saves the last state, and makes the outcome of the run. An interrupted run has saved its state already.
 ModelOutcome ModelRunBase::end(mechanics::RunResult result, Clock::time_point start) {
   if (result.outcome == Outcome::interrupted)
     return outcome(Outcome::interrupted, "interrupted at t = " + physical_time(result.t), start);
@@ -198,6 +208,7 @@ ModelOutcome ModelRunBase::end(mechanics::RunResult result, Clock::time_point st
                  start);
 }
 
+/// A clause about the saved state, for the message of a failed run.
 std::string ModelRunBase::saved_state() const {
   std::string text =
       "the state at t = " + physical_time(good_.t) + (is_adaptive() ? "" : ", the last sample,") + " is saved";
@@ -205,10 +216,12 @@ std::string ModelRunBase::saved_state() const {
   return text;
 }
 
+/// A time in the user's units, for messages.
 std::string ModelRunBase::physical_time(double internal) const {
   return fmt::format("{:.6g}", internal * context_.units.time);
 }
 
+/// The outcome of the run, with its counters, its method and its step.
 ModelOutcome ModelRunBase::outcome(Outcome end, const std::string& message, Clock::time_point start) {
   const mechanics::Counters& n = counters_;
   auto& c = statistics_.counters;

@@ -1,6 +1,6 @@
 #pragma once
-/// The run of one model. The run chooses the method and the step, integrates the motion, and passes rows, pictures,
-/// checkpoints and progress to a sink. The class ModelRunBase does not depend on the type of the system.
+/// The run of one model. The run chooses the method and the step, integrates the motion, and passes its results to a
+/// sink. ModelRunBase does not depend on the type of the system, so it is compiled only once.
 
 #include <algorithm>
 #include <chrono>
@@ -242,7 +242,7 @@ class ModelRun final : public ModelRunBase {
     });
     state_ = good_state_;
   }
-  /// After a resumption within an interval, the kept state becomes the last sample.
+  /// After a resumption within an interval, makes the last sample the kept state if intervals can be repeated.
   void keep_last_sample() {
     if (!last_sample_) return;
     if (repeats_intervals()) {
@@ -391,7 +391,7 @@ class ModelRun final : public ModelRunBase {
     Snapshot snapshot;
   };
   std::optional<LastSample> last_sample_;   ///< last sample in the checkpoint, until `keep_last_sample` uses it
-  std::optional<LocalVolume> kept_volume_;  ///< of the kept state; empty after a resumption
+  std::optional<LocalVolume> kept_volume_;  ///< local volume of the kept state; empty after a resumption
   EnergyWatch<Model> energy_;
   std::optional<typename System::Workspace> system_workspace_;  ///< for rows, if the method's workspace has none
   CheckpointVectors<Model> vectors_;

@@ -18,6 +18,7 @@
 
 namespace pseudorigid::app {
 
+/// Functions that a run calls with its results. By default they discard the results.
 class ModelSink {
  public:
   using Rows = std::vector<std::vector<double>>;
@@ -26,7 +27,9 @@ class ModelSink {
 
   virtual ~ModelSink() = default;
 
+  /// Creates the table of rows with these columns. A resumed run calls `resume` instead.
   virtual void create(const std::vector<std::string>& /*columns*/) {}
+  /// Appends the row of a sample, in the user's units.
   virtual void append(const std::vector<double>& /*row*/) {}
 
   /// True if the sink writes checkpoints, from which a stopped run can continue.
@@ -38,22 +41,29 @@ class ModelSink {
   virtual std::optional<io::Checkpoint> state_to_resume() { return std::nullopt; }
   /// Continues the table of rows after its first n_samples_taken rows.
   virtual void resume(const std::vector<std::string>& /*columns*/, long /*n_samples_taken*/) {}
+  /// The rows of the earlier run that `resume` has kept.
   virtual io::Table rows_so_far() { return {}; }
 
+  /// True if the sink writes a picture of this sample.
   virtual bool wants_frame(long /*sample*/) const { return false; }
+  /// Writes the picture of a sample with the given function.
   virtual void draw_frame(long /*sample*/, const Draw&) {}
 
   /// True if the sink writes the table <name>.csv of the shapes for a report. The table has a block of rows for each of
   /// a few samples.
   virtual bool has_shapes() const { return false; }
+  /// True if the sink writes the shape at this sample.
   virtual bool wants_shape(long /*sample*/) const { return false; }
   virtual void create_shapes(const std::string& /*name*/, const std::vector<std::string>& /*columns*/) {}
+  /// Continues the table of shapes after the shapes of the first n_samples_taken samples.
   virtual void resume_shapes(const std::string& /*name*/, const std::vector<std::string>& /*columns*/,
                              long /*n_samples_taken*/) {}
+  /// Appends the block of rows of one shape.
   virtual void append_shape(const Rows&) {}
 
   /// Shows the completed fraction of the run, from 0 to 1.
   virtual void progress(double /*part*/) {}
+  /// Removes the display of the progress at the end of the run.
   virtual void progress_ends() {}
 };
 

@@ -43,7 +43,8 @@ class SearchNotice {
   double next_ = first_;
 };
 
-/// Largest ratio of a step to the stability limit when the step is chosen.
+/// Largest ratio of a step to the stability limit when the step is chosen. The frequency can then grow by a quarter
+/// before the step is unstable.
 constexpr double reserve = 0.8;
 
 /// Stability limit of a method, computed from the limit of RATTLE; infinite for adaptive methods.
@@ -121,6 +122,9 @@ int ModelStepping::halvings_within(double rattle_limit) const {
   return ratio > 1 ? std::min(most_halvings, static_cast<int>(std::ceil(std::log2(ratio)))) : 0;
 }
 
+/// Finds method and step by pilot runs. Fails if the stability limit cannot be computed, or after an interrupt. If no
+/// step fits the tolerance, chooses one by `fall_back` and does not fail. `error_so_far` is the time error of the
+/// earlier parts of the run; empty if it is not known.
 mechanics::Status ModelStepping::search(const std::optional<double>& error_so_far) {
   const double end = times_.end - time();
   mechanics::StepRequest request{.end = end,
@@ -154,6 +158,7 @@ mechanics::Status ModelStepping::search(const std::optional<double>& error_so_fa
   return {};
 }
 
+/// Predicate of the message about a long search, with times in the user's units.
 std::string ModelStepping::about_search(const mechanics::StepRequest& request) const {
   const double time = context_.units.time;
   std::string text = fmt::format("looks for method and step by pilot runs, until {:.4g} of {:.4g}",
@@ -164,11 +169,12 @@ std::string ModelStepping::about_search(const mechanics::StepRequest& request) c
   return text;
 }
 
-/// Chooses the sample of the next check of the largest frequency, which changes with the deformation. The stability
-/// limit falls if the frequency grows. The check is planned for the time at which the limit would fall to the step. The
-/// assumed rate of ln(limit) is twice the fastest change between two checks so far, but at least a third of a usual
-/// rate. At the usual rate, the limit falls to 0.8 of its value in a sixteenth of the run. The first plan uses the
-/// usual rate. The next check is at least a sixteenth of the run after the present sample.
+/// Chooses the sample of the next check of the largest frequency, which changes with the deformation.
+/// `stable_rattle_step` is the stability limit of RATTLE now. The stability limit falls if the frequency grows. The
+/// check is planned for the time at which the limit would fall to the step. The assumed rate of ln(limit) is twice the
+/// fastest change between two checks so far, but at least a third of a usual rate. At the usual rate, the limit falls
+/// to 0.8 of its value in a sixteenth of the run. The first plan uses the usual rate. The next check is at least a
+/// sixteenth of the run after the present sample.
 void ModelStepping::plan_look(double stable_rattle_step) {
   if (!traits_.constrained_form) return;
   LooksAtFrequency& looks = position_.looks;
@@ -212,6 +218,8 @@ void ModelStepping::fall_back(const mechanics::StepChoice& choice, const mechani
                      is_adaptive(position_.method) ? position_.local_tolerance : position_.step * context_.units.time);
 }
 
+/// Sets the method and step of a successful search. Adds its force evaluations and its estimated time error to the
+/// statistics, and logs the choice.
 void ModelStepping::take(const mechanics::StepChoice& choice, const std::optional<double>& error_so_far) {
   position_.method = choice.method;
   position_.step = choice.step;

@@ -23,11 +23,13 @@ void warn_of_round_off(const mechanics::StepChoice& choice, std::string_view mod
 /// Properties of the type of a system that affect the choice of the step and the run.
 struct SystemTraits {
   bool constrained_form;  ///< true for a ConstrainedSystem, with constraints or without
-  bool has_constraints, has_costly_force;
-  bool takes_explicit;  ///< true if the method explicit-8 fits the system
+  bool has_constraints,
+      has_costly_force;  ///< whether there are multipliers, and whether a force evaluation is costly
+                         ///< (core/constrained_system.h)
+  bool takes_explicit;   ///< true if the method explicit-8 fits the system
 };
 
-/// The part of a run that chooses its method and step.
+/// The part of a run that chooses its method and step; the base class of ModelRunBase.
 class ModelStepping {
  public:
   virtual ~ModelStepping() = default;
@@ -46,20 +48,26 @@ class ModelStepping {
         times_{context.internal_time(context.scene.time.end), context.scene.output.samples} {}
 
   // Functions that depend on the system of the run.
+
+  /// The present time of the run in internal units.
   virtual double time() const = 0;
-  /// Sets `limit` to the largest stable step of RATTLE times `safety`. Called only for systems in constrained form.
+  /// Sets `limit` to the largest stable step of RATTLE times `safety`. Fails if a frequency or a damping rate is not
+  /// found. Called only for systems in constrained form.
   virtual Status rattle_limit(double safety, double& limit) const = 0;
   /// Sets request.stiff to true if the damping would force an explicit method to take too many steps. Called only for
   /// systems in constrained form.
   virtual Status judge_stiffness(mechanics::StepRequest& request) const = 0;
+  /// Searches for the method and the step by pilot runs from the present state.
   virtual mechanics::StepChoice choose_step(const mechanics::StepRequest& request) const = 0;
 
   /// Sets the method, the step and the local tolerance for the rest of the run. If the program searches for them, the
-  /// result of the search is written to the log and the statistics.
+  /// result of the search is written to the log and the statistics. Fails if the stability limit cannot be computed, or
+  /// if the search is interrupted.
   Status choose();
 
   /// True if the scene gives a step that does not exceed the present step.
   bool shortens() const { return std::isfinite(step_bound()) && step_bound() <= position_.step * (1 + 1e-12); }
+  /// Replaces the present step by the step of the scene, if this is shorter.
   void shorten() { position_.step = std::min(position_.step, step_bound()); }
 
   /// Checks the largest frequency, and halves the step until the step is at most 0.9 of the stability limit. Does
@@ -73,9 +81,10 @@ class ModelStepping {
   /// True if a failed interval between samples is integrated again with shorter steps: force evaluations are costly,
   /// and the step can change.
   bool repeats_intervals() const { return traits_.has_costly_force && adapts(); }
-  /// Replaces a method that is not symplectic, if the program has chosen it, by RATTLE of order 4 with the same ratio
-  /// of the step to the stability limit. In violent motions a change of the step makes such a method lose energy.
-  /// Returns true if the method has changed; the estimate of the time error is then not known.
+  /// If the program has chosen a method that is not symplectic, replaces it by RATTLE of order 4. The ratio of the step
+  /// to the stability limit does not change. The reason is that a method that is not symplectic loses energy in violent
+  /// motions when the step changes. Returns true if the method has changed; the estimate of the time error is then not
+  /// known.
   bool become_symplectic();
   /// Least number of halvings after which the step is at most the stability limit, if RATTLE has the limit
   /// `rattle_limit`. The number is at most `most_halvings`.
@@ -117,9 +126,11 @@ class ModelStepping {
   std::optional<mechanics::MethodId> asked_method() const {  // empty for auto
     return mechanics::find_method(context_.scene.time.method);
   }
+  /// The step of the scene in internal time; infinite if the scene does not give it.
   double step_bound() const {
     return context_.scene.time.step ? context_.internal_time(*context_.scene.time.step) : HUGE_VAL;
   }
+  /// Least number of samples between two checks of the largest frequency: a sixteenth of the run.
   long samples_between_looks() const { return std::max(1L, std::lround(times_.end / times_.interval()) / 16); }
   Status search(const std::optional<double>& error_so_far);
   std::string about_search(const mechanics::StepRequest& request) const;

@@ -23,6 +23,7 @@ class NonaffineWatch {
         model_(model),
         watches_(scene::is_ideal_fluid(context.scene) && stays_affine(context.scene)) {}
 
+  /// True if the exact motion is affine, so that the run must compute the non-affine displacement.
   bool watches() const { return watches_; }
 
   /// Checks a sample. `displacement` is |x − QX| / |x|, the error relative to the size of the body.
@@ -45,6 +46,7 @@ class NonaffineWatch {
     if (remarks[2] != 0) first_ = remarks[1];
   }
 
+  /// Writes the largest displacement into the statistics and the log; does nothing for other bodies.
   void report(io::Manifest::Model& statistics) const {
     if (!watches_) return;
     statistics.counters["nonaffine_displacement_at_most"] = largest_;
@@ -54,7 +56,8 @@ class NonaffineWatch {
   }
 
  private:
-  static constexpr double acceptable = 0.01;
+  static constexpr double acceptable =
+      0.01;  ///< largest displacement without a warning, relative to the size of the body
 
   /// False if the surface has a load other than a uniform pressure. Such loads are a traction, viscous stress, and
   /// contact with planes.
@@ -67,7 +70,7 @@ class NonaffineWatch {
   std::string_view model_;
   bool watches_;
   double largest_ = 0;
-  std::optional<double> first_;
+  std::optional<double> first_;  ///< time of the warning in the user's units; empty before it
 };
 
 }  // namespace pseudorigid::app

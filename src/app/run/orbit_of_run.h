@@ -11,8 +11,8 @@
 
 namespace pseudorigid::app {
 
-/// The columns of Q, and the positions r_i of the companions over their distances at the start. Time/Tolerance bounds
-/// the error of these columns.
+/// A matrix with the three columns of Q and a column r_i/|r_i(0)| for each companion i, with its position r_i relative
+/// to the body. Time/Tolerance bounds the error of these columns.
 inline Eigen::MatrixXd with_companions(const Eigen::Matrix3d& Q, const mechanics::Orbit& orbit,
                                        const mechanics::Orbit::Columns& s) {
   Eigen::MatrixXd columns(3, 3 + orbit.n());
@@ -21,8 +21,9 @@ inline Eigen::MatrixXd with_companions(const Eigen::Matrix3d& Q, const mechanics
   return columns;
 }
 
-/// The kinetic and gravitational energy about the centre of the ellipsoid with the second moment S, in the affine
-/// motion Q with the rate Q̇. It is that of a pseudo-rigid fluid.
+/// The kinetic and gravitational energy of the body about its centre, in internal units. The body is taken as the
+/// ellipsoid with the second moment S, in the affine motion Q with the rate Q̇. The result is exact for a pseudo-rigid
+/// fluid.
 inline double own_energy(const mechanics::Orbit& orbit, const Eigen::Matrix3d& S, const Eigen::Matrix3d& Q,
                          const Eigen::Matrix3d& Qdot) {
   const Eigen::Matrix3d L = Qdot * Q.inverse();
@@ -32,15 +33,21 @@ inline double own_energy(const mechanics::Orbit& orbit, const Eigen::Matrix3d& S
   return 0.5 * (L * S * L.transpose()).trace() + gravity.energy(shape);
 }
 
-/// Looks for a collision and for a disruption in every step. The companions move on straight lines within a step.
+/// Detects collisions and disruptions in a run. Within a step, the companions are taken to move on straight lines.
 class CollisionWatch {
  public:
-  /// Fails if a companion has come to the body with the second moment S, or to the other companion. After a jump back
-  /// in time, the step before t is not known. It also fails if the tide has pulled a fluid body apart. The longest
-  /// semi-axis is then beyond the Hill radius, and the body is not bound: `own_energy()`, the sum of the kinetic and
-  /// gravitational energies about its centre, is positive. An equilibrium under tide and spin has a negative sum. A
-  /// body that is stretched beyond the Hill radius for a short time is therefore not taken for a disrupted one. For a
-  /// solid, `own_energy` returns a negative number.
+  /// Checks the state at the end of a step for a collision or a disruption. S is the second moment of the body, and s
+  /// has the coordinates of the companions. After a jump back in time, the step before t is not known, and only the
+  /// positions at t count.
+  ///
+  /// Fails after a collision. A companion has then been nearer to the centre of the body, or to the other companion,
+  /// than the longest semi-axis of the body.
+  ///
+  /// Also fails after a disruption by the tide. The longest semi-axis then exceeds the Hill radius, and the body is not
+  /// bound. It is not bound if `energy_of_body()`, the sum of its kinetic and gravitational energies about its centre,
+  /// is positive. An equilibrium under tide and spin has a negative sum. A body that is stretched beyond the Hill
+  /// radius for a short time is therefore not taken for a disrupted one. For a solid, `energy_of_body` must return a
+  /// negative number.
   template <class OwnEnergy>
   mechanics::Status look(double t, const mechanics::Orbit& orbit, const Eigen::Matrix3d& S,
                          const mechanics::Orbit::Columns& s, const OwnEnergy& energy_of_body) {

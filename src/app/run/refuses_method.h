@@ -15,15 +15,16 @@
 
 namespace pseudorigid::app {
 
-/// A refusal of the entry Time/Method, which proposes every method as a remedy.
+/// A refusal of the entry Time/Method with this sentence. It proposes every method as a remedy; the program then
+/// recommends those that the scene admits.
 inline scene::Refusal refusal_of_method(std::string sentence) {
   scene::Refusal refusal{"Time/Method", std::move(sentence)};
   mechanics::for_each_method([&]<class Method>(Method) { refusal.remedies.push_back({{refusal.path, Method::name}}); });
   return refusal;
 }
 
-/// True if the method of this name can integrate systems of this type. Also true for a name without a method, such as
-/// "auto".
+/// True if the method of this name can integrate systems of the type `System`. Also true for a name without a method,
+/// such as "auto".
 template <class System>
 bool method_can_run(std::string_view name) {
   const auto id = mechanics::find_method(name);
@@ -40,8 +41,8 @@ std::optional<scene::Refusal> refuses_method(const scene::Scene& scene, const Sy
     if (mechanics::fits<Method>(system)) {
       if constexpr (mechanics::method_fits<Method, System>())
         if (mechanics::Status status = Method::accepts(mechanics::form_for<Method>(system)); !status) {
-          // The reason then recommends methods. This part is omitted, because some models of the scene may not have
-          // these methods.
+          // The text of `accepts` ends with a recommendation of methods. This part is omitted, because other models of
+          // the scene may not have these methods.
           const std::string& reason = status.reason();
           return refusal_of_method(reason.substr(0, reason.find("; use ")));
         }

@@ -1,5 +1,5 @@
 #pragma once
-/// Data that all models of one run share.
+/// Data that all models of one run share, and the outcome that each of them returns.
 
 #include <functional>
 #include <map>
@@ -33,17 +33,18 @@ struct RunContext {
   const scene::Scene& scene;
   const scene::Needs& needs;
   const io::RunDirectory& directory;
-  io::Units units;
+  io::Units units;  ///< internal units, measured in the user's units
   std::shared_ptr<io::Logger> log;
-  SinkOfModel sink_of;
-  bool resumes = false;  ///< true if the run continues an earlier run in the directory
-  const Ranks* ranks = &one_rank();
-  std::map<std::string, io::Table>* tables = nullptr;  ///< receives modes and Love numbers; null: they go to files
+  SinkOfModel sink_of;                                 ///< makes the sink of each model
+  bool resumes = false;                                ///< true if the run continues an earlier run in the directory
+  const Ranks* ranks = &one_rank();                    ///< processes that share the run of the model
+  std::map<std::string, io::Table>* tables = nullptr;  ///< receives modes and Love numbers; if null, they go to files
 
   /// Converts a time of the scene to internal units.
   double internal_time(double physical) const { return physical / units.time; }
   /// Factors that convert the columns of tables from internal units to the user's units.
   systems::Scales scales() const { return {units.length, units.mass, units.time}; }
+  /// The time of sample k in the user's units.
   double time_of_sample(long k) const {
     return scene.time.end * (static_cast<double>(k) / static_cast<double>(scene.output.samples));
   }
@@ -51,7 +52,7 @@ struct RunContext {
   bool interrupted() const { return ranks->any(io::interrupt_requested()); }
 };
 
-/// A copy of the context with another scene and other needs.
+/// A copy of the context with another scene and other needs, to which the copy refers.
 inline RunContext derived(const RunContext& context, const scene::Scene& scene, const scene::Needs& needs) {
   const auto& [its_scene, its_needs, directory, units, log, sink_of, resumes, ranks, tables] = context;
   return {.scene = scene,
@@ -81,14 +82,15 @@ struct Stepping {
 /// Result of a model's run.
 struct ModelOutcome {
   mechanics::Outcome end = mechanics::Outcome::finished;
-  std::string message;  ///< one sentence for the user if the run has not finished
-  io::Manifest::Model statistics;
-  std::optional<Stepping> stepping{};
+  std::string message;                                    ///< one sentence for the user if the run has not finished
+  io::Manifest::Model statistics;                         ///< counters and timers of the run
+  std::optional<Stepping> stepping{};                     ///< method and step of a motion; empty for other analyses
   std::map<std::string, io::Manifest::Model> of_rungs{};  ///< statistics of further runs by the names of their files
   std::optional<analysis::OtherResolution>
       other{};            ///< the same motion on another discretisation, for the error in space
   std::string results{};  ///< text for standard output
-  bool is_over = false;   ///< true if the model has ended its motion, so that a smaller step does not continue it
+  bool is_over = false;  ///< true if the model has ended its motion, for example by a collision, so that a smaller step
+                         ///< does not continue it
 };
 
 /// Adds a line to the results and to log.txt. Standard output shows the results at the end of the run.

@@ -5,8 +5,10 @@
 
 namespace pseudorigid::app {
 
+/// Runs the pseudo-rigid model: a motion, relative equilibria or Love numbers, as the scene requires.
 ModelOutcome run_reduced(const RunContext& context);
 
+/// Runs the polynomial bodies of all degrees of the scene, for every analysis that the model offers.
 ModelOutcome run_polynomial(const RunContext& context);
 
 /// Runs the system that the scene names, a row of the table in systems/table.h.

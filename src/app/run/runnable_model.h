@@ -26,6 +26,7 @@ class RunnableModel {
   const double pilot_reserve;     ///< factor of the tolerance in pilot runs
 
   virtual double pilot_window(double end) const = 0;  ///< duration of pilot runs for a motion until `end`
+  /// The names of the columns of a row.
   virtual std::vector<std::string> columns() const = 0;
 
   /// Restores the data about earlier samples from the rows of an interrupted run.
@@ -33,6 +34,7 @@ class RunnableModel {
   /// Data that a checkpoint contains for the model, for example about earlier warnings and contacts. The number of
   /// elements does not change during a run.
   virtual std::vector<double> remarks() const { return {}; }
+  /// Restores the data of `remarks`.
   virtual void take_remarks(std::span<const double>) {}
 
   /// Name of the table of shapes for the report; empty if the model does not have shapes.
@@ -53,17 +55,19 @@ class RunnableModelOf : public RunnableModel {
   using State = mechanics::State<S>;
   using Workspace = typename S::Workspace;
 
+  /// The system, which must live as long as the model.
   virtual const S& system() const = 0;
+  /// The state at the start of the run, in internal units.
   virtual State initial_state() const = 0;
-  /// The configuration, whose time error Time/Tolerance bounds.
+  /// The configuration as a matrix. Time/Tolerance bounds the time error of its entries.
   virtual Eigen::MatrixXd configuration(const State&) const = 0;
-  /// Rate of the motion about which small vibrations are considered. The limit of the step is computed for ω + rate,
-  /// with the largest frequency ω of these vibrations.
+  /// Rate of the motion about which small vibrations are considered, per internal unit of time. The limit of the step
+  /// is computed for ω + rate, with the largest frequency ω of these vibrations.
   virtual double rate(const State&) const = 0;
   /// The constraint and its rate are divided by this scale in tolerances and statistics.
   virtual double constraint_scale() const { return 1; }
-  /// Kinetic and potential energy. Methods that are not symplectic can change the sum of both energies. For systems
-  /// with a costly force, the choice of the step bounds this change.
+  /// Kinetic and potential energy, in this order. Methods that are not symplectic can change the sum of both energies.
+  /// For systems with a costly force, the choice of the step bounds this change.
   virtual Eigen::Vector2d energies(const State&) const { return Eigen::Vector2d::Zero(); }
   /// Checks the state after every step. A failure ends the run.
   virtual mechanics::Status judge(const State&) { return {}; }
@@ -86,10 +90,14 @@ class RunnableModelOf : public RunnableModel {
   virtual void estimate_quadrature(const State&, double /*stable_step*/) {}
   virtual std::string place_of_least_jacobian(const State&) const { return {}; }  ///< for messages of failure
 
+  /// Writes the observables of a sample into `row`, in the order of columns() and in the user's units. `time` is the
+  /// time in the user's units. Fails if an observable cannot be computed.
   virtual mechanics::Status row(double time, const State&, Workspace&, std::vector<double>& row) = 0;
+  /// Writes a picture of the state into a file. Fails if the fields cannot be computed. By default writes nothing.
   virtual mechanics::Status write_frame(const std::filesystem::path&, double /*time*/, const State&, Workspace&) {
     return {};
   }
+  /// The block of rows of the table of shapes for this state.
   virtual std::vector<std::vector<double>> shape(double /*time*/, const State&) const { return {}; }
   /// Adds the counters of the model to the statistics. `workspace` is the part of the method's workspace that belongs
   /// to the system; null if there is none.

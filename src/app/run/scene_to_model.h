@@ -25,7 +25,7 @@ inline io::Units units_of(const scene::Scene& scene) {
   return io::ball_units(scene.body.radius, scene.body.density, scene::time_scale(scene));
 }
 
-/// The initial deformation Q₀ and, in the next function, Q̇₀ per unit of internal time.
+/// The initial deformation Q₀, and below it Q̇₀ per internal unit of time.
 inline Eigen::Matrix3d initial_deformation(const scene::Scene& scene) {
   return to_eigen(scene.initial_state.deformation);
 }
@@ -33,7 +33,7 @@ inline Eigen::Matrix3d initial_velocity(const scene::Scene& scene, const io::Uni
   return to_eigen(scene.initial_state.velocity) * units.time;
 }
 
-/// The initial position of the centre of mass and, in the next function, the initial velocity of the centre of mass.
+/// The initial position of the centre of mass, and below it the initial velocity, in internal units.
 inline Eigen::Vector3d initial_center(const scene::Scene& scene, const io::Units& units) {
   return to_eigen(scene.initial_state.center) / units.length;
 }
@@ -42,6 +42,8 @@ inline Eigen::Vector3d initial_center_velocity(const scene::Scene& scene, const 
 }
 
 namespace detail {
+/// Convert the entries of a load from the user's units to internal units. Arrays are converted element by element; an
+/// empty optional and a truth value do not change.
 inline void convert(const io::Units& units, scene::Unit unit, double& value) { value = units.to_internal(value, unit); }
 inline void convert(const io::Units& units, scene::Unit unit, std::optional<double>& value) {
   if (value) convert(units, unit, *value);
@@ -77,7 +79,8 @@ inline materials::AnyLaw internal_law(const scene::Scene& scene) {
   return materials::make_law(material.law, internal, scene.body.incompressible);
 }
 
-/// γ = ρgr/μ with g = (4/3)πGρr and the shear modulus μ at rest.
+/// The ratio γ = ρgr/μ of gravity to elasticity, with the density ρ, the radius r and the shear modulus μ at rest. The
+/// gravity at the surface is g = (4/3)πGρr, with Newton's constant G.
 inline double gravity_to_elasticity(const scene::Scene& scene) {
   const double weight_of_density =
       4 * std::numbers::pi / 3 * loads::constant_forcing(internal_loads(scene)).gravity_constant;

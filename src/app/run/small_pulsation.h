@@ -1,6 +1,6 @@
 #pragma once
-/// The frequency x of the slowest small pulsation of a homogeneous elastic ball about rest, in units of c/r. Here r is
-/// the radius, and c is the speed of shear waves. The pulsation is the spheroidal mode of degree 2:
+/// The angular frequency x of the slowest small pulsation of a homogeneous elastic ball about rest, in units of c/r.
+/// Here r is the radius, and c is the speed of shear waves. The pulsation is the spheroidal mode of degree 2:
 ///
 ///   exact                           x of analysis/sphere_frequencies.h
 ///   pseudo-rigid   x² = 10 + 4γ/5,  γ = ρgr/μ, g = (4/3)πGρr

@@ -21,6 +21,7 @@ class TensionWatch {
         model_(model),
         is_fluid_(scene::is_ideal_fluid(context.scene) && context.scene.body.incompressible) {}
 
+  /// True if the run must compute λ.
   bool watches() const { return is_fluid_; }
 
   /// Records the samples in the rows of an interrupted run, without warnings.
@@ -39,6 +40,7 @@ class TensionWatch {
           model_, *first_);
   }
 
+  /// Adds the counter first_tension_time; adds nothing without tension.
   void report(io::Manifest::Model& statistics) const {
     if (first_) statistics.counters["first_tension_time"] = *first_;
   }
@@ -59,8 +61,8 @@ class TensionWatch {
   const RunContext& context_;
   std::string_view model_;
   bool is_fluid_;
-  std::optional<Sample> before_;
-  std::optional<double> first_;
+  std::optional<Sample> before_;  ///< the last recorded sample
+  std::optional<double> first_;   ///< first time of tension in the user's units
 };
 
 }  // namespace pseudorigid::app

@@ -1,6 +1,7 @@
 #pragma once
 /// Description of one run of the finite-element model. A scene may need several runs. One run writes the results. The
-/// other runs only give their history of Q, without observables, files or messages.
+/// other runs only give the values of the mass moment Q at the samples (the history of Q), without observables, files
+/// or messages.
 
 #include <functional>
 #include <optional>
@@ -13,16 +14,19 @@
 
 namespace pseudorigid::app {
 
+/// The discretisation of a run, its method and step, and the place for its history of Q.
 struct ContinuumTask {
   scene::Discretization discretization;
-  std::optional<Stepping> stepping{};  ///< method and step of another run; empty: a search
+  std::optional<Stepping> stepping{};  ///< method and step of another run; if empty, the run searches for them
   DeformationTrace* trace = nullptr;   ///< receives the history of Q; null if the history is not requested
 };
 
+/// Runs the finite-element model once, with results or silently, as the context requires. Collective.
 using ContinuumRun = std::function<ModelOutcome(const RunContext& context, const ContinuumTask& task)>;
 
-/// Warns if the history of Q does not have all samples. A resumed run reads the earlier Q from continuum.csv. The
-/// earlier Q are missing if the file does not have the columns of Q.
+/// Warns if the history of Q does not have all samples. A resumed run reads the earlier Q from continuum.csv. If this
+/// file lacks the columns of Q, the history lacks the earlier samples, and the error estimate covers only a part of the
+/// run.
 inline void warn_of_gaps(const RunContext& context, std::string_view model, const DeformationTrace& trace) {
   if (trace.size() <= static_cast<std::size_t>(context.scene.output.samples))
     context.log->warn(

@@ -40,6 +40,7 @@ std::vector<scene::Discretization> affordable(const RunContext& context) {
   return ladder;
 }
 
+/// The scene with another Time/Tolerance.
 scene::Scene with_time_tolerance(scene::Scene scene, double tolerance) {
   scene.time.tolerance = tolerance;
   return scene;
@@ -99,7 +100,7 @@ std::optional<Stepping> DiscretizationSearch::silent_stepping() const {
   return stepping;
 }
 
-/// Adds the present run to the series of errors, or counts it as a failure.
+/// `trace` is the history of Q in the present run. After a failure, it is not used.
 void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace trace) {
   if (outcome.end == mechanics::Outcome::failed) {
     ++n_failures_;
@@ -122,9 +123,9 @@ void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace tr
                        scene::describe(rung()), apart.largest, errors_.error());
 }
 
-/// True if the present run is the final one: it is marked as final, it is the last of the ladder, the estimated error
-/// is within the tolerance, or two successive runs have ended early. In the last case the motion is the cause, and a
-/// finer mesh does not help.
+/// True if the present run is the final one. It is final if it is marked as final or is the last of the ladder. It is
+/// final if its estimated error is within the tolerance. It is also final if two successive runs have ended early: the
+/// motion is then the cause, and a finer mesh does not help.
 bool DiscretizationSearch::settles() const {
   return settled_ || is_last() || n_failures_ == 2 ||
          (n_failures_ == 0 && errors_.error() <= context_.scene.continuum.tolerance);

@@ -29,27 +29,39 @@
 
 namespace pseudorigid::app {
 
+/// The state of a search: its position in the ladder, and the errors of the earlier runs.
 class DiscretizationSearch {
  public:
   static constexpr const char* checkpoint_name = "discretization";
 
+  /// Prepares the search. If the context resumes an earlier run, loads the state of the search. Collective.
   DiscretizationSearch(const RunContext& context, ContinuumRun run);
+  /// Runs the search. Returns the outcome of the run that wrote the results, or of an interrupted run. Collective.
   ModelOutcome run();
 
  private:
   const scene::Discretization& rung() const { return ladder_[position_]; }
   bool is_last() const { return position_ + 1 == ladder_.size(); }
+  /// True if the present run writes its results: it is final or the last of the ladder, or its predicted error is small
+  /// enough.
   bool writes() const;
+  /// Runs the present discretisation. `trace` receives its history of Q.
   ModelOutcome run_rung(DeformationTrace& trace);
+  /// Method and step of a run that does not write; empty for the first one, which finds them itself.
   std::optional<Stepping> silent_stepping() const;
+  /// Adds the present run to the series of errors. If the run ended early, only counts the failure.
   void note(const ModelOutcome& outcome, DeformationTrace trace);
+  /// True if the present run is the final one.
   bool settles() const;
+  /// Adds the counters of the search and the motion of the run before to the outcome, and logs the estimated error.
   void report(ModelOutcome& outcome) const;
   // These functions are collective.
   void start_afresh() const;
   void load();
   void save() const;
   // These functions do not communicate between the ranks.
+
+  /// Restores the state of the search from a checkpoint.
   void take(const io::Checkpoint& c);
   void write_checkpoint() const;
   /// True on the rank that writes the checkpoint, the first one. False in sweeps, which do not write checkpoints of
@@ -66,11 +78,12 @@ class DiscretizationSearch {
   bool settled_ = false;      ///< true if the present run is the final one and writes the results
   int n_failures_ = 0;        ///< number of successive runs, up to the last one, that ended early
   analysis::SpaceErrorLadder errors_;
-  double relative_to_largest_ = 0;  ///< ratio of the largest |Q − Q'|/|Q| to the largest entry of Q − Q'
-  DeformationTrace trace_;          ///< history of Q in the last run that reached its end
-  DeformationTrace trace_before_;   ///< history of Q in the run before, among those that reached their end
-  std::optional<Stepping> first_stepping_;
-  double first_resolution_ = 0, search_work_ = 0;
+  double relative_to_largest_ = 0;          ///< ratio of the largest |Q − Q'|/|Q| to the largest entry of Q − Q'
+  DeformationTrace trace_;                  ///< history of Q in the last run that reached its end
+  DeformationTrace trace_before_;           ///< history of Q in the run before, among those that reached their end
+  std::optional<Stepping> first_stepping_;  ///< method and step of the first run that reached its end
+  double first_resolution_ = 0,
+         search_work_ = 0;  ///< resolution of the first run that reached its end; work of all runs but the final one
 };
 
 }  // namespace pseudorigid::app

@@ -37,7 +37,8 @@ double n_nodes_of_images(int n_octants, double n) {
 }
 
 /// Bytes per unknown, and bytes per pair of multipliers in a cell. These sizes were fitted to measurements of the
-/// resident memory for k = 2 … 8 and r = 0 … 3, less the memory of a process that has only loaded the libraries.
+/// resident memory for degrees k = 2 … 8 and r = 0 … 3 refinements. The memory of a process that has only loaded the
+/// libraries was subtracted.
 constexpr double bytes_of_unknown = 600, bytes_of_pair_of_multipliers = 60;
 /// Number of doubles in a checkpoint per unknown and per multiplier: positions, velocities, and the memory of
 /// symmetric-4. Among the methods for the ball, symmetric-4 remembers the largest number of past steps. If the program
@@ -47,6 +48,7 @@ constexpr double most_unknowns = std::numeric_limits<int>::max();  // largest in
 
 std::string count(double n) { return n < 1e7 ? fmt::format("{:.0f}", n) : fmt::format("{:.3g}", n); }
 
+/// The numbers of unknowns and multipliers and the memory as text.
 std::string in_words(const Effort& e) {
   const std::string multipliers = e.n_multipliers > 0 ? " and " + count(e.n_multipliers) + " multipliers" : "";
   return fmt::format("{} unknowns{}, about {}", count(e.n_unknowns), multipliers, in_bytes(std::max(1e6, e.bytes)));
@@ -62,7 +64,7 @@ double step_of_mesh(const scene::Discretization& d) {
 constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
 /// Typical ratio of the step to the stability limit at rest, if the program chooses the step for a tolerance.
 constexpr double usual_part_of_limit = 0.6;
-/// Costs of the pilot runs and of the companion run, relative to the cost of the run.
+/// Typical costs of the pilot runs and of the companion run, relative to the cost of the run.
 constexpr double pilots = 0.5, companion = 0.35;
 
 /// The viscosity η in internal units.
@@ -77,6 +79,8 @@ double damping_of_step(const scene::Scene& scene, const scene::Discretization& d
 /// force evaluations. `gamma_h` is γh (mechanics/core/damping.h).
 double work_of_viscous_step(double gamma_h) { return gamma_h > 0 ? 3 + 5 * std::pow(1 + gamma_h / 2, 0.4) : 1; }
 
+/// Estimated time in seconds of the run on one core, with pilot runs and the companion run. `step` is in the user's
+/// unit of time.
 double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs, double n_steps, double step) {
   const double n_unknowns = effort_of(scene, *scene::fixed_discretization(scene), 0).n_unknowns;
   const double a_step = n_unknowns * (needs.constraint ? seconds_of_unknown : seconds_of_compressible_unknown) *
@@ -98,6 +102,7 @@ void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
                                      (*model)->name, n, n * seconds_of_force));
 }
 
+/// Adds a line with the time of all runs of the sweep; adds nothing without a sweep.
 void describe_effort_of_sweep(const scene::Scene& scene, double seconds_of_run, scene::Needs& needs) {
   if (scene.sweep.empty()) return;
   const auto [first, end] = scene::runs_of_part(scene.sweep_part, scene::n_runs(scene.sweep));
@@ -186,7 +191,8 @@ std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene
   if (needed.n_unknowns > most_unknowns || needed.n_multipliers > most_unknowns)
     return fmt::format("{}, and no more than {:.3g} have numbers", takes, most_unknowns);
   const double available = io::available_memory();
-  // The checkpoint is collected on the first rank, which may be a rank on this machine.
+  // The checkpoint is collected on the first rank. This rank may be on this machine, so the estimate includes the part
+  // of the checkpoint from the other machines.
   const double here = share * needed.bytes + (1 - share) * needed.checkpoint_bytes;
   if (here <= available) return std::nullopt;
   return fmt::format("{}{}, and {} are available here", takes,

@@ -1,15 +1,15 @@
 #pragma once
 /// Estimate of the unknowns, the memory and the largest stable step of a finite-element run. The estimate is made
-/// before the mesh is built. The program shows it to the user, and refuses a run that needs more memory than the
-/// machine has. For small motions about rest, the stable step of RATTLE is
+/// before the mesh is built. The program shows the estimate to the user, and refuses a run that needs more memory than
+/// the machine has. For small motions about rest, the stable step of RATTLE is
 ///
 ///   h = 0.38/(k (k + 0.4)) · 0.493^r / √(μ + 0.296 λ)      (μ, λ Lamé's moduli at rest, ρ = 1, radius 1)
 ///
 /// for degree k and r refinements of the builtin mesh. λ is the sum of the law's λ and the volumetric stiffness. For an
 /// incompressible body, the laws neo-hookean, mooney-rivlin and gent have no bulk term, and the λ of neo-hookean is 0.
-/// The formula is fitted to the largest frequencies from Lanczos' method. Its error is below 2 % for k = 2 … 8 and r =
-/// 0 … 2, and below 3 % for λ/μ = 0.1 … 100. At rest, the viscous force is proportional to the stiffness. The largest
-/// damping rate for a viscosity η is
+/// The formula is fitted to the largest frequencies from Lanczos' method. For k = 2 … 8 and r = 0 … 2, its error is
+/// below 2 %. For λ/μ = 0.1 … 100, its error is below 3 %. At rest, the viscous force is proportional to the stiffness.
+/// The largest damping rate for a viscosity η is
 ///
 ///   γ = 4 η (0.38/(k (k + 0.4)) · 0.493^r)⁻².
 ///
@@ -25,7 +25,8 @@
 
 namespace pseudorigid::app {
 
-/// Estimated size of a run. The estimate of the memory differs from the measured memory by less than a third.
+/// Estimated size of a run. `bytes` is the memory of all ranks together. It differs from the measured memory by less
+/// than a third.
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
   double checkpoint_bytes;     ///< bytes of a checkpoint on the first rank, with the memory of the method

@@ -21,7 +21,8 @@ struct CompanionPair {
   double resolution, resolution_of_companion;
   std::string companion;  ///< description of the companion for messages
   double rate;            ///< rate p at which the error of Q decreases with the resolution (analysis/space_error.h)
-  /// Rate for the errors of other quantities.
+  /// Rate for the errors of other quantities. A smaller rate gives larger estimates, so this rate is a lower bound of
+  /// the usual rates.
   double least_rate;
 };
 
@@ -36,7 +37,8 @@ using RunOfPair = std::function<ModelOutcome(const RunContext& context, bool is_
 /// fails, a warning replaces the estimate. If the companion is interrupted, the outcome is `interrupted`.
 ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& pair, const RunOfPair& run);
 
-/// Runs the scene on its fixed discretisation, and also on the companion if the scene requests error estimates.
+/// Runs the scene on its fixed discretisation, and also on the companion if the scene requests error estimates. The
+/// scene must set degree and refinements. Returns the outcome of the first run. Collective.
 ModelOutcome run_with_estimate(const RunContext& context, const ContinuumRun& run);
 
 /// Returns the history `trace` as a table, with a factor. The factor converts the difference between the run and

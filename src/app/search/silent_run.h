@@ -9,7 +9,8 @@
 
 namespace pseudorigid::app {
 
-/// Runs the model with `scene`, whose section Time may differ from the scene of the context.
+/// Runs the model with `scene`, whose section Time may differ from the scene of the context. `task` is the second
+/// argument of `run`, for example a ContinuumTask.
 template <class Run, class Task>
 ModelOutcome run_silently(const Run& run, const RunContext& context, const scene::Scene& scene, const Task& task) {
   scene::Needs needs = context.needs;

@@ -19,8 +19,9 @@ namespace pseudorigid::app {
 /// The columns of equilibria.csv for a system with the given columns of coordinates and n_modes degrees of freedom.
 std::vector<scene::Column> equilibria_columns(const std::vector<scene::Column>& coordinates, int n_modes);
 
-/// Finds the critical points and writes the file. `coordinates` are the columns of the coordinates, and `scales` are
-/// the units of the landscape. If `points` is not null, it receives the critical points.
+/// Finds the critical points and writes the file. `dissipative` is true if the system has dissipation of its own.
+/// `coordinates` are the columns of the coordinates, and `scales` are the units of the landscape. If `points` is not
+/// null, it receives the critical points by rising potential. The outcome is `failed` if the search fails.
 ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissipative,
                             const std::vector<scene::Column>& coordinates, const systems::Scales& scales,
                             const RunContext& context, mechanics::CriticalPoints* points = nullptr);

@@ -21,13 +21,15 @@ using mechanics::CriticalPoint;
 using mechanics::PhaseVector;
 using mechanics::Status;
 
-/// Distances from a critical point. A motion along a direction of a manifold starts at `start_along`. Motions in all
-/// directions of an unstable manifold start at `start_around`, measured in the slowest direction. A motion has arrived
-/// at a point if its distance is below `arrival_distance`. A motion has left the point at which it starts if its
-/// distance was above `departure_distance`.
+/// Distances from a critical point in (q, q̇), in the scales of the system. A motion along a direction of a manifold
+/// starts at `start_along`. Motions in all directions of an unstable manifold start at `start_around`, measured in the
+/// slowest direction. A motion has arrived at a point if its distance is below `arrival_distance`. A motion has left
+/// the point at which it starts if its distance was above `departure_distance`.
 constexpr double start_along = 1e-5, start_around = 1e-3, arrival_distance = 1e-6, departure_distance = 1e-2;
+/// Tolerance per step of the integration (explicit-8).
 constexpr double local_tolerance = 1e-13;
 
+/// A motion: its number, the number of its critical point, and whether it is on the stable manifold.
 struct Curve {
   int number, from;
   bool stable;
@@ -48,6 +50,7 @@ std::vector<scene::Column> curve_columns(const std::vector<scene::Column>& of_sy
   return columns;
 }
 
+/// The motions on the manifolds of all critical points, and their two tables.
 class ManifoldRun {
  public:
   ManifoldRun(const systems::AnySystemScene& system, const systems::AnyModel& model, const systems::Scales& scales,
@@ -66,6 +69,7 @@ class ManifoldRun {
     if (depth > 0) highest_energy_ = points.back().V + depth;
   }
 
+  /// Follows the motions of all critical points with an unstable manifold. Fails if a motion cannot be followed.
   Status run() {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const auto unstable = mechanics::manifold_basis(points_[i], true);
@@ -86,6 +90,9 @@ class ManifoldRun {
   int n_curves() const { return n_curves_; }
 
  private:
+  /// Follows the motions from all starts, writes their rows, and adds a line about their ends to the results. A motion
+  /// on an unstable manifold that stops early does not end the loop; `stopped_` receives its failure. Fails if the run
+  /// is interrupted or a row cannot be computed.
   Status follow_all(int from, bool stable, const std::vector<PhaseVector>& starts) {
     std::vector<int> n_ends(points_.size() + 1, 0);
     int n_stopped = 0;
@@ -179,6 +186,7 @@ class ManifoldRun {
     return end.to != 0 && end.distance < arrival_distance;
   }
 
+  /// Kinetic plus potential energy of the state.
   template <class State>
   double energy(const State& state) const {
     Eigen::MatrixXd M;
@@ -187,6 +195,7 @@ class ManifoldRun {
     return landscape_.potential(q) + 0.5 * state.v.dot(M * state.v);
   }
 
+  /// Writes a row of manifolds.csv. Fails if a value is not finite.
   template <class State, class Workspace>
   Status append(const Curve& curve, const State& state, systems::AnyModel& at_rest, Workspace& workspace) {
     row_.assign({double(curve.number), double(curve.from), double(curve.stable), state.t});
@@ -201,7 +210,8 @@ class ManifoldRun {
   mechanics::AnyLandscape landscape_;
   Eigen::VectorXd periods_,
       offset_;  ///< periods of the landscape's coordinates, and their offset from the coordinates of the motion
-  double length_, highest_energy_ = HUGE_VAL;
+  double length_,
+      highest_energy_ = HUGE_VAL;  ///< longest duration of a motion; energy at which a motion on a stable manifold ends
   std::vector<double> row_;
   io::ColumnTable rows_, ends_;
   ModelOutcome& outcome_;  ///< receives the text of the results

@@ -1,7 +1,7 @@
 #pragma once
 /// Runs `Analysis = manifolds` for a system. The run computes motions on the unstable and the stable manifolds of the
 /// critical points of the system (Oliva, Geometric Mechanics, 5.8). The motions show which critical points are
-/// connected. In addition to equilibria.csv the run writes
+/// connected. Critical points without an unstable manifold are skipped. In addition to equilibria.csv the run writes
 ///
 ///   manifolds.csv     the motions: curve, point, stable, time, and the columns of the system;
 ///   connections.csv   for each motion, the critical point at which it ends, or 0.
@@ -19,8 +19,10 @@
 
 namespace pseudorigid::app {
 
+/// The columns of connections.csv with their units and texts.
 std::vector<scene::Column> connections_columns();
 
+/// Finds the critical points, computes the motions and writes the files. `scales` are the units of the system.
 ModelOutcome run_manifolds(const systems::AnySystemScene& system, const systems::AnyModel& model,
                            const systems::Scales& scales, const RunContext& context);
 

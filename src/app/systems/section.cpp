@@ -30,6 +30,7 @@ constexpr int looks_per_step = 8, steps_between_interrupts = 256;
 /// accepts.
 constexpr double tolerance_of_location = 1e-15;
 
+/// The motion and the table of its crossings.
 template <class Form>
 class SectionRun {
   using Field = mechanics::FieldOf<Form>;
@@ -98,6 +99,8 @@ class SectionRun {
     return choice.local_tolerance;
   }
 
+  /// Integrates the motion to its end and writes a row for each crossing. Sets `end` to the outcome. Fails if a step
+  /// fails or after an interrupt.
   template <class Workspace>
   Status go(State& state, Workspace& w, mechanics::Outcome& end) {
     end = mechanics::Outcome::failed;
@@ -129,7 +132,8 @@ class SectionRun {
   }
 
   /// Sets `distance` to the column minus the value of the section. If the section has a period, multiples of the period
-  /// are subtracted such that |distance| is least. Leaves the columns of the state in `row_`.
+  /// are subtracted such that |distance| is least. Leaves the columns of the state in `row_`. Fails if a column cannot
+  /// be computed or is not finite.
   Status level(const State& state, double& distance) {
     if (Status status = motion_.row(state.t * context_.units.time, state, workspace_, row_); !status) return status;
     if (!std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); }))
@@ -140,6 +144,7 @@ class SectionRun {
     return {};
   }
 
+  /// True if the change of sign between two distances is a crossing in a direction that the scene requests.
   bool counts(double before, double after) const {
     const scene::Crossings wanted = context_.scene.section.crossings;
     const bool rises = before < 0 && after >= 0, falls = before > 0 && after <= 0;
@@ -147,7 +152,8 @@ class SectionRun {
   }
 
   /// Locates the crossing between the times `early` and `late` within the step from `start`, and writes a row for it.
-  /// `before` and `after` are the distances at these times. Does nothing if there is no crossing.
+  /// `before` and `after` are the distances at these times. Writes nothing if there is no crossing, or if the column
+  /// jumps. Fails if a step fails.
   Status take(const State& start, double early, double late, double before, double after) {
     if (!counts(before, after)) return {};
     Status status;
@@ -176,7 +182,7 @@ class SectionRun {
   decltype(mechanics::field_of(std::declval<const Form&>())) field_;
   typename Form::Workspace workspace_;
   const std::vector<std::string> columns_;
-  std::size_t watched_;
+  std::size_t watched_;  ///< index of the column that defines the surface
   double end_;
   io::CsvWriter csv_;
   std::vector<double> row_;

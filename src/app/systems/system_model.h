@@ -14,7 +14,8 @@
 
 namespace pseudorigid::app {
 
-/// The object refers to `form` and `model`. Both must exist as long as the object.
+/// A motion of a system in the form `Form`. The object refers to `form` and `model`, which must exist as long as the
+/// object.
 template <class Form>
 class SystemModel final : public RunnableModelOf<Form> {
   using Base = RunnableModelOf<Form>;

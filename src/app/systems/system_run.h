@@ -6,8 +6,8 @@
 
 namespace pseudorigid::app {
 
-/// The description of the system for parameter files and `pseudorigid parameters`. Its member `refuses` refuses the
-/// scenes that the program cannot run.
+/// The description of the system for parameter files and `pseudorigid parameters`. Its member `refuses` also checks the
+/// duration, the method and the direction of time.
 scene::SystemDescription describe_system(const systems::AnySystemScene& system);
 
 /// Runs a scene of this system.
