@@ -25,6 +25,7 @@ std::uint64_t checksum(std::string_view bytes);
 
 class Checkpoint {
  public:
+  /// Sets the entry `name` to a list of numbers, a text, a number or an integer. A new value replaces an old one.
   void set(const std::string& name, std::span<const double> values);
   void set(const std::string& name, std::vector<double> values);
   void set(const std::string& name, std::string text);
@@ -35,8 +36,8 @@ class Checkpoint {
   }
 
   bool has(const std::string& name) const { return values_.contains(name); }
-  /// The value of the entry `name`. Throws UserError with the names of the file and the entry if the entry is missing
-  /// or has another type or size.
+  /// The value of the entry `name`. A number is a list of size 1. Throws UserError with the names of the file and the
+  /// entry if the entry is missing, or if its type or size is another one.
   const std::vector<double>& get_doubles(const std::string& name) const;
   const std::vector<double>& get_doubles(const std::string& name, std::size_t expected_size) const;
   double get_double(const std::string& name) const { return get_doubles(name, 1)[0]; }

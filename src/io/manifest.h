@@ -21,8 +21,8 @@ namespace pseudorigid::io {
 /// A run of a model of the ball, and two properties of the model.
 struct BallRun {
   scene::ModelRun run;
-  bool discretized = false;
-  bool affine = false;  ///< whether the motion is x = QX with a matrix Q
+  bool discretized = false;  ///< whether the model computes on a mesh of finite elements
+  bool affine = false;       ///< whether the motion is x = QX with a matrix Q
 };
 
 struct Manifest {
@@ -80,12 +80,12 @@ class ManifestFile {
 /// ManifestFile calls this function if it aborts the run. Errors are ignored.
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
-/// The names of the trajectories in a manifest: the name of the system's file, or the names of the runs of the models
-/// of the ball. Throws UserError if the file cannot be read or is not a manifest of this program. Also throws it if an
-/// earlier version wrote the file without the entries, which a report needs.
+/// The names of the trajectories in a manifest. For a system this is the name of its CSV file, and for the ball the
+/// names of the runs of its models. Throws UserError if the file cannot be read or is not a manifest of this program.
+/// Also throws it if an earlier version wrote the file without the entries, which a report needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
 /// The names of the runs of the models of the ball with the motion x = QX, Q a matrix. The result is empty if the file
-/// does not exist or is not a manifest.
+/// does not exist or is not a manifest. Throws UserError if the file exists but cannot be read.
 std::vector<std::string> affine_movers_in(const std::filesystem::path& manifest);
 
 /// The name of the processor in /proc/cpuinfo, or "unknown".
