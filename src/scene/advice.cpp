@@ -23,6 +23,7 @@ std::string_view name_of(std::string_view path, const Refusal& refusal) {
   return !section.empty() && section == section_of(refusal.path) ? path.substr(section.size() + 1) : path;
 }
 
+/// The settings of one recommendation in words, for example "Method = rattle and Step = auto".
 std::string in_words(const std::vector<Setting>& settings, const Refusal& refusal) {
   std::string text;
   for (const auto& [path, value] : settings)

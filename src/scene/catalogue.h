@@ -22,7 +22,8 @@ namespace pseudorigid::scene {
 /// canonical form of its kind.
 class AnyKind {
  public:
-  /// Makes an AnyKind from a kind whose values have the type Value.
+  /// Makes an AnyKind from a kind whose values have the type Value. The arguments `canonical` of read and print are the
+  /// text of a value in the form in which its kind prints it.
   template <class Value, class Kind>
   static AnyKind of(const Kind& kind) {
     AnyKind any;
@@ -50,6 +51,7 @@ class AnyKind {
   std::vector<std::string_view> words_;
 };
 
+/// An entry of a system other than the ball, and its default value as text.
 struct SystemEntry {
   About about;
   AnyKind kind;
@@ -75,8 +77,8 @@ struct Setting {
 struct Refusal {
   std::string path, sentence;
   std::vector<std::vector<Setting>> remedies{};  ///< alternatives; each sets one or several entries
-  std::vector<std::string_view>
-      models{};  ///< models that accept the input; the sentence then ends before "offered for"
+  /// Models that accept the input; `sentence` then ends before "offered for", which scene/advice.h appends.
+  std::vector<std::string_view> models{};
 };
 
 struct SystemDescription {
@@ -96,8 +98,8 @@ struct SystemDescription {
 
 /// The table of relative equilibria of a model.
 struct EquilibriaTable {
-  std::string_view file;  ///< name without ".csv"
-  std::string_view introduction;
+  std::string_view file;          ///< name without ".csv"
+  std::string_view introduction;  ///< text before the table of columns in the documentation
   std::vector<Column> columns;
 };
 
@@ -152,6 +154,7 @@ inline bool takes_method(const ModelDescription& model, std::string_view method)
   return !model.takes_method || model.takes_method(method);
 }
 
+/// The runs of the model in a scene: those of `runs`, or one run with the name of the model.
 inline std::vector<ModelRun> runs_of(const ModelDescription& model, const Scene& scene) {
   if (model.runs) return model.runs(scene);
   return {{std::string(model.name), std::string(model.adjective)}};
@@ -166,10 +169,10 @@ struct Catalogue {
   /// The models by increasing number of degrees of freedom. The last model of a scene is the reference of comparisons.
   std::vector<ModelDescription> models{};
   std::vector<SystemDescription> systems{};
-  /// The columns of connections.csv.
+  /// The columns of connections.csv, which Analysis = manifolds writes for systems other than the ball.
   std::vector<Column> connections{};
-  /// The columns of equilibria.csv for a system with one degree of freedom. The coordinates of the system are not
-  /// included.
+  /// The columns of equilibria.csv for a system with one degree of freedom, for the documentation. The coordinates of
+  /// the system are not included.
   std::vector<Column> equilibria{};
 
   /// The system of this name. The result is null for the ball and for an unknown name.

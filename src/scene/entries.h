@@ -13,11 +13,12 @@
 
 namespace pseudorigid::scene {
 
+/// The catalogue of the scene. If it is not set, the result is the empty catalogue.
 inline const Catalogue& catalogue_of(const Scene& scene) {
   return scene.catalogue ? *scene.catalogue : empty_catalogue;
 }
 
-/// A scene with the default values and the given catalogue.
+/// A scene with the default values and the given catalogue, which must outlive the scene.
 inline Scene default_scene(const Catalogue& catalogue) {
   Scene scene;
   scene.catalogue = &catalogue;
@@ -314,7 +315,8 @@ void visit_sweep(S& scene, Visit& visit) {
               "row is that of a single run, bit by bit."});
 }
 
-/// Visits the entries of all systems of the catalogue.
+/// Visits the entries of all systems of the catalogue. Their values are texts. In a scene that is not const, missing
+/// values are first set to their defaults.
 template <SceneOrConst S, class Visit>
 void visit_systems(S& scene, Visit& visit) {
   for (const SystemDescription& system : catalogue_of(scene).systems)
@@ -329,7 +331,7 @@ void visit_systems(S& scene, Visit& visit) {
     }
 }
 
-/// Calls visit(member, kind, About) for every entry, in the order of a parameter file.
+/// Calls visit(member, kind, About) for every entry, in the order in which used.prm lists the entries.
 template <SceneOrConst S, class Visit>
 void visit_entries(S& scene, Visit&& visit) {
   visit_problem(scene, visit);

@@ -36,20 +36,21 @@ enum class Family {
   at_rest
 };
 enum class Graphics { none, vtu };
-/// The cells of a picture (io/block_cells.h).
+/// The cells of a picture. With `linear`, an element of degree k is divided into k³ hexahedra; with `lagrange`, it is
+/// one cell (io/block_cells.h).
 enum class Cells { linear, lagrange };
-/// The way in which the discretisation error of the finite-element model is estimated. With `none`, the error is not
-/// estimated.
+/// The estimate of the discretisation error of the finite-element model in a comparison. With `automatic`, a companion
+/// run on another discretisation estimates the error. With `none`, there is no companion run.
 enum class ErrorEstimate { none, automatic };
 
 /// The symmetry planes that bound the computed sector. With `automatic`, the program derives them from the scene. The
 /// letters x, y, z are the normals of the planes. The value `octant` has all three planes, and `none` is the full ball.
 enum class Symmetry { automatic, none, x, y, z, xy, xz, yz, octant };
 
-/// Groups of columns of the CSV files. Every file of a motion also has the column `time`.
+/// Selected groups of columns of the CSV files of a motion. Every such file also has the column `time`.
 using mechanics::Quantities;
 
-/// Groups of fields of a picture (io/body_picture.h).
+/// Selected groups of fields of a picture. io/body_picture.h defines the fields.
 struct Fields {
   bool displacement = true;  ///< displacement with and without the rotation, and reference coordinates
   bool velocity = true;
@@ -81,7 +82,7 @@ struct Scene {
   struct Material : materials::LawParameters {
     std::string law{materials::law_table[0].name};
   } material;
-  loads::Loads loads;  ///< the entries of the loads are in src/loads/
+  loads::Loads loads;  ///< the headers in src/loads/ define the entries of the loads
   double gamma = 0;    ///< γ of Gravity/Gamma, from which validate() sets the constant of gravity; 0: not given
   struct InitialState {
     Matrix3 deformation = identity3;  ///< Q₀
@@ -108,7 +109,7 @@ struct Scene {
   struct Section {
     std::string column;
     double value = 0;
-    double period = 0;  ///< period of the column; 0: none
+    double period = 0;  ///< the values `value` + k `period` with an integer k count as well; 0: only `value`
     Crossings crossings = Crossings::up;
   } section;
   struct Time {
@@ -134,7 +135,8 @@ struct Scene {
     std::string mesh{builtin_mesh};              ///< "builtin" or an absolute path
     Symmetry symmetry = Symmetry::automatic;
     std::optional<int> contact_points;  ///< empty: auto (continuum/body/contact_forces.h)
-    double grading = 1;                 ///< factor of the cell size at two poles (continuum/mesh/ball_mesh.h); 1: none
+    /// Cell size at two poles, compared with an ungraded mesh (continuum/mesh/ball_mesh.h).
+    double grading = 1;
   } continuum;
   struct Output {
     std::string directory = "output";
