@@ -17,6 +17,7 @@ namespace detail {
 
 inline constexpr double largest_size = 1e70;
 
+/// True for zero and for numbers in the range.
 inline bool sound(double x) { return x == 0 || (std::abs(x) >= 1 / largest_size && std::abs(x) <= largest_size); }
 
 /// Calls visitor(path, x) for each number x in the entries.
@@ -32,6 +33,7 @@ void visit_numbers(SystemScene& system, Visitor&& visitor) {
   });
 }
 
+/// True if the scales are in the range, and the units of the columns are finite and not zero or subnormal.
 template <class SystemScene>
 bool has_sound_units(const SystemScene& system, const Scales& scales) {
   for (const double unit : {scales.length, scales.mass, scales.time})
