@@ -49,9 +49,10 @@ std::vector<std::size_t> linear_cells(std::size_t p) {
   return points;
 }
 
-/// The degree p of the blocks, if linear_cells has divided blocks into the cells of the grid. The first p cells of the
-/// list form a row, in which each cell shares a face with the next. The row ends with the block. If the number of all
-/// cells is not a multiple of p³, the result is 1. Each cell is then a block.
+/// The degree p of the blocks, if linear_cells has divided blocks into the cells of the grid. A row of a block has p
+/// cells, and each cell shares a face with the next. The result is therefore the length of such a row at the beginning
+/// of the list. A row of adjacent blocks of degree 1 is not distinguished from a row of one block. If the number of all
+/// cells is not a multiple of p³, the result is 1, and each cell is a block.
 std::size_t cells_in_a_row(const UnstructuredGrid& grid) {
   const auto share_a_face = [&](std::size_t cell) {
     const std::int64_t *here = &grid.connectivity[8 * cell], *next = here + 8;

@@ -281,7 +281,8 @@ class GmshReader {
       for (unsigned int& v : cell) v = place[v];
   }
 
-  /// Prepares the mesh for the caller. Throws UserError "FILE: …" if it is not one body.
+  /// Removes construction nodes and makes the cells right-handed. Throws UserError "FILE: …" if the mesh is not one
+  /// body.
   void check() {
     drop_construction_nodes();
     turn_right_handed(mesh_);

@@ -30,7 +30,7 @@ struct PointOfCell {
   double jacobian;  ///< det ∂X/∂ξ
 };
 
-/// The largest distance in a coordinate direction between the first corner of a cell and another corner.
+/// The size of a cell: the largest distance in a coordinate direction between its first corner and another corner.
 double size_of_cell(const HexahedralMesh& mesh, std::size_t cell) {
   const Point& V0 = mesh.vertices[mesh.cells[cell][0]];
   double size = 0;

@@ -28,7 +28,8 @@ void turn_right_handed(HexahedralMesh& mesh);
 /// conditions do not depend on the unit of length or on the position of the body.
 void require_one_body(const HexahedralMesh& mesh);
 
-/// The volume, the centre of mass for a constant density, and the largest distance of a vertex from this centre.
+/// The volume, the centre of mass for a constant density, and the largest distance of a vertex from this centre. The
+/// unit of length is that of the mesh.
 struct MeshSize {
   double volume;
   HexahedralMesh::Point center;

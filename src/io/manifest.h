@@ -26,24 +26,27 @@ struct BallRun {
 };
 
 struct Manifest {
+  /// The results of a run of a model or a system.
   struct Model {
-    std::map<std::string, double> counters{}, timers{};  ///< counts of events; times in seconds
+    std::map<std::string, double> counters{}, timers{};  ///< numbers of events, and times in seconds, by name
     std::string method{};     ///< name of the method of integration; empty without integration in time
     bool symplectic = false;  ///< whether the method is symplectic
   };
-  BuildInfo build;                                            ///< result of build_info()
-  std::vector<std::string> command;                           ///< arguments of the program (argv)
-  std::string title;                                          ///< title of the scene
-  std::string scene;                                          ///< the scene in one line
-  std::vector<scene::UsedValue> entries;                      ///< entries of the scene
-  std::vector<std::string> needed, skipped, warnings;         ///< lines of text for the user
+  BuildInfo build;                        ///< result of build_info()
+  std::vector<std::string> command;       ///< arguments of the program (argv)
+  std::string title;                      ///< title of the scene
+  std::string scene;                      ///< the scene in one line
+  std::vector<scene::UsedValue> entries;  ///< entries of the scene
+  /// Lines for the user about needed parts, skipped parts and warnings.
+  std::vector<std::string> needed, skipped, warnings;
   std::string system;                                         ///< name of the system's CSV file; empty for the ball
   std::map<std::string, std::vector<scene::Column>> columns;  ///< columns of each file, without the time
-  std::optional<Units> units;                                 ///< scales of a ball, by which files convert its numbers
-  std::map<std::string, std::string> libraries;               ///< name → version
-  std::string instructions;                                   ///< instruction set of the kernels; empty without kernels
-  std::vector<BallRun> ball;                                  ///< runs of models of the ball, in their order
-  std::map<std::string, Model> models;                        ///< results of the runs, by the name of their files
+  /// Units of the internal numbers of a ball; empty for other systems.
+  std::optional<Units> units;
+  std::map<std::string, std::string> libraries;  ///< name → version
+  std::string instructions;                      ///< instruction set of the kernels; empty without kernels
+  std::vector<BallRun> ball;                     ///< runs of models of the ball, in their order
+  std::map<std::string, Model> models;           ///< results of the runs, by the name of their files
 };
 
 /// Writes manifest.json. The constructor writes the state "running", and `finish` writes the final state. Both throw

@@ -17,9 +17,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Call this function after every step. `fraction` is the completed part of the loop, from 0 to 1. The clock is read
-  /// only once in `stride_` calls, and this number adapts to the speed of the loop. Most calls therefore cost only one
-  /// comparison.
+  /// Call this function after every step. `fraction` is the completed part of the loop, from 0 to 1. The function reads
+  /// the clock only once in up to 1024 calls, and adapts the number of these calls to the speed of the loop. Most calls
+  /// therefore cost only one comparison.
   void step(double fraction) {
     if (++n_steps_ >= next_look_) look(fraction);
   }
@@ -29,7 +29,8 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  /// Reads the clock, adapts `stride_`, and draws the line if the last drawing is 0.2 s ago.
+  /// Reads the clock, adapts `stride_`, and draws the line if the last drawing is at least 0.2 s ago. The first call
+  /// only stores the start.
   void look(double fraction);
   void draw(double fraction, Clock::time_point now);
 
@@ -40,7 +41,8 @@ class Progress {
   bool drawn_ = false;
 };
 
-/// The text of the line, for example " 42 %  1.3e+05 steps/s  3 min left". It is a separate function for tests.
+/// The text of the line, for example " 42 % 1.3e+05 steps/s 3 min left". The function is separate from the class, so
+/// that tests can call it.
 std::string progress_text(double fraction, double steps_per_second, double seconds_left,
                           std::string_view unit = "steps");
 

@@ -151,7 +151,7 @@ RunLock::RunLock(RunLock&& other) noexcept
 RunLock::~RunLock() {
   if (identity_.empty()) return;
   try {
-    // The user may have removed the file, and another run may then have created a new file.
+    // The user may have removed the file, and another run may then have created a new file, which must remain.
     if (read_file(path_) == identity_) ::unlink(path_.c_str());
   } catch (const std::exception&) {
   }
@@ -180,7 +180,7 @@ bool RunLock::create() const {
   // A network disk may have created the link although it reported an error.
   if (::stat(own.c_str(), &status) == 0 && status.st_nlink == 2) return true;
   if (reason == EEXIST || reason == ENOENT) return false;
-  // The disk does not support links.
+  // The disk does not support hard links, so the lock is created under its own name.
   const Descriptor file(path_, O_WRONLY | O_CREAT | O_EXCL);
   if (!file && errno == EEXIST) return false;
   if (!file) throw WriteError(path_, errno);

@@ -13,8 +13,9 @@
 
 namespace pseudorigid::io {
 
-/// All columns of a model except `time`, for the documentation. All entries of a vector or matrix are in one line, for
-/// example `Q11 ... Q33`. The type Observables is mechanics::ReducedObservables or mechanics::ContinuumObservables.
+/// All columns of a model except `time`, for the documentation. A vector or matrix is one element of the list, for
+/// example with the name `Q11 ... Q33`. The type Observables is mechanics::ReducedObservables or
+/// mechanics::ContinuumObservables.
 template <class Observables>
 std::vector<scene::Column> documented_columns();
 

@@ -114,8 +114,8 @@ std::optional<Refusal> refuses_displaced_start(const Scene& scene, std::string_v
 }
 
 /// Refuses modes or Love numbers (`what`) of bodies and sectors for which they are not computed. These are a mesh from
-/// a file, a displaced start, a sector other than the octant, and a fluid. `is_offered` is the member of a model that
-/// offers the analysis.
+/// a file, a displaced start, a sector other than the octant, and a fluid. Also refuses a scene without a model that
+/// offers the analysis, according to its member `is_offered`.
 std::optional<Refusal> refuses_linear_analysis(const Scene& scene, std::string_view what,
                                                bool ModelDescription::*is_offered) {
   if (has_mesh_file(scene))

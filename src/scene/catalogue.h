@@ -19,11 +19,10 @@
 namespace pseudorigid::scene {
 
 /// A kind of values (entry_kinds.h), without the C++ type of the values. The scene stores such a value as text in the
-/// canonical form of its kind.
+/// canonical form, which is the form in which its kind prints a value.
 class AnyKind {
  public:
-  /// Makes an AnyKind from a kind whose values have the type Value. The arguments `canonical` of read and print are the
-  /// text of a value in the form in which its kind prints it.
+  /// Makes an AnyKind from a kind whose values have the type Value.
   template <class Value, class Kind>
   static AnyKind of(const Kind& kind) {
     AnyKind any;
@@ -76,8 +75,9 @@ struct Setting {
 /// functions of scene/advice.h try the changes, and append the successful changes to the sentence.
 struct Refusal {
   std::string path, sentence;
-  std::vector<std::vector<Setting>> remedies{};  ///< alternatives; each sets one or several entries
-  /// Models that accept the input; `sentence` then ends before "offered for", which scene/advice.h appends.
+  std::vector<std::vector<Setting>> remedies{};  ///< alternatives, each of which sets one or several entries
+  /// Models that accept the input. If there are any, `sentence` ends before "offered for", which scene/advice.h
+  /// appends.
   std::vector<std::string_view> models{};
 };
 
@@ -136,7 +136,7 @@ struct ModelDescription {
   /// Returns the runs of the model in a scene, by increasing number of degrees of freedom. The function is null for a
   /// model with one run, which has the name of the model.
   std::function<std::vector<ModelRun>(const Scene&)> runs{};
-  /// Returns the names of the columns of the model's CSV file.
+  /// Returns the names of the columns of the model's CSV file for the selected groups.
   std::function<std::vector<std::string>(const mechanics::Quantities&)> header;
   /// Returns a text about the discretisation of the companion run, from which the error in space is estimated. The text
   /// is empty if a search chooses the discretisation. The function is null for a model without an error in space.

@@ -79,9 +79,8 @@ void set_entry(const Statement& statement, ReadScene& read) {
     read.scene.expressions.erase(statement.path);
     const bool may_have_expression =
         kind.type != Text::type && kind.type != BuiltinOrMeshFile::type && about.path != "Sweep/Parameters";
-    if (may_have_expression &&
-        // With_parameters evaluates it after the parameters of the sweep have been read.
-        has_expression(*statement.value)) {
+    // The function with_parameters evaluates an expression after the parameters of the sweep have been read.
+    if (may_have_expression && has_expression(*statement.value)) {
       read.scene.expressions[statement.path] = *statement.value;
       read.origins.record(statement.path, statement.where());
       return;

@@ -29,8 +29,8 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Largest semi-axis in radii. The least semi-axis is its reciprocal. The entries of E₀ contain the square of a
-/// semi-axis, at most 10¹².
+/// Largest semi-axis in radii. The least semi-axis is its reciprocal. The entries of E₀ are proportional to squares of
+/// semi-axes. They are therefore at most 10¹² times those of the ball.
 constexpr double largest_axis = 1e6;
 
 /// Largest inertia, stiffness and unit of time in the units of the scene. The least values are the reciprocal of this

@@ -42,8 +42,8 @@ class AnyModel {
                         workspace.as<mechanics::ReversedField<mechanics::AnyField>::Workspace>().field, row);
     return held_->row(state, workspace, row);
   }
-  /// The rate of change of the state per unit of time, which limits the step of methods. It is |v|/(1 + |q|) with the
-  /// maximum norm, or the member `rate` of the model.
+  /// The rate of change of the state per unit of time, which limits the step of methods. It is the member `rate` of the
+  /// model, or else |v|/(1 + |q|) with the maximum norm.
   double rate(const State& state) const { return held_->rate(state); }
   /// The potential landscape, which keeps a reference to this model. Throws std::logic_error if the system does not
   /// have a landscape.

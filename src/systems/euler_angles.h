@@ -15,6 +15,7 @@
 
 namespace pseudorigid::systems {
 
+/// The three angles in radians, or their rates.
 struct EulerAngles {
   double phi = 0, theta = 0, psi = 0;
 };

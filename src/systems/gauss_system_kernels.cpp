@@ -13,8 +13,8 @@
 namespace pseudorigid::systems {
 namespace {
 
-// The fields below are functions (first lane, q, v, a) over a scalar type T, which is a vector of SIMD lanes. They set
-// the accelerations a, and return a number that is positive if the accelerations are defined.
+// The fields below, except FieldOfPoints, are functions (first lane, q, v, a) over a scalar type T, which is a vector
+// of SIMD lanes. They set the accelerations a. They return a number that is positive if the accelerations are defined.
 
 template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;

@@ -16,7 +16,8 @@
 /// The forces at rest in space are uniform gravity g, a spring −k(q − c) and an attraction −μ(q − c)/|q − c|³. The
 /// forces at rest in the frame are uniform gravity G and springs −diag(K₁, K₂, K₃)(Q − C).
 ///
-/// In the inertial frame, the same motion satisfies q̈ = f.
+/// In the inertial frame, the same motion satisfies q̈ = f. The comments of FrameMotion and FrameForces name the other
+/// symbols.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -93,8 +94,8 @@ struct FrameForces {
   Eigen::Vector3d frame_center = Eigen::Vector3d::Zero();     // centre C of the springs in the frame
   Eigen::Vector3d frame_stiffness = Eigen::Vector3d::Zero();  // stiffnesses K₁, K₂, K₃ of these springs
 
-  /// Computes the force f in space on the point q, whose position in the frame is Q. Returns 1 if the attraction is
-  /// finite, otherwise NaN.
+  /// Computes the force f in space on the point q, whose position in the frame is Q. The rotation of the frame is M.
+  /// Returns 1 if the attraction is finite, otherwise NaN.
   template <class T>
   T in_space(const Space<T>& q, const Space<T>& Q, const Eigen::Matrix<T, 3, 3>& M, Space<T>& f) const {
     const Space<T> in_frame =
@@ -115,7 +116,7 @@ struct FrameParameters {
 struct FrameOfStages {
   const FrameForces& forces;
   bool moving;  ///< true if q is the position in the moving frame, false if it is the position in space
-  std::array<mechanics::OfStages, FramePose::n_entries> pose;
+  std::array<mechanics::OfStages, FramePose::n_entries> pose;  ///< the entries of FramePose, each at all stages
 };
 /// Computes the poses at the times of the stages, because they do not depend on the state.
 inline FrameOfStages stages_in_frame(const FrameParameters& p, const mechanics::GaussStages& stages, bool moving) {

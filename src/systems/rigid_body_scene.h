@@ -142,6 +142,7 @@ struct RigidBodyScene {
 
   std::vector<Column> columns() const { return BodyObserver::columns(); }
 
+  /// The model in the constrained form.
   template <bool has_fixed_point>
   struct ConstrainedModel {
     using System = RigidBody<has_fixed_point>;
