@@ -54,7 +54,7 @@ std::string compressed(std::string_view bytes) {
     uLongf size = block.size();
     if (compress2(reinterpret_cast<Bytef*>(block.data()), &size, reinterpret_cast<const Bytef*>(source.data()),
                   source.size(), level) != Z_OK)
-      throw std::bad_alloc();  // the only possible error, because the buffer is large enough
+      throw std::bad_alloc();  // lack of memory is the only possible error, because the buffer is large enough
     blocks.append(block, 0, size);
     header.push_back(size);
   }

@@ -80,7 +80,7 @@ class VtuText {
   /// Decompresses the blocks that the function `compressed` in vtu.cpp wrote at the position `offset` of the appended
   /// data. The blocks must fill `target` exactly.
   void decompress(std::size_t offset, std::span<std::byte> target) const {
-    std::array<std::uint64_t, 3> head;  // number of blocks, size of a block, size of a shorter last block
+    std::array<std::uint64_t, 3> head;  // number of blocks, size of a block, size of a shorter last block or 0
     copy(offset, head.data(), sizeof head);
     const auto [n_blocks, size, last] = head;
     require(n_blocks <= data_.size());

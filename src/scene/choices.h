@@ -91,7 +91,7 @@ inline Word system_kind(const Catalogue& catalogue) {
   return kind;
 }
 
-/// The valid values of Models.
+/// The valid values of Models: the names of the models in the catalogue.
 inline Words models_kind(const Catalogue& catalogue) {
   Words kind;
   for (const ModelDescription& model : catalogue.models) kind.allowed.push_back(model.name);

@@ -20,7 +20,7 @@ inline bool names(const Scene& scene, const ModelDescription& model) {
   return std::ranges::find(scene.models, model.name) != scene.models.end();
 }
 
-/// Whether the model offers the analysis.
+/// Whether the model offers the analysis. Only systems other than the ball offer manifolds and sections.
 inline bool offers(const ModelDescription& model, Analysis analysis) {
   switch (analysis) {
     case Analysis::motion:
@@ -46,7 +46,7 @@ inline std::vector<const ModelDescription*> models_of(const Scene& scene) {
   return models;
 }
 
-/// Whether a model of the scene has finite elements.
+/// Whether a model of the scene has finite elements, and therefore a mesh.
 inline bool is_discretized(const Scene& scene) {
   return std::ranges::any_of(models_of(scene), &ModelDescription::discretized);
 }

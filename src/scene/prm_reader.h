@@ -6,8 +6,9 @@
 ///     include FILE
 ///     a backslash at the end of a line joins the next line to it, without the leading blanks
 ///
-/// White space around names and values is removed, and tabs count as blanks. A test compares the reader with the
-/// installed ParameterHandler. The reader differs from ParameterHandler on purpose in the following points.
+/// White space around names and values is removed, and tabs count as blanks. The test tests/scene/prm_oracle_test.cpp
+/// compares the reader with the installed ParameterHandler. The reader differs from ParameterHandler on purpose in the
+/// following points.
 ///
 /// Several blanks inside a name count as one. The documentation of deal.II states the same, but its parser keeps them.
 /// The file of `include` is searched in the folder of the including file, not in the working directory.

@@ -68,7 +68,7 @@ struct SweepParameters {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The kind of the entry Sweep/Part.
+/// The kind of the entry Sweep/Part, with texts such as "2 of 8".
 struct SweepPartKind {
   static constexpr std::string_view type = "part";
   std::optional<std::string> read(std::string_view text, SweepPart& value) const;

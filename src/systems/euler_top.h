@@ -55,7 +55,7 @@ class EulerTop {
   struct Workspace {};
 
   struct Parameters {
-    Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  // inertia operator
+    Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  // inertia operator about the fixed point or the centre of mass
     Torque torque{};
   };
 

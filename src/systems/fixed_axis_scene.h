@@ -114,7 +114,7 @@ struct FixedAxisScene {
     using System = mechanics::ChartField<FixedAxis>;
     System system;
     mechanics::State<System> initial;
-    double first, second;  ///< positions of the bearings along the axis
+    double first, second;  ///< positions a and b of the bearings along the axis
 
     mechanics::Status row(const mechanics::State<System>& state, System::Workspace& workspace,
                           std::vector<double>& row) const {

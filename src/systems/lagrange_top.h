@@ -47,7 +47,7 @@ Eigen::Matrix<T, 3, 3> rotation_of_angles(const mechanics::Coordinates<T, 3>& h)
 /// The chart of SO(3) above, for any scalar type.
 struct EulerAngleChart {
   static constexpr int dimension = 3;
-  Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  ///< inertia operator
+  Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  ///< inertia operator about the fixed point or the centre of mass
   BodyLoads loads{};
 
   template <class T>
