@@ -37,7 +37,7 @@ class Checkpoint {
 
   bool has(const std::string& name) const { return values_.contains(name); }
   /// The value of the entry `name`. A number is a list of size 1. Throws UserError with the names of the file and the
-  /// entry if the entry is missing, or if its type or size is another one.
+  /// entry if the entry is missing or has another type or size.
   const std::vector<double>& get_doubles(const std::string& name) const;
   const std::vector<double>& get_doubles(const std::string& name, std::size_t expected_size) const;
   double get_double(const std::string& name) const { return get_doubles(name, 1)[0]; }

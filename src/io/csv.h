@@ -23,8 +23,8 @@ struct Table {
   std::vector<double> column(std::string_view name) const;  ///< throws UserError if there is no such column
 };
 
-/// Reads a CSV file. Throws UserError if the file cannot be read, and UserError "path:line: …" if it does not have the
-/// syntax at the head of this header.
+/// Reads a CSV file. Throws UserError if the file cannot be read, and UserError "path:line: …" if the text does not
+/// have the syntax that is described above.
 Table read_csv(const std::filesystem::path& path);
 
 /// The number of rows before the first row whose first value is not less than `value`. An incomplete last row, which a
@@ -40,7 +40,7 @@ std::vector<std::string> columns_in(const std::filesystem::path& path);
 
 /// Removes all text after the header and the first `n_rows` rows, for a resumed run. A killed run may have left an
 /// incomplete row. Throws UserError if the file cannot be read, has fewer rows or has other columns. Throws WriteError
-/// if it cannot be changed.
+/// if the file cannot be changed.
 void truncate_csv(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);
 
 /// Appends rows to a file. The rows are collected in memory. flush() writes them to the file. append() calls flush() if
@@ -61,7 +61,7 @@ class CsvWriter {
 
   /// Appends a row with one finite value per column. If a value is not finite or the number of values is wrong, the row
   /// is discarded and std::logic_error is thrown. If a value is not finite, the message contains the name of its
-  /// column. Throws WriteError if it calls flush() and the write fails.
+  /// column. If the row makes append() call flush(), the errors of flush() are thrown as well.
   void append(std::span<const double> row);
   void flush();
   std::int64_t n_rows() const { return n_rows_; }  ///< number of rows, including those before a resume

@@ -90,7 +90,7 @@ Identity from_text(const std::string& text) {
   return identity;
 }
 
-/// State of the run that has a lock. It is unknown if this process cannot see the processes of that run.
+/// State of the run that has a lock. The state is unknown if this process cannot see the processes of that run.
 enum class Judgement { at_work, ended, unknown };
 
 /// The state of the run with the given lock. The run has ended if its machine was restarted, or if its process does not
@@ -114,7 +114,7 @@ Judgement judge(Identity holder) {
   return is_zombie || found.start != holder[process_start] ? Judgement::ended : Judgement::at_work;
 }
 
-/// The error about a lock that may still be in use. It tells the user how to continue.
+/// The error about a lock that may still be in use. Its text names the other run or the file that the user can remove.
 UserError in_use(const fs::path& lock, Identity holder, Judgement judgement) {
   const std::string directory = lock.parent_path().native();
   if (judgement == Judgement::at_work)

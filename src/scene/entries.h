@@ -1,9 +1,9 @@
 #pragma once
 /// Every entry of a parameter file: name, member of Scene, kind with range, unit and documentation. The default is the
 /// initial value of the member in scene/scene.h. The entries of a load are in its header in src/loads/. The reader, the
-/// checks of ranges, used.prm, the suggestions for misspelt names and all formats of `pseudorigid parameters` use these
-/// functions. A new entry needs a member of Scene and a call of `visit` below, or in scene/analysis_entries.h for an
-/// analysis.
+/// checks of ranges, used.prm, the suggestions for misspelt names and all formats of `pseudorigid parameters` use the
+/// functions of this file. A new entry needs a member of Scene and a call of `visit` below, or in
+/// scene/analysis_entries.h for an analysis.
 
 #include "scene/analysis_entries.h"
 #include "scene/catalogue.h"

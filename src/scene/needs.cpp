@@ -25,9 +25,10 @@ void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped
     needs.skipped.push_back(std::move(skipped));
 }
 
-/// Adds a line about the estimate of the discretisation error of the reference model, and sets `needs.companion`. A
-/// search for the discretisation estimates this error. Otherwise a companion run does, if there is a comparison and the
-/// scene requests the estimate. Does nothing if the reference has no such error or the analysis is not a motion.
+/// Adds a line about the estimate of the discretisation error of the reference model, and sets `needs.companion`. If a
+/// search chooses the discretisation, the search estimates this error. Otherwise a companion run estimates it if there
+/// is a comparison and the scene requests the estimate. Does nothing if the reference has no such error or the analysis
+/// is not a motion.
 void describe_error_estimate(const Scene& scene, Needs& needs) {
   const ModelDescription& richest = *needs.models.back();
   if (!richest.companion || scene.analysis != Analysis::motion) return;

@@ -15,9 +15,9 @@
 ///
 /// The reader refuses control characters, which occur in binary files, and a file above 1 MiB. It refuses a file that
 /// includes itself, more than 100 included files, and a name that contains `/`. The character `/` joins subsection and
-/// entry in messages and in `--set`. It refuses a statement on a line that a backslash joins to the line before,
-/// because the statement would have no effect. `include` accepts regular files only, because a pipe cannot be read
-/// twice. A UTF-8 byte order mark at the start of a file is skipped.
+/// entry in messages and in `--set`. The reader refuses a statement on a line that a backslash joins to the line
+/// before, because the statement would have no effect. `include` accepts regular files only, because a pipe cannot be
+/// read twice. A UTF-8 byte order mark at the start of a file is skipped.
 
 #include <filesystem>
 #include <functional>

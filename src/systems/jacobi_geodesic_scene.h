@@ -166,7 +166,7 @@ struct JacobiGeodesicScene {
         About{"Jacobi geodesic/Direction", "", "Initial direction; the speed of the motion follows from the energy."});
   }
 
-  /// If the position consists of angles, undoes its division by the unit of length.
+  /// If the position consists of angles, multiplies it by the unit of length again, by which in_scales has divided it.
   void rescale(const Scales& scales) {
     if (!in_plane())
       for (double& x : position) x *= scales.length;

@@ -6,8 +6,9 @@
 ///   Q̈ = M_t⁻¹f − M_t⁻¹r̈ − Ω̇ × Q − 2Ω × Q̇ − Ω × (Ω × Q)
 ///       force  translation  rotation  Coriolis  centrifugal
 ///
-/// The frame has the rotation M_t = exp(t p×) M₀ exp(α(t) n×) with α = ν t + ½ν̇t². It rotates about its axis n, which
-/// precesses in space with the angular velocity p. In the axes of K, its angular velocity and angular acceleration are
+/// The frame has the rotation M_t = exp(t p×) M₀ exp(α(t) n×) with α = ν t + ½ν̇t². The frame rotates about its axis n,
+/// which precesses in space with the angular velocity p. In the axes of K, the frame has the angular velocity Ω and the
+/// angular acceleration Ω̇:
 ///
 ///   Ω = α̇n + u,   Ω̇ = α̈n − α̇ n × u,   u = exp(−α n×)M₀⁻¹p.
 ///
