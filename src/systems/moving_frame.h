@@ -7,7 +7,7 @@
 ///       force  translation  rotation  Coriolis  centrifugal
 ///
 /// The frame has the rotation M_t = exp(t p×) M₀ exp(α(t) n×) with α = ν t + ½ν̇t². The frame rotates about its axis n,
-/// which precesses in space with the angular velocity p. In the axes of K, the frame has the angular velocity Ω and the
+/// which precesses with the angular velocity p in space. In the axes of K, the frame has the angular velocity Ω and the
 /// angular acceleration Ω̇:
 ///
 ///   Ω = α̇n + u,   Ω̇ = α̈n − α̇ n × u,   u = exp(−α n×)M₀⁻¹p.
