@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Names of the files with the limit and the use of memory of a control group. In a group without a limit, the file
-/// `limit` of version 1 contains a number larger than any memory. The file of version 2 contains the word "max".
+/// `limit` of version 1 contains a number larger than any memory. In version 2 it contains the word "max", which
+/// number_in reads as infinite.
 struct Names {
   const char *limit, *used;
   /// Entries of memory.stat: the bytes of files that the kernel can drop, in the group and in all groups below it.
@@ -43,7 +44,8 @@ double number_named(const fs::path& path, std::string_view wanted, double otherw
   return otherwise;
 }
 
-/// The limit of a group less the memory in use. Files that the kernel can drop do not count as used.
+/// The limit of a group less the memory in use, in bytes, and at least 0. Files that the kernel can drop do not count
+/// as used.
 double left_in_group(const fs::path& group, const Names& names) {
   const double limit = number_in(group / names.limit, infinite), used = number_in(group / names.used, 0);
   const fs::path parts = group / "memory.stat";
@@ -51,9 +53,9 @@ double left_in_group(const fs::path& group, const Names& names) {
   return std::max(0.0, limit - std::max(0.0, used - droppable));
 }
 
-/// The least free memory of a group and of the groups above it. In a container, the mounted folder may contain only the
-/// group of the container, although `path` names the groups of the machine. If the file with the limit is missing, the
-/// group has no limit.
+/// The least free memory, in bytes, of the group `path` below the folder `mount` and of the groups above it. A group
+/// without a file for its limit counts as unlimited. In a container, `mount` may contain only the group of the
+/// container, although `path` names groups of the machine.
 double left_in_groups(const fs::path& mount, const std::string& path, const Names& names) {
   double left = infinite;
   for (fs::path group = fs::path(path).lexically_normal();; group = group.parent_path()) {

@@ -11,9 +11,9 @@ namespace {
 /// Half the edge of the cube. The corners of the cube have the distance 0.69 from the centre of the unit ball.
 constexpr double half_edge = 0.4;
 
-/// The coordinate of a point of the cube in units of half the edge, for an index between −n and n. Equal steps of the
-/// index are equal angles seen from the centre. The function is odd in the index. Therefore the points have exactly the
-/// symmetry of the cube.
+/// The coordinate of a point of the cube, in units of half the edge. The index goes from −n on one face to n on the
+/// opposite face, in steps of 2. Equal steps of the index are equal angles seen from the centre. The coordinate is an
+/// odd function of the index, so that the points have exactly the symmetry of the cube.
 double face_coordinate(int twice_index_from_middle, int n) {
   return std::tan(std::numbers::pi / 4 * twice_index_from_middle / n);
 }
@@ -24,9 +24,9 @@ class Points {
   Points(int n_intervals, int n_layers, std::vector<Eigen::Vector3d>& points)
       : n_intervals_(n_intervals), n_layers_(n_layers), points_(points) {}
 
-  /// The number of a point. Each component of `cube` is a place in the cube, from −n to n in steps of 2 for n
-  /// intervals. Layer 0 is the cube itself. The other layers are outside the cube, from its surface to the surface of
-  /// the ball.
+  /// The number of a point in the list. Each component of `cube` is an index of face_coordinate, with n = n_intervals.
+  /// Layer 0 is inside the cube or on its surface. For the layers 1 to n_layers, `cube` is on the surface of the cube.
+  /// These layers divide the ray from that point to the surface of the ball, which is the last layer.
   std::int64_t number(const std::array<int, 3>& cube, int layer) {
     const auto [found, is_new] =
         numbers_.try_emplace({cube[0], cube[1], cube[2], layer}, static_cast<std::int64_t>(points_.size()));
@@ -47,7 +47,8 @@ class Points {
   std::map<std::array<int, 4>, std::int64_t> numbers_;
 };
 
-/// Calls append(i, j, k) for each point of a block of the given degree.
+/// Calls append(i, j, k) for the (degree + 1)³ points of a block. The first index varies fastest, as PointBlocks
+/// requires.
 template <class Append>
 void visit_block(int degree, Append&& append) {
   for (int k = 0; k <= degree; ++k)

@@ -10,12 +10,14 @@
 
 namespace pseudorigid::io {
 
+/// The points of the ball, and the blocks that they form. `blocks.points` contains indices into `points`.
 struct BallBlocks {
-  std::vector<Eigen::Vector3d> points;  ///< no two points have the same place
+  std::vector<Eigen::Vector3d> points;  ///< in the ball of radius 1; no two points have the same place
   mechanics::PointBlocks blocks;
 };
 
-/// Divides the ball into blocks of the given degree: n³ blocks in the cube and n² in each shell.
+/// Divides the ball into blocks of (degree + 1)³ points: n³ blocks in the cube and n² in each shell. Both arguments are
+/// at least 1.
 BallBlocks ball_blocks(int degree, int n);
 
 }  // namespace pseudorigid::io

@@ -9,9 +9,10 @@
 
 namespace pseudorigid::io {
 
-/// Sets the cells of the grid to the cells of the blocks. With Cells::linear, a block is divided into degree³
-/// hexahedra. With Cells::lagrange, a block is one hexahedron of the same degree. Pictures then show the fields of a
-/// block as polynomials. VTK treats the points of such a block as equidistant.
+/// Sets the type and the connectivity of the cells of the grid. The grid must have the points to which the blocks
+/// refer. With Cells::linear, a block is divided into degree³ hexahedra. With Cells::lagrange, a block is one
+/// hexahedron of the same degree. Pictures then show the fields of a block as polynomials. VTK interpolates as if the
+/// points were equidistant in the block.
 void set_cells(UnstructuredGrid& grid, const mechanics::PointBlocks& blocks, scene::Cells cells);
 
 /// The blocks from which `set_cells` made the cells of the grid. The result is empty if the cells are not hexahedra or

@@ -28,7 +28,7 @@ std::vector<double> scaled(std::vector<double> values, double unit) {
   return values;
 }
 
-/// Adds fields to a grid. The function `value_at(i)` returns the value at point i.
+/// Adds fields over the points of a body to a grid. The function `value_at(i)` returns the value at point i.
 class Fields {
  public:
   Fields(const mechanics::BodyFields& body, UnstructuredGrid& grid) : body_(body), grid_(grid) {}
@@ -59,7 +59,8 @@ double von_mises(const Matrix3d& stress) {
 }
 
 /// Calls visit(point) for the points of the block faces that have all four corners on the ellipsoid of the reference
-/// surface. Other points of such a face need not be on the ellipsoid, because the face can be a polynomial.
+/// surface. Other points of such a face need not be on the ellipsoid, because the face can be a polynomial. `X` has the
+/// reference positions. A point that several faces share is visited several times.
 template <class Visit>
 void for_points_on_surface(const mechanics::PointBlocks& blocks, const std::vector<double>& X,
                            const Vector3d& semi_axes, Visit&& visit) {
@@ -84,12 +85,13 @@ void for_points_on_surface(const mechanics::PointBlocks& blocks, const std::vect
       }
 }
 
-/// The pressure of the planes at all points. It is 0 at points that are not on the surface.
+/// The sum of the pressures of the planes at each point, in internal units. The pressure is 0 at points that are not on
+/// the surface.
 std::vector<double> contact_pressure(const mechanics::PointBlocks& blocks, const mechanics::BodyFields& body,
                                      const PicturedContact& contact) {
   std::vector<double> pressure(body.n_points(), 0.0);
   for_points_on_surface(blocks, body.X, contact.semi_axes, [&](std::size_t i) {
-    pressure[i] = 0;
+    pressure[i] = 0;  // the point may have been visited before
     for (const loads::Plane& plane : contact.planes)
       pressure[i] += plane.pressure(Vector3d::Map(&body.x[3 * i]), Vector3d::Map(&body.v[3 * i]));
   });

@@ -9,12 +9,14 @@
 ///   reference_coordinates         X
 ///   velocity                      ẋ
 ///   cauchy_stress                 σ, nine entries row by row;  pressure −tr σ/3;  von_mises √(3/2) |dev σ|
-///   deformation_gradient          F, nine entries row by row;  jacobian det F;  principal_stretches σ₁ ≥ σ₂ ≥ σ₃ of F
+///   deformation_gradient          F, nine entries row by row;  jacobian det F;  principal_stretches λ₁ ≥ λ₂ ≥ λ₃,
+///                                 the singular values of F
 ///   energy_density                W per reference volume;  gravity_potential φ per mass, if it is known
-///   contact_pressure              Σ k d (1 + β ḋ) over the rigid planes with d > 0 (loads/plane.h), at points of the
-///                                 surface; 0 inside; only if there are planes
+///   contact_pressure              Σ k d (1 + β ḋ) over the rigid planes with a penetration d > 0, where k is the
+///                                 stiffness and β the damping of a plane (loads/plane.h); 0 at points that are not on
+///                                 the surface; only if there are planes
 ///
-/// The picture has three constants of the whole body: TimeValue, center_of_mass x_c and rotation R.
+/// The picture has three constants of the whole body: the time TimeValue, center_of_mass x_c and rotation R.
 
 #include <Eigen/Core>
 
@@ -26,12 +28,14 @@
 
 namespace pseudorigid::io {
 
-/// The rigid planes that a ball or ellipsoid can touch, and its reference surface, in internal units.
+/// The rigid planes that the body can touch, and the ellipsoid that is its reference surface, in internal units.
 struct PicturedContact {
   loads::Planes planes{};
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();  ///< of the reference surface
 };
 
+/// Returns the grid with the fields that `wanted` selects. `body` has values in internal units at the points to which
+/// `blocks` refers. `time` is in the units of the user. `cells` selects linear or Lagrange cells.
 UnstructuredGrid body_picture(const mechanics::PointBlocks& blocks, const mechanics::BodyFields& body, double time,
                               const Units& units, const scene::Fields& wanted, scene::Cells cells,
                               const PicturedContact& contact = {});

@@ -7,6 +7,7 @@
 
 namespace pseudorigid::io {
 
+/// The texts come from CMake. `flags` are the flags of the compiler for this type of build.
 struct BuildInfo {
   std::string_view version;
   std::string_view git_hash;  ///< "unknown" without a git checkout; ends in "-dirty" if the sources were changed

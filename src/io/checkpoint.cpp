@@ -27,14 +27,15 @@ struct Header {
 };
 static_assert(sizeof(Header) == 32);
 
-enum class SectionType : std::uint8_t { doubles, integer, text };  // same order as in Checkpoint::Value
+/// The types in the order of Checkpoint::Value, because save() writes the index in this variant.
+enum class SectionType : std::uint8_t { doubles, integer, text };
 
 template <class T>
 std::string_view bytes_of(const T* values, std::size_t n = 1) {
   return {reinterpret_cast<const char*>(values), n * sizeof(T)};
 }
 
-/// Continues an FNV-1a hash with further bytes and returns the new hash.
+/// Continues an FNV-1a hash with further bytes, and returns the new hash. save() hashes its parts one after the other.
 std::uint64_t hash_on(std::uint64_t hash, std::string_view bytes) {
   for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3u;
   return hash;
@@ -81,7 +82,7 @@ UserError unusable(const std::filesystem::path& path, const std::string& reason)
   return UserError(fmt::format("the checkpoint '{}' cannot be used: {}", path.native(), reason));
 }
 
-/// The payload of a file. Throws UserError if the header, the size or the checksum is wrong.
+/// The payload of a file. Throws UserError if the file cannot be read, or if its header, size or checksum is wrong.
 std::string read_payload(const std::filesystem::path& path) {
   std::error_code error;
   const std::uint64_t size = std::filesystem::file_size(path, error);

@@ -6,7 +6,7 @@
 ///   payload  section after section: type u8 | name length u32 | name | count u64 | count values (f64, i64 or char)
 ///
 /// `load` verifies the sizes and the checksum before it uses a value. It throws UserError if the file cannot be read,
-/// is truncated or altered, or is of another kind.
+/// or is truncated or altered. It also throws it if the kind, the version or the byte order of the file is another one.
 
 #include <concepts>
 #include <cstdint>
@@ -25,6 +25,7 @@ std::uint64_t checksum(std::string_view bytes);
 
 class Checkpoint {
  public:
+  /// Sets the entry `name` to a list of numbers, a text, a number or an integer. A new value replaces an old one.
   void set(const std::string& name, std::span<const double> values);
   void set(const std::string& name, std::vector<double> values);
   void set(const std::string& name, std::string text);
@@ -35,8 +36,8 @@ class Checkpoint {
   }
 
   bool has(const std::string& name) const { return values_.contains(name); }
-  /// The value of the entry `name`. Throws UserError with the names of the file and the entry if the entry is missing
-  /// or has another type or size.
+  /// The value of the entry `name`. A number is a list of size 1. Throws UserError with the names of the file and the
+  /// entry if the entry is missing or has another type or size.
   const std::vector<double>& get_doubles(const std::string& name) const;
   const std::vector<double>& get_doubles(const std::string& name, std::size_t expected_size) const;
   double get_double(const std::string& name) const { return get_doubles(name, 1)[0]; }

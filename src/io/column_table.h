@@ -1,6 +1,6 @@
 #pragma once
-/// Tables whose columns have units, in CSV files or in memory. Rows are given in internal units and kept in the units
-/// of the user.
+/// Tables whose columns have units, in CSV files or in memory. The caller gives rows in internal units. The table keeps
+/// them in the units of the user.
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +21,7 @@ struct ColumnUnits {
       factors.push_back(factor(column.unit));
     }
   }
+  /// Converts a row with one value for each column, in place.
   void convert(std::vector<double>& row) const {
     for (std::size_t i = 0; i < factors.size(); ++i) row[i] *= factors[i];
   }
@@ -29,26 +30,31 @@ struct ColumnUnits {
   std::vector<double> factors;
 };
 
+/// A table to which rows are appended, either in a CSV file or in memory.
 class ColumnTable {
  public:
-  /// The rows go to a CSV file.
+  /// Writes the rows to a new CSV file. `factor` is that of ColumnUnits. Throws WriteError if the file cannot be
+  /// created.
   template <class Factor>
   ColumnTable(const std::filesystem::path& path, const std::vector<scene::Column>& columns, const Factor& factor)
       : units_(columns, factor), csv_(CsvWriter::create(path, units_.names)) {}
-  /// The rows go to `table`, which must outlive this object.
+  /// Writes the rows to `table`, which must outlive this object. The constructor removes the old contents of `table`.
   template <class Factor>
   ColumnTable(Table& table, const std::vector<scene::Column>& columns, const Factor& factor)
       : units_(columns, factor), table_(&table) {
     table = {.columns = units_.names, .values = {}};
   }
 
-  /// Returns false and does not write the row if a value in the units of the user is not finite.
+  /// Appends a row in internal units. Returns false and does not write the row if a value in the units of the user is
+  /// not finite.
   bool append_if_finite(std::vector<double> row) {
     units_.convert(row);
     const bool is_finite = std::ranges::all_of(row, [](double x) { return std::isfinite(x); });
     if (is_finite) write(row);
     return is_finite;
   }
+  /// Appends a row in internal units. A CSV file throws the errors of CsvWriter::append; a table in memory accepts all
+  /// values.
   void append(std::vector<double> row) {
     units_.convert(row);
     write(row);

@@ -19,7 +19,7 @@ namespace pseudorigid::io {
 
 namespace {
 
-constexpr std::size_t pending_limit = 1 << 16;  // `append` flushes if this number of bytes waits
+constexpr std::size_t pending_limit = 1 << 16;  // `append` flushes if at least this number of bytes waits
 
 std::string header_line(std::span<const std::string> columns) { return fmt::format("{}\n", fmt::join(columns, ",")); }
 
@@ -46,7 +46,8 @@ std::vector<std::string> split_header(std::string_view line) {
   return columns;
 }
 
-/// Appends the numbers of a line to `values`. Returns an error message, or an empty text if there is no error.
+/// Appends the numbers of a line to `values`. Returns an empty text, or an error message if the line does not consist
+/// of `n_columns` finite numbers. After an error, `values` may contain the first numbers of the line.
 std::string parse_row(std::string_view line, std::size_t n_columns, std::vector<double>& values) {
   const char *position = line.data(), *const end = position + line.size();
   for (std::size_t i = 0; i < n_columns; ++i) {
@@ -62,7 +63,7 @@ std::string parse_row(std::string_view line, std::size_t n_columns, std::vector<
   return {};
 }
 
-/// Appends the same digits as printf with %.17g, in a third of the time.
+/// Appends the same digits as printf with %.17g. std::to_chars needs a third of the time of printf.
 void append_number(std::string& text, double value) {
   char digits[32];
   text.append(digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 17).ptr);

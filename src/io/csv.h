@@ -23,29 +23,30 @@ struct Table {
   std::vector<double> column(std::string_view name) const;  ///< throws UserError if there is no such column
 };
 
-/// Reads a file of this syntax. Throws UserError "path:line: …" for any other text.
+/// Reads a CSV file. Throws UserError if the file cannot be read, and UserError "path:line: …" if the text does not
+/// have the syntax that is described above.
 Table read_csv(const std::filesystem::path& path);
 
 /// The number of rows before the first row whose first value is not less than `value`. An incomplete last row, which a
-/// killed run may leave, does not count.
+/// killed run may leave, does not count. Throws UserError if the file cannot be read.
 std::int64_t n_rows_before(const std::filesystem::path& path, double value);
 
-/// Throws UserError "path:line: …" unless the file begins with this header and `n_rows` valid rows. Later rows are not
+/// Throws UserError unless the file begins with the header of these columns and `n_rows` valid rows. Later rows are not
 /// checked.
 void require_rows(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);
 
-/// The names of the columns in a file. Throws UserError "path:line: …" if the file does not begin with a header.
+/// The names of the columns in a file. Throws UserError if the file cannot be read or does not begin with a header.
 std::vector<std::string> columns_in(const std::filesystem::path& path);
 
 /// Removes all text after the header and the first `n_rows` rows, for a resumed run. A killed run may have left an
-/// incomplete row. Throws UserError if the file has fewer rows or other columns, and WriteError if it cannot be
-/// changed.
+/// incomplete row. Throws UserError if the file cannot be read, has fewer rows or has other columns. Throws WriteError
+/// if the file cannot be changed.
 void truncate_csv(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);
 
-/// Appends rows to a file. The rows are collected in memory. flush() writes them to the file, and so does append() if
-/// many rows have been collected. Call flush() before each checkpoint. The file then contains all rows up to the
-/// checkpoint. If a write fails, a WriteError is thrown, the file is truncated to whole rows, and the unwritten rows
-/// remain in memory. A later flush may then succeed.
+/// Appends rows to a file. The rows are collected in memory. flush() writes them to the file. append() calls flush() if
+/// the collected rows have 64 KiB or more. Call flush() before each checkpoint, so that the file contains all rows up
+/// to the checkpoint. If a write fails, flush() throws WriteError and truncates the file to its size before this write.
+/// The unwritten rows remain in memory. A later flush may then succeed.
 class CsvWriter {
  public:
   /// Creates the file with its header, and replaces an old file. Throws WriteError.
@@ -59,7 +60,8 @@ class CsvWriter {
   ~CsvWriter();  ///< flushes and ignores errors; call flush() to detect them
 
   /// Appends a row with one finite value per column. If a value is not finite or the number of values is wrong, the row
-  /// is discarded and std::logic_error is thrown. The message contains the name of the column that is not finite.
+  /// is discarded and std::logic_error is thrown. If a value is not finite, the message contains the name of its
+  /// column. If the row makes append() call flush(), the errors of flush() are thrown as well.
   void append(std::span<const double> row);
   void flush();
   std::int64_t n_rows() const { return n_rows_; }  ///< number of rows, including those before a resume
@@ -70,7 +72,7 @@ class CsvWriter {
   std::filesystem::path path_;
   int file_descriptor_;
   std::vector<std::string> columns_;
-  std::string pending_;
+  std::string pending_;  ///< rows that flush() has not yet written
   std::int64_t n_rows_;
   std::int64_t file_size_;  ///< size in bytes of the header and the whole rows in the file
 };

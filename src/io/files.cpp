@@ -46,6 +46,7 @@ bool is_there(const fs::path& path) {
 
 namespace {
 
+/// The words of kind_unless_file for a file mode of stat(2).
 std::string kind_of(mode_t mode) {
   if (S_ISFIFO(mode)) return "a named pipe";
   if (S_ISSOCK(mode)) return "a socket";
@@ -61,7 +62,7 @@ bool is_file(int file_descriptor) {
 /// The path at the end of a chain of symbolic links. A file with this path need not exist. Throws WriteError if the
 /// chain is too long.
 fs::path behind_links(fs::path path) {
-  constexpr int most = 40;  // the limit of the kernel
+  constexpr int most = 40;  // Linux follows at most 40 links in a path
   for (int n = 0; n < most; ++n) {
     std::error_code is_no_link;
     const fs::path target = fs::read_symlink(path, is_no_link);
@@ -71,8 +72,9 @@ fs::path behind_links(fs::path path) {
   throw WriteError(path, ELOOP);
 }
 
-/// The file `path`.partial. The member `commit` renames it to `path`. Without a successful `commit`, the destructor
-/// removes the file.
+/// The file `target`.partial, which `commit` renames to `target`. Without a successful `commit`, the destructor removes
+/// the file. The members throw WriteError with the path `target`. The constructor throws it also if `target`.partial
+/// exists and is not a regular file.
 class PartialFile {
  public:
   explicit PartialFile(const fs::path& target)
@@ -100,9 +102,11 @@ class PartialFile {
   bool owns_ = false;
 };
 
+/// Writes the parts into an existing pipe or device. Throws WriteError.
 void write_into(const fs::path& path, std::span<const std::string_view> parts) {
   Descriptor file(path, O_WRONLY);
-  if (!file || ::fcntl(file.value(), F_SETFL, 0) != 0) throw WriteError(path, errno);  // from here on, writes may wait
+  // F_SETFL removes O_NONBLOCK, so that a write waits for the reader.
+  if (!file || ::fcntl(file.value(), F_SETFL, 0) != 0) throw WriteError(path, errno);
   for (const std::string_view part : parts) write_fully(file.value(), part, path);
   if (!file.close()) throw WriteError(path, errno);
 }

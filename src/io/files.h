@@ -12,6 +12,7 @@ namespace pseudorigid::io {
 
 /// A failed write, for example to a full disk or a removed folder. The computation cannot continue (exit code 3).
 struct WriteError : std::runtime_error {
+  /// The message contains the path and the text of the error number.
   WriteError(std::filesystem::path file, int error_number);
   std::filesystem::path path;
   int error_number;  ///< value of errno
@@ -24,7 +25,8 @@ inline constexpr std::string_view partial_suffix = ".partial";
 /// A file descriptor that is closed at the end of its scope.
 class Descriptor {
  public:
-  /// Opens the file as open(2) does, but does not wait for the other end of a pipe.
+  /// Opens the file as open(2) does, but does not wait for the other end of a pipe. If this fails, the object converts
+  /// to false, and errno has the reason.
   Descriptor(const std::filesystem::path& path, int flags);
   ~Descriptor();
   Descriptor(const Descriptor&) = delete;
@@ -45,18 +47,19 @@ bool is_there(const std::filesystem::path& path);
 /// to a regular file, and for a path that does not exist.
 std::string kind_unless_file(const std::filesystem::path& path);
 
-/// Writes the concatenated parts to the file `path`.partial and then renames it. A reader therefore sees either the old
-/// file or the new one. If writing fails, for example because the disk is full, a WriteError is thrown and the old file
-/// remains. The old file also remains if the program is killed. A power failure may damage the file, because there is
-/// no fsync. If `path` is a link, its target is replaced and the link remains. Pipes and devices are written directly.
-/// A pipe without a reader causes a WriteError with the error number ENXIO.
+/// Writes the concatenated parts to the file `path`.partial and then renames this file to `path`. A reader therefore
+/// sees either the old file or the new one. If writing fails, for example because the disk is full, the function throws
+/// WriteError and the old file remains. The old file also remains if the program is killed. A power failure may damage
+/// the new file, because the function does not call fsync. If `path` is a link, its target is replaced and the link
+/// remains. Pipes and devices are written directly. A pipe without a reader causes a WriteError with the error number
+/// ENXIO.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts);
 inline void write_file_atomically(const std::filesystem::path& path, std::initializer_list<std::string_view> parts) {
   write_file_atomically(path, std::span(parts.begin(), parts.size()));
 }
 
-/// The contents of a file. Throws UserError with the path and the reason if the file cannot be read. Directories, pipes
-/// and devices also cause a UserError, because some pipes and devices never end.
+/// The contents of a file. Throws UserError with the path and the reason if the file cannot be read. Directories,
+/// pipes, sockets and devices also cause a UserError, because some pipes and devices never end.
 std::string read_file(const std::filesystem::path& path);
 
 /// Calls write(2) until all bytes are written. Throws a WriteError with `path` if this fails.

@@ -22,10 +22,11 @@
 namespace pseudorigid::io {
 namespace {
 
-constexpr std::size_t largest_file = std::size_t{1} << 28;
-constexpr int hexahedron = 5;
+constexpr std::size_t largest_file = std::size_t{1} << 28;  // in bytes; 256 MiB
+constexpr int hexahedron = 5;                               // Gmsh's type of the hexahedron with 8 nodes
 
-/// Number of nodes of Gmsh's elements on boundaries (point, line, quadrangle). The result is empty for other elements.
+/// Number of nodes of an element on a boundary. Gmsh's types of these elements are 15 (point), 1 (line) and 3
+/// (quadrangle). The result is empty for other types.
 std::optional<std::size_t> n_nodes_of_boundary(int type) {
   switch (type) {
     case 15:
@@ -39,8 +40,8 @@ std::optional<std::size_t> n_nodes_of_boundary(int type) {
   }
 }
 
-/// The part of a message after "expected hexahedra". It names the element that was found, and the way to make hexahedra
-/// in Gmsh. The result is empty for an unknown type.
+/// The end of the message about an element that the reader does not accept. It names the element and an option of Gmsh
+/// that avoids it. The result is empty for an unknown type.
 std::string other_element(int type) {
   constexpr std::string_view divided = "Gmsh divides it into hexahedra if Mesh.SubdivisionAlgorithm = 2",
                              straight = "save the mesh with -order 1";
@@ -54,10 +55,12 @@ std::string other_element(int type) {
   return type > 19 ? fmt::format(", which is not of first order; {}", straight) : "";
 }
 
+/// The contents of the file. Throws UserError if the file cannot be read, is not a regular file, or is larger than
+/// largest_file.
 std::string text_of(const std::filesystem::path& file) {
   std::error_code ignored;
   std::ifstream stream;
-  // The program would wait for some pipes without end.
+  // Only a regular file is opened, because opening a pipe waits until another program writes to it.
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file, std::ios::binary);
   if (!stream.is_open()) throw UserError(fmt::format("cannot open the mesh {}", file.string()));
   std::string text;
@@ -72,7 +75,7 @@ std::string text_of(const std::filesystem::path& file) {
   return text;
 }
 
-/// The text without a byte order mark of UTF-8. Throws UserError for a text in UTF-16.
+/// The text without a byte order mark of UTF-8. Throws UserError if the text begins with the byte order mark of UTF-16.
 std::string_view without_mark(std::string_view text, const std::string& file) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw UserError(fmt::format("{}: expected plain text (ASCII or UTF-8), this file is in UTF-16", file));
@@ -111,6 +114,7 @@ class GmshReader {
   }
 
  private:
+  /// Throws UserError "FILE:line: sentence" with the current line.
   [[noreturn]] void refuse(const std::string& sentence) const {
     throw UserError(fmt::format("{}:{}: {}", file_, n_lines_, sentence));
   }
@@ -129,12 +133,13 @@ class GmshReader {
     return true;
   }
 
+  /// Reads the next line. Throws UserError if the file ends; the message names the section `within`.
   void require_line(std::string_view within) {
     if (!next_line()) throw UserError(fmt::format("{}: the file ends within {}; is it truncated?", file_, within));
   }
 
   /// Reads the next number of the line. The exponent may have the letter D, which Fortran writes (1.0D+00). Throws
-  /// UserError if the next word is not a number; `what` describes the expected number.
+  /// UserError if the next word is not a finite number of type T; `what` describes the expected number.
   template <class T>
   T take(const char* what) {
     line_.remove_prefix(std::min(line_.find_first_not_of(" \t"), line_.size()));
@@ -155,12 +160,14 @@ class GmshReader {
     if (line_.find_first_not_of(" \t") != line_.npos) refuse("there is more on this line than expected");
   }
 
+  /// Reads the next line. Throws UserError if the line is not `keyword`.
   void require(std::string_view keyword) {
     require_line(keyword);
     if (line_ != keyword) refuse(fmt::format("expected {}", keyword));
   }
 
-  /// Reads the section $MeshFormat. Comments and empty lines may come before it.
+  /// Reads the section $MeshFormat. The section $Comments and empty lines may come before it. Throws UserError for
+  /// binary files and for versions other than 2.2.
   void read_format() {
     constexpr const char* convert = "\"gmsh FILE -format msh22 -save\" writes it";
     bool found = next_line();
@@ -183,6 +190,7 @@ class GmshReader {
     require("$EndMeshFormat");
   }
 
+  /// Reads the line with the number of nodes or elements of the section.
   std::size_t read_count(std::string_view section) {
     require_line(section);
     const auto n = take<std::size_t>("how many lines the section has");
@@ -235,7 +243,8 @@ class GmshReader {
     require("$EndElements");
   }
 
-  /// Reads the nodes of a cell. Gmsh lists the nodes around the lower face and then the nodes around the upper face.
+  /// Reads the nodes of a cell. Gmsh lists the nodes around the lower face and then those around the upper face. The
+  /// cell of a HexahedralMesh has the order i₁ + 2 i₂ + 4 i₃. Throws UserError if the cell has a node twice.
   void read_hexahedron(long name) {
     auto& cell = mesh_.cells.emplace_back();
     for (const int i : {0, 1, 3, 2, 4, 5, 7, 6}) cell[i] = take_node();
@@ -246,6 +255,7 @@ class GmshReader {
     mesh_.cell_names.push_back(name);
   }
 
+  /// Skips the lines of an unused section up to its end, "$End…".
   void skip(std::string_view section) {
     const std::string end = "$End" + std::string(section.substr(1)), within = scene::quote(section);
     do require_line(within);
@@ -271,6 +281,8 @@ class GmshReader {
       for (unsigned int& v : cell) v = place[v];
   }
 
+  /// Removes construction nodes and makes the cells right-handed. Throws UserError "FILE: …" if the mesh is not one
+  /// body.
   void check() {
     drop_construction_nodes();
     turn_right_handed(mesh_);
@@ -282,10 +294,10 @@ class GmshReader {
   }
 
   std::string file_, text_;
-  std::string_view rest_, line_;
-  int n_lines_ = 0;
-  std::unordered_map<long, unsigned int> vertex_of_;
-  std::unordered_set<unsigned int> on_boundary_;
+  std::string_view rest_, line_;                      ///< the text after the current line; the rest of the current line
+  int n_lines_ = 0;                                   ///< number of the current line
+  std::unordered_map<long, unsigned int> vertex_of_;  ///< index of a vertex, by the number of its node in the file
+  std::unordered_set<unsigned int> on_boundary_;      ///< vertices of points, lines and quadrangles
   HexahedralMesh mesh_;
 };
 

@@ -6,9 +6,10 @@
 ///   $Elements    count, then: number type n_tags tags nodes    $EndElements
 ///
 /// The reader skips other sections, and points, lines and quadrangles, which Gmsh adds on boundaries. Other elements,
-/// $ParametricNodes, missing data and files of more than 256 MiB cause a UserError "FILE:line: …" or "FILE: …". Lines
-/// may end with LF, CR LF or CR. A byte order mark and comments may come first, and numbers may have Fortran's exponent
-/// D. If all cells are left-handed, the reader reverses their orientation.
+/// $ParametricNodes, missing data and files of more than 256 MiB cause a UserError. The message contains the name of
+/// the file and, if it is known, the line. Lines may end with LF, CR LF or CR. A byte order mark and comments may come
+/// first, and numbers may have Fortran's exponent D. If all cells are left-handed, the reader reverses their
+/// orientation.
 
 #include <filesystem>
 

@@ -19,16 +19,18 @@ namespace {
 using Point = HexahedralMesh::Point;
 using Face = std::array<unsigned int, 4>;
 
-/// The corners of the six faces of a cell, in an order around each face.
+/// The corners of the six faces of a cell, in an order around each face. The faces are ξ₁ = 0, ξ₁ = 1, ξ₂ = 0, and so
+/// on.
 constexpr std::array<std::array<int, 4>, 6> corners_of_faces{
     {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
 
+/// A point of a cell. The unit of length is size_of_cell.
 struct PointOfCell {
   Point X;          ///< relative to the first corner, in units of the size of the cell
-  double jacobian;  ///< det ∂X/∂ξ in the same units
+  double jacobian;  ///< det ∂X/∂ξ
 };
 
-/// The largest distance in a coordinate direction between the first corner of a cell and another corner.
+/// The size of a cell: the largest distance in a coordinate direction between its first corner and another corner.
 double size_of_cell(const HexahedralMesh& mesh, std::size_t cell) {
   const Point& V0 = mesh.vertices[mesh.cells[cell][0]];
   double size = 0;
@@ -80,8 +82,9 @@ double least_jacobian(const HexahedralMesh& mesh, std::size_t cell, const Point&
   return *std::min_element(b.begin(), b.end());
 }
 
-/// Throws UserError unless the Jacobian is positive at every point. The test uses the bound of least_jacobian on each
-/// eighth of a cell. It therefore also rejects some cells that are almost tangled.
+/// Throws UserError unless the Jacobian is positive at every point of every cell. The test uses the lower bound of
+/// least_jacobian on each eighth of a cell. The bound is not sharp. Therefore the test also rejects some cells with a
+/// small positive Jacobian.
 void require_untangled(const HexahedralMesh& mesh) {
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
     for (int part = 0; part < 8; ++part) {
@@ -128,6 +131,8 @@ CellsOfFaces cells_of_faces(const HexahedralMesh& mesh) {
   return cells_of;
 }
 
+/// Throws UserError if two cells are not connected by a chain of shared faces. A forest of parents finds the connected
+/// parts.
 void require_one_piece(const HexahedralMesh& mesh, const CellsOfFaces& cells_of) {
   std::vector<std::size_t> parent(mesh.cells.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
@@ -143,7 +148,7 @@ void require_one_piece(const HexahedralMesh& mesh, const CellsOfFaces& cells_of)
                                   mesh.cell_names[0], mesh.cell_names[cell]));
 }
 
-/// Two vertices count as one if their distance is at most this fraction of the shortest edge at one of them.
+/// Two vertices have the same place if their distance is at most this fraction of the shortest edge at one of them.
 constexpr double same_place = 1e-6;
 
 double distance(const Point& X, const Point& Y) { return std::hypot(X[0] - Y[0], X[1] - Y[1], X[2] - Y[2]); }
@@ -160,8 +165,8 @@ std::vector<double> shortest_edges(const HexahedralMesh& mesh) {
   return shortest;
 }
 
-/// Vertices sorted into boxes, for the search for near points. There are about as many boxes as vertices in a body of
-/// compact shape.
+/// Vertices sorted into cubic boxes, so that a search for near vertices visits few of them. The edge of a box is the
+/// largest extent of the mesh divided by the cube root of the number of vertices.
 class Places {
  public:
   explicit Places(const HexahedralMesh& mesh) : vertices_(mesh.vertices), low_(vertices_.front()) {
@@ -174,8 +179,8 @@ class Places {
 
   void add(std::size_t vertex) { boxes_[box_of(vertices_[vertex], 0)].push_back(vertex); }
 
-  /// Finds an added vertex for which `is_same(vertex, distance from X)` is true. The search covers the boxes within
-  /// `reach` of X.
+  /// Finds an added vertex for which `is_same(vertex, distance from X)` is true. The search covers the boxes within the
+  /// distance `reach` of X. The result is empty if there is no such vertex.
   template <class IsSame>
   std::optional<std::size_t> find(const Point& X, double reach, const IsSame& is_same) const {
     const Box first = box_of(X, -reach), last = box_of(X, reach);
@@ -202,8 +207,7 @@ class Places {
   std::map<Box, std::vector<std::size_t>> boxes_;
 };
 
-/// Throws UserError if two vertices have the same position, within `same_place`. Returns the vertices sorted into
-/// boxes.
+/// Throws UserError if two vertices have the same place (same_place). Returns the vertices sorted into boxes.
 Places require_own_places(const HexahedralMesh& mesh) {
   const std::vector<double> shortest = shortest_edges(mesh);
   const double reach = same_place * *std::max_element(shortest.begin(), shortest.end());
@@ -220,9 +224,8 @@ Places require_own_places(const HexahedralMesh& mesh) {
   return places;
 }
 
-/// Throws UserError if two vertices have the same position. Also throws it if a vertex is at the middle of a face of
-/// only one cell, or of an edge of such a face. Such a hanging node occurs if a divided cell is next to an undivided
-/// cell.
+/// Throws UserError if two vertices have the same place. Also throws it if a vertex is at the middle of a face of only
+/// one cell, or of an edge of such a face. Such a hanging node occurs if a divided cell is next to an undivided cell.
 void require_conforming(const HexahedralMesh& mesh, const CellsOfFaces& cells_of) {
   const Places places = require_own_places(mesh);
   const auto require_free = [&](const Point& X, double edge, std::size_t cell) {
@@ -278,8 +281,8 @@ MeshSize size_of(const HexahedralMesh& mesh) {
   const Point origin = mesh.vertices.front();
   double unit = 0;
   for (const Point& V : mesh.vertices) unit = std::max(unit, distance(V, origin));
-  const double gauss[] = {0.5 - std::sqrt(1.0 / 12),
-                          0.5 + std::sqrt(1.0 / 12)};  // exact, because X det ∂X/∂ξ is cubic in each ξ_d
+  // Two Gauss points in each direction are exact, because X det ∂X/∂ξ is cubic in each ξ_d.
+  const double gauss[] = {0.5 - std::sqrt(1.0 / 12), 0.5 + std::sqrt(1.0 / 12)};
   double volume = 0;
   Point moment{};
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {

@@ -12,21 +12,24 @@
 
 namespace pseudorigid::io {
 
+/// The vertices and cells of a mesh. A cell lists the indices of its vertices V₀ … V₇.
 struct HexahedralMesh {
   using Point = std::array<double, 3>;
   std::vector<Point> vertices;
   std::vector<std::array<unsigned int, 8>> cells;
-  std::vector<long> vertex_names, cell_names;  ///< numbers in the file, for messages
+  std::vector<long> vertex_names, cell_names;  ///< numbers of the vertices and cells in the mesh file, for messages
 };
 
-/// Reverses the orientation of every cell if all cells are left-handed at their centres.
+/// Reverses the orientation of every cell if all cells are left-handed at their centres. Otherwise the mesh is
+/// unchanged.
 void turn_right_handed(HexahedralMesh& mesh);
 
 /// Throws UserError if the mesh is not one body. The message names the cells or vertices that violate a condition. The
 /// conditions do not depend on the unit of length or on the position of the body.
 void require_one_body(const HexahedralMesh& mesh);
 
-/// The volume, the centre of mass for a constant density, and the largest distance of a vertex from this centre.
+/// The volume, the centre of mass for a constant density, and the largest distance of a vertex from this centre. The
+/// unit of length is that of the mesh.
 struct MeshSize {
   double volume;
   HexahedralMesh::Point center;

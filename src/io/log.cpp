@@ -91,7 +91,8 @@ std::shared_ptr<Logger> make_logger(Verbosity verbosity, const std::optional<std
   auto logger = std::make_shared<spdlog::logger>("pseudorigid", sinks.begin(), sinks.end());
   logger->set_level(sinks.empty() ? spdlog::level::off : spdlog::level::debug);
   logger->flush_on(spdlog::level::info);
-  // A failed write to the log must not end a run. If the disk is full, writing the results fails anyway.
+  // A failed write to the log must not end a run. If the disk is full, the run stops because it cannot write its
+  // results.
   logger->set_error_handler([](const std::string&) {});
   return std::make_shared<Logger>(std::move(logger));
 }

@@ -27,7 +27,8 @@ std::string utc(SystemClock::time_point time) {
   return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts)};
 }
 
-/// A number in JSON. Integers of absolute value below 9e15 are written without ".0".
+/// A number in JSON. Integers of absolute value below 9e15 are written without ".0". A double represents all these
+/// integers exactly, because 2⁵³ > 9e15.
 Json number(double value) {
   const bool is_count = std::abs(value) < 9e15 && value == std::floor(value);
   return is_count ? Json(static_cast<std::int64_t>(value)) : Json(value);
@@ -39,8 +40,8 @@ Json numbers(const std::map<std::string, double>& values) {
   return object;
 }
 
-/// The list of the columns. If the scene has units, each column has a factor: the internal unit of the column in the
-/// units of the user. A value in the file divided by this factor is in internal units.
+/// The list of the columns. If the scene has units, each column has a factor, which is the internal unit of the column
+/// expressed in the unit of the user. A value in the file divided by this factor is in internal units.
 Json to_json(const std::vector<scene::Column>& columns, const std::optional<Units>& units) {
   Json list = Json::array();
   for (const scene::Column& column : columns) {

@@ -21,29 +21,32 @@ namespace pseudorigid::io {
 /// A run of a model of the ball, and two properties of the model.
 struct BallRun {
   scene::ModelRun run;
-  bool discretized = false;
-  bool affine = false;  ///< whether the motion is x = QX with a matrix Q
+  bool discretized = false;  ///< whether the model computes on a mesh of finite elements
+  bool affine = false;       ///< whether the motion is x = QX with a matrix Q
 };
 
 struct Manifest {
+  /// The results of a run of a model or a system.
   struct Model {
-    std::map<std::string, double> counters{}, timers{};  ///< counts of events; times in seconds
+    std::map<std::string, double> counters{}, timers{};  ///< numbers of events, and times in seconds, by name
     std::string method{};     ///< name of the method of integration; empty without integration in time
     bool symplectic = false;  ///< whether the method is symplectic
   };
-  BuildInfo build;                                            ///< result of build_info()
-  std::vector<std::string> command;                           ///< arguments of the program (argv)
-  std::string title;                                          ///< title of the scene
-  std::string scene;                                          ///< the scene in one line
-  std::vector<scene::UsedValue> entries;                      ///< entries of the scene
-  std::vector<std::string> needed, skipped, warnings;         ///< lines of text for the user
+  BuildInfo build;                        ///< result of build_info()
+  std::vector<std::string> command;       ///< arguments of the program (argv)
+  std::string title;                      ///< title of the scene
+  std::string scene;                      ///< the scene in one line
+  std::vector<scene::UsedValue> entries;  ///< entries of the scene
+  /// Lines for the user about needed parts, skipped parts and warnings.
+  std::vector<std::string> needed, skipped, warnings;
   std::string system;                                         ///< name of the system's CSV file; empty for the ball
   std::map<std::string, std::vector<scene::Column>> columns;  ///< columns of each file, without the time
-  std::optional<Units> units;                                 ///< scales of a ball, by which files convert its numbers
-  std::map<std::string, std::string> libraries;               ///< name → version
-  std::string instructions;                                   ///< instruction set of the kernels; empty without kernels
-  std::vector<BallRun> ball;                                  ///< runs of models of the ball, in their order
-  std::map<std::string, Model> models;                        ///< results of the runs, by the name of their files
+  /// Units of the internal numbers of a ball; empty for other systems.
+  std::optional<Units> units;
+  std::map<std::string, std::string> libraries;  ///< name → version
+  std::string instructions;                      ///< instruction set of the kernels; empty without kernels
+  std::vector<BallRun> ball;                     ///< runs of models of the ball, in their order
+  std::map<std::string, Model> models;           ///< results of the runs, by the name of their files
 };
 
 /// Writes manifest.json. The constructor writes the state "running", and `finish` writes the final state. Both throw
@@ -80,12 +83,12 @@ class ManifestFile {
 /// ManifestFile calls this function if it aborts the run. Errors are ignored.
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
-/// The names of the trajectories in a manifest: the name of the system's file, or the names of the runs of the models
-/// of the ball. Throws UserError if the file cannot be read or is not a manifest of this program. Also throws it if an
-/// earlier version wrote the file without the entries, which a report needs.
+/// The names of the trajectories in a manifest. For a system this is the name of its CSV file, and for the ball the
+/// names of the runs of its models. Throws UserError if the file cannot be read or is not a manifest of this program.
+/// Also throws it if an earlier version wrote the file without the entries, which a report needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
 /// The names of the runs of the models of the ball with the motion x = QX, Q a matrix. The result is empty if the file
-/// does not exist or is not a manifest.
+/// does not exist or is not a manifest. Throws UserError if the file exists but cannot be read.
 std::vector<std::string> affine_movers_in(const std::filesystem::path& manifest);
 
 /// The name of the processor in /proc/cpuinfo, or "unknown".

@@ -11,13 +11,15 @@ namespace pseudorigid::io {
 
 class Progress {
  public:
+  /// `label` begins the line, and `unit` names the steps. If `enabled` is false, the object does not write anything.
   explicit Progress(std::string label, bool enabled = stderr_is_terminal(), std::string unit = "steps");
   ~Progress() { finish(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Call this function after every step. The function reads the clock once in several calls and adapts the number of
-  /// these calls to the speed of the loop. Most calls therefore cost only one comparison.
+  /// Call this function after every step. `fraction` is the completed part of the loop, from 0 to 1. The function reads
+  /// the clock only once in up to 1024 calls, and adapts the number of these calls to the speed of the loop. Most calls
+  /// therefore cost only one comparison.
   void step(double fraction) {
     if (++n_steps_ >= next_look_) look(fraction);
   }
@@ -27,17 +29,20 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
+  /// Reads the clock, adapts `stride_`, and draws the line if the last drawing is at least 0.2 s ago. The first call
+  /// only stores the start.
   void look(double fraction);
   void draw(double fraction, Clock::time_point now);
 
   std::string label_, unit_;
   std::int64_t n_steps_ = 0, next_look_ = 1, stride_ = 1;
   Clock::time_point start_, last_look_, last_draw_;
-  double start_fraction_ = -1;  ///< −1, then the fraction at the first look; positive in a resumed run
+  double start_fraction_ = -1;  ///< fraction at the first look, positive in a resumed run; −1 before the first look
   bool drawn_ = false;
 };
 
-/// The text of the line, for example " 42 %  1.3e+05 steps/s  3 min left". It is a separate function for tests.
+/// The text of the line, for example " 42 % 1.3e+05 steps/s 3 min left". The function is separate from the class, so
+/// that tests can call it.
 std::string progress_text(double fraction, double steps_per_second, double seconds_left,
                           std::string_view unit = "steps");
 

@@ -25,6 +25,7 @@ std::optional<Number> number_in(std::string_view text) {
   return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
+/// The number after the last hyphen in the name of a picture. The result is empty if there is no number.
 std::optional<long> number_of(const std::filesystem::path& file) {
   const std::string name = file.stem().string();
   return number_in<long>(std::string_view(name).substr(name.rfind('-') + 1));

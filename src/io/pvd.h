@@ -9,6 +9,7 @@
 
 namespace pseudorigid::io {
 
+/// The list of the pictures, in memory and in the file `path`.
 class PvdCollection {
  public:
   struct Frame {
@@ -17,8 +18,9 @@ class PvdCollection {
     long number() const;  ///< number at the end of the name: 12 for "reduced-000012.vtu"; −1 if there is none
   };
   explicit PvdCollection(std::filesystem::path path) : path_(std::move(path)) {}
-  /// Reads the list of an earlier run, and keeps the pictures before the time `until`. If the list does not exist, the
-  /// result is empty. Throws UserError "path:line: …" if an entry of the list does not have the form that `add` writes.
+  /// Reads the list of an earlier run, and keeps the pictures before the time `until`. If the file does not exist, the
+  /// list is empty. Throws UserError if the file cannot be read. Throws UserError "path:line: …" if an entry does not
+  /// have the form that `add` writes.
   static PvdCollection resume(std::filesystem::path path, double until);
 
   /// Adds a picture and writes the list. The paths in the list are relative to the folder of the list. The run

@@ -28,8 +28,8 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// The page, in which each element with the placeholder {mover} in its file name is repeated for every name in
-/// `movers`.
+/// The page, in which each line with the placeholder {mover} in a file name is repeated for every name in `movers`. An
+/// element has a line of its own.
 std::string page_of(std::string_view page, std::span<const std::string> movers) {
   constexpr std::string_view name = "data-file=\"", of_mover = "{mover}";
   std::string text;
@@ -52,8 +52,9 @@ std::string page_of(std::string_view page, std::span<const std::string> movers) 
   return text;
 }
 
-/// The text of an element: a file of the run, or a table computed from the pictures of the run. The text is empty if
-/// there are no such files.
+/// The text of the element with the file name `name`. For "frames-….csv" it is a table computed from the pictures of
+/// the run, and otherwise the file of the run. `affine` has the names of the models with the motion x = QX. The text is
+/// empty if there are no such files.
 std::string text_of(const RunDirectory& directory, std::string_view name, std::span<const std::string> affine) {
   constexpr std::string_view frames = "frames-", csv = ".csv";
   if (name.starts_with(frames)) {

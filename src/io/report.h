@@ -1,11 +1,11 @@
 #pragma once
-/// The page report.html, which contains files of a run and draws them in the browser (src/io/report/). The page does
-/// not load other files. The browser can save the files from the page.
+/// The page report.html, which contains files of a run and draws their data in the browser by the scripts of
+/// src/io/report/. The page does not load other files. The user can save the contained files from the page.
 ///
 /// The page has an element `<script type="…" data-file="NAME"></script>` for every file that it can show. In a report,
 /// the element contains the text of the file, with `&` and `<` escaped as in HTML. The element is empty if the run does
-/// not have the file. The elements `frames-<mover>.csv` are not files of the run. These elements contain faces of the
-/// body from its pictures (report_frames.h).
+/// not have the file. The elements `frames-<name>.csv` are not files of the run, but tables of faces of the body with
+/// the trajectory <name> (report_frames.h).
 
 #include <span>
 #include <string>
@@ -15,11 +15,12 @@
 
 namespace pseudorigid::io {
 
-/// The text of the page, with empty elements.
+/// The text of the page, with empty elements. A file name in it may contain the placeholder {mover}.
 std::string_view report_page();
 
-/// Returns the page with the files of the directory. `movers` are the names of the trajectories (movers_in of
-/// manifest.h). `empty` is the page with empty elements. Throws UserError if a file that the page shows cannot be read.
+/// Returns the page with the files of the directory. `movers` are the names of the trajectories, as movers_in in
+/// manifest.h returns them. `empty` is the page with empty elements. An element with {mover} in its file name is
+/// repeated for each trajectory. Throws UserError if a file that the page shows cannot be read.
 std::string report_of(const RunDirectory& directory, std::span<const std::string> movers,
                       std::string_view empty = report_page());
 

@@ -21,16 +21,17 @@ namespace pseudorigid::io {
 namespace {
 
 constexpr const char *reference = "reference_coordinates", *stress = "von_mises";
-constexpr std::size_t most_times = 8;
-constexpr std::size_t most_rows = 60000;  ///< limit for each model; a row has about 70 bytes in the page
+constexpr std::size_t most_times = 8;     ///< limit of the number of pictures of a trajectory
+constexpr std::size_t most_rows = 60000;  ///< limit of the rows of a trajectory; a row has about 70 bytes in the page
 
+/// The values of the field `name`. The result is null if the grid does not have this field.
 const std::vector<double>* field(const UnstructuredGrid& grid, std::string_view name) {
   const auto found = std::ranges::find(grid.fields, name, &UnstructuredGrid::Field::name);
   return found == grid.fields.end() ? nullptr : &found->values;
 }
 
-/// The points of a face of a block, row by row. The face is normal to `direction`. A point is given by its index in the
-/// lattice of n³ points of the block.
+/// The points of a face of a block, row by row. In the face, the lattice index in `direction` is 0, or n − 1 if
+/// `is_far` is true. A point is given by its index in the lattice of n³ points of the block.
 std::vector<std::size_t> lattice_of_face(std::size_t n, int direction, bool is_far) {
   const std::array<std::size_t, 3> stride{1, n, n * n};
   const std::size_t a = stride[(direction + 1) % 3], b = stride[(direction + 2) % 3];
@@ -51,7 +52,8 @@ double largest(const std::vector<double>& values) {
   return size;
 }
 
-/// The number 1, 2 or 3 of the coordinate plane that contains all points of a face. The result is 0 if there is none.
+/// The number 1, 2 or 3 of the coordinate plane that contains all points of a face in the undeformed body, within
+/// `tolerance`. The result is 0 if there is no such plane.
 int plane_of(const PictureFace& face, const std::vector<UnstructuredGrid>& pieces, double tolerance) {
   for (int d = 0; d < 3; ++d)
     if (std::ranges::all_of(face.points, [&](const auto& point) {
@@ -98,6 +100,8 @@ bool has_fields(const std::vector<UnstructuredGrid>& pieces) {
          std::ranges::all_of(pieces, [](const auto& grid) { return field(grid, reference) && field(grid, stress); });
 }
 
+/// True if the grids have all points of the faces. The faces come from the first picture of a run, and a later picture
+/// may have fewer points.
 bool have_the_points(const std::vector<UnstructuredGrid>& pieces, const std::vector<PictureFace>& faces) {
   return std::ranges::all_of(faces, [&](const PictureFace& face) {
     return std::ranges::all_of(face.points, [&](const auto& point) {
@@ -116,7 +120,7 @@ void add_row(std::string& text, double time, std::size_t number, int plane, cons
 }
 
 /// Returns n ≥ 2 frames at about equal distances in the list, including the first and the last one. If the list has at
-/// most n frames, returns all.
+/// most n frames, the result is the list.
 std::vector<PvdCollection::Frame> some_of(const std::vector<PvdCollection::Frame>& frames, std::size_t n) {
   if (frames.size() <= n) return frames;
   std::vector<PvdCollection::Frame> chosen;
@@ -124,6 +128,8 @@ std::vector<PvdCollection::Frame> some_of(const std::vector<PvdCollection::Frame
   return chosen;
 }
 
+/// The rows of table_of_frames without the header. The text is empty if a picture does not have the fields or points,
+/// or if two pictures exceed most_rows.
 std::string rows_of_frames(std::vector<PvdCollection::Frame> frames, bool is_affine) {
   std::string text;
   std::vector<PictureFace> faces;

@@ -17,14 +17,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Names of results that do not depend on models or systems. The function `owns` also accepts the names for each model
-/// or system, and the names of checkpoints.
+/// Names of results that do not depend on models or systems. The function `owns` also accepts the names of files of
+/// each model or system, and the names of checkpoints.
 constexpr std::array<std::string_view, 15> owned_names{
     "used.prm",      "manifest.json",   "log.txt",        "comparison.csv", "comparison.json",
     "modes.csv",     "modes.pvd",       "equilibria.csv", "shapes.csv",     "sweep.csv",
     "manifolds.csv", "connections.csv", "section.csv",    "report.html",    "trajectories.csv"};
 
-/// Prefix of the temporary file of RunLock. A killed run may leave this file.
+/// Prefix of the temporary file from which RunLock makes the lock. A killed run may leave this file.
 constexpr std::string_view abandoned_lock = "run.lock-";
 
 bool matches(std::string_view name, std::string_view prefix, std::string_view suffix) {
@@ -40,8 +40,8 @@ UserError cannot(const char* what, const fs::path& path, const std::string& reas
   return UserError(fmt::format("cannot {} the output directory '{}': {}", what, path.native(), reason));
 }
 
-/// Throws UserError if a pipe or a device has the name of a result. The run would wait for the other end of the pipe,
-/// and must not remove the device.
+/// Throws UserError if a pipe, a socket or a device in `directory` has a name that satisfies `owned`. A run would wait
+/// for the other end of a pipe, and must not remove a device.
 void require_no_pipes(const fs::path& directory, const auto& owned) {
   for (const auto& entry : fs::directory_iterator(directory)) {
     const std::string kind = kind_unless_file(entry.path());
@@ -79,6 +79,7 @@ bool owns_graphics(std::string_view name, std::span<const std::string> movers) {
   return is_frame_of("modes") || std::ranges::any_of(movers, is_frame_of);
 }
 
+/// The folder of the results, for the constructor of RunDirectory.
 fs::path locate(const fs::path& output_directory, const fs::path& scene_file, const std::optional<fs::path>& option) {
   if (option) return *option;
   const std::string name = scene_name(scene_file);

@@ -21,18 +21,20 @@ std::string scene_name(const std::filesystem::path& scene_file);
 class RunDirectory {
  public:
   explicit RunDirectory(std::filesystem::path path) : path_(std::move(path)) {}
+  /// The folder is `output_option` if it is given, and otherwise `output_directory`/<scene name>. Throws UserError if
+  /// the scene name is "." or "..".
   RunDirectory(const std::filesystem::path& output_directory, const std::filesystem::path& scene_file,
                const std::optional<std::filesystem::path>& output_option);
 
   /// Creates and locks the folder, and removes the results of an earlier run. Results have fixed names such as
   /// `manifest.json`, or names such as `<name>.csv` and `modes-<name>.csv` with a model or system <name> in `movers`.
   /// Checkpoints, and pictures of these models in the folder graphics, are results as well. Other files remain. Throws
-  /// UserError, with path and reason, if the folder cannot be created, written or cleared. Also throws it if a pipe or
-  /// a device has the name of a result, or if another run uses the folder. The caller may use the folder until the
-  /// returned lock is destroyed.
+  /// UserError, with path and reason, if the folder cannot be created, written or cleared. Also throws it if a pipe, a
+  /// socket or a device has the name of a result, or if another run uses the folder. Throws WriteError if the lock
+  /// cannot be written. The caller may use the folder until the returned lock is destroyed.
   RunLock prepare_fresh(std::span<const std::string> movers = {}) const;
   /// Locks the folder for a resumed run, and keeps its results. Throws UserError if the folder does not exist or does
-  /// not contain a checkpoint, and in the cases of prepare_fresh.
+  /// not contain a checkpoint. Also throws the errors of prepare_fresh.
   RunLock prepare_resume(std::span<const std::string> movers = {}) const;
 
   const std::filesystem::path& path() const { return path_; }
@@ -47,14 +49,14 @@ class RunDirectory {
   std::filesystem::path pvd(std::string_view model) const;
   std::filesystem::path checkpoint(std::string_view model) const;
   /// The file `graphics/<model>-000012.vtu` for the index 12. A run with pictures first calls prepare_graphics, which
-  /// creates the folder graphics.
+  /// creates the folder graphics or throws UserError.
   std::filesystem::path frame(std::string_view model, int index) const;
   void prepare_graphics() const;
   /// Throws UserError if a file that is not a folder has the name of the folder graphics.
   void require_place_for_graphics() const;
 
  private:
-  void require_writable() const;
+  void require_writable() const;  ///< throws UserError if no file can be created in the folder
   std::filesystem::path path_;
 };
 

@@ -26,8 +26,9 @@ namespace fs = std::filesystem;
 
 using Identity = std::map<std::string, std::string>;
 
-/// Names of the data that identify a process. The number of a process is not sufficient, because another process may
-/// have the same number later, in another container, or after a restart of the machine.
+/// Names of the lines of the lock, which identify a process. The line `numbering` identifies the namespace of process
+/// numbers, which is different in a container. The number of a process is not sufficient. Another process may have the
+/// same number later, in another container, or after a restart of the machine.
 constexpr const char *host = "host", *machine = "machine", *boot = "boot", *numbering = "numbering",
                      *process = "process", *process_start = "process start", *since = "since";
 
@@ -89,8 +90,11 @@ Identity from_text(const std::string& text) {
   return identity;
 }
 
+/// State of the run that has a lock. The state is unknown if this process cannot see the processes of that run.
 enum class Judgement { at_work, ended, unknown };
 
+/// The state of the run with the given lock. The run has ended if its machine was restarted, or if its process does not
+/// exist or is a zombie. It has also ended if its process number now belongs to another process.
 Judgement judge(Identity holder) {
   Identity own = own_identity();
   if (holder[host].empty() || holder[host] != own[host]) return Judgement::unknown;
@@ -110,6 +114,7 @@ Judgement judge(Identity holder) {
   return is_zombie || found.start != holder[process_start] ? Judgement::ended : Judgement::at_work;
 }
 
+/// The error about a lock that may still be in use. Its text names the other run or the file that the user can remove.
 UserError in_use(const fs::path& lock, Identity holder, Judgement judgement) {
   const std::string directory = lock.parent_path().native();
   if (judgement == Judgement::at_work)
@@ -146,7 +151,7 @@ RunLock::RunLock(RunLock&& other) noexcept
 RunLock::~RunLock() {
   if (identity_.empty()) return;
   try {
-    // The user may have removed the file, and another run may then have created a new file.
+    // The user may have removed the file, and another run may then have created a new file, which must remain.
     if (read_file(path_) == identity_) ::unlink(path_.c_str());
   } catch (const std::exception&) {
   }
@@ -175,7 +180,7 @@ bool RunLock::create() const {
   // A network disk may have created the link although it reported an error.
   if (::stat(own.c_str(), &status) == 0 && status.st_nlink == 2) return true;
   if (reason == EEXIST || reason == ENOENT) return false;
-  // The disk does not support links.
+  // The disk does not support hard links, so the lock is created under its own name.
   const Descriptor file(path_, O_WRONLY | O_CREAT | O_EXCL);
   if (!file && errno == EEXIST) return false;
   if (!file) throw WriteError(path_, errno);
@@ -188,9 +193,10 @@ bool RunLock::create() const {
   return true;
 }
 
-/// Removes the lock of a run that has ended, and throws UserError for any other lock. Does nothing if the lock has
-/// disappeared. If several processes find the same lock, flock admits one at a time. Each process then checks that the
-/// file it opened still has the name of the lock, and otherwise does nothing.
+/// Removes the lock of a run that has ended, and throws UserError for any other lock. Also throws UserError if the lock
+/// cannot be read. Does nothing if the lock has disappeared. If several processes find the same lock, flock admits one
+/// at a time. Each process then checks that the file it opened still has the name of the lock, and otherwise does
+/// nothing.
 void RunLock::remove_if_stale() const {
   if (!kind_unless_file(path_).empty()) throw in_use(path_, {}, Judgement::unknown);
   const Descriptor file(path_, O_RDWR);  // on network disks, flock requires a file that is open for writing

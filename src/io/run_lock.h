@@ -20,12 +20,13 @@ class RunLock {
   /// Locks the directory. Throws UserError if another run has locked it, or if it is not known whether the other run
   /// has ended; the directory is then unchanged. Throws WriteError if the lock cannot be written.
   explicit RunLock(const std::filesystem::path& directory);
-  /// Removes the lock, unless the user or another run has replaced the file.
+  /// Removes the lock, unless the user or another run has replaced the file. Ignores errors.
   ~RunLock();
   RunLock(RunLock&& other) noexcept;
   RunLock& operator=(RunLock&&) = delete;
 
-  /// Removes the lock of a directory. A rank that does not hold the lock calls this function if it aborts the run.
+  /// Removes the lock of a directory, and ignores errors. A rank that does not hold the lock calls this function if it
+  /// aborts the run.
   static void remove(const std::filesystem::path& directory) noexcept;
 
  private:

@@ -12,6 +12,8 @@ static_assert(std::atomic<bool>::is_always_lock_free);  // a signal handler may 
 
 extern "C" void request_interrupt(int) { requested.store(true, std::memory_order_relaxed); }
 
+/// Installs the handler for a signal. SA_RESTART makes interrupted system calls continue. `flags` are further flags of
+/// sigaction(2).
 void listen_to(int signal, unsigned int flags) {
   struct sigaction action = {};
   action.sa_handler = request_interrupt;

@@ -10,7 +10,7 @@ namespace pseudorigid::io {
 /// terminal output ends.
 void install_signal_handlers();
 
-/// True if one of these signals has set the flag.
+/// True if SIGINT, SIGTERM, SIGHUP or SIGXCPU has set the flag.
 bool interrupt_requested() noexcept;
 
 }  // namespace pseudorigid::io

@@ -20,6 +20,7 @@ template <class O>
 using Columns = std::vector<BodyColumn<O>>;
 
 template <class O>
+/// The columns that all models of the ball have, and after them the columns `own`.
 Columns<O> common_and(std::span<const BodyColumn<O>> own) {
   Columns<O> columns(std::begin(mechanics::common_columns<O>), std::end(mechanics::common_columns<O>));
   columns.insert(columns.end(), own.begin(), own.end());
@@ -39,8 +40,9 @@ const Columns<ContinuumObservables>& body_columns() {
   return columns;
 }
 
-/// The suffixes that the entries of a column have in the header. The suffixes depend on the kind of the value: scalar,
-/// vector, matrix, antisymmetric matrix, or a value over points.
+/// The suffixes of the names of the entries of a column in the header. They depend on the kind of the value. The kinds
+/// are scalar, vector, matrix, antisymmetric matrix, and least or largest value over points, in the order of
+/// BodyColumn::value.
 template <class O>
 const std::vector<std::string>& suffixes(const BodyColumn<O>& column) {
   static const std::vector<std::string> of_kind[] = {

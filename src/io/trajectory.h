@@ -13,12 +13,14 @@
 
 namespace pseudorigid::io {
 
-/// All columns of a model except `time`, for the documentation. All entries of a vector or matrix are in one line, for
-/// example `Q11 ... Q33`. The type Observables is mechanics::ReducedObservables or mechanics::ContinuumObservables.
+/// All columns of a model except `time`, for the documentation. A vector or matrix is one element of the list, for
+/// example with the name `Q11 ... Q33`. The type Observables is mechanics::ReducedObservables or
+/// mechanics::ContinuumObservables.
 template <class Observables>
 std::vector<scene::Column> documented_columns();
 
-/// The columns that `quantities` selects. The class computes the rows of these columns from observables.
+/// The columns of a model's CSV file: the time, and the columns that `quantities` selects. The class computes rows of
+/// these columns from observables.
 template <class Observables>
 class Trajectory {
  public:
@@ -29,7 +31,8 @@ class Trajectory {
   /// The request for the observables that the columns need.
   const mechanics::ObservableRequest& request() const { return request_; }
   /// Replaces `row` by the values of the columns for a sample, and reuses the memory of `row`. The observables are in
-  /// internal units. The time is in the units of the user, and is not converted.
+  /// internal units and are converted to the units of the user. The time is already in the units of the user. A value
+  /// that the model has not computed is NaN.
   void row(double physical_time, const Observables& internal, std::vector<double>& row) const;
 
  private:

@@ -36,14 +36,15 @@ std::string bytes_of(std::span<const std::uint64_t> numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
 }
 
-/// A compressed array in VTK's format. The header contains the number of blocks, the size of a block, the size of the
-/// last block, and the compressed size of each block. If the last block is not shorter, its size is written as 0. The
-/// compressed blocks follow.
+/// A compressed array in VTK's format. Its header contains the number of blocks, the size of a block, the size of the
+/// last block, and the compressed size of each block. If the last block is as long as the others, its size is written
+/// as 0. The compressed blocks follow the header.
 std::string compressed(std::string_view bytes) {
-  constexpr std::size_t block_size =
-      std::size_t{1} << 18;  // a block is much larger than the window of zlib (32 KiB), and compresses almost as well
-  // The numbers of a motion can hardly be compressed. A higher level needs twice the time and reduces the size by only
-  // 1 %.
+  // A block is much larger than the window of zlib (32 KiB). The division into blocks therefore hardly reduces the
+  // compression.
+  constexpr std::size_t block_size = std::size_t{1} << 18;
+  // The coordinates of a motion have random last digits, so that they can hardly be compressed. In measurements, a
+  // higher level needed twice the time and reduced the size by only 1 %.
   constexpr int level = 1;
   std::vector<std::uint64_t> header{(bytes.size() + block_size - 1) / block_size, block_size,
                                     bytes.size() % block_size};
@@ -53,7 +54,7 @@ std::string compressed(std::string_view bytes) {
     uLongf size = block.size();
     if (compress2(reinterpret_cast<Bytef*>(block.data()), &size, reinterpret_cast<const Bytef*>(source.data()),
                   source.size(), level) != Z_OK)
-      throw std::bad_alloc();  // the only possible error, because the buffer is large enough
+      throw std::bad_alloc();  // lack of memory is the only possible error, because the buffer is large enough
     blocks.append(block, 0, size);
     header.push_back(size);
   }
@@ -103,7 +104,7 @@ class Document {
         if (const auto& array = parts_[i].array)
           parts_[i].compressed = compressed({reinterpret_cast<const char*>(array->data()), array->size()});
     };
-    constexpr unsigned most = 8;  // a picture has about 15 arrays
+    constexpr unsigned most = 8;  // a picture has about 15 arrays, so that more threads would gain little
     std::vector<std::future<void>> helpers;
     try {
       for (unsigned n = 1; n < std::min(most, std::thread::hardware_concurrency()); ++n)
@@ -125,6 +126,7 @@ void require(bool condition, const std::string& complaint) {
   if (!condition) throw std::logic_error("VTU grid: " + complaint);
 }
 
+/// Throws std::logic_error if the grid does not satisfy the conditions of write_vtu.
 void validate(const UnstructuredGrid& grid) {
   const auto all_finite = [](const std::vector<double>& values) {
     return std::ranges::all_of(values, [](double x) { return std::isfinite(x); });

@@ -17,8 +17,8 @@ enum class CellType : std::uint8_t { triangle = 5, quad = 9, hexahedron = 12, la
 struct UnstructuredGrid {
   struct Field {
     std::string name;
-    int n_components;  ///< 1 scalar, 3 vector, 9 tensor (row-major)
-    std::vector<double> values;
+    int n_components;            ///< numbers per point: 1 scalar, 3 vector, 9 tensor (row-major)
+    std::vector<double> values;  ///< point by point; a constant has the numbers of one point
   };
   std::vector<double> points{};  ///< x, y, z of each point
   CellType cell_type = CellType::hexahedron;
@@ -36,8 +36,9 @@ struct UnstructuredGrid {
 /// value is not finite.
 void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid);
 
-/// Writes the .pvtu file of a picture of a parallel run. It lists `files`, the files of the pieces. All pieces must
-/// have the fields of `piece` and must be in the folder of the .pvtu file. Throws WriteError.
+/// Writes the .pvtu file of a picture of a parallel run, which lists the files of the pieces (`files`). All pieces must
+/// have the fields of `piece` and must be in the folder of the .pvtu file. Only the names of the fields and their
+/// numbers of components are read from `piece`. Throws WriteError.
 void write_pvtu(const std::filesystem::path& path, const UnstructuredGrid& piece,
                 const std::vector<std::filesystem::path>& files);
 

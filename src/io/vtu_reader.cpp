@@ -39,9 +39,11 @@ class VtuText {
     const std::size_t at = xml_.find(begin);
     return at == std::string_view::npos ? std::string_view() : xml_.substr(at, xml_.find('>', at) + 1 - at);
   }
+  /// The element of the array with this type and name. The result is empty if there is none.
   std::string_view array(std::string_view type, std::string_view name) const {
     return element(fmt::format("<DataArray type=\"{}\" Name=\"{}\"", type, name));
   }
+  /// The value of an attribute of the element. The result is empty if the element does not have the attribute.
   std::string attribute(std::string_view element, std::string_view name) const {
     const std::string begin = fmt::format(" {}=\"", name);
     const std::size_t at = element.find(begin);
@@ -49,6 +51,7 @@ class VtuText {
     const std::string_view rest = element.substr(at + begin.size());
     return std::string(rest.substr(0, rest.find('"')));
   }
+  /// The value of an attribute that is a natural number.
   std::size_t number(std::string_view element, std::string_view name) const {
     const std::string text = attribute(element, name);
     std::size_t value = 0;
@@ -57,24 +60,27 @@ class VtuText {
     return value;
   }
 
-  /// Returns the n numbers of the appended array to which `element` refers.
+  /// Returns the n numbers of the appended array to which `element` refers. A damaged n is refused before memory is
+  /// allocated.
   template <class T>
   std::vector<T> values(std::string_view element, std::size_t n) const {
-    constexpr std::size_t largest_ratio_of_zlib = 1100;
+    constexpr std::size_t largest_ratio_of_zlib = 1100;  // deflate compresses at most by the factor 1032
     require(n <= data_.size() * largest_ratio_of_zlib / sizeof(T));
     std::vector<T> result(n);
     decompress(number(element, "offset"), std::as_writable_bytes(std::span(result)));
     return result;
   }
 
+  /// Throws UserError if the condition is false.
   void require(bool condition) const {
     if (!condition) throw UserError(fmt::format("{}: expected a picture as a run writes it", path_.native()));
   }
 
  private:
-  /// Decompresses the blocks that the function `compressed` in vtu.cpp wrote.
+  /// Decompresses the blocks that the function `compressed` in vtu.cpp wrote at the position `offset` of the appended
+  /// data. The blocks must fill `target` exactly.
   void decompress(std::size_t offset, std::span<std::byte> target) const {
-    std::array<std::uint64_t, 3> head;  // number of blocks, size of a block, size of a shorter last block
+    std::array<std::uint64_t, 3> head;  // number of blocks, size of a block, size of a shorter last block or 0
     copy(offset, head.data(), sizeof head);
     const auto [n_blocks, size, last] = head;
     require(n_blocks <= data_.size());
@@ -103,12 +109,14 @@ class VtuText {
   std::string_view xml_, data_;
 };
 
+/// The number of components of an array. It is 1 without the attribute, which write_vtu omits for scalars.
 int n_components(const VtuText& file, std::string_view array) {
   return file.attribute(array, "NumberOfComponents").empty()
              ? 1
              : static_cast<int>(file.number(array, "NumberOfComponents"));
 }
 
+/// The constants of the whole grid, which the XML contains as text.
 std::vector<UnstructuredGrid::Field> constants_of(const VtuText& file) {
   std::vector<UnstructuredGrid::Field> constants;
   std::string_view rest = file.xml().substr(0, file.xml().find("</FieldData>"));

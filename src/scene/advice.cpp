@@ -23,6 +23,7 @@ std::string_view name_of(std::string_view path, const Refusal& refusal) {
   return !section.empty() && section == section_of(refusal.path) ? path.substr(section.size() + 1) : path;
 }
 
+/// The settings of one recommendation in words, for example "Method = rattle and Step = auto".
 std::string in_words(const std::vector<Setting>& settings, const Refusal& refusal) {
   std::string text;
   for (const auto& [path, value] : settings)
@@ -60,7 +61,8 @@ std::string sentence_with_advice(const Refusal& refusal, const Scene& scene, con
   if (!refusal.models.empty()) {
     const auto names = accepted_of(refusal.models, scene, accepts);
     text += " offered for " + the_models(names);
-    // Recommend all models if the scene is valid with all of them, otherwise the first.
+    // If the scene is valid with all these models together, they are recommended together. Otherwise only the first is
+    // recommended.
     const Setting all = models(names);
     const bool together = accepts(with_settings(scene, {all}));
     remedies.insert(remedies.begin(), {together ? all : models({names.front()})});

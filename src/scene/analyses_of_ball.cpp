@@ -16,6 +16,7 @@
 namespace pseudorigid::scene {
 namespace {
 
+/// The path of the first entry of a load. A refusal of the load names this entry.
 template <class Load>
 std::string first_entry(const Load& load) {
   std::string path;
@@ -26,7 +27,8 @@ std::string first_entry(const Load& load) {
   return path;
 }
 
-/// Refuses the first load that acts and for which `is_refused(load)` is true.
+/// Refuses the first load that acts and for which `is_refused(load)` is true. The sentence is Load::no_equilibria
+/// (loads/load.h).
 template <class Predicate>
 std::optional<Refusal> refuses_load(const Scene& scene, Predicate&& is_refused) {
   std::optional<Refusal> refusal;
@@ -38,7 +40,7 @@ std::optional<Refusal> refuses_load(const Scene& scene, Predicate&& is_refused) 
 }
 
 /// Returns the violated requirement of relative equilibria, or nothing. Relative equilibria are known for a ball under
-/// potentials that depend only on the shape of the body.
+/// potentials that depend only on the shape of the body. A fluid must be incompressible and have self-gravity.
 std::optional<Refusal> refuses_relative_equilibrium(const Scene& scene) {
   if (scene.body.inertia || scene.body.semi_axes != std::vector<double>{1, 1, 1})
     return Refusal{"Body/Semi-axes",
@@ -57,8 +59,8 @@ std::optional<Refusal> refuses_relative_equilibrium(const Scene& scene) {
 }
 
 /// Returns the violated requirement of equilibria at rest, or nothing. A body can be at rest under loads with a
-/// potential that does not depend on time. Dissipation does not change the equilibria, but changes the rates of small
-/// motions about them.
+/// potential that does not depend on time. A fluid needs a load or gravity that selects its shape. Dissipation does not
+/// change the equilibria, but changes the rates of small motions about them.
 std::optional<Refusal> refuses_static_equilibria(const Scene& scene) {
   const auto finds = [](const ModelDescription& model) { return model.static_equilibria != nullptr; };
   if (!std::ranges::all_of(models_of(scene), [&](const auto* model) { return finds(*model); }))
@@ -111,6 +113,9 @@ std::optional<Refusal> refuses_displaced_start(const Scene& scene, std::string_v
   return refusal;
 }
 
+/// Refuses modes or Love numbers (`what`) of bodies and sectors for which they are not computed. These are a mesh from
+/// a file, a displaced start, a sector other than the octant, and a fluid. Also refuses a scene without a model that
+/// offers the analysis, according to its member `is_offered`.
 std::optional<Refusal> refuses_linear_analysis(const Scene& scene, std::string_view what,
                                                bool ModelDescription::*is_offered) {
   if (has_mesh_file(scene))

@@ -7,11 +7,13 @@
 
 namespace pseudorigid::scene {
 
-/// Returns the violated requirement, or nothing. A motion has only one requirement: if its initial state is a member of
-/// a family of relative equilibria, the ball must have such equilibria.
+/// Returns the violated requirement, or nothing. All analyses share one requirement: if the initial state is a member
+/// of a family of relative equilibria, the ball must have such equilibria. A motion has no other requirement here.
 std::optional<Refusal> refuses_analysis_of_ball(const Scene& scene);
 
-/// The violated requirement of the quantities `vibration`, or nothing: the sphere has modes in closed form.
+/// The violated requirement of the columns `vibration` of a motion, or nothing. These columns use the modes in closed
+/// form of an incompressible elastic sphere. The scene therefore must not have another shape, a fluid, self-gravity or
+/// viscoelastic branches.
 std::optional<Refusal> refuses_vibration(const Scene& scene);
 
 }  // namespace pseudorigid::scene

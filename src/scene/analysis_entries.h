@@ -1,6 +1,6 @@
 #pragma once
-/// The entries of the analyses other than a motion: equilibria, modes, Love numbers, manifolds and sections. They are a
-/// part of scene/entries.h.
+/// The entries of the analyses other than a motion: equilibria, modes, Love numbers, manifolds and sections. The list
+/// of all entries in scene/entries.h includes them.
 
 #include <concepts>
 #include <type_traits>

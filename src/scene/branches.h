@@ -1,5 +1,6 @@
 #pragma once
-/// Checks of viscoelastic branches (loads/viscoelasticity.h). There are at most four. Each has a modulus and a time.
+/// Checks of viscoelastic branches (loads/viscoelasticity.h). There are at most four branches. Each branch has a
+/// modulus and a relaxation time. Only a scene with branches may start with relaxed branches.
 
 #include <optional>
 

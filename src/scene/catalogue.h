@@ -19,7 +19,7 @@
 namespace pseudorigid::scene {
 
 /// A kind of values (entry_kinds.h), without the C++ type of the values. The scene stores such a value as text in the
-/// canonical form of its kind.
+/// canonical form, which is the form in which its kind prints a value.
 class AnyKind {
  public:
   /// Makes an AnyKind from a kind whose values have the type Value.
@@ -50,6 +50,7 @@ class AnyKind {
   std::vector<std::string_view> words_;
 };
 
+/// An entry of a system other than the ball, and its default value as text.
 struct SystemEntry {
   About about;
   AnyKind kind;
@@ -74,9 +75,10 @@ struct Setting {
 /// functions of scene/advice.h try the changes, and append the successful changes to the sentence.
 struct Refusal {
   std::string path, sentence;
-  std::vector<std::vector<Setting>> remedies{};  ///< alternatives; each sets one or several entries
-  std::vector<std::string_view>
-      models{};  ///< models that accept the input; the sentence then ends before "offered for"
+  std::vector<std::vector<Setting>> remedies{};  ///< alternatives, each of which sets one or several entries
+  /// Models that accept the input. If there are any, `sentence` ends before "offered for", which scene/advice.h
+  /// appends.
+  std::vector<std::string_view> models{};
 };
 
 struct SystemDescription {
@@ -96,8 +98,8 @@ struct SystemDescription {
 
 /// The table of relative equilibria of a model.
 struct EquilibriaTable {
-  std::string_view file;  ///< name without ".csv"
-  std::string_view introduction;
+  std::string_view file;          ///< name without ".csv"
+  std::string_view introduction;  ///< text before the table of columns in the documentation
   std::vector<Column> columns;
 };
 
@@ -134,7 +136,7 @@ struct ModelDescription {
   /// Returns the runs of the model in a scene, by increasing number of degrees of freedom. The function is null for a
   /// model with one run, which has the name of the model.
   std::function<std::vector<ModelRun>(const Scene&)> runs{};
-  /// Returns the names of the columns of the model's CSV file.
+  /// Returns the names of the columns of the model's CSV file for the selected groups.
   std::function<std::vector<std::string>(const mechanics::Quantities&)> header;
   /// Returns a text about the discretisation of the companion run, from which the error in space is estimated. The text
   /// is empty if a search chooses the discretisation. The function is null for a model without an error in space.
@@ -152,6 +154,7 @@ inline bool takes_method(const ModelDescription& model, std::string_view method)
   return !model.takes_method || model.takes_method(method);
 }
 
+/// The runs of the model in a scene: those of `runs`, or one run with the name of the model.
 inline std::vector<ModelRun> runs_of(const ModelDescription& model, const Scene& scene) {
   if (model.runs) return model.runs(scene);
   return {{std::string(model.name), std::string(model.adjective)}};
@@ -166,10 +169,10 @@ struct Catalogue {
   /// The models by increasing number of degrees of freedom. The last model of a scene is the reference of comparisons.
   std::vector<ModelDescription> models{};
   std::vector<SystemDescription> systems{};
-  /// The columns of connections.csv.
+  /// The columns of connections.csv, which Analysis = manifolds writes for systems other than the ball.
   std::vector<Column> connections{};
-  /// The columns of equilibria.csv for a system with one degree of freedom. The coordinates of the system are not
-  /// included.
+  /// The columns of equilibria.csv for a system with one degree of freedom, for the documentation. The coordinates of
+  /// the system are not included.
   std::vector<Column> equilibria{};
 
   /// The system of this name. The result is null for the ball and for an unknown name.

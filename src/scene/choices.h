@@ -33,8 +33,8 @@ inline constexpr auto initial_family_kind = choice<Family>({
     {"riemann-planar", Family::riemann_planar},
     {"riemann-planar-dual", Family::riemann_planar_dual},
 });
-/// The families for Analysis = equilibrium. They are the families without `none`, and in addition the equilibria at
-/// rest.
+/// The families for Analysis = equilibrium. They are the families of initial_family_kind without `none`, and in
+/// addition the equilibria at rest (`static`).
 inline constexpr auto family_kind = []() consteval {
   auto table = initial_family_kind.table;
   std::ranges::rotate(table, table.begin() + 1);
@@ -77,6 +77,7 @@ std::string_view documentation_of_quantities();
 
 /// The documentation of Material/Law, composed of the stored energies of the laws.
 std::string_view documentation_of_laws();
+/// The valid values of Material/Law.
 inline Word law_kind() {
   Word kind;
   for (const materials::NamedLaw& law : materials::law_table) kind.allowed.push_back(law.name);
@@ -90,7 +91,7 @@ inline Word system_kind(const Catalogue& catalogue) {
   return kind;
 }
 
-/// The valid values of Models.
+/// The valid values of Models: the names of the models in the catalogue.
 inline Words models_kind(const Catalogue& catalogue) {
   Words kind;
   for (const ModelDescription& model : catalogue.models) kind.allowed.push_back(model.name);

@@ -15,6 +15,7 @@ constexpr const char *masses_path = "Companions/Masses", *positions_path = "Comp
                      *velocities_path = "Companions/Velocities", *axes_path = "Companions/Semi-major axes",
                      *eccentricities_path = "Companions/Eccentricities";
 
+/// An entry with orbital elements: its path, and one value for each companion.
 struct ElementsEntry {
   const char* path;
   const std::vector<double>& values;
@@ -31,6 +32,8 @@ bool has_any_elements(const loads::CompanionMasses& load) {
   return std::ranges::any_of(elements_of(load), [](const ElementsEntry& entry) { return !entry.values.empty(); });
 }
 
+/// Refuses elements in addition to positions, incomplete elements, and eccentricities that do not fit the sign of the
+/// semi-major axis.
 std::optional<Refusal> refuses_elements(const loads::CompanionMasses& load) {
   const std::size_t n = load.masses.size();
   for (const auto& [path, values] : {ElementsEntry{positions_path, load.positions}, {velocities_path, load.velocities}})
@@ -61,6 +64,7 @@ std::optional<Refusal> refuses_elements(const loads::CompanionMasses& load) {
   return {};
 }
 
+/// Refuses wrong numbers of masses, positions, velocities or elements, and masses that are not positive.
 std::optional<Refusal> refuses_rows(const loads::CompanionMasses& load) {
   const std::size_t n = load.masses.size(), n_positions = load.positions.size() / 3,
                     n_velocities = load.velocities.size() / 3, most = mechanics::Orbit::most_companions;
@@ -77,6 +81,7 @@ std::optional<Refusal> refuses_rows(const loads::CompanionMasses& load) {
   return {};
 }
 
+/// Refuses loads that act on the body alone, and a scene without gravity.
 std::optional<Refusal> refuses_loads(const Scene& scene) {
   const auto only = [](const char* path) {
     return Refusal{path, "it acts on the body alone and would change the orbit; it is not offered with companions"};
@@ -90,7 +95,8 @@ std::optional<Refusal> refuses_loads(const Scene& scene) {
   return {};
 }
 
-/// The largest distance of a point of the initial body from its centre.
+/// The largest distance of a point of the initial body from its centre, in the units of the user. It is the radius
+/// times the largest singular value of Q₀ diag(semi-axes), with the initial deformation Q₀.
 double reach(const Scene& scene) {
   const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation);
   const Eigen::Vector3d axes(scene.body.semi_axes[0], scene.body.semi_axes[1], scene.body.semi_axes[2]);
@@ -103,7 +109,8 @@ double mass_of(const Scene& scene) {
   return scene.body.density * volume;
 }
 
-/// Whether r is so near to the z axis that the direction of a circular orbit is round-off or the error of a mesh.
+/// Whether r, the position relative to the centre of the orbit, is nearly parallel to the z axis. The velocity of a
+/// circular orbit about this axis has the direction of e_z × r, which is then dominated by small errors.
 bool is_on_axis(const Eigen::Vector3d& r) {
   constexpr double near = 1e-4;
   return r.head<2>().norm() <= near * r.norm();
@@ -119,7 +126,7 @@ std::optional<Refusal> refuses_companions(const Scene& scene) {
   const mechanics::Companions companions = load.forcing().companions;
   constexpr double round_off = 1e-14;
   const double least = reach(scene);
-  double mass = mass_of(scene);                       // of the body and the companions before
+  double mass = mass_of(scene);                       // mass of the body and of the companions before companion i
   const mechanics::Orbit orbit(companions, 1, mass);  // positions do not depend on the constant of gravity
   const mechanics::Orbit::Columns positions = orbit.relative(orbit.position());
   const char* const path = load.has_elements() ? axes_path : positions_path;

@@ -1,8 +1,10 @@
 #pragma once
-/// Checks of companions in orbit (loads/companions.h). There are at most two. Either each has a position, and all or
-/// none have velocities, or each has orbital elements. The constant of gravity must be positive. Loads that act on the
-/// centre of mass of the body alone are refused, because they would change the orbit: drag, planes, and tides that are
-/// fixed in space.
+/// Checks of companions in orbit (loads/companions.h). There are at most two companions, with positive masses. The
+/// orbits are given in one of two forms. Either each companion has a position, and all or none have velocities, or each
+/// has orbital elements. The constant of gravity must be positive. Each companion must be farther from the centre than
+/// all points of the initial body. Two companions must not have the same place. A companion without velocity must not
+/// be on the z axis through the centre of its orbit. Loads that act on the body but not on the companions are refused,
+/// because they would change the orbit: drag, planes, and tidal matrices.
 
 #include <optional>
 

@@ -17,12 +17,14 @@ namespace {
 
 constexpr const char *normals_path = "Loads/Plane normals", *points_path = "Loads/Plane points";
 
-/// Initial penetrations below this fraction of the size of the body and the distance of the plane are round-off.
+/// An initial penetration counts as round-off if it is at most this fraction of the sum of two lengths. They are the
+/// extent of the body along the normal and the distance of the plane from the origin.
 constexpr double round_off = 1e-12;
 
 Eigen::Vector3d vector_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
-/// The depth by which the initial body penetrates a plane. A depth that is only round-off counts as 0.
+/// The depth by which the initial body penetrates a plane, in the units of the user. The result is 0 without
+/// penetration, or if the depth is only round-off.
 double depth(const Scene& scene, const loads::Plane& plane) {
   const Eigen::Vector3d axes = scene.body.radius * vector_of(scene.body.semi_axes);
   const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation);
@@ -31,6 +33,7 @@ double depth(const Scene& scene, const loads::Plane& plane) {
   return behind > round_off * (reach + std::abs(plane.position)) ? behind : 0;
 }
 
+/// Refuses different numbers of normals and points, and normals that are zero.
 std::optional<Refusal> refuses_rows(const loads::RigidPlanes& load) {
   const std::size_t n_normals = load.normals.size() / 3, n_points = load.points.size() / 3;
   if (n_normals != n_points)
@@ -53,6 +56,7 @@ std::optional<Refusal> refuses_motion_of_planes(const loads::RigidPlanes& load) 
   return {};
 }
 
+/// Refuses bodies whose surface Body/Semi-axes does not describe.
 std::optional<Refusal> refuses_body(const Scene& scene) {
   if (scene.body.inertia)
     return Refusal{"Body/Inertia",
@@ -83,7 +87,9 @@ std::optional<Refusal> refuses_planes(const Scene& scene) {
 namespace {
 
 /// Length of the cells at a pole, along the axis, in radii (continuum/mesh/ball_mesh.h). The outer cells of the
-/// unrefined mesh reach from 0.528 to 1 on the axis. β of the grading is found by bisection.
+/// unrefined mesh reach from 0.528 to 1 on the axis. Refinement divides an outer cell into n = 2^refinements cells
+/// along the axis. With a grading g < 1, the outermost of them has the fraction (exp(β/n) − 1)/(exp β − 1) of the
+/// length. A bisection finds β from β/(exp β − 1) = g.
 double cell_at_pole(const Scene& scene, int refinements) {
   constexpr double unrefined = 1 - 0.528;
   const double size = scene.continuum.grading, part = std::ldexp(1.0, -refinements);

@@ -2,15 +2,16 @@
 /// Discretisations of the finite-element model. A discretisation has the degree k of the elements and the number r of
 /// refinements of the mesh. If the scene does not set both numbers, a search tries discretisations by increasing cost.
 ///
-/// The error of Q decreases with the resolution
+/// The error of the mass moment Q = ∫ρxXᵀ dV E₀⁻¹, which is the matrix of an affine motion x = QX, decreases with the
+/// resolution
 ///
 ///   N = k · 1.6^r.
 ///
 /// The error does not depend on k 2^r alone, the number of nodes along an edge. At equal k 2^r, a high degree is more
 /// accurate. The motion is not smooth at shear fronts, which start at the surface. The error therefore decreases only
-/// with a power of N, but high degrees resolve the fronts better. The base 1.6 is fitted to measured errors of releases
-/// (tests/app/auto_degree_test.py). The largest stable step is proportional to 1/(k² 2^r). With this step, the cost of
-/// a run is
+/// with a power of N, but high degrees resolve the fronts better. The base 1.6 is fitted to measured errors of released
+/// balls (tests/app/auto_degree_test.py). The largest stable step is proportional to 1/(k² 2^r). With this step, the
+/// cost of a run is
 ///
 ///   c = (k 2^r)³ · k² 2^r.
 
@@ -22,6 +23,7 @@
 
 namespace pseudorigid::scene {
 
+/// The largest degree of finite elements.
 inline constexpr int largest_degree = 8;
 /// The largest degree of polynomial bodies.
 inline constexpr int largest_polynomial_degree = 13;
@@ -40,16 +42,16 @@ double cost(const Discretization& d);
 /// The discretisation in words, for example "degree 4, unrefined" or "degree 5, refined once".
 std::string describe(const Discretization& d);
 
-/// The discretisation of a scene that sets both numbers. Otherwise the result is empty.
+/// The discretisation of a scene that sets the degree and the refinements. Otherwise the result is empty.
 std::optional<Discretization> fixed_discretization(const Scene& scene);
 
-/// The discretisations that the scene admits, by increasing cost. A discretisation is omitted if its resolution is not
-/// at least 10 % higher than the resolution of the last one that is kept.
+/// The discretisations that a search tries, by increasing cost. A number that the scene sets is fixed. A discretisation
+/// is omitted if its resolution is not at least 10 % higher than the resolution of the last one that is kept.
 std::vector<Discretization> ladder(const Scene& scene);
 
-/// The discretisation of the companion run, by which a run estimates its error. The companion of a degree above 2 has
-/// one degree less. For other degrees, the companion has one refinement less on a refined mesh, and one degree more on
-/// an unrefined mesh.
+/// The discretisation of the companion run. The difference of the two runs estimates the error of the discretisation
+/// `d`. The companion of a degree above 2 has one degree less. For other degrees, the companion has one refinement less
+/// on a refined mesh, and one degree more on an unrefined mesh.
 Discretization companion(const Discretization& d);
 
 /// The degree of the companion run for a polynomial body of degree N. The degrees differ by two, because bodies with

@@ -1,9 +1,9 @@
 #pragma once
 /// Every entry of a parameter file: name, member of Scene, kind with range, unit and documentation. The default is the
 /// initial value of the member in scene/scene.h. The entries of a load are in its header in src/loads/. The reader, the
-/// checks of ranges, used.prm, the suggestions for misspelt names and all formats of `pseudorigid parameters` use these
-/// functions. A new entry needs a member of Scene and a call of `visit` below, or in scene/analysis_entries.h for an
-/// analysis.
+/// checks of ranges, used.prm, the suggestions for misspelt names and all formats of `pseudorigid parameters` use the
+/// functions of this file. A new entry needs a member of Scene and a call of `visit` below, or in
+/// scene/analysis_entries.h for an analysis.
 
 #include "scene/analysis_entries.h"
 #include "scene/catalogue.h"
@@ -13,11 +13,12 @@
 
 namespace pseudorigid::scene {
 
+/// The catalogue of the scene. If it is not set, the result is the empty catalogue.
 inline const Catalogue& catalogue_of(const Scene& scene) {
   return scene.catalogue ? *scene.catalogue : empty_catalogue;
 }
 
-/// A scene with the default values and the given catalogue.
+/// A scene with the default values and the given catalogue, which must outlive the scene.
 inline Scene default_scene(const Catalogue& catalogue) {
   Scene scene;
   scene.catalogue = &catalogue;
@@ -314,7 +315,8 @@ void visit_sweep(S& scene, Visit& visit) {
               "row is that of a single run, bit by bit."});
 }
 
-/// Visits the entries of all systems of the catalogue.
+/// Visits the entries of all systems of the catalogue. Their values are texts. In a scene that is not const, missing
+/// values are first set to their defaults.
 template <SceneOrConst S, class Visit>
 void visit_systems(S& scene, Visit& visit) {
   for (const SystemDescription& system : catalogue_of(scene).systems)
@@ -329,7 +331,7 @@ void visit_systems(S& scene, Visit& visit) {
     }
 }
 
-/// Calls visit(member, kind, About) for every entry, in the order of a parameter file.
+/// Calls visit(member, kind, About) for every entry, in the order in which used.prm lists the entries.
 template <SceneOrConst S, class Visit>
 void visit_entries(S& scene, Visit&& visit) {
   visit_problem(scene, visit);

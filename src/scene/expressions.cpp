@@ -18,8 +18,8 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// End of the message for an unknown name: the nearest parameter, if there is one, and the list of all parameters. If
-/// the sweep does not declare parameters, the text states this instead.
+/// End of the message for an unknown name. It has a parameter with a similar name, if there is one, and the list of all
+/// parameters. If the sweep does not declare parameters, the text states this instead.
 std::string what_is_known(std::string_view name, const ParameterValues& parameters) {
   std::vector<std::string_view> names;
   for (const auto& [parameter, value] : parameters) names.push_back(parameter);
@@ -37,6 +37,7 @@ mu::Parser& cleared_parser() {
   return parser;
 }
 
+/// Throws UserError with the expression and the error of muParser.
 [[noreturn]] void refuse(const std::string& expression, const mu::Parser::exception_type& error,
                          const ParameterValues& parameters) {
   const std::string token(trimmed(error.GetToken()));
@@ -46,6 +47,8 @@ mu::Parser& cleared_parser() {
   throw UserError(fmt::format("{} cannot be evaluated: {}", quote(expression), trimmed(error.GetMsg())));
 }
 
+/// The value of an expression, without `$(` and `)`. Throws UserError if it cannot be evaluated, is a list or is not
+/// finite.
 double value_of(const std::string& expression, const ParameterValues& parameters) {
   double value = 0;
   int n_values = 1;
@@ -65,7 +68,7 @@ double value_of(const std::string& expression, const ParameterValues& parameters
 }
 
 /// The text of a value. With Rounding::to_whole, a value that is an integer up to round-off is printed as this integer.
-/// Values of 10¹⁵ and above are not rounded.
+/// Values of absolute value 10¹⁵ and above are not rounded.
 std::string printed(double value, Rounding rounding) {
   const double whole = std::round(value);
   const bool is_whole = std::abs(value - whole) <= 8 * std::numeric_limits<double>::epsilon() * std::abs(whole);

@@ -16,7 +16,8 @@ namespace pseudorigid::scene {
 
 inline bool has_expression(std::string_view text) { return text.find("$(") != std::string_view::npos; }
 
-/// Rounding of the printed value of an expression.
+/// Rounding of the printed value of an expression. Entries for integers need `to_whole`, because the value of an
+/// expression has round-off.
 enum class Rounding {
   none,
   to_whole,  ///< prints an integer if the value is an integer up to round-off
@@ -24,7 +25,7 @@ enum class Rounding {
 
 /// The text, in which every `$(…)` is replaced by its value for the given parameters. Without rounding, the printed
 /// value reads back as the same double. Throws UserError if an expression cannot be evaluated, is a list or is not
-/// finite. The message does not contain the origin of the text.
+/// finite. The caller adds the origin of the text to the message.
 std::string evaluated(std::string_view text, const ParameterValues& parameters, Rounding rounding = Rounding::none);
 
 /// The names of the parameters in the expressions of a text. Unknown names, which `evaluated` refuses, are included.

@@ -16,7 +16,7 @@ constexpr double isochoric_tolerance = 1e-8;
 constexpr const char* deformation_path = "Initial state/Deformation";
 constexpr const char* velocity_path = "Initial state/Velocity";
 
-/// The trace tr(Q⁻¹Q̇) = Q⁻ᵀ : Q̇, and a bound of its round-off.
+/// The trace tr(Q⁻¹Q̇) = Q⁻ᵀ : Q̇ of the initial motion, and a bound of its round-off.
 struct Divergence {
   double value, round_off_bound;
 };

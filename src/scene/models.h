@@ -15,11 +15,12 @@
 
 namespace pseudorigid::scene {
 
+/// Whether the entry Models of the scene contains the model.
 inline bool names(const Scene& scene, const ModelDescription& model) {
   return std::ranges::find(scene.models, model.name) != scene.models.end();
 }
 
-/// Whether the model offers the analysis.
+/// Whether the model offers the analysis. Only systems other than the ball offer manifolds and sections.
 inline bool offers(const ModelDescription& model, Analysis analysis) {
   switch (analysis) {
     case Analysis::motion:
@@ -45,19 +46,19 @@ inline std::vector<const ModelDescription*> models_of(const Scene& scene) {
   return models;
 }
 
-/// Whether a model of the scene has finite elements.
+/// Whether a model of the scene has finite elements, and therefore a mesh.
 inline bool is_discretized(const Scene& scene) {
   return std::ranges::any_of(models_of(scene), &ModelDescription::discretized);
 }
 
-/// The highest degree of a tide that the finite elements of the scene resolve. It is k 2^r for degree k and r
-/// refinements, with k = 1 and r = 0 if the scene does not set them.
+/// The highest degree of a tide that the finite elements of the scene resolve. It is k 2^r for the degree k and r
+/// refinements. If the scene does not set one of them, the least value k = 1 or r = 0 is used.
 inline int resolved_degree(const Scene& scene) {
   return scene.continuum.degree.value_or(1) << scene.continuum.refinements.value_or(0);
 }
 
 /// The degrees of the tides for which Analysis = love numbers writes Love numbers. If the scene does not list them,
-/// they are 2 to 8, or fewer if the finite elements do not resolve these degrees.
+/// they are 2 to 8, or 2 to resolved_degree if this is less. Degree 2 is always included.
 inline std::vector<int> love_degrees(const Scene& scene) {
   if (!scene.love.degrees.empty()) return scene.love.degrees;
   constexpr int last = 8;
@@ -72,7 +73,7 @@ inline bool has_nonaffine(const Scene& scene) {
   return std::ranges::any_of(models_of(scene), &ModelDescription::has_nonaffine);
 }
 
-/// The names of the models of the catalogue for which `holds(model)` is true.
+/// The names of the models of the catalogue, not only of the scene, for which `holds(model)` is true.
 template <class Predicate>
 std::vector<std::string_view> names_where(const Scene& scene, Predicate&& holds) {
   std::vector<std::string_view> found;

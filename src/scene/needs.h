@@ -17,24 +17,27 @@ struct Needs {
   std::vector<const ModelDescription*> models;  ///< models of the ball in the order of their runs
   bool discretized = false;                     ///< whether a model needs a mesh, deal.II, MPI and PETSc
   bool constraint = false;                      ///< whether the body has the constraint det = 1
-  bool pressure_space = false;    ///< whether a model with motions other than x = QX needs a pressure space
+  bool pressure_space = false;    ///< whether the body is incompressible and a model has motions other than x = QX
   bool comparison = false;        ///< whether the runs of the models are compared with the last run
   bool companion = false;         ///< whether a companion run estimates the error in space of the last model
   bool quadrature_error = false;  ///< whether the error of Q by the quadrature of polynomial bodies is estimated
   bool contact = false;           ///< whether the body may touch rigid planes
   bool orbit = false;             ///< whether the body has companions
-  bool surface_watch = false;     ///< whether the surface of the finite-element model is checked for Biot's limit
-  bool graphics = false;          ///< whether files for ParaView are written
-  bool report = false;            ///< whether report.html is written
-  Quantities quantities;          ///< the observables to evaluate
-  Sector sector;                  ///< sector of the models with motions other than x = QX
-  std::vector<std::string> needed, skipped;         ///< lines for the user
-  std::vector<std::string> expected;                ///< lines about errors that are known before the run
-  std::vector<std::string> warnings;                ///< sentences about valid input that is seldom intended
-  std::optional<std::pair<double, double>> gammas;  ///< least and largest γ = ρgr/μ in a sweep; empty: one run
+  /// Whether the compression of the surface of finite elements is compared with Biot's limit, at which it wrinkles.
+  bool surface_watch = false;
+  bool graphics = false;                     ///< whether files for ParaView are written
+  bool report = false;                       ///< whether report.html is written
+  Quantities quantities;                     ///< the observables to evaluate
+  Sector sector;                             ///< sector of the models with motions other than x = QX
+  std::vector<std::string> needed, skipped;  ///< lines about needed and skipped parts, for the user
+  std::vector<std::string> expected;         ///< lines about errors that are known before the run
+  std::vector<std::string> warnings;         ///< sentences about valid input that is seldom intended
+  /// Least and largest γ (scene/scale_numbers.h) in a sweep; empty: one run.
+  std::optional<std::pair<double, double>> gammas;
 };
 
-/// The needs of a scene that scene::validate has returned.
+/// The needs of a scene that scene::validate has returned. The members `expected` and `gammas` remain empty; callers
+/// set them.
 Needs needs(const Scene& scene);
 
 /// One line of text: the analysis, the body or system, and the end time of a motion or section.

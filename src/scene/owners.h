@@ -1,5 +1,5 @@
 #pragma once
-/// The system to which an entry belongs.
+/// The system to which an entry belongs. A scene must not set entries of another system.
 
 #include <string_view>
 

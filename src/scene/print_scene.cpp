@@ -11,7 +11,7 @@
 namespace pseudorigid::scene {
 namespace {
 
-constexpr std::size_t comment_width = 100;
+constexpr std::size_t comment_width = 100;  // characters of a line of documentation, without "# " and indentation
 
 struct Name {
   std::string_view section, entry;
@@ -24,7 +24,7 @@ Name split(std::string_view path) {
 }
 
 /// Writes `set` lines. Closes and opens subsections if the section of an entry differs from the section before. Muted
-/// entries are written as comments.
+/// entries are written as comments. They are the entries without effect for the system of the scene.
 class PrmWriter {
  public:
   void comment(std::string_view text) { text_ += fmt::format("{}# {}\n", indent(), text); }

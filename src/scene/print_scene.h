@@ -11,7 +11,7 @@
 namespace pseudorigid::scene {
 
 /// A parameter file with all entries that concern the system of the scene. The program reads this file as exactly the
-/// same scene. Comments mark the entries that the command line sets.
+/// same scene. Comments mark the entries that `origins` attributes to the command line.
 std::string to_prm(const Scene& scene, const Origins& origins = {});
 
 /// The path of an entry and its value in a run. The value has the canonical form of the kind of the entry.

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_file = 1 << 20;
 constexpr int most_includes = 100;
 
+/// True for control characters other than white space, which occur in binary files.
 bool is_binary(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return std::iscntrl(byte) && !std::isspace(byte);
@@ -76,7 +77,8 @@ class PrmReader {
  public:
   explicit PrmReader(const StatementHandler& handle) : handle_(handle) {}
 
-  /// Joins continued lines and reads each line. A text must close the subsections that it opens, and no others.
+  /// Joins continued lines and handles each statement. Throws UserError if the text does not close a subsection that it
+  /// opens, or closes another one.
   void read_text(std::string_view text, const fs::path& file) {
     std::error_code ignored;
     files_.push_back({file, fs::weakly_canonical(file, ignored), 0});

@@ -6,17 +6,18 @@
 ///     include FILE
 ///     a backslash at the end of a line joins the next line to it, without the leading blanks
 ///
-/// White space around names and values is removed, and tabs count as blanks. A test compares the reader with the
-/// installed ParameterHandler. There are deliberate differences:
+/// White space around names and values is removed, and tabs count as blanks. The test tests/scene/prm_oracle_test.cpp
+/// compares the reader with the installed ParameterHandler. The reader differs from ParameterHandler on purpose in the
+/// following points.
 ///
 /// Several blanks inside a name count as one. The documentation of deal.II states the same, but its parser keeps them.
 /// The file of `include` is searched in the folder of the including file, not in the working directory.
 ///
-/// The following inputs are errors: a file that includes itself, a name that contains `/`, control characters (binary
-/// data), a file above 1 MiB, and more than 100 included files. The character `/` joins subsection and entry in
-/// messages and in `--set`. Another error is a statement on a line that a backslash joins to the line before, because
-/// the statement would have no effect. `include` accepts regular files only, because a pipe cannot be read twice. A
-/// UTF-8 byte order mark at the start of a file is skipped.
+/// The reader refuses control characters, which occur in binary files, and a file above 1 MiB. It refuses a file that
+/// includes itself, more than 100 included files, and a name that contains `/`. The character `/` joins subsection and
+/// entry in messages and in `--set`. The reader refuses a statement on a line that a backslash joins to the line
+/// before, because the statement would have no effect. `include` accepts regular files only, because a pipe cannot be
+/// read twice. A UTF-8 byte order mark at the start of a file is skipped.
 
 #include <filesystem>
 #include <functional>

@@ -30,6 +30,8 @@ std::vector<std::string_view> known_paths(const Scene& scene, bool sections) {
   return paths;
 }
 
+/// Throws UserError if no subsection of this name is known. The message mentions a missing `end` if a known subsection
+/// begins inside another one.
 void check_subsection(const Statement& statement, const Scene& scene) {
   const std::vector<std::string_view> sections = known_paths(scene, true);
   if (std::find(sections.begin(), sections.end(), statement.path) != sections.end()) return;
@@ -66,6 +68,8 @@ void warn_of_repetition(const Statement& statement, ReadScene& read) {
                                         statement.path, before.substr(statement.file.size() + 1)));
 }
 
+/// Sets the entry of the statement and records its origin. Throws UserError if the entry is unknown or the value is
+/// wrong.
 void set_entry(const Statement& statement, ReadScene& read) {
   warn_of_repetition(statement, read);
   bool known = false;
@@ -75,8 +79,8 @@ void set_entry(const Statement& statement, ReadScene& read) {
     read.scene.expressions.erase(statement.path);
     const bool may_have_expression =
         kind.type != Text::type && kind.type != BuiltinOrMeshFile::type && about.path != "Sweep/Parameters";
-    if (may_have_expression &&
-        has_expression(*statement.value)) {  // evaluated after the parameters of the sweep are read
+    // The function with_parameters evaluates an expression after the parameters of the sweep have been read.
+    if (may_have_expression && has_expression(*statement.value)) {
       read.scene.expressions[statement.path] = *statement.value;
       read.origins.record(statement.path, statement.where());
       return;
@@ -102,6 +106,7 @@ void check_fits_file(const Statement& statement) {
                                 statement.path, got(*statement.value)));
 }
 
+/// The statement of an argument "Section/Entry=value" of --set. Throws UserError if the text has another form.
 Statement override_statement(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos)

@@ -21,8 +21,10 @@ class Origins {
 
   void record(const std::string& path, std::string where) { where_[path] = std::move(where); }
 
-  /// Returns "scene.prm:12" or "--set". For an entry with its default value, returns the name of the file.
+  /// Returns the origin of the value of an entry, for example "scene.prm:12" or "--set". For an entry with its default
+  /// value, returns the name of the file.
   std::string of(const std::string& path) const;
+  /// True if --set sets the entry.
   bool is_override(const std::string& path) const;
   /// The origins of all entries that the file or an override sets, path → origin.
   const std::map<std::string, std::string>& all() const { return where_; }
@@ -32,6 +34,7 @@ class Origins {
   std::map<std::string, std::string> where_;
 };
 
+/// The result of read_scene.
 struct ReadScene {
   Scene scene;
   Origins origins;
@@ -40,13 +43,14 @@ struct ReadScene {
 };
 
 /// Reads the file and then the overrides ("Section/Entry=value"). If an entry has several values, the last one is used.
-/// Entries with expressions have their values in the first run. Throws UserError if a file cannot be read, a name is
-/// unknown, or a value is wrong or out of range. The message is one sentence that begins with file:line or --set. The
-/// catalogue must outlive the scene.
+/// In the result, an entry with an expression has its value in the first run of the sweep. Throws UserError if a file
+/// cannot be read, a name is unknown, or a value is wrong or out of range. The message is one sentence that begins with
+/// file:line or --set. The catalogue must outlive the scene.
 ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                      const Catalogue& catalogue);
 
-/// The scene with the values of its expressions for the given parameters. Throws UserError as read_scene does.
+/// The scene with the values of its expressions for the given parameters. Throws UserError if an expression cannot be
+/// evaluated, or if its value is wrong or out of range. The message begins with the origin of the entry.
 Scene with_parameters(Scene scene, const ParameterValues& parameters, const Origins& origins = {});
 
 }  // namespace pseudorigid::scene

@@ -15,8 +15,8 @@ namespace {
 
 struct ScaleNumbers {
   bool is_fluid = false, moves = false;
-  double c = 1, time = 1;  ///< √(μ/ρ) and r/c; for a fluid with the unit of time t: r/t and t
-  double duration = 0, gamma = 0, spin = 0, speed = 0;  ///< Time/End, γ, ω²r²/c², v/c
+  double c = 1, time = 1;                               ///< √(μ/ρ) and r/c; for a fluid r/t and t
+  double duration = 0, gamma = 0, spin = 0, speed = 0;  ///< Time/End in the unit `time`, γ, ω²r²/c², v/c
 };
 
 /// The dimensionless numbers of a scene. For a fluid, γ is infinite, and the member `gamma` is 0.

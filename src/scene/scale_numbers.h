@@ -4,8 +4,9 @@
 ///   c = √(μ/ρ),   Time/End in r/c,   γ = ρgr/μ with g = (4/3)πGρr,   ω²r²/c²,   v/c
 ///
 /// with the shear modulus μ, the density ρ, the radius r and the constant of gravity G. The spin ω is the axial vector
-/// of Q̇₀Q₀⁻¹. The largest initial speed of the ball relative to the centre of mass is v. A fluid has μ = 0. For a
-/// fluid, the unit of time t of scene/scales.h replaces r/c, and γ is omitted.
+/// of the antisymmetric part of Q̇₀Q₀⁻¹. The speed v = r|Q̇₀|₂ is the largest initial speed of a point of the ball
+/// relative to the centre of mass. A fluid has μ = 0. For a fluid, the unit of time t of scene/scales.h replaces r/c,
+/// and γ is omitted.
 
 #include <string>
 #include <vector>
@@ -14,15 +15,15 @@
 
 namespace pseudorigid::scene {
 
-/// γ of a scene of the ball; 0 for a fluid.
+/// γ of a scene of the ball. It is 0 without self-gravity, and for a fluid.
 double gamma_of(const Scene& scene);
 
 /// Lines of text about the scales and numbers. The first line contains c and r/c, or the unit of time of a fluid. A
 /// line follows for each number that applies to the scene and is not zero.
 std::vector<std::string> scale_lines(const Scene& scene);
 
-/// One sentence for each number that is so large or so small that a unit is probably wrong. A fluid has no such
-/// warnings.
+/// One sentence for each number that is so large or so small that a unit is probably wrong. The checked numbers are
+/// Time/End, v/c and γ. A fluid has no such warnings.
 std::vector<std::string> unit_warnings(const Scene& scene);
 
 }  // namespace pseudorigid::scene

@@ -4,9 +4,10 @@
 ///   1/t² = μ/(ρr²) + πGρ
 ///
 /// with the shear modulus μ, the density ρ, the radius r and the constant of gravity G. Without self-gravity, t = r/c
-/// with c = √(μ/ρ). For a fluid, μ = 0, and t is the free-fall time. If a fluid or a body with self-gravity has loads
-/// whose rate exceeds 1/t, the unit is the reciprocal of this rate. For a fluid without gravity and loads, the unit is
-/// the reciprocal of the largest entry of the initial velocity Q̇₀. If Q̇₀ is also zero, the unit is Time/End.
+/// with c = √(μ/ρ). For a fluid, μ = 0, and t = 1/√(πGρ) is about the free-fall time. If a fluid or a body with
+/// self-gravity has loads whose rate (rate_of_loads) exceeds 1/t, the unit is the reciprocal of this rate. For a fluid
+/// without gravity and loads, the unit is the reciprocal of the largest entry of the initial velocity Q̇₀. If Q̇₀ is
+/// also zero, the unit is Time/End.
 
 #include <fmt/format.h>
 
@@ -28,7 +29,8 @@ inline materials::AnyLaw law_of(const Scene& scene) {
 
 inline bool is_fluid(const Scene& scene) { return materials::is_fluid(law_of(scene)); }
 
-/// Whether the body resists no change of its shape. A body of the law `none` with viscoelastic branches does.
+/// Whether the body does not resist changes of its shape. A body of the law `none` with viscoelastic branches resists
+/// them.
 inline bool is_ideal_fluid(const Scene& scene) {
   return is_fluid(scene) && !loads::present(scene.loads.get<loads::Viscoelasticity>());
 }
@@ -47,7 +49,8 @@ inline bool loads_rise(const Scene& scene) {
   return loads::present(scene.loads.get<loads::Rise>()) && loads::depend_on_time(scene.loads, is_present);
 }
 
-/// The largest rate that a load other than self-gravity would cause in a body without other forces.
+/// The largest rate, in 1/time of the user, that a single load other than self-gravity would cause in a body without
+/// other forces. Viscoelastic branches count as loads. In an incompressible body, a pressure does not count.
 inline double rate_of_loads(const Scene& scene) {
   const double inertia = scene.body.density * scene.body.radius * scene.body.radius;
   double rate = 0;
@@ -62,7 +65,7 @@ inline double rate_of_loads(const Scene& scene) {
   return rate;
 }
 
-/// The unit of time t.
+/// The unit of time t, in the units of the user.
 inline double time_scale(const Scene& scene) {
   const auto& body = scene.body;
   const double gravity = std::numbers::pi * loads::constant_forcing(scene.loads).gravity_constant * body.density;
@@ -75,7 +78,8 @@ inline double time_scale(const Scene& scene) {
   return motion > 0 ? 1 / motion : scene.time.end;
 }
 
-/// Refuses a motion until `end` if it is so long that the round-off of the time is comparable with a unit of time.
+/// Refuses a motion until `end` if `end` exceeds 1e15 `time_unit`. The round-off of the time would then be comparable
+/// with the unit.
 inline std::optional<Refusal> refuses_duration(double end, double time_unit) {
   const double longest = 1e15 * time_unit;
   if (end <= longest) return {};

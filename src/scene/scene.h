@@ -36,20 +36,21 @@ enum class Family {
   at_rest
 };
 enum class Graphics { none, vtu };
-/// The cells of a picture (io/block_cells.h).
+/// The cells of a picture. With `linear`, an element of degree k is divided into k³ hexahedra; with `lagrange`, it is
+/// one cell (io/block_cells.h).
 enum class Cells { linear, lagrange };
-/// The way in which the discretisation error of the finite-element model is estimated. With `none`, the error is not
-/// estimated.
+/// The estimate of the discretisation error of the finite-element model in a comparison. With `automatic`, a companion
+/// run on another discretisation estimates the error. With `none`, there is no companion run.
 enum class ErrorEstimate { none, automatic };
 
 /// The symmetry planes that bound the computed sector. With `automatic`, the program derives them from the scene. The
 /// letters x, y, z are the normals of the planes. The value `octant` has all three planes, and `none` is the full ball.
 enum class Symmetry { automatic, none, x, y, z, xy, xz, yz, octant };
 
-/// Groups of columns of the CSV files. Every file of a motion also has the column `time`.
+/// Selected groups of columns of the CSV files of a motion. Every such file also has the column `time`.
 using mechanics::Quantities;
 
-/// Groups of fields of a picture (io/body_picture.h).
+/// Selected groups of fields of a picture. io/body_picture.h defines the fields.
 struct Fields {
   bool displacement = true;  ///< displacement with and without the rotation, and reference coordinates
   bool velocity = true;
@@ -76,16 +77,16 @@ struct Scene {
     double radius = 1, density = 1;
     bool incompressible = true;
     std::vector<double> semi_axes{1, 1, 1};  ///< semi-axes of the reference body, in radii
-    std::optional<Matrix3> inertia;          ///< E₀; empty: matrix of the ellipsoid
+    std::optional<Matrix3> inertia;          ///< second moment E₀ = ∫ρXXᵀ dV; empty: that of the ellipsoid
   } body;
   struct Material : materials::LawParameters {
     std::string law{materials::law_table[0].name};
   } material;
-  loads::Loads loads;  ///< the entries of the loads are in src/loads/
+  loads::Loads loads;  ///< the headers in src/loads/ define the entries of the loads
   double gamma = 0;    ///< γ of Gravity/Gamma, from which validate() sets the constant of gravity; 0: not given
   struct InitialState {
-    Matrix3 deformation = identity3;  ///< Q₀
-    Matrix3 velocity{};               ///< Q̇₀
+    Matrix3 deformation = identity3;  ///< Q₀, with which the ball starts as x = Q₀X
+    Matrix3 velocity{};               ///< Q̇₀, with which the ball starts with the velocity Q̇₀X
     Family equilibrium = Family::none;
     double equilibrium_parameter = 0.5;
     std::vector<double> center{0, 0, 0}, center_velocity{0, 0, 0};
@@ -100,7 +101,7 @@ struct Scene {
     int number = 8;
   } modes;
   struct Love {
-    std::vector<int> degrees;  ///< increasing; empty: auto (love_degrees in scene/models.h)
+    std::vector<int> degrees;  ///< increasing; empty: those of love_degrees (scene/models.h)
   } love;
   struct Manifolds {
     int starts = 24;
@@ -108,33 +109,35 @@ struct Scene {
   struct Section {
     std::string column;
     double value = 0;
-    double period = 0;  ///< period of the column; 0: none
+    double period = 0;  ///< the values `value` + k `period` with an integer k count as well; 0: only `value`
     Crossings crossings = Crossings::up;
   } section;
   struct Time {
-    double end = 10;                ///< negative: backwards in time
-    std::optional<double> step;     ///< empty: auto
+    double end = 10;                ///< the end time; negative for a run backwards in time
+    std::optional<double> step;     ///< upper bound of the step; empty: a step found from the tolerance
     std::string method{automatic};  ///< "auto" or the name of a method of the catalogue
     double tolerance = 1e-6;
-    std::optional<double> constraint_tolerance{};  ///< empty: auto (app/run/model_stepping.h)
+    std::optional<double> constraint_tolerance{};  ///< empty: the automatic value of app/run/model_stepping.h
   } time;
   struct Polynomial {
-    std::vector<int> degrees{5};  ///< increasing; empty: auto
+    std::vector<int> degrees{5};  ///< increasing; empty: degrees found from the tolerance
     double tolerance = 1e-3;
-    std::optional<int> gravity_points;     ///< empty: auto (polynomial/body_gravity.h)
-    std::optional<int> quadrature_points;  ///< empty: auto (app/polynomial/run_quadrature.h)
-    std::optional<int> contact_points;     ///< empty: auto (polynomial/body_contact.h)
+    std::optional<int> gravity_points;     ///< empty: the automatic value of polynomial/body_gravity.h
+    std::optional<int> quadrature_points;  ///< empty: the automatic value of app/polynomial/run_quadrature.h
+    std::optional<int> contact_points;     ///< empty: the automatic value of polynomial/body_contact.h
   } polynomial;
   struct Continuum {
-    std::optional<int> degree = 4, refinements = 0;  ///< empty: auto
+    std::optional<int> degree = 4, refinements = 0;  ///< empty: a number found from the tolerance
     double tolerance = 1e-3;
     ErrorEstimate error_estimate = ErrorEstimate::automatic;
-    std::optional<int> gravity_points;           ///< empty: auto (continuum/body/surface_gravity_forces.h)
-    std::optional<double> volumetric_stiffness;  ///< empty: auto (scene/stabilization.h)
+    /// Empty: the automatic value of continuum/body/surface_gravity_forces.h.
+    std::optional<int> gravity_points;
+    std::optional<double> volumetric_stiffness;  ///< empty: the automatic value of scene/stabilization.h
     std::string mesh{builtin_mesh};              ///< "builtin" or an absolute path
     Symmetry symmetry = Symmetry::automatic;
-    std::optional<int> contact_points;  ///< empty: auto (continuum/body/contact_forces.h)
-    double grading = 1;                 ///< factor of the cell size at two poles (continuum/mesh/ball_mesh.h); 1: none
+    std::optional<int> contact_points;  ///< empty: the automatic value of continuum/body/contact_forces.h
+    /// Cell size at two poles, compared with an ungraded mesh (continuum/mesh/ball_mesh.h).
+    double grading = 1;
   } continuum;
   struct Output {
     std::string directory = "output";
@@ -162,10 +165,10 @@ inline bool finds_static_equilibria(const Scene& scene) {
   return scene.analysis == Analysis::equilibrium && scene.equilibria.family == Family::at_rest;
 }
 
-/// Largest degree of Love numbers.
+/// The largest degree of a tide that Love numbers/Degrees accepts.
 inline constexpr int largest_love_degree = 24;
 
-/// True if the analysis computes small displacements about rest.
+/// True if the analysis computes small displacements about rest: modes and Love numbers.
 inline bool is_linear(Analysis analysis) { return analysis == Analysis::modes || analysis == Analysis::love_numbers; }
 
 inline bool has_mesh_file(const Scene& scene) { return scene.continuum.mesh != builtin_mesh; }

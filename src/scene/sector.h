@@ -1,10 +1,10 @@
 #pragma once
-/// The sector of the ball that has to be computed. A motion x = x_c + Q(t) X + … can have the coordinate plane with
-/// normal e_i as a symmetry plane. The condition is that the initial state and the loads are invariant under the
-/// reflection S_i = Id − 2 e_i e_iᵀ. A matrix A (the initial Q₀ and Q̇₀, the inertia E₀ or a matrix of a load) must
-/// satisfy S_i A S_i = A. Its entries (i,j) and (j,i) with j ≠ i must therefore be zero. A vector a (centre of mass,
-/// its velocity or a vector of a load) must satisfy S_i a = a, that is a_i = 0. A load can replace these conditions on
-/// its entries by a function `breaks_plane`.
+/// The sector of the ball that has to be computed. A motion x = x_c + Q(t) X + … with the centre of mass x_c can have a
+/// coordinate plane as a symmetry plane. The reflection at the plane with normal e_i is S_i = Id − 2 e_i e_iᵀ. The
+/// condition is that the initial state and the loads are invariant under S_i. A matrix A (the initial Q₀ and Q̇₀, the
+/// inertia E₀ or a matrix of a load) must satisfy S_i A S_i = A. Its entries (i,j) and (j,i) with j ≠ i must therefore
+/// be zero. A vector a (centre of mass, its velocity or a vector of a load) must satisfy S_i a = a, that is a_i = 0. A
+/// load can replace these conditions on its entries by a function `breaks_plane`.
 
 #include <array>
 #include <optional>
@@ -31,18 +31,19 @@ inline constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 /// planes.
 std::array<bool, 3> planes_of(Symmetry symmetry);
 
-/// Describes the first entry of the initial state, Body/Inertia or the loads that breaks the symmetry about the plane
-/// with normal e_i. An example is "entry (1,2) of Initial state/Velocity is 0.5 and not 0". The result is empty if the
-/// motion has this symmetry.
+/// Describes the first entry of the initial state, Body/Inertia or the loads that breaks the symmetry about a plane.
+/// The plane has the normal e_i, with i = 0, 1, 2 for x, y, z. An example is "entry (1,2) of Initial state/Velocity is
+/// 0.5 and not 0". The result is empty if the motion has this symmetry.
 std::optional<std::string> breaks_plane(const Scene& scene, int i);
 
 /// Whether all matrices of the scene are invariant under the three reflections S_i. Without contact, Q is then diagonal
 /// at all times. Rigid planes are not checked. Vectors are not checked either, because they affect the centre of mass
-/// but not Q.
+/// but not Q. The same holds for loads with a function `breaks_plane`.
 bool keeps_diagonal(const Scene& scene);
 
-/// The sector of the scene. It is the sector that the scene sets, or the smallest one that the initial state and the
-/// loads admit. With a mesh from a file it is the whole body.
+/// The sector of the scene. It is the sector that Continuum/Symmetry sets, or with `auto` the smallest one that the
+/// initial state and the loads admit. A sector that the scene sets is not checked here. With a mesh from a file it is
+/// the whole body.
 Sector sector(const Scene& scene);
 
 }  // namespace pseudorigid::scene

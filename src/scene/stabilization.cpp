@@ -11,7 +11,8 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// The eigenvalues of the tidal matrix of the scene, in increasing order.
+/// The eigenvalues of the tidal matrix of the scene in 1/time², in increasing order. A rising load counts with its full
+/// value.
 Eigen::Vector3d rates_of_confinement(const Scene& scene) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(loads::full_forcing(scene.loads).quadratic,
                                                         Eigen::EigenvaluesOnly)

@@ -6,36 +6,37 @@
 ///
 /// The first term is the pressure at the centre of a ball of radius r and density ρ at rest under its own gravity. The
 /// second term is the pressure under the potential ½t|x|² per mass. Here t is the largest eigenvalue of the tidal
-/// matrix if all eigenvalues are positive, and 0 otherwise.
+/// matrix (Loads/Tidal matrix, in 1/time²) if all eigenvalues are positive, and 0 otherwise.
 ///
 /// The third term is only for motions of finite elements with an elastic law. With the rate D = sym(Q̇₀Q₀⁻¹), the
 /// energy density of deformation at the start, in units of the shear modulus μ at rest, is
 ///
 ///   e = [W(Q₀) − W(Id)]/μ + ρ r² |D Q₀|²/(10 μ).
 ///
-/// The start is violent if e > 0.06, and then κ_v = 3μ; otherwise κ_v = 0. The release with a = 0.3 c/r and the
-/// velocity diag(a, a, −2a)x has e = 0.054. The threshold is just above this value, so that the release does not become
-/// more expensive.
+/// The start is violent if e > 0.06, and then κ_v = 3μ; otherwise κ_v = 0. The release with the velocity diag(a, a,
+/// −2a)x, a = 0.3 c/r and the speed of shear waves c has e = 0.054. The threshold is just above this value, so that the
+/// release does not become more expensive.
 ///
 /// The value κ_v = 3μ was measured for a neo-Hookean ball and unrefined elements, with κ/μ = 0, 1, 3, 10 and 30. The
-/// error of Q is relative to elements of degree 8 with κ = 0. Releases from the stretches 1.2 and 1.35 were computed.
-/// For degree 4, κ = 3μ divides the error by 2.2 and 3.2 until the time 5 r/c, and by 1.7 and 1.4 until 10 r/c. For
-/// degree 5, it divides the error by 1.2 and 1.2, and by 1.5 and 0.9. No other κ is better for all of these. The least
-/// det F of degree 4 rises from 0.80 and 0.68 to 0.92 and 0.77. The number of evaluations of the force, including pilot
-/// runs, changes by −17 to +3 %.
+/// error of Q is relative to elements of degree 8 with κ = 0. Releases from the stretches 1.2 and 1.35 were computed,
+/// and the pairs of numbers below are for these two. For degree 4, κ = 3μ divides the error by 2.2 and 3.2 until the
+/// time 5 r/c. Until 10 r/c it divides the error by 1.7 and 1.4. For degree 5, the divisors are 1.2 and 1.2 until 5
+/// r/c, and 1.5 and 0.9 until 10 r/c. No other κ is better for all of these. The least det F of degree 4 rises from
+/// 0.80 and 0.68 to 0.92 and 0.77. The number of evaluations of the force, including pilot runs, changes by −17 to +3
+/// %.
 
 #include "scene/scene.h"
 
 namespace pseudorigid::scene {
 
-/// Whether all eigenvalues of the tidal matrix are positive. This load then confines the body without other forces.
+/// Whether all eigenvalues of the tidal matrix are positive. The tidal load alone then keeps the body together.
 bool is_confined(const Scene& scene);
 
-/// The stiffness κ that the scene sets, or κ without κ_v; 0 for a compressible body. The value 0 means that the stored
-/// energy has no volumetric term.
+/// The stiffness κ that the scene sets, or else κ without κ_v; 0 for a compressible body. Models other than finite
+/// elements use this value. If it is 0, the stored energy has no volumetric term.
 double volumetric_stiffness(const Scene& scene);
 
-/// The energy density e of the deformation at the start; 0 for a fluid.
+/// The energy density e of the deformation at the start, in units of μ; 0 for a fluid.
 double violence_of_start(const Scene& scene);
 
 /// The stiffness κ of finite elements. It includes κ_v if the scene does not set κ and the motion starts violently.

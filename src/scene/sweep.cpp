@@ -14,12 +14,14 @@
 namespace pseudorigid::scene {
 namespace {
 
+/// True for letters, digits and underscores that do not begin with a digit.
 bool is_name(std::string_view text) {
   return !text.empty() && !std::isdigit(static_cast<unsigned char>(text.front())) &&
          std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
 }
 
-/// Reads the words after "in", such as "n", "n logarithmic", "n latin 7" or "n logarithmic latin 7".
+/// Reads the words after "in", such as "5", "5 logarithmic", "5 latin 7" or "5 logarithmic latin 7". Returns the error,
+/// or nothing.
 Problem read_number_of_values(std::string_view text, SweepParameter& parameter) {
   std::vector<std::string_view> words;
   for (const std::string_view word : parts_of(text, ' '))
@@ -44,7 +46,7 @@ Problem read_number_of_values(std::string_view text, SweepParameter& parameter) 
   return std::nullopt;
 }
 
-/// Reads "first .. last in n …" or "value, value".
+/// Reads "first .. last in n …" or "value, value". Returns the error, or nothing.
 Problem read_values(std::string_view text, SweepParameter& parameter) {
   const auto dots = text.find("..");
   if (dots == std::string_view::npos) return Numbers{}.read(text, parameter.values);
@@ -88,6 +90,7 @@ int permuted(int j, int n, std::uint64_t key) {
   return static_cast<int>(x);
 }
 
+/// The value at the fraction `part` of the way from the first to the last value of a range, from 0 to 1.
 double at(const SweepParameter& p, double part) {
   const double first = p.values[0], last = p.values[1];
   return p.logarithmic ? first * std::pow(last / first, part) : first + (last - first) * part;

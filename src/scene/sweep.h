@@ -26,12 +26,12 @@ namespace pseudorigid::scene {
 struct SweepParameter {
   std::string name;
   std::vector<double> values;           ///< values of a list, or ends of a range
-  std::optional<int> n_values{};        ///< number of values of a range
+  std::optional<int> n_values{};        ///< number of values of a range; empty for a list
   bool logarithmic = false;             ///< whether a range is logarithmic
-  std::optional<std::uint32_t> seed{};  ///< seed of a parameter of a Latin hypercube
+  std::optional<std::uint32_t> seed{};  ///< seed of a parameter with `latin`; empty for other parameters
 
   int size() const { return n_values ? *n_values : static_cast<int>(values.size()); }
-  /// Value i of a parameter that does not have `latin`.
+  /// Value i = 0 … size() − 1 of a parameter without `latin`.
   double operator[](int i) const;
 };
 
@@ -45,13 +45,13 @@ inline constexpr int largest_number_of_runs = 10'000'000;
 struct SweepPart {
   int part = 1, n_parts = 1;
 };
-/// Returns the first run of the part and the run after its last run, of the runs 0 … n_runs − 1.
+/// Returns the first run of the part and the run after its last run. The runs of the sweep are 0 … n_runs − 1.
 std::pair<int, int> runs_of_part(const SweepPart& part, int n_runs);
 
 /// The number of values of each parameter with `latin`, or 1 if there is none.
 int n_latin(const Sweep& sweep);
 /// The number of runs of the sweep, or 0 without parameters. A number above 2·largest_number_of_runs is reduced to this
-/// bound.
+/// bound, which avoids an overflow.
 int n_runs(const Sweep& sweep);
 /// The values of the parameters in run k = 0 … n_runs − 1.
 ParameterValues values_of_run(const Sweep& sweep, int k);
@@ -68,7 +68,7 @@ struct SweepParameters {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The kind of the entry Sweep/Part.
+/// The kind of the entry Sweep/Part, with texts such as "2 of 8".
 struct SweepPartKind {
   static constexpr std::string_view type = "part";
   std::optional<std::string> read(std::string_view text, SweepPart& value) const;

@@ -29,8 +29,8 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Largest semi-axis in radii. The least semi-axis is its reciprocal. The entries of E₀ contain the square of a
-/// semi-axis, at most 10¹².
+/// Largest semi-axis in radii. The least semi-axis is its reciprocal. The entries of E₀ are proportional to squares of
+/// semi-axes. They are therefore at most 10¹² times those of the ball.
 constexpr double largest_axis = 1e6;
 
 /// Largest inertia, stiffness and unit of time in the units of the scene. The least values are the reciprocal of this
@@ -83,8 +83,8 @@ class Validator {
     check_models();
   }
 
-  /// Sets the constant of gravity if the scene gives γ = ρgr/μ: G = 3γμ/(4πρ²r²). Refuses γ of a fluid, and a scene
-  /// that also gives another G.
+  /// Sets the constant of gravity if the scene gives γ = ρgr/μ: G = 3γμ/(4πρ²r²). Refuses γ of a fluid. Refuses a scene
+  /// that also gives another G, but not in a trial.
   void set_constant_of_gravity() {
     if (scene_.gamma == 0) return;
     if (is_fluid(scene_))
@@ -102,6 +102,8 @@ class Validator {
   [[noreturn]] void refuse(const std::string& path, const std::string& sentence) const {
     throw UserError(fmt::format("{}: {}: {}", origins_.of(path), path, sentence));
   }
+  /// Throws UserError with the recommendations of the refusal. In a trial the sentence is empty, because is_accepted
+  /// ignores it.
   [[noreturn]] void refuse(const Refusal& refusal) const {
     const auto accepts = [&](Scene trial) { return is_accepted(std::move(trial), origins_); };
     refuse(refusal.path, purpose_ == Purpose::judge ? sentence_with_advice(refusal, scene_, accepts) : "");
@@ -197,7 +199,7 @@ class Validator {
   }
 
   /// Checks that the units give moderate numbers. The kinetic energy of the body is proportional to ρr⁵, and the
-  /// elastic energy to μr³. The unit of time is also checked.
+  /// elastic energy to μr³. These two numbers and the unit of time must be between 1/largest_unit and largest_unit.
   void check_units() const {
     const double radius = scene_.body.radius, density = scene_.body.density, modulus = scene_.material.shear_modulus;
     const double inertia = density * std::pow(radius, 5), stiffness = modulus * std::pow(radius, 3);
@@ -215,8 +217,8 @@ class Validator {
                print_number(radius), print_number(density), print_number(modulus), 1 / largest_unit, largest_unit));
   }
 
-  /// Refuses parameters of the law that double precision cannot handle: a Lamé λ far above μ, and a tiny limit of
-  /// Gent's law.
+  /// Refuses parameters of the law that double precision cannot handle. They are a Lamé λ above 10¹² μ in a law that
+  /// uses λ, and a limit of Gent's law below 10⁻¹².
   void check_law() const {
     const materials::AnyLaw law = law_of(scene_);
     const double mu = scene_.material.shear_modulus, lambda = scene_.material.lame_lambda;
@@ -234,7 +236,8 @@ class Validator {
                          print_number(1 / largest_condition), print_number(gent_limit)));
   }
 
-  /// Reports errors that single models find in the scene. The other checks have accepted the scene.
+  /// Reports errors that single models find in the scene. The functions of the models assume that the other checks have
+  /// accepted the scene.
   void check_models() const {
     for (const ModelDescription* model : models_of(scene_))
       if (const auto refusal = model->refuses ? model->refuses(scene_) : std::nullopt) refuse(*refusal);
@@ -271,6 +274,7 @@ class Validator {
               {{{"Body/Inertia", "auto"}}}});
   }
 
+  /// The largest absolute value of the numbers of an entry.
   static double largest(double value) { return std::abs(value); }
   static double largest(const std::optional<double>& value) { return std::abs(value.value_or(0)); }
   static double largest(const std::vector<double>& v) {
@@ -289,7 +293,7 @@ class Validator {
                            print_upper_bound(units.to_physical(largest_stretch, unit)), print_number(value)));
     };
     scene_.loads.for_each([&]<class Load>(const Load& load) {
-      // The frequency of an absent tide and the time of a rise are not checked.
+      // The size of the entries of an absent load, such as the frequency of a tide, and of a rise are not checked.
       const bool acts = loads::present(load) && !std::is_same_v<Load, loads::Rise>;
       const auto check = [&]<class Kind>(const auto& member, const Kind& kind, const About& about) {
         if constexpr (requires { kind.symmetric; })

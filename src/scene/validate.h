@@ -6,14 +6,14 @@
 
 namespace pseudorigid::scene {
 
-/// Returns the scene if it is valid, otherwise throws a UserError. The text of the error is the origin and the name of
-/// the entry, and the reason in one sentence. In the returned scene, Gravity/Gamma has set the constant of gravity, and
-/// the initial state of an incompressible body is projected (scene/initial_state.h). The list of models is empty if the
-/// system is not the ball.
+/// Returns the scene if it is valid, otherwise throws a UserError. Its text is the origin and the name of an entry, and
+/// the reason in one sentence. The reason includes recommendations (scene/advice.h). In the returned scene,
+/// Gravity/Gamma has set the constant of gravity, and the initial state of an incompressible body is projected
+/// (scene/initial_state.h). The list of models is empty if the system is not the ball.
 Scene validate(Scene scene, const Origins& origins = {});
 
-/// Whether validate accepts the scene. Recommendations are not made, and Gravity/Gamma replaces any given constant of
-/// gravity.
+/// Whether the checks of validate accept the scene, for trials of recommendations. The function does not compute
+/// recommendations itself. It does not refuse Gravity/Gamma in a scene that has another constant of gravity.
 bool is_accepted(Scene scene, const Origins& origins);
 
 }  // namespace pseudorigid::scene

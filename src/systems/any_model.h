@@ -1,7 +1,8 @@
 #pragma once
-/// The model of any system (system_scene.h) as one type. It contains the initial state, and the equations of motion as
-/// an unconstrained system, a constrained system or a second-order field. Its functions compute the columns, the rate
-/// of change and the coordinates of states.
+/// The model of any system (system_scene.h) as one type, so that methods and outputs are compiled once for all systems.
+/// It contains the initial state, and the equations of motion as an unconstrained system, a constrained system or a
+/// second-order field. Its functions compute the columns, the rate of change and the coordinates of states. All numbers
+/// are in the scales of the scene.
 
 #include <memory>
 #include <stdexcept>
@@ -34,23 +35,28 @@ class AnyModel {
 
   const Form& form() const { return form_; }
   const State& start() const { return start_; }
+  /// Appends the values of the columns, without the time. Fails if the model cannot compute them for this state.
   mechanics::Status row(const State& state, Workspace& workspace, std::vector<double>& row) {
     if (reversed_)
       return held_->row({-state.t, state.q, -state.v},
                         workspace.as<mechanics::ReversedField<mechanics::AnyField>::Workspace>().field, row);
     return held_->row(state, workspace, row);
   }
+  /// The rate of change of the state per unit of time, which limits the step of methods. It is the member `rate` of the
+  /// model, or else |v|/(1 + |q|) with the maximum norm.
   double rate(const State& state) const { return held_->rate(state); }
   /// The potential landscape, which keeps a reference to this model. Throws std::logic_error if the system does not
   /// have a landscape.
   mechanics::AnyLandscape landscape() const { return held_->landscape(); }
+  /// Names and units of the coordinates of the landscape. The list is empty if the system does not have a landscape.
   std::vector<scene::Column> coordinates() const { return held_->coordinates(); }
   /// Returns the model of the same system at rest at the point q of the landscape. Its `start().q` is this point in the
   /// coordinates of the motion.
   AnyModel resting_at(const Eigen::VectorXd& q) const { return held_->resting_at(q); }
 
-  /// Reverses the direction of time, at most once. The equations of motion must be a second-order field. A state (t, q,
-  /// q̇) of the motion is then represented by (−t, q, −q̇), and `row` appends the same columns as before.
+  /// Reverses the direction of time, at most once, for a run backwards in time. The equations of motion must be a
+  /// second-order field. A state (t, q, q̇) of the motion is then represented by (−t, q, −q̇), and `row` appends the
+  /// same columns as before.
   void reverse() {
     form_ = mechanics::AnyField(mechanics::ReversedField(std::get<mechanics::AnyField>(form_)));
     start_.v *= -1;
@@ -59,6 +65,7 @@ class AnyModel {
   bool reversed() const { return reversed_; }
 
  private:
+  /// The functions of a model, for any type of model.
   struct Interface {
     virtual ~Interface() = default;
     virtual mechanics::Status row(const State& state, Workspace& workspace, std::vector<double>& row) = 0;
@@ -99,6 +106,7 @@ class AnyModel {
       }
     }
 
+    /// The state with vectors of the type of the system.
     static Own own(const State& s) {
       using Vector = typename System::Vector;
       return {s.t, mechanics::detail::read_as<Vector>(s.q), mechanics::detail::read_as<Vector>(s.v)};

@@ -15,13 +15,15 @@ struct AnySystemScene {
   /// The description of the system for parameter files. Its function `refuses` returns the error of a scene, if there
   /// is one.
   scene::SystemDescription description;
-  /// The first function returns the units of a scene, and the second returns the model of the scene in these units.
+  /// The function `scales` returns the units of a scene, and `model` returns the model of the scene in these units. The
+  /// scene must be valid.
   Scales (*scales)(const scene::Scene& scene);
   AnyModel (*model)(const scene::Scene& scene);
 };
 
 namespace detail {
 
+/// The model of a system whose entries are in the scales of the scene.
 template <class SystemScene>
 AnyModel model_of(const SystemScene& in_own_scales) {
   return in_own_scales.with_model([]<class Model>(Model model) {
@@ -36,6 +38,7 @@ AnyModel model_of(const SystemScene& in_own_scales) {
   });
 }
 
+/// The error in a scene: that of the system itself, or that of numbers whose size is extreme (sizes.h).
 template <class SystemScene>
 std::optional<Refusal> refuses(const scene::Scene& scene) {
   const auto system = system_scene<SystemScene>(scene);
@@ -48,6 +51,7 @@ std::optional<Refusal> refuses(const scene::Scene& scene) {
 
 }  // namespace detail
 
+/// Makes the description and the functions from the members of SystemScene.
 template <class SystemScene>
 AnySystemScene any_system_scene() {
   scene::SystemDescription description{

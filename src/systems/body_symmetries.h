@@ -13,10 +13,12 @@
 
 namespace pseudorigid::systems {
 
+/// Directions of the translations, and axes through the origin of the rotations of space.
 struct BodySymmetries {
   Directions translations, turns_of_space;
 };
 
+/// The symmetries of a body under the loads. A body with a fixed point has no translations.
 inline BodySymmetries body_symmetries(const BodyLoads& loads, bool has_fixed_point) {
   Directions in_space{loads.gravity};
   for (const BodySpring& spring : loads.springs) in_space.push_back(spring.anchor);

@@ -14,6 +14,7 @@
 
 namespace pseudorigid::systems {
 
+/// Stiffness k and rest length l of a spring. The function slope_over_distance returns V′(r)/r.
 struct SpringLaw {
   double stiffness = 0, rest_length = 0;
   double energy(double r) const { return 0.5 * stiffness * (r - rest_length) * (r - rest_length); }
@@ -23,6 +24,7 @@ struct SpringLaw {
   }
 };
 
+/// The attraction with the strength k. The function slope_over_distance returns V′(r)/r.
 struct AttractionLaw {
   double strength = 0;
   double energy(double r) const { return -strength / r; }
@@ -32,9 +34,9 @@ struct AttractionLaw {
   }
 };
 
-/// Adds −(V′(r)/r) d to f, for any scalar type. Returns 1 if the force has a direction and a finite size, otherwise
-/// NaN. The caller multiplies the results of several calls, because a product preserves a NaN, while std::min may lose
-/// it.
+/// Adds −(V′(r)/r) d to f, for any scalar type. Returns 1 if V′(r)/r is finite, otherwise NaN. At r = 0 it is finite
+/// only for a spring with rest length 0. The caller multiplies the results of several calls, because a product
+/// preserves a NaN, while std::min may lose it.
 template <class Law, class T>
 T add_central_force(const Law& law, const Eigen::Matrix<T, 3, 1>& d, Eigen::Matrix<T, 3, 1>& f) {
   using std::sqrt;
@@ -43,13 +45,14 @@ T add_central_force(const Law& law, const Eigen::Matrix<T, 3, 1>& d, Eigen::Matr
   return T(1.0) + T(0.0) * slope_over_distance;
 }
 
-/// Returns success if add_central_force returned 1, and a failure if it returned NaN.
+/// Converts the result `reserve` of add_central_force, or a product of such results, to a success (1) or a failure
+/// (NaN).
 inline mechanics::Status status_of_force(double reserve) {
   if (reserve > 0) return {};
   return mechanics::Status::failure("two points that act on each other coincide, or their distance is not finite");
 }
 
-/// Computes f = −(V′(r)/r) d. Fails if this force does not have a direction or a finite size.
+/// Computes f = −(V′(r)/r) d. Fails if V′(r)/r is not finite.
 template <class Law>
 mechanics::Status central_force(const Law& law, const Eigen::Vector3d& d, Eigen::Vector3d& f) {
   f.setZero();

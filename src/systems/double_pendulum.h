@@ -1,6 +1,6 @@
 #pragma once
-/// Planar double pendulum in multiplier form (Oliva 5.5.2) with the positions q = (q₁, q₂) ∈ R⁴ and the reactions R_k.
-/// The second axis (y) points downwards:
+/// Planar double pendulum in multiplier form (Oliva, Geometric Mechanics, 5.5.2) with the positions q = (q₁, q₂) ∈ R⁴
+/// and the reactions R_k. The second axis (y) points downwards:
 ///
 ///   m₁q̈₁ = m₁g e_y + R₁,   m₂q̈₂ = m₂g e_y + R₂                                                        (5.43)
 ///   g₁ = ½(|q₁|²/l₁² − 1) = 0,   g₂ = ½(|q₂ − q₁|²/l₂² − 1) = 0                                (5.33), (5.34)
@@ -35,7 +35,8 @@ class DoublePendulum {
     f << 0, p_.m1 * p_.g, 0, p_.m2 * p_.g;
     return {};
   }
-  /// Solves for the stages of a Gauss step in SIMD lanes (mechanics/core/stage_by_stage.h).
+  /// Solves for the stages of a Gauss step in SIMD lanes. Returns false if they must be evaluated one by one
+  /// (mechanics/core/stage_by_stage.h).
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
     return solve_stages_in_lanes_of(PendulumOfStages{p_.m1, p_.m2, p_.l1, p_.l2, p_.g}, stages);
   }
@@ -60,6 +61,8 @@ class DoublePendulum {
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
+  /// Solves G(q₁)M⁻¹G(q₀)ᵀλ = r with the derivative G of the constraints and the mass operator M. Fails if the matrix
+  /// is singular.
   mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     const Eigen::Vector2d a1 = q1.head<2>() / square(p_.l1), a0 = q0.head<2>() / square(p_.l1);
@@ -70,6 +73,7 @@ class DoublePendulum {
     if (lambda.allFinite()) return {};
     return {mechanics::Status::failure("the rods have turned by a right angle within one step; use a smaller step")};
   }
+  /// The largest |g_k| that counts as zero, about twice the machine precision.
   double constraint_tolerance() const { return 4e-16; }
   Vector make_vector() const { return Vector::Zero(); }
   Multiplier make_multiplier() const { return Multiplier::Zero(); }
@@ -80,7 +84,8 @@ class DoublePendulum {
   }
   double potential_energy(const Vector& q) const { return -p_.g * (p_.m1 * q(1) + p_.m2 * q(3)); }
 
-  /// The number of symmetries. Rotations of the plane about the suspension point are symmetries if there is no gravity.
+  /// The number of symmetries. It is 1 without gravity, because rotations of the plane about the suspension point are
+  /// then symmetries, and otherwise 0.
   int n_symmetries() const { return p_.g == 0 ? 1 : 0; }
   void symmetry(int, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
     dq << -q(1), q(0), -q(3), q(2);

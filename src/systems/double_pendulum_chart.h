@@ -44,6 +44,7 @@ struct DoublePendulumChart {
     const T x1 = l1 * sin(q[0]), y1 = l1 * cos(q[0]);
     return {x1, y1, x1 + l2 * sin(q[1]), y1 + l2 * cos(q[1])};
   }
+  /// The periods of the two angles. A search for critical points identifies points that differ by periods.
   Eigen::Vector2d periods() const { return Eigen::Vector2d::Constant(2 * std::numbers::pi); }
 };
 

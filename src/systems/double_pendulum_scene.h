@@ -50,8 +50,8 @@ struct DoublePendulumScene {
     visit(s.rates, scene::Numbers{2}, About{"Double pendulum/Rates", "1/time", "Initial rates of the angles."});
   }
 
-  /// The unit of time is the smaller of √(l/g) for the shorter rod and the reciprocal of the largest initial rate.
-  /// Without gravity and at rest, it is 1.
+  /// The units of length and mass are l₁ and m₁. The unit of time is the smaller of √(l/g) for the shorter rod and the
+  /// reciprocal of the largest initial rate. Without gravity and at rest, it is 1.
   Scales scales() const {
     const double rate = std::max({std::sqrt(gravity / std::min(l1, l2)), std::abs(rates[0]), std::abs(rates[1])});
     return {l1, m1, rate > 0 ? 1 / rate : 1};
@@ -82,7 +82,7 @@ struct DoublePendulumScene {
 
   DoublePendulum::Parameters parameters() const { return {m1, m2, l1, l2, gravity}; }
 
-  /// Computes the values of the columns from a state in multiplier form.
+  /// Computes the values of the columns from a state in multiplier form. Fails if the multipliers cannot be computed.
   struct Observer {
     DoublePendulum pendulum;
 

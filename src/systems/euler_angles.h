@@ -1,12 +1,13 @@
 #pragma once
-/// Euler angles (Oliva 5.6.20; the first component of Ω contains θ̇ instead of the printed ψ̇). The rotation is R =
-/// R_z(φ) R_x(θ) R_z(ψ). The angular velocities Ω in the body and ω in space are
+/// Euler angles (Oliva, Geometric Mechanics, 5.6.20). In the book, the first component of Ω has ψ̇ in place of θ̇,
+/// which is a misprint. The rotation is R = R_z(φ) R_x(θ) R_z(ψ). The angular velocities Ω in the body and ω in space
+/// are
 ///
 ///   Ω = (φ̇ sinθ sinψ + θ̇ cosψ,  φ̇ sinθ cosψ − θ̇ sinψ,  φ̇ cosθ + ψ̇)
 ///   ω = (θ̇ cosφ + ψ̇ sinφ sinθ,  θ̇ sinφ − ψ̇ cosφ sinθ,  φ̇ + ψ̇ cosθ)
 ///
-/// The angles are columns of the output, and the coordinates of lagrange_top.h. The chart is singular at sin θ = 0,
-/// where only φ + ψ or φ − ψ is defined.
+/// The angles are columns of the output, and they are the coordinates of lagrange_top.h. The chart is singular at sin θ
+/// = 0, where only φ + ψ or φ − ψ is defined.
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -14,6 +15,7 @@
 
 namespace pseudorigid::systems {
 
+/// The three angles in radians, or their rates.
 struct EulerAngles {
   double phi = 0, theta = 0, psi = 0;
 };

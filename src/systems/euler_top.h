@@ -1,13 +1,13 @@
 #pragma once
-/// Rigid body with a fixed point, or the rotation of a free body about its centre of mass, by Euler's equation (Oliva
-/// 5.6.16–5.6.17). The configuration is a unit quaternion q with the rotation R(q)ξ = q ξ q̄. The angular velocity Ω in
-/// the body, the inertia operator A and the torque N satisfy
+/// Rigid body with a fixed point, or the rotation of a free body about its centre of mass, by Euler's equation (Oliva,
+/// Geometric Mechanics, 5.6.16–5.6.17). The configuration is a unit quaternion q with the rotation R(q)ξ = q ξ q̄. The
+/// angular velocity Ω in the body, the inertia operator A and the torque N satisfy
 ///
 ///   q̇ = ½qΩ,   AΩ̇ = AΩ × Ω + N,   N = ∫ξ × R⁻¹df,
 ///   q̈ = ½(q̇Ω + qΩ̇)
 ///
-/// This is a second-order field on R⁴. The manifold |q| = 1, ⟨q, q̇⟩ = 0 is invariant. Flat and linear bodies are
-/// permitted if A is invertible. The order of the entries of q is (x, y, z, w), as in Eigen.
+/// The last equation is a second-order field on R⁴. The manifold |q| = 1, ⟨q, q̇⟩ = 0 is invariant. Flat and linear
+/// bodies are permitted if A is invertible. The order of the entries of q is (x, y, z, w), as in Eigen.
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -22,7 +22,8 @@
 
 namespace pseudorigid::systems {
 
-/// A function that computes the torque N in the axes of the body from the time, the rotation R and Ω.
+/// A function that computes the torque N in the axes of the body from the time, the rotation R and the angular velocity
+/// Ω.
 template <class T>
 concept BodyTorque = requires(const T torque, double t, const Eigen::Matrix3d R, const Eigen::Vector3d Omega,
                               Eigen::Vector3d N) {
@@ -36,7 +37,7 @@ struct NoTorque {
   }
 };
 
-/// Torque N of weight and springs.
+/// The torque N of weight and springs about the origin of the body. Fails in the cases of BodyLoads::apply.
 struct LoadTorque {
   BodyLoads loads;
   mechanics::Status operator()(double, const Eigen::Matrix3d& R, const Eigen::Vector3d&, Eigen::Vector3d& N) const {
@@ -54,7 +55,7 @@ class EulerTop {
   struct Workspace {};
 
   struct Parameters {
-    Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  // inertia operator
+    Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  // inertia operator about the fixed point or the centre of mass
     Torque torque{};
   };
 
@@ -68,7 +69,8 @@ class EulerTop {
     a = 0.5 * (product(v, Omega) + product(q, Omega_rate));
     return {};
   }
-  /// Members for the stages of a Gauss step in SIMD lanes, which mechanics/core/stage_by_stage.h calls.
+  /// Members for the stages of a Gauss step in SIMD lanes, which mechanics/core/stage_by_stage.h calls. Only the two
+  /// torques of this header have kernels.
   bool has_stages_in_lanes() const { return std::is_same_v<Torque, LoadTorque> || std::is_same_v<Torque, NoTorque>; }
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
     if (!has_stages_in_lanes()) return false;
@@ -77,6 +79,7 @@ class EulerTop {
     return solve_stages_in_lanes_of(top, stages);
   }
   double cost_of_iteration() const { return cost_of_iteration_in_lanes<TopOfStages>; }
+  /// Projects a state onto |q| = 1, ⟨q, q̇⟩ = 0. Fails if |q| is not between ½ and 2.
   mechanics::Status project(Vector& q, Vector& v, Workspace&) const {
     const double norm = q.norm();
     if (!(norm > 0.5 && norm < 2))
@@ -107,7 +110,7 @@ class EulerTop {
     const Eigen::Vector3d Omega = body_angular_velocity(q, v);
     return 0.5 * Omega.dot(p_.A * Omega);
   }
-  /// The angular momentum p = R AΩ in space.
+  /// The angular momentum R AΩ in space, about the fixed point or the centre of mass.
   Eigen::Vector3d angular_momentum(const Vector& q, const Vector& v) const {
     return rotation(q) * (p_.A * body_angular_velocity(q, v));
   }

@@ -28,14 +28,14 @@
 
 namespace pseudorigid::systems {
 
-/// The chart whose coordinate is the angle θ.
+/// The chart with the angle θ as its only coordinate, for the equation above.
 struct FixedAxis {
   static constexpr int dimension = 1;
   MassDistribution body;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(), gravity = Eigen::Vector3d::Zero();  // axis e, gravity g
   double friction = 0;                                                                 // friction coefficient c
 
-  double moment_of_inertia() const { return axis.dot(inertia_operator(body.E0) * axis); }
+  double moment_of_inertia() const { return axis.dot(inertia_operator(body.E0) * axis); }  ///< I_e
 
   template <class T>
   Eigen::Matrix<T, 1, 1> metric(const mechanics::Coordinates<T, 1>&) const {
@@ -62,6 +62,8 @@ struct FixedAxis {
 struct BearingForces {
   Eigen::Vector3d first, second;
 };
+/// The forces of the bearings for the angle θ (`angle`) and its first and second derivatives. The numbers `first` = a
+/// and `second` = b are the places of the bearings along the axis, a ≠ b.
 inline BearingForces bearing_forces(const FixedAxis& system, double first, double second, double angle, double rate,
                                     double acceleration) {
   const auto& [m, G, E0] = system.body;

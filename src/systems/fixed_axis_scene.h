@@ -31,7 +31,7 @@ struct FixedAxisScene {
 
   double mass = 1;
   std::vector<double> center{0, 0, 0};
-  scene::Matrix3 inertia{{{0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}}};  // a homogeneous ball of radius 1
+  scene::Matrix3 inertia{{{0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}}};  // a homogeneous ball of mass 1 and radius 1
   std::vector<double> weights, axis{0, 0, 1}, bearings{-1, 1}, gravity{0, 0, 0};
   double friction = 0, angle = 0, rate = 1;
 
@@ -64,6 +64,7 @@ struct FixedAxisScene {
     visit(s.angle, scene::Number{}, About{"Fixed axis/Angle", "", "Initial angle about the axis, in radians."});
     visit(s.rate, scene::Number{}, About{"Fixed axis/Rate", "1/time", "Initial rate of the angle."});
   }
+  /// Scales the columns of Weights, which have several units.
   void rescale(const Scales& scales) {
     for (std::size_t k = 0; k < weights.size(); k += n_weight_columns) {
       for (std::size_t j : {0, 1, 2}) weights[k + j] /= scales("length");
@@ -113,7 +114,7 @@ struct FixedAxisScene {
     using System = mechanics::ChartField<FixedAxis>;
     System system;
     mechanics::State<System> initial;
-    double first, second;  ///< positions of the bearings along the axis
+    double first, second;  ///< positions a and b of the bearings along the axis
 
     mechanics::Status row(const mechanics::State<System>& state, System::Workspace& workspace,
                           std::vector<double>& row) const {
@@ -142,7 +143,7 @@ struct FixedAxisScene {
   }
 
  private:
-  static constexpr std::size_t n_weight_columns = 4;
+  static constexpr std::size_t n_weight_columns = 4;  ///< three coordinates and a mass
 
   static Eigen::Vector3d vector(const std::vector<double>& x) { return {x[0], x[1], x[2]}; }
   static Eigen::Matrix3d matrix(const scene::Matrix3& rows) {
@@ -160,6 +161,8 @@ struct FixedAxisScene {
     body.center /= body.mass;
     return {body, vector(axis).stableNormalized(), vector(gravity), friction};
   }
+  /// Refuses an inertia that is not symmetric, and an inertia that no body with this mass and centre of mass has. Also
+  /// refuses a moment of inertia about the axis that is not positive.
   std::optional<Refusal> refuses_inertia() const {
     constexpr const char* path = "Fixed axis/Inertia";
     constexpr double round_off = 1e-12;

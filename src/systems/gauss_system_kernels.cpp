@@ -13,6 +13,9 @@
 namespace pseudorigid::systems {
 namespace {
 
+// The fields below, except FieldOfPoints, are functions (first lane, q, v, a) over a scalar type T, which is a vector
+// of SIMD lanes. They set the accelerations a. They return a number that is positive if the accelerations are defined.
+
 template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <class T>
@@ -20,18 +23,19 @@ using Matrix3 = Eigen::Matrix<T, 3, 3>;
 
 /// Euler's equation on quaternions q = (x, y, z, w) (euler_top.h):
 ///   AΩ̇ = AΩ × Ω + N,   q̈ = ½(q̇Ω + qΩ̇),   Ω = 2 q⁻¹q̇.
-/// If `principal_and_free` is true, A is diagonal and N is zero. Then (AΩ × Ω)₁ = (A₂ − A₃) Ω₂Ω₃.
+/// If `principal_and_free` is true, A = diag(A₁, A₂, A₃) and N is zero. Then (AΩ × Ω)₁ = (A₂ − A₃) Ω₂Ω₃, and
+/// cyclically.
 template <bool principal_and_free>
 struct TopField {
   static constexpr int n = 4;
   const TopOfStages& top;
-  Eigen::Vector3d ratios = ratios_of(top.A);  // (A₂ − A₃)/A₁, …
+  Eigen::Vector3d ratios = ratios_of(top.A);  // (A₂ − A₃)/A₁, and cyclically
 
   template <class T>
   [[gnu::always_inline]] T operator()(int, const T* q, const T* v, T* a) const {
     const Vector3<T> axis(q[0], q[1], q[2]), rate(v[0], v[1], v[2]);
     // The terms of |q|² are added one after the other. As a sum of two halves, |q|² would have rounding errors that
-    // rotate J by 4e-18 in a unit of time.
+    // rotate the angular momentum by 4e-18 in a unit of time.
     const T square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], factor = 2.0 / square;
     const Vector3<T> Omega = factor * (q[3] * rate - v[3] * axis - axis.cross(rate));
     T reserve = square;
@@ -44,8 +48,8 @@ struct TopField {
   }
 
  private:
-  /// The rotation R of the quaternion q = (a, w), R x = x + (2/|q|²)(a × (a × x) + w a × x). The inverse rotation has
-  /// −w. `axis` is a, and `factor` is 2/|q|².
+  /// The rotation R of the quaternion q with the vector part a and the scalar part w: R x = x + (2/|q|²)(a × (a × x) +
+  /// w a × x). The inverse rotation has −w. `axis` is a, and `factor` is 2/|q|².
   template <class T>
   struct Turn {
     Vector3<T> axis;
@@ -71,8 +75,8 @@ struct TopField {
       return top.A_inverse.cast<T>() * torque;
     }
   }
-  /// Adds the torque mG × R⁻¹g + Σ ξ × R⁻¹f of weight and springs to N. Returns 1 if the torque is finite, otherwise
-  /// NaN.
+  /// Adds the torque mG × R⁻¹g + Σ ξ × R⁻¹f of weight and springs to N. Returns 1 if the forces of all springs are
+  /// defined (central_force.h), otherwise NaN.
   template <class T>
   [[gnu::always_inline]] static T add_torque(const BodyLoads& loads, const Turn<T>& turn, Vector3<T>& N) {
     const Vector3<T> moment = (loads.mass * loads.center).cast<T>();
@@ -92,6 +96,7 @@ struct TopField {
   }
 };
 
+/// Whether the torque N is zero.
 bool is_free(const TopOfStages& top) {
   return !top.loads || (top.loads->gravity.isZero(0) && top.loads->springs.empty());
 }
@@ -144,7 +149,8 @@ struct AnglesField {
   }
 };
 
-/// The field of a chart, g q̈ = F − Γ_l,ij q̇ⁱq̇ʲ (mechanics/core/chart_field.h).
+/// The field of a chart, g_lk q̈ᵏ = F_l − Γ_l,ij q̇ⁱq̇ʲ (mechanics/core/chart_field.h). Here g is the metric, Γ_l,ij
+/// are its Christoffel symbols of the first kind, and F is the force.
 template <class Chart>
 struct FieldOfChart {
   static constexpr int n = Chart::dimension;
@@ -166,8 +172,8 @@ struct FieldOfChart {
   }
 
  private:
-  /// Solves g x = b by the factorisation g = LDLᵀ and overwrites g. Returns a positive number if all pivots exceed
-  /// round-off.
+  /// Solves g x = b by the factorisation g = LDLᵀ and overwrites g. Returns a positive number if all pivots exceed ε tr
+  /// g with the machine precision ε. Otherwise x is not reliable.
   template <class T>
   [[gnu::always_inline]] static T solve_positive(Eigen::Matrix<T, n, n>& g, const mechanics::Coordinates<T, n>& b,
                                                  mechanics::Coordinates<T, n>& x) {
@@ -219,7 +225,8 @@ struct FrameField {
   }
 };
 
-/// The field of any number of mass points (mass_points.h).
+/// The field of any number of mass points (mass_points.h). Because the number is known only at run time, the field is
+/// called through the interface GaussField.
 struct FieldOfPoints final : mechanics::GaussField {
   const MassPoints& points;
   explicit FieldOfPoints(const MassPoints& p) : points(p) {}
@@ -278,7 +285,8 @@ bool solve(const DoublePendulumChart& pendulum, mechanics::GaussStages& stages) 
 }
 template <mechanics::Chart Chart>
 bool solve(const Chart& chart, mechanics::GaussStages& stages) {
-  // The fast sines and cosines require moderate angles. For larger coordinates, the stages are evaluated one by one.
+  // The fast sines and cosines require moderate angles. For larger coordinates, the result false makes the caller
+  // evaluate the stages one by one.
   for (int k = 0; k < stages.n; ++k)
     if (!(std::abs(stages.q[k]) < 0.5 * mechanics::most_of_moderate)) return false;
   mechanics::detail::iterate_in_lanes(FieldOfChart<Chart>{chart}, stages);

@@ -5,9 +5,9 @@
 ///   Dq̇/dt = 0,   |q̇| = const,   ⟨q̇, X⟩ = const for each vector field X whose flow preserves the metric
 ///
 /// For example, X = ∂/∂φ on a surface of revolution gives Clairaut's constant ρ² φ̇ with the distance ρ from the axis.
-/// The columns contain ⟨q̇, X⟩ for the rotation X about the axis of the surface, or for the translation X = ∂/∂x of the
-/// hyperbolic half-plane. On an ellipsoid with semi-axes a ≠ b, the rotation about the third axis is not a symmetry,
-/// and this number is not constant.
+/// A column contains ⟨q̇, X⟩ for the rotation X about the axis of the surface. On the hyperbolic half-plane, X is the
+/// translation ∂/∂x. On an ellipsoid with semi-axes a ≠ b, the rotation about the third axis is not a symmetry, and
+/// this number is not constant.
 ///
 /// The coordinates of sphere and ellipsoid are angles, in which the metric is singular at the poles. The half-plane
 /// ends at y = 0. If a geodesic reaches such a point, the run ends with a message.
@@ -67,8 +67,9 @@ struct GeodesicScene {
           About{"Geodesic/Velocity", "1/time", "Initial rates of the coordinates, on the paraboloid length/time."});
   }
 
-  /// The unit of time is the time in which the faster coordinate changes by one unit, at its initial rate. If the point
-  /// is at rest, the unit of time is 1.
+  /// The unit of length is the size of the surface. The unit of time is the reciprocal of the larger initial rate of
+  /// the coordinates. On the paraboloid, the rates are first divided by the unit of length. If the point is at rest,
+  /// the unit of time is 1.
   Scales scales() const {
     const double rate = std::max(std::abs(velocity[0]), std::abs(velocity[1])) / coordinate_unit(size());
     return {size(), 1, rate > 0 ? 1 / rate : 1};
@@ -111,7 +112,8 @@ struct GeodesicScene {
     return columns;
   }
 
-  /// The geodesic flow in a chart. The acceleration fails with a message outside the chart.
+  /// The geodesic flow in a chart. The acceleration fails with a message if the point is outside the chart or too near
+  /// to its end.
   template <class Chart>
   class Field : public mechanics::ChartField<Chart> {
    public:
@@ -172,6 +174,8 @@ struct GeodesicScene {
   }
 
  private:
+  /// The unit of length: the radius, the tube radius, the largest semi-axis or the radius of curvature at the vertex.
+  /// It is 1 for the half-plane.
   double size() const {
     switch (surface) {
       case Surface::torus:
@@ -187,8 +191,10 @@ struct GeodesicScene {
     }
     return R;
   }
+  /// The unit of the coordinates: that of length on the paraboloid, and 1 for angles and on the half-plane.
   double coordinate_unit(double length) const { return surface == Surface::paraboloid ? length : 1; }
 
+  /// Fails if the function `reserve` of the chart (surfaces.h) is not positive at q.
   template <class Chart>
   static mechanics::Status inside(const Chart& chart, const Eigen::Vector2d& q) {
     if constexpr (requires { chart.reserve(q); })

@@ -14,8 +14,8 @@ inline Directions all_directions() {
   return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
 }
 
-/// Returns axes whose rotations do not change the vectors. There are three axes if every vector is zero, and one if all
-/// nonzero vectors are parallel. Otherwise there is none.
+/// Returns unit vectors along the axes whose rotations do not change the vectors. There are three axes if every vector
+/// is zero, and one if all nonzero vectors are parallel. Otherwise there is none.
 inline Directions turns_that_fix(const Directions& vectors) {
   constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();

@@ -58,10 +58,10 @@ struct PlaneKepler : EuclideanPlane {
   }
 };
 
-/// Computes the motion from given initial data at any later time. Fails if a step of the motion fails. The steps do not
-/// depend on the requested times. A resumed run therefore repeats the same motion. The last steps are stored, because a
-/// Poincaré section requests times before the present one for its crossings. If a time is before the stored steps, the
-/// motion is computed again from its start.
+/// Computes the motion from given initial data at any later time. The member `at` fails if a step of the motion fails.
+/// The steps do not depend on the requested times. A resumed run therefore repeats the same motion. The last steps are
+/// stored, because a Poincaré section requests times before the present one for its crossings. If a time is before the
+/// stored steps, the motion is computed again from its start.
 template <class Field>
 class MotionFollower {
  public:
@@ -83,9 +83,10 @@ class MotionFollower {
   }
 
  private:
-  /// Tolerance of local errors. It is a tenth of the least Time/Tolerance.
+  /// Tolerance of local errors, and the longest step in units of time. The tolerance is a tenth of the least
+  /// Time/Tolerance.
   static constexpr double tolerance = 1e-14, longest_step = 10;
-  static constexpr std::size_t n_kept = 64;
+  static constexpr std::size_t n_kept = 64;  ///< number of stored steps
 
   struct Step {
     State end;
@@ -106,7 +107,7 @@ class MotionFollower {
   Field field_;
   State start_;
   Step ahead_;              ///< state and workspace before the next step
-  std::deque<Step> steps_;  ///< the last `n_kept` steps, in the order of time
+  std::deque<Step> steps_;  ///< the last `n_kept` steps in the order of time, with the data for interpolation
 };
 
 struct JacobiGeodesicScene {
@@ -165,7 +166,7 @@ struct JacobiGeodesicScene {
         About{"Jacobi geodesic/Direction", "", "Initial direction; the speed of the motion follows from the energy."});
   }
 
-  /// If the position consists of angles, undoes its division by the unit of length.
+  /// If the position consists of angles, multiplies it by the unit of length again, by which in_scales has divided it.
   void rescale(const Scales& scales) {
     if (!in_plane())
       for (double& x : position) x *= scales.length;
@@ -223,7 +224,8 @@ struct JacobiGeodesicScene {
     Chart chart;
     double h;
     MotionFollower<Motion> motion;
-    std::vector<double> units;  ///< factors that convert the columns from the units of the model
+    /// Factors that convert the columns from the units of the model to the scales of the scene.
+    std::vector<double> units;
 
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
                           std::vector<double>& row) {
@@ -243,8 +245,8 @@ struct JacobiGeodesicScene {
     }
   };
 
-  /// Calls run(model) and returns the result. The model has its own unit of time, in which the initial speed is of
-  /// order 1.
+  /// Calls run(model) and returns the result. The unit of time of the scene is one of arc length. The model therefore
+  /// has its own unit of time, in which the initial speed is of order 1.
   template <class Run>
   auto with_model(Run&& run) const {
     const Scales own{1, 1, length() / speed()};

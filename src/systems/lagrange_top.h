@@ -6,8 +6,9 @@
 ///
 ///   Ω = B(h) ḣ,   g = BᵀAB,   U = V(R(h)),   d/dt ∂K/∂ḣ_i − ∂K/∂h_i = −∂U/∂h_i = (ω_i, ∫Rξ × df)
 ///
-/// with the axes ω_i, which satisfy ∂R/∂h_i R⁻¹ = ω_i×. They are e_z, the nodal line, and the third axis e₃ of the
-/// body. The chart is singular at sin θ = 0, where e_z and e₃ are parallel.
+/// with the potential V of the loads as a function of R, and the axes ω_i, which satisfy ∂R/∂h_i R⁻¹ = ω_i×. The axes
+/// are e_z, the nodal line, and the third axis e₃ of the body. The chart is singular at sin θ = 0, where e_z and e₃ are
+/// parallel.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -43,9 +44,10 @@ Eigen::Matrix<T, 3, 3> rotation_of_angles(const mechanics::Coordinates<T, 3>& h)
   return R;
 }
 
+/// The chart of SO(3) above, for any scalar type.
 struct EulerAngleChart {
   static constexpr int dimension = 3;
-  Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  ///< inertia operator
+  Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  ///< inertia operator about the fixed point or the centre of mass
   BodyLoads loads{};
 
   template <class T>
@@ -92,7 +94,7 @@ struct EulerAngleChart {
   static constexpr double smallest_sine = 1e-4;
 };
 
-/// The second-order field of the chart. The acceleration fails with a message outside the chart.
+/// The second-order field of the chart. The acceleration fails with a message if |sin θ| is not above `smallest_sine`.
 class LagrangeTop {
  public:
   using Vector = Eigen::Vector3d;
@@ -104,7 +106,7 @@ class LagrangeTop {
     if (!(field_.chart().reserve(h) > 0)) return singular();
     return field_.acceleration(t, h, rates, w, a);
   }
-  /// Members for the stages of a Gauss step in SIMD lanes, which mechanics/core/stage_by_stage.h calls.
+  /// Members for the stages of a Gauss step in SIMD lanes. The templates of mechanics/core/stage_by_stage.h call them.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const { return field_.solve_stages_in_lanes(stages); }
   double cost_of_iteration() const { return field_.cost_of_iteration(); }
   Vector make_vector() const { return Vector::Zero(); }
@@ -115,7 +117,7 @@ class LagrangeTop {
   static Eigen::Vector3d body_angular_velocity(const Vector& h, const Vector& rates) {
     return angular_velocity_of_rates<double>(h) * rates;
   }
-  /// Whether the chart contains this rotation.
+  /// Whether the chart contains this rotation, with |sin θ| above `smallest_sine`.
   static bool has(const Eigen::Matrix3d& R) { return std::hypot(R(2, 0), R(2, 1)) > EulerAngleChart::smallest_sine; }
   /// The state at time 0 with the rotation R and the angular velocity Ω in the body. The chart must contain R.
   static mechanics::VectorState<Vector> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Mass, centre of mass and second moment of a body (Oliva 5.6). The body is a set S of points ξ in its own space K,
-/// with the mass measure m:
+/// Mass, centre of mass and second moment of a body (Oliva, Geometric Mechanics, 5.6). The body is a set S of points ξ
+/// in its own space K, with the mass measure m:
 ///
 ///   m(S),   G = ∫ξ dm/m(S)   (5.72),   E₀ = ∫ξξᵀ dm,
 ///   A = ∫ξ × (· × ξ) dm = tr(E₀)Id − E₀   (5.80),   E₀ = ½tr(A)Id − A.
@@ -13,6 +13,7 @@
 
 namespace pseudorigid::systems {
 
+/// A mass point at the body point ξ = `xi`.
 struct WeightedPoint {
   Eigen::Vector3d xi;
   double mass = 0;
@@ -23,6 +24,7 @@ struct MassDistribution {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  // centre of mass G
   Eigen::Matrix3d E0 = Eigen::Matrix3d::Zero();      // second moment about the origin of K
 
+  /// The distribution of mass points. The sum of the masses must be positive.
   static MassDistribution of_points(std::span<const WeightedPoint> points) {
     MassDistribution d;
     for (const auto& p : points) {
@@ -33,16 +35,18 @@ struct MassDistribution {
     d.center /= d.mass;
     return d;
   }
-  /// Mass, centre of mass and second moment of the body if the point c is the origin of K.
+  /// The distribution of the same body if the point c is the origin of K.
   MassDistribution about(const Eigen::Vector3d& c) const {
     const Eigen::Matrix3d mixed = mass * center * c.transpose();
     return {mass, center - c, E0 - mixed - mixed.transpose() + mass * c * c.transpose()};
   }
 };
 
+/// The inertia operator A for the second moment E₀, about the same point.
 inline Eigen::Matrix3d inertia_operator(const Eigen::Matrix3d& E0) {
   return E0.trace() * Eigen::Matrix3d::Identity() - E0;
 }
+/// The second moment E₀ for the inertia operator A, about the same point.
 inline Eigen::Matrix3d second_moment(const Eigen::Matrix3d& A) {
   return 0.5 * A.trace() * Eigen::Matrix3d::Identity() - A;
 }

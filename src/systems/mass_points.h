@@ -1,7 +1,8 @@
 #pragma once
-/// System of n mass points with masses m_i, positions q_i and velocities v_i (Oliva 5.5.1). The points satisfy m_i
-/// q̈_i = f_i^ext + Σ_j f_ij, with internal forces f_ij = −f_ji along q_i − q_j. The symbols are the members of
-/// Parameters, and k and l are those of a spring. The forces, or their potentials V, are
+/// System of n mass points with masses m_i, positions q_i and velocities v_i (Oliva, Geometric Mechanics, 5.5.1). The
+/// points satisfy m_i q̈_i = f_i^ext + Σ_j f_ij, with internal forces f_ij = −f_ji along q_i − q_j. The comments of
+/// Parameters name the symbols. A spring has the stiffness k and the rest length l. The forces, or their potentials V,
+/// are
 ///
 /// Internal:  gravity   V = −Σ_{i<j} G m_i m_j/|q_i − q_j|
 ///            springs   V = Σ ½k(|q_i − q_j| − l)²
@@ -67,7 +68,8 @@ class MassPoints : public mechanics::Unconstrained {
                                        [&](Eigen::Index i, const Eigen::Vector3d& f_i) { f.col(i) += f_i; }));
   }
   /// Computes the forces for any scalar type T. The functions place(i) and velocity(i) return position and velocity of
-  /// point i, and add(i, f) adds the force f on point i. Returns 1 if all central forces are finite, otherwise NaN.
+  /// point i, and add(i, f) adds the force f on point i. Returns 1 if V′(r)/r (central_force.h) is finite for all
+  /// central forces, otherwise NaN.
   template <class T, class Place, class Velocity, class Add>
   T act(const Place& place, const Velocity& velocity, const Add& add) const {
     using Space = Eigen::Matrix<T, 3, 1>;
@@ -99,7 +101,8 @@ class MassPoints : public mechanics::Unconstrained {
     }
     return reserve;
   }
-  /// mechanics/core/stage_by_stage.h calls these members for the stages of a Gauss step in SIMD lanes.
+  /// The templates of mechanics/core/stage_by_stage.h call the next two members for the stages of a Gauss step in SIMD
+  /// lanes.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const { return solve_stages_in_lanes_of(*this, stages); }
   double cost_of_iteration() const { return cost_of_iteration_in_lanes<MassPoints>; }
   void apply_inverse_mass(In f, Out a) const { a = f * p_.masses.cwiseInverse().asDiagonal(); }
@@ -165,7 +168,7 @@ class MassPoints : public mechanics::Unconstrained {
  private:
   Eigen::Index n() const { return p_.masses.size(); }
   static Eigen::Vector3d column(In q, Eigen::Index i, const Eigen::Vector3d& c) { return q.col(i) - c; }
-  /// The unit vector d/|d|, or 0 if d = 0, up to round-off.
+  /// The unit vector d/|d| up to round-off, or 0 if d = 0. A dashpot of length 0 therefore has no force.
   template <class T>
   static Eigen::Matrix<T, 3, 1> direction(const Eigen::Matrix<T, 3, 1>& d) {
     if constexpr (std::is_same_v<T, double>)
@@ -173,6 +176,7 @@ class MassPoints : public mechanics::Unconstrained {
     else
       return d * (1.0 / sqrt(T(1e-300) + d.squaredNorm()));
   }
+  /// The gravity between the points i and j, with the strength G m_i m_j.
   AttractionLaw pair_gravity(Eigen::Index i, Eigen::Index j) const {
     return {p_.gravitational_constant * p_.masses(i) * p_.masses(j)};
   }

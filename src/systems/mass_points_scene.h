@@ -1,14 +1,15 @@
 #pragma once
-/// Mass points in parameter files (mass_points.h, which defines the symbols). There are n points with mutual
-/// attraction, springs, dashpots and external fields. The first point has the number 1. Let q̄ be the centre of mass of
-/// the initial positions, and c the centre of forces. Motions of any size are of order 1 in the scales
+/// Mass points in parameter files. The symbols are those of mass_points.h. There are n points with mutual attraction,
+/// springs, dashpots and external fields. The first point has the number 1. Let q̄ be the centre of mass of the initial
+/// positions, and c the centre of forces. Motions of any size are of order 1 in the scales
 ///
 ///   mass     M = Σ m_i
 ///   length   L = the largest of |q_i − q̄|, of |q_i − c| if c exerts forces, and of the rest lengths of springs
 ///   time     1/ω,  ω² = the largest of GM/L³, μ/L³, |g|/L, k(1/m_i + 1/m_j), k/m_i;  without forces ω = |v|/L
 ///
-/// If this L is 0, for example for one point, it is |v|/ω with ω of springs and confinement, or |v|²/|g| without such
-/// forces. If this is also 0, L is 1. Here |v| is the largest initial speed. If ω = 0, the unit of time is 1.
+/// If this number is 0, for example for one point, L is |v|/ω with the ω of springs and confinement, or |v|²/|g|
+/// without such forces. Here |v| is the largest initial speed. If this number is also 0, L is 1. If ω = 0, the unit of
+/// time is 1.
 
 #include <fmt/format.h>
 
@@ -29,7 +30,7 @@ struct MassPointsScene {
       "Mass points in space with mutual gravitation, springs, dashpots and external fields.";
   static constexpr bool has_equilibria = true;
 
-  std::vector<double> masses{0.5, 0.5};  // two points that orbit each other in the time 2π
+  std::vector<double> masses{0.5, 0.5};  // with the defaults below, two points that orbit each other in the time 2π
   std::vector<double> positions{0.5, 0, 0, -0.5, 0, 0}, velocities{0, 0.5, 0, 0, -0.5, 0};
   double gravitational_constant = 1;
   std::vector<double> springs, dashpots;  // rows (i, j, k, l) of springs, (i, j, d) of dashpots
@@ -67,6 +68,7 @@ struct MassPointsScene {
     visit(s.drag, not_negative,
           About{"Mass points/Drag", "mass/time", "Force against the velocity of each point, per unit of velocity."});
   }
+  /// Scales the rows of springs and dashpots, whose columns have several units.
   void rescale(const Scales& scales) {
     for (std::size_t k = 0; k < springs.size(); k += 4) {
       springs[k + 2] /= scales("mass/time^2");
@@ -140,8 +142,8 @@ struct MassPointsScene {
       for (const Eigen::Vector3d& a : {P, L, mean}) row.insert(row.end(), a.begin(), a.end());
       return {};
     }
-    /// The rate of change of a state. The motion of the centre of mass does not count, unless the centre c exerts
-    /// forces.
+    /// The rate of change of a state per unit of time (any_model.h). The motion of the centre of mass does not count,
+    /// unless the centre c exerts forces.
     double rate(const mechanics::State<System>& state) const {
       const auto& p = system.parameters();
       const bool has_center = p.confinement > 0 || p.central_attraction > 0;
@@ -181,10 +183,11 @@ struct MassPointsScene {
     return {rows.data(), 3, static_cast<Eigen::Index>(rows.size() / 3)};
   }
   std::size_t n() const { return masses.size(); }
+  /// The index of a point from its number in a scene, which counts from 1.
   static int index(double number) { return static_cast<int>(number) - 1; }
   double mass(double number) const { return masses[static_cast<std::size_t>(index(number))]; }
   bool has_center() const { return confinement > 0 || central_attraction > 0; }
-  /// The largest initial distance of a mass point from the point c.
+  /// The largest initial distance of a mass point from the given point.
   double spread(const Eigen::Vector3d& c) const {
     return (points(positions).colwise() - c).colwise().norm().maxCoeff();
   }

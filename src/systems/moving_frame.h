@@ -1,12 +1,14 @@
 #pragma once
 /// Motion of a point of unit mass in a moving frame K. A point with the position Q in K has the position q = M_t Q +
-/// r(t) in space, with M_t ∈ SO(3) (Oliva 5.6.7). Under a force f, its motion satisfies
+/// r(t) in space. M_t ∈ SO(3) is the rotation of the frame (Oliva, Geometric Mechanics, 5.6.7). Under a force f, its
+/// motion satisfies
 ///
 ///   Q̈ = M_t⁻¹f − M_t⁻¹r̈ − Ω̇ × Q − 2Ω × Q̇ − Ω × (Ω × Q)
 ///       force  translation  rotation  Coriolis  centrifugal
 ///
-/// The frame has the rotation M_t = exp(t p×) M₀ exp(α(t) n×) with α = ν t + ½ν̇t². It rotates about its axis n, which
-/// precesses in space with the angular velocity p. In the axes of K, its angular velocity and angular acceleration are
+/// The frame has the rotation M_t = exp(t p×) M₀ exp(α(t) n×) with α = ν t + ½ν̇t². The frame rotates about its axis n,
+/// which precesses with the angular velocity p in space. In the axes of K, the frame has the angular velocity Ω and the
+/// angular acceleration Ω̇:
 ///
 ///   Ω = α̇n + u,   Ω̇ = α̈n − α̇ n × u,   u = exp(−α n×)M₀⁻¹p.
 ///
@@ -15,7 +17,8 @@
 /// The forces at rest in space are uniform gravity g, a spring −k(q − c) and an attraction −μ(q − c)/|q − c|³. The
 /// forces at rest in the frame are uniform gravity G and springs −diag(K₁, K₂, K₃)(Q − C).
 ///
-/// In the inertial frame, the same motion satisfies q̈ = f.
+/// In the inertial frame, the same motion satisfies q̈ = f. The comments of FrameMotion and FrameForces name the other
+/// symbols.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -50,6 +53,7 @@ struct FramePoseOver {
 };
 using FramePose = FramePoseOver<double>;
 
+/// The motion of the frame: its pose as a function of time.
 struct FrameMotion {
   Eigen::Matrix3d M0 = Eigen::Matrix3d::Identity();
   Eigen::Vector3d spin_axis = Eigen::Vector3d::UnitZ();    // spin axis n in the frame, of any length
@@ -81,6 +85,7 @@ struct FrameMotion {
   }
 };
 
+/// The forces per unit mass on the point.
 struct FrameForces {
   Eigen::Vector3d field = Eigen::Vector3d::Zero();            // gravity g in space
   Eigen::Vector3d center = Eigen::Vector3d::Zero();           // centre c of the spring and the attraction in space
@@ -90,8 +95,8 @@ struct FrameForces {
   Eigen::Vector3d frame_center = Eigen::Vector3d::Zero();     // centre C of the springs in the frame
   Eigen::Vector3d frame_stiffness = Eigen::Vector3d::Zero();  // stiffnesses K₁, K₂, K₃ of these springs
 
-  /// Computes the force f in space on the point q, whose position in the frame is Q. Returns 1 if the attraction is
-  /// finite, otherwise NaN.
+  /// Computes the force f in space on the point q, whose position in the frame is Q. The rotation of the frame is M.
+  /// Returns 1 if the attraction is finite, otherwise NaN.
   template <class T>
   T in_space(const Space<T>& q, const Space<T>& Q, const Eigen::Matrix<T, 3, 3>& M, Space<T>& f) const {
     const Space<T> in_frame =
@@ -112,8 +117,9 @@ struct FrameParameters {
 struct FrameOfStages {
   const FrameForces& forces;
   bool moving;  ///< true if q is the position in the moving frame, false if it is the position in space
-  std::array<mechanics::OfStages, FramePose::n_entries> pose;
+  std::array<mechanics::OfStages, FramePose::n_entries> pose;  ///< the entries of FramePose, each at all stages
 };
+/// Computes the poses at the times of the stages, because they do not depend on the state.
 inline FrameOfStages stages_in_frame(const FrameParameters& p, const mechanics::GaussStages& stages, bool moving) {
   FrameOfStages frame{p.forces, moving, {}};
   for (std::size_t i = 0; i < mechanics::gauss::n_stages; ++i) {
@@ -142,6 +148,7 @@ class MovingFrame {
 
   explicit MovingFrame(Parameters parameters) : p_(std::move(parameters)) {}
 
+  /// Computes the terms at the time t. Fails if the point is at the attracting centre or is not finite.
   mechanics::Status terms(double t, const Vector& Q, const Vector& V, RelativeTerms& terms) const {
     return status_of_force(terms_over(p_.forces, p_.frame.at(t), Q, V, terms));
   }
@@ -210,7 +217,7 @@ class InertialFrame {
   Parameters p_;
 };
 
-/// Conversion of states by q = MQ + r, q̇ = M(Q̇ + Ω × Q) + ṙ (5.49, 5.50), and the inverse conversion.
+/// Conversion of states by q = M_t Q + r, q̇ = M_t(Q̇ + Ω × Q) + ṙ (5.49, 5.50), and the inverse conversion.
 inline mechanics::State<InertialFrame> to_inertial(const FrameMotion& frame, const mechanics::State<MovingFrame>& s) {
   const FramePose pose = frame.at(s.t);
   return {s.t, pose.M * s.q + pose.r, pose.M * (s.v + pose.Omega.cross(s.q)) + pose.r_rate};

@@ -65,6 +65,8 @@ struct MovingFrameScene {
           About{"Moving frame/Frame centre", "length", "Point of the frame at which its springs have no force."});
   }
 
+  /// The unit of mass is 1, and that of length is typical_length. The unit of time is the reciprocal of the largest
+  /// rate of forces, frame and initial motion, or 1 if all rates are zero.
   Scales scales() const {
     const double force_rate =
         std::sqrt(std::max({std::abs(spin_acceleration), std::abs(stiffness),
@@ -150,10 +152,10 @@ struct MovingFrameScene {
 
  private:
   /// The scale of length. Let |v| be the initial speed and |a| the largest given acceleration. Let T be the reciprocal
-  /// of the largest given rate, or |v|/|a| without such a rate, or 1. The scale is the first positive number of a list.
-  /// The list begins with the initial distance from the origin of the frame and the amplitude of shaking. If the frame
-  /// has springs to the point C, |C| follows. The list continues with T|v|, T²|a|, the distance from a centre of force,
-  /// and T|ṙ₀| with the velocity ṙ₀ of the origin. The list ends with 1.
+  /// of the largest given rate. Without such a rate, T is |v|/|a|, or 1 if |v| or |a| is zero. The scale is the first
+  /// positive number of a list. The list begins with the initial distance from the origin of the frame and the
+  /// amplitude of shaking. If the frame has springs to the point C, |C| follows. The list continues with T|v|, T²|a|,
+  /// the distance from a centre of force, and T|ṙ₀| with the velocity ṙ₀ of the origin. The list ends with 1.
   double typical_length(double given_rate, double speed, double acceleration) const {
     const double time = given_rate > 0 ? 1 / given_rate : speed > 0 && acceleration > 0 ? speed / acceleration : 1;
     return first_positive({norm(position), norm(shaking), norm(frame_stiffness) > 0 ? norm(frame_center) : 0,
@@ -191,12 +193,14 @@ struct MovingFrameScene {
   static double first_positive(std::initializer_list<double> candidates) {
     return *std::find_if(candidates.begin(), candidates.end(), [](double x) { return x > 0; });
   }
+  /// The potential U of all forces per unit mass.
   static double potential(const FrameForces& forces, const Eigen::Vector3d& q, const Eigen::Vector3d& Q) {
     const Eigen::Vector3d d = q - forces.center, D = Q - forces.frame_center;
     const double U = -forces.field.dot(q) + 0.5 * forces.stiffness * d.squaredNorm() - forces.frame_field.dot(Q) +
                      0.5 * D.dot(forces.frame_stiffness.cwiseProduct(D));
     return forces.attraction == 0 ? U : U + AttractionLaw{forces.attraction}.energy(d.norm());
   }
+  /// The initial distance in space of the point from the centre of the spring and the attraction.
   double distance_from_center() const {
     const FrameParameters p{motion(), forces()};
     const mechanics::State<MovingFrame> start{0, Eigen::Vector3d(position.data()), Eigen::Vector3d::Zero()};

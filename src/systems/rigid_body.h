@@ -1,16 +1,16 @@
 #pragma once
-/// Rigid body on k × SO(3) (Oliva 5.6.19), with the Euclidean space k. Constraints keep the body on this manifold in
-/// the vector space of the matrices q = [R | x]. The body point ξ has the position x(ξ) = Rξ + x. A fixed point is the
-/// origin of the body and of space, and the column x is then absent. Without a fixed point, the origin of the body is
-/// the centre of mass (5.101). For the mass m, the inertia operator A and external forces df, the kinetic energy K and
-/// the equations of motion are
+/// Rigid body on k × SO(3) (Oliva, Geometric Mechanics, 5.6.19), with the Euclidean space k. Constraints keep the body
+/// on this manifold in the vector space of the matrices q = [R | x]. The body point ξ has the position x(ξ) = Rξ + x. A
+/// fixed point is the origin of the body and of space, and the column x is then absent. Without a fixed point, the
+/// origin of the body is the centre of mass (5.101). For the mass m, the inertia operator A and external forces df, the
+/// kinetic energy K and the equations of motion are
 ///
 ///   K = ½tr(ṘE₀Ṙᵀ) + ½m|ẋ|²   (5.98),   E₀ = ∫ξξᵀdm,   A = tr(E₀)Id − E₀
 ///   [R̈E₀ | mẍ] = ∫df ξ̃ᵀ + [RΛ | 0],   RᵀR = Id,   ξ̃ = (ξ, 1) or ξ
 ///
-/// The six constraints are g_ii = ½(|c_i|² − 1), g_jk = ⟨c_j, c_k⟩ with the columns c_i of R, in the order 11 22 33 23
-/// 13 12. Their six multipliers are the entries of the symmetric matrix Λ in the same order. With the mass operator M
-/// and the derivative G of the constraints, the matrix S = G(q₁)M⁻¹G(q₀)ᵀ is the map
+/// With the columns c_i of R, the six constraints are g_ii = ½(|c_i|² − 1), g_jk = ⟨c_j, c_k⟩. Their order is 11 22 33
+/// 23 13 12. Their six multipliers are the entries of the symmetric matrix Λ in the same order. With the mass operator
+/// M and the derivative G of the constraints, the matrix S = G(q₁)M⁻¹G(q₀)ᵀ is the map
 ///
 ///   Λ ↦ sym₂(R₁ᵀR₀ΛE₀⁻¹)   with sym₂(Y)_ii = Y_ii,  sym₂(Y)_jk = Y_jk + Y_kj.
 
@@ -42,8 +42,8 @@ class RigidBody {
     BodyLoads loads{};
   };
 
-  /// Fails with the reason if this body cannot have the form of matrices of GL⁺(3). The second moment E₀ and the mass
-  /// must be positive. Without a fixed point, the centre of mass must be the origin.
+  /// Fails with the reason if this body cannot have the form of matrices of GL⁺(3). The second moment E₀ must be
+  /// positive definite, and the mass positive. Without a fixed point, the centre of mass must be the origin.
   static mechanics::Status accepts(const Parameters& p) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(p.E0, Eigen::EigenvaluesOnly);
     const Eigen::Vector3d& e = solver.eigenvalues();
@@ -103,6 +103,8 @@ class RigidBody {
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
+  /// Solves S λ = r. Fails if the elimination does not give finite numbers, for example because the rotations R₁ and R₀
+  /// differ by a right angle.
   mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     const Eigen::Matrix3d B = rotation(q1).transpose() * rotation(q0);
@@ -110,6 +112,7 @@ class RigidBody {
     if (solve_by_elimination(gram(B), lambda)) return {};
     return {mechanics::Status::failure("the body has turned by a right angle within one step; use a smaller step")};
   }
+  /// The largest residual of a constraint that counts as zero, about three times the machine precision.
   double constraint_tolerance() const { return 6e-16; }
   Vector make_vector() const { return Vector::Zero(); }
   Multiplier make_multiplier() const { return Multiplier::Zero(); }
@@ -164,9 +167,10 @@ class RigidBody {
 
  private:
   using Gram = Eigen::Matrix<double, 6, 6>;
+  /// The entries ij of the symmetric matrices in the order of the constraints.
   static constexpr int pair[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 
-  /// The matrix S for B = R₁ᵀR₀. The column of the pair ij is sym₂(B E E₀⁻¹) with E = e_i e_iᵀ if i = j, otherwise E =
+  /// The matrix S for B = R₁ᵀR₀. The column of the pair ij is sym₂(B E E₀⁻¹). Here E = e_i e_iᵀ if i = j, otherwise E =
   /// e_i e_jᵀ + e_j e_iᵀ.
   Gram gram(const Eigen::Matrix3d& B) const {
     Gram S;
@@ -185,6 +189,7 @@ class RigidBody {
     }
     return S;
   }
+  /// The symmetric matrix Λ with the six multipliers as entries.
   static Eigen::Matrix3d symmetric(const Multiplier& l) {
     return (Eigen::Matrix3d() << l(0), l(5), l(4), l(5), l(1), l(3), l(4), l(3), l(2)).finished();
   }

@@ -22,6 +22,7 @@ struct BodyMotion {
   Eigen::Vector3d Omega, x, velocity;  ///< Ω in the body; position and velocity of the centre of mass
 };
 
+/// Computes the columns from a motion, in the same way for every form of the equations.
 class BodyObserver {
  public:
   /// A is the inertia operator about the fixed point. If the body does not have a fixed point, A is the operator about
@@ -55,6 +56,7 @@ class BodyObserver {
     return columns;
   }
 
+  /// Appends the values of the columns in the order of columns().
   void append(const BodyMotion& motion, std::vector<double>& row) const {
     const Eigen::Matrix3d& R = motion.R;
     const Eigen::Vector3d &Omega = motion.Omega, &x = motion.x, &velocity = motion.velocity;

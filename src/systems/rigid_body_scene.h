@@ -56,7 +56,7 @@ struct RigidBodyScene {
   bool fixed_point = true;
   double mass = 1;
   std::vector<double> center{0, 0, 0};
-  scene::Matrix3 inertia{{{0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}}};  // a homogeneous ball of radius 1
+  scene::Matrix3 inertia{{{0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}}};  // a homogeneous ball of mass 1 and radius 1
   std::vector<double> points, gravity{0, 0, 0}, springs;
   scene::Matrix3 rotation = scene::identity3;
   std::vector<double> angular_velocity{0, 0, 1}, position{0, 0, 0}, velocity{0, 0, 0};
@@ -103,6 +103,7 @@ struct RigidBodyScene {
     visit(s.velocity, scene::Numbers{3},
           About{"Rigid body/Velocity", "length/time", "Initial velocity of the centre of mass of a free body."});
   }
+  /// Scales the rows of points and springs, whose columns have several units.
   void rescale(const Scales& scales) {
     for (std::size_t k = 0; k < points.size(); k += n_point_columns) {
       for (std::size_t j : {0, 1, 2}) points[k + j] /= scales("length");
@@ -141,6 +142,7 @@ struct RigidBodyScene {
 
   std::vector<Column> columns() const { return BodyObserver::columns(); }
 
+  /// The model in the constrained form.
   template <bool has_fixed_point>
   struct ConstrainedModel {
     using System = RigidBody<has_fixed_point>;
@@ -156,7 +158,8 @@ struct RigidBodyScene {
                       row);
       return {};
     }
-    /// The rate of change of the rotation. The motion of the centre of mass does not count.
+    /// The rate of change of the rotation per unit of time (any_model.h). The motion of the centre of mass does not
+    /// count.
     double rate(const mechanics::State<System>& state) const {
       return mechanics::max_norm(System::rotation(state.v)) / (1 + mechanics::max_norm(System::rotation(state.q)));
     }
@@ -266,6 +269,8 @@ struct RigidBodyScene {
       for (std::size_t j = 0; j < 3; ++j) rows[i][j] = R(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
     return scene::print_matrix(rows);
   }
+  /// Refuses a matrix that is not orthogonal; `off` is the largest entry of |RᵀR − Id|. The nearest rotation is
+  /// recommended if `off` is less than 0.1 and det R > 0.
   static Refusal refuses_rotation(const Eigen::Matrix3d& R, double off) {
     constexpr double near = 0.1;
     return {"Rigid body/Rotation", fmt::format("expected a rotation, R^T R = identity to 1e-8, got R^T R off by {}",
@@ -284,8 +289,8 @@ struct RigidBodyScene {
     return {};
   }
 
-  /// Refuses an inertia that no body with this mass and centre of mass has. Also refuses the inertia of a linear body,
-  /// and in the constrained form that of a flat body, because the equations are then singular.
+  /// Refuses an inertia that no body with this mass and centre of mass has. Also refuses a singular inertia operator.
+  /// In the constrained form it refuses the inertia of a flat body as well, because the second moment is then singular.
   std::optional<Refusal> refuses_inertia() const {
     constexpr double round_off = 1e-12;
     const char* const inertia_path = points.empty() ? "Rigid body/Inertia" : "Rigid body/Points";
@@ -314,12 +319,15 @@ struct RigidBodyScene {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(A, Eigen::EigenvaluesOnly).eigenvalues();
   }
 
+  /// Refuses a position or a velocity of a body with a fixed point, and wrong springs.
   std::optional<Refusal> refuses_place() const {
     for (const auto& [path, x] : {std::pair("Rigid body/Position", &position), {"Rigid body/Velocity", &velocity}})
       if (!vector(*x).isZero(0))
         return Refusal{path, fmt::format("expected 0, 0, 0 where Fixed point = true, got {}", scene::print_row(*x))};
     return refuses_springs(Eigen::Vector3d::Zero());
   }
+  /// Refuses a centre of mass of a free body that is not its origin. Also refuses springs in the forms of Euler and
+  /// Lagrange, and wrong springs.
   std::optional<Refusal> refuses_free() const {
     if (!vector(center).isZero(0))
       return Refusal{
@@ -333,7 +341,8 @@ struct RigidBodyScene {
                      {{{"Rigid body/Form", "constrained"}}}};
     return refuses_springs(vector(position));
   }
-  /// Checks the springs for the initial position x of the origin of the body.
+  /// Refuses a negative stiffness or rest length, and a spring with a rest length whose initial length is 0. The
+  /// initial position of the origin of the body is x.
   std::optional<Refusal> refuses_springs(const Eigen::Vector3d& x) const {
     std::size_t row = 0;
     for (const BodySpring& spring : loads().springs) {

@@ -17,6 +17,7 @@ namespace detail {
 
 inline constexpr double largest_size = 1e70;
 
+/// True for zero and for numbers in the range.
 inline bool sound(double x) { return x == 0 || (std::abs(x) >= 1 / largest_size && std::abs(x) <= largest_size); }
 
 /// Calls visitor(path, x) for each number x in the entries.
@@ -32,6 +33,7 @@ void visit_numbers(SystemScene& system, Visitor&& visitor) {
   });
 }
 
+/// True if the scales are in the range, and the units of the columns are finite and not zero or subnormal.
 template <class SystemScene>
 bool has_sound_units(const SystemScene& system, const Scales& scales) {
   for (const double unit : {scales.length, scales.mass, scales.time})
@@ -63,8 +65,9 @@ Farthest farthest_number(SystemScene system) {
 }  // namespace detail
 
 /// Refuses a scene with numbers outside the range, or with an initial state that is not finite. The refusal names the
-/// entry with the number farthest from 1, in the scales of the scene if these are in the range. The function
-/// `starts_finite` receives the system in these scales, and returns whether its initial state is finite.
+/// entry with the number farthest from 1. This number is in the scales of the scene if such a scaled number is outside
+/// the range. Otherwise it is in the units of the user. The function `starts_finite` receives the system in the scales
+/// of the scene, and returns whether its initial state is finite.
 template <class SystemScene, class StartsFinite>
 std::optional<Refusal> refuses_sizes(SystemScene system, const StartsFinite& starts_finite) {
   const Scales scales = system.scales();

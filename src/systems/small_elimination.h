@@ -8,7 +8,7 @@
 namespace pseudorigid::systems {
 
 /// Solves the system. The argument x contains r before the call and the solution afterwards. Returns false if the
-/// result is not finite.
+/// result is not finite, for example because a pivot is zero.
 template <int n>
 bool solve_by_elimination(Eigen::Matrix<double, n, n> S, Eigen::Matrix<double, n, 1>& x) {
 #pragma GCC unroll 8

@@ -38,7 +38,8 @@ class SphericalPendulum {
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const { a = f / p_.m; }
 
-  /// Members that explicit_multiplier.h and stage_by_stage.h in mechanics/core call.
+  /// The next three members are for methods on the explicit acceleration, with the multiplier as a function of the
+  /// state (mechanics/core/explicit_multiplier.h, stage_by_stage.h). The acceleration fails if |q| is 0 or NaN.
   mechanics::Status acceleration(double, const Vector& q, const Vector& v, Workspace&, Vector& a) const {
     if (of_stages()(0, q.data(), v.data(), a.data()) > 0) return {};
     return mechanics::Status::failure("the point is at the end of the rod that is held, or nowhere");
@@ -62,6 +63,7 @@ class SphericalPendulum {
     lambda = r / S;
     return {};
   }
+  /// The largest residual of the constraint that counts as zero, about twice the machine precision.
   double constraint_tolerance() const { return 4e-16; }
   Vector make_vector() const { return Vector::Zero(); }
   Multiplier make_multiplier() const { return 0; }
@@ -77,8 +79,8 @@ class SphericalPendulum {
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
-  /// The number of symmetries. Rotations about the vertical are symmetries. Without gravity, rotations about every axis
-  /// are symmetries.
+  /// The number of symmetries: the rotations about the vertical, or without gravity the rotations about three axes.
+  /// Symmetry 0 is the rotation about the vertical.
   int n_symmetries() const { return p_.g == 0 ? 3 : 1; }
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
     const Vector axis = Vector::Unit(2 - i);
@@ -121,12 +123,14 @@ struct SphericalPendulumScene {
     visit(s.rates, scene::Numbers{2}, About{"Spherical pendulum/Rates", "1/time", "Initial rates of theta and phi."});
   }
 
+  /// Refuses a rate of φ if the rod is vertical, because φ is then not defined.
   std::optional<Refusal> refuses() const {
     if (rates[1] == 0 || std::abs(std::sin(angles[0])) > 1e-12) return {};
     return Refusal{"Spherical pendulum/Rates", "expected no rate of phi where the rod is vertical and has no phi"};
   }
 
-  /// The unit of time is √(l/g). Without gravity, it is the reciprocal of the largest initial rate, or 1 at rest.
+  /// The units of length and mass are l and m. The unit of time is √(l/g). Without gravity, it is the reciprocal of the
+  /// largest initial rate, or 1 at rest.
   Scales scales() const {
     const double rate = std::max(std::abs(rates[0]), std::abs(rates[1]));
     return {l, m, gravity > 0 ? std::sqrt(l / gravity) : rate > 0 ? 1 / rate : 1};

@@ -19,7 +19,8 @@ using SurfaceMetric = Eigen::Matrix<T, 2, 2>;
 template <class T>
 using SpacePoint = Eigen::Matrix<T, 3, 1>;
 
-/// Returns a positive number if the angle θ from the axis is farther than a margin from both poles.
+/// Returns a positive number if the angle θ from the axis is farther than √ε = 2⁻²⁶ from both poles, with the machine
+/// precision ε. Otherwise the result is not positive.
 template <class T>
 T between_poles(const T& theta) {
   using std::min;
@@ -55,8 +56,8 @@ struct Sphere {
   Eigen::Vector2d periods() const { return {0, 2 * std::numbers::pi}; }
 };
 
-/// The torus of revolution about the x axis (5.8.8), x = (r sin w, ρ sin u, ρ cos u) with ρ = R + r cos w. Its metric
-/// is ds² = r² dw² + ρ² du².
+/// The torus of revolution about the x axis (5.8.8). Its points are x = (r sin w, ρ sin u, ρ cos u) with ρ = R + r cos
+/// w, and its metric is ds² = r² dw² + ρ² du².
 ///
 /// The circles w = 0 (outside) and w = π (inside) are invariant under a reflection. A motion that starts along such a
 /// circle remains on the circle by symmetry. In floating-point arithmetic, this motion remains on the circle if the
@@ -155,6 +156,7 @@ struct HyperbolicHalfPlane {
     g << factor, T(0.0), T(0.0), factor;
     return g;
   }
+  /// Returns y, which is positive inside the chart.
   template <class T>
   T reserve(const SurfacePoint<T>& q) const {
     return q[1];

@@ -9,6 +9,7 @@
 ///       double length = 1; …                                              // entries with their defaults
 ///       template <class Self, class Visit> static void visit(Self& self, Visit&& visit);   // calls visit per entry
 ///       Scales scales() const;                                            // units in which the motion is of order 1
+///       void rescale(const Scales& scales);                               // optional: entries with several units
 ///       std::optional<Refusal> refuses() const;                           // the error, in the units of the user
 ///       static constexpr bool complete;                                   // optional: motions exist for all time
 ///       std::vector<Column> columns() const;                              // columns of its file after `time`
@@ -50,7 +51,8 @@ using scene::Unit;
 struct Scales {
   double length = 1, mass = 1, time = 1;
 
-  /// The size of `unit` in the units of the user. A quantity is divided by this number for conversion to the scales.
+  /// The size of `unit` in the units of the user. Division by this number converts a quantity of the user to the
+  /// scales.
   double operator()(scene::Unit unit) const {
     double product = 1;
     unit.visit([&](std::string_view word, int power) {
@@ -82,7 +84,7 @@ inline void divide(scene::Matrix3& matrix, double unit) {
 }
 template <class Word>
 requires(std::is_enum_v<Word> || std::is_integral_v<Word> ||
-         std::is_same_v<Word, std::string>) void divide(Word&, double) {}  // words do not have a unit
+         std::is_same_v<Word, std::string>) void divide(Word&, double) {}  // words and integers do not have a unit
 
 }  // namespace detail
 

@@ -36,12 +36,14 @@ struct TopOfStages {
   const BodyLoads* loads = nullptr;
 };
 
-/// The spherical pendulum (spherical_pendulum_scene.h) with its explicit multiplier. The z axis points upwards:
+/// The spherical pendulum (spherical_pendulum_scene.h) with its explicit multiplier λ, gravity g and drag coefficient
+/// c. The z axis points upwards:
 ///   q̈ = b + λq,  b = −g e_z − c q̇/m,  λ|q|² = −|q̇|² − ⟨q, b⟩.
 struct SphericalPendulumOfStages {
   static constexpr int n = 3;
   double g = 1, drag = 0;  // acceleration g of gravity, and c/m
 
+  /// Computes the acceleration a. Returns |q|², which is positive if the acceleration is defined.
   template <class T>
   T operator()(int, const T* q, const T* v, T* a) const {
     const T square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2], speed2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
@@ -58,11 +60,12 @@ struct PendulumOfStages {
   double m1 = 1, m2 = 1, l1 = 1, l2 = 1, g = 1;
 };
 
-/// A function that solves for the stages of a Gauss step. If it returns false, the stages have to be evaluated one by
-/// one.
+/// A function that solves for the stages of a Gauss step. If it returns false, the caller must evaluate the stages one
+/// by one.
 template <class S>
 using StageSolver = bool (*)(const S& system, mechanics::GaussStages& stages);
 
+/// A solver for each of the types S. The constant has<Other> is true if Other is one of these types.
 template <class... S>
 struct StageSolvers {
   std::tuple<StageSolver<S>...> of;
@@ -84,8 +87,8 @@ inline const SystemKernels& system_kernels() {
   return kernels;
 }
 
-/// Solves for the stages, as StageSolver describes. S must be one of the types of SystemKernels. A derived type is not
-/// accepted, because its field may differ.
+/// Solves for the stages, as StageSolver describes. S must be one of the types of SystemKernels. A type derived from
+/// one of them is not accepted, because its field may differ. Throws mechanics::NoKernels if no kernel can run.
 template <class S>
 requires(SystemKernels::has<S>) bool solve_stages_in_lanes_of(const S& system, mechanics::GaussStages& stages) {
   return std::get<StageSolver<S>>(system_kernels().of)(system, stages);

@@ -7,6 +7,7 @@
 
 namespace pseudorigid::systems {
 
+/// The scenes of the systems, in the order in which the documentation lists them.
 const std::vector<AnySystemScene>& system_table();
 
 }  // namespace pseudorigid::systems

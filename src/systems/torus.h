@@ -1,13 +1,15 @@
 #pragma once
-/// A heavy particle of unit mass on a rough torus (Oliva, Geometric Mechanics, 5.8.8), with strong dissipation. For
-/// R = 3 and r = 1, the equations are
+/// A heavy particle of unit mass on a rough torus (Oliva, Geometric Mechanics, 5.8.8), with strong dissipation. The
+/// angles are w around the tube and u around the axis. For R = 3 and r = 1, the position q, the metric, the friction D
+/// and the potential V are
 ///
 ///   q = (sin w, (3 + cos w) sin u, (3 + cos w) cos u),   metric dw² + (3 + cos w)² du²,
 ///   D(v) = −c(q) (v + β ⟨v, e⟩ e),   c(q) = c (1 + a cos w + b cos u),   e = cos γ e_w + sin γ e_u,
 ///   V = g ⟨q, up⟩,   up = (sin α, 0, cos α),
 ///
-/// with the unit vectors e_w, e_u along the circles, |a| + |b| < 1 and β ≥ 0. The friction D varies with the position
-/// (5.8.9) and is greater along the grain direction e. For a = b = β = 0 it is the friction of 5.8.8.
+/// with the velocity v, the unit vectors e_w, e_u along the circles, and the acceleration g of gravity. The numbers
+/// satisfy |a| + |b| < 1 and β ≥ 0. The friction D varies with the position (5.8.9) and is greater along the grain
+/// direction e. For a = b = β = 0 it is the friction of 5.8.8.
 ///
 /// For α = 0, the potential V = g (3 + cos w) cos u is even in x = sin w. The circle w = π is therefore invariant. It
 /// connects the two saddles, whose stable and unstable manifolds are not transversal there. A tilt α ≠ 0 removes the
@@ -50,9 +52,9 @@ struct Torus : TorusSurface {
     return {factor * (v[0] + along * (of_w / r)), factor * (v[1] + along * of_u / rho)};
   }
 
-  /// The greatest damping μ, which is the maximum of |⟨D(v), v⟩|/|v|², and the depth −min V.
+  /// The greatest damping μ, which is the maximum of |⟨D(v), v⟩|/|v|² over all states.
   double greatest_damping() const { return c * (1 + std::abs(c_w) + std::abs(c_u)) * (1 + grain); }
-  double depth() const { return gravity * (R * std::abs(std::cos(tilt)) + r); }
+  double depth() const { return gravity * (R * std::abs(std::cos(tilt)) + r); }  ///< −min V
 };
 
 }  // namespace pseudorigid::systems

@@ -67,8 +67,8 @@ struct TorusScene {
     visit(s.rates, scene::Numbers{2}, About{"Torus/Rates", "1/time", "Initial rates of the angles."});
   }
 
-  /// The unit of time is the smaller of √(r/g) and the reciprocal of the largest initial rate. Without gravity and at
-  /// rest, it is 1.
+  /// The unit of length is the tube radius r, and that of mass is 1. The unit of time is the smaller of √(r/g) and the
+  /// reciprocal of the largest initial rate. Without gravity and at rest, it is 1.
   Scales scales() const {
     const double rate = std::max({std::sqrt(gravity / r), std::abs(rates[0]), std::abs(rates[1])});
     return {r, 1, rate > 0 ? 1 / rate : 1};
@@ -119,13 +119,14 @@ struct TorusScene {
                                       std::numeric_limits<double>::max())});
       return {};
     }
-    /// The potential landscape in the coordinate w. It does not depend on the circle w₀ of the motion.
+    /// The potential landscape in the coordinates (w, u). It does not depend on the circle w₀ of the motion.
     auto landscape() const {
       Torus torus = system.chart();
       torus.outward = 1;
       return mechanics::ChartLandscape<Torus>(torus);
     }
     std::vector<Column> coordinates() const { return {{"w", "", ""}, {"u", "", ""}}; }
+    /// The model at rest at the point q = (w, u) of the landscape, with the circle w₀ nearest to this point.
     Model resting_at(const Eigen::VectorXd& q) const {
       const TorusCircle nearest(q[0]);
       Torus torus = system.chart();
