@@ -1,7 +1,7 @@
 #pragma once
-/// Fields over a body at one time, for pictures. Their values are given at points of the reference body, in internal
-/// units. All quantities in a picture are computed from these fields, in the same way for every model
-/// (io/body_picture.h).
+/// Fields over a body at one time, for the picture files (VTU). Their values are given at points of the reference body,
+/// in the internal units, in which all quantities are of order 1. All quantities in a picture are computed from these
+/// fields, so that every model has the same definitions (io/body_picture.h).
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -30,8 +30,10 @@ struct BodyFields {
   std::vector<double> energy;                            ///< stored energy W per reference volume
   std::vector<double> potential;                         ///< potential of self-gravity per mass; empty if not known
   Eigen::Vector3d center = Eigen::Vector3d::Zero();      ///< centre of mass x_c
-  Eigen::Matrix3d moment = Eigen::Matrix3d::Identity();  ///< ∫ρ (x − x_c) Xᵀ dV, which determines the mean rotation
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Identity();  ///< ∫ρ (x − x_c) Xᵀ dV over the reference body with its
+                                                         ///< density ρ; the polar decomposition gives the mean rotation
 
+  /// Appends the values at one point to all fields except `potential`.
   void add(const Eigen::Vector3d& X_of_point, const Eigen::Vector3d& x_of_point, const Eigen::Vector3d& v_of_point,
            const Eigen::Matrix3d& F_of_point, const Eigen::Matrix3d& stress_of_point, double energy_of_point) {
     X.insert(X.end(), X_of_point.begin(), X_of_point.end());

@@ -31,16 +31,18 @@
 
 namespace pseudorigid::mechanics {
 
-/// A system that also computes C at a state, f += −C u. The velocity may change the force only by the damping.
+/// A system that also applies the operators C and S at a state to a vector u. The rest of its force must not depend on
+/// the velocity, because the implicit step treats only the damping.
 template <class S>
 concept Damped = ConstrainedSystem<S> &&
     requires(const S s, const State<S> state, const typename S::Vector v, typename S::Vector f) {
   s.add_damping(state, v, Linearization::tangent, f);  // (state, u, kind, f): f += −C u, or f += −S u
   s.apply_mass(v, f);                                  // f = M v
-  s.add_taken(0.0, f);                                 // (energy, v): adds to the dissipated energy, which v contains
+  s.add_taken(0.0, f);                                 // (energy, v): adds `energy` to the entry of v that is the
+                                                       // dissipated energy
 };
 
-/// True if C does not depend on v. A system without the function `damping_is_linear` has such a C.
+/// Returns true if C does not depend on v. A system without the function `damping_is_linear` must have such a C.
 template <class S>
 bool damping_is_linear(const S& system) {
   if constexpr (requires { system.damping_is_linear(); }) return system.damping_is_linear();
@@ -65,6 +67,7 @@ struct DampingTemporaries<S> {
 
   typename S::Vector residual;  ///< r, or P r after the projection
   typename S::Vector solution;  ///< u
+  /// The direction p of conjugate gradients, P(1 + s M⁻¹C) p, −C p, and M x for a norm.
   typename S::Vector direction, product, force, momentum;
   typename S::Vector at_rest;  ///< f(q, 0), if `rest_known` is true (rattle_velocity.h)
   bool rest_known = false;
@@ -78,10 +81,11 @@ struct DampingTemporaries<S> {
 
 namespace detail {
 
-/// Fraction of the permitted residual that projections may leave.
+/// Tolerance of the projections as a fraction of the permitted residual of `solve_damping`.
 inline constexpr double left_by_projections = 0.1;
 
-/// x ← P x at the configuration q. Fails if the iteration for the constraint does not converge.
+/// Replaces x by P x at the configuration q, up to the residual |G x|_∞ ≤ `tolerance`. Fails if the iteration for the
+/// constraint does not converge.
 template <ConstrainedSystem S>
 Status project_onto_tangent_space(const S& system, double tolerance, const typename S::Vector& q, typename S::Vector& x,
                                   typename S::Workspace& system_workspace, ConstraintTemporaries<S>& constraint) {
@@ -94,7 +98,8 @@ Status project_onto_tangent_space(const S& system, double tolerance, const typen
 
 }  // namespace detail
 
-/// Replaces r = w.residual by P r. Fails if the iteration for the constraint does not converge.
+/// Replaces r = w.residual by P r. `enough` is the permitted residual of solve_damping, which follows. Fails if the
+/// iteration for the constraint does not converge.
 template <Damped S>
 Status project_residual(const S& system, const typename S::Vector& q, double enough,
                         typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,

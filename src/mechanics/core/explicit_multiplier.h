@@ -10,7 +10,8 @@
 ///
 /// A system may have its own faster members `acceleration(t, q, v, w, a)` and `project(q, v, w)`. The field then calls
 /// these members. If the number of constraints is known at compile time, Gram solves are direct. Other Gram solves may
-/// be inexact, and are repeated until the acceleration satisfies the constraint.
+/// be inexact. They are repeated until the residual of the acceleration is within the constraint tolerance, or no
+/// longer halves, or at most 30 times.
 
 #include <cmath>
 
@@ -116,7 +117,8 @@ class ExplicitMultiplier {
       return {};
     } else {
       auto& c = w.constraint;
-      c.direction_known = false;  // the velocity uses the same direction, which the correction of q hardly changes
+      c.direction_known = false;  // the correction of v reuses the direction that the correction of q computes, as q
+                                  // hardly changes
       const double tolerance = system_.constraint_tolerance();
       if (Status status = detail::meet_position_constraint(system_, tolerance, q, q, w.system, c,
                                                            [&] { axpy(1.0, c.reaction, q); });

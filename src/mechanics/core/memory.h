@@ -1,9 +1,9 @@
 #pragma once
 /// The memory of a method as a list of numbers. The memory contains everything that the method keeps from step to step,
-/// such as multipliers, earlier positions and compensations of round-off. A checkpoint contains the list. A run that is
-/// resumed with the list repeats the uninterrupted run bit for bit. The function `visit_memory(visit)` of a workspace
-/// passes numbers, lists of numbers and vectors to `visit`, always in the same order. For a distributed vector the list
-/// contains the entries of this rank.
+/// such as multipliers, earlier positions and compensations of round-off. A checkpoint file contains the list. A run
+/// that is resumed with the list repeats the uninterrupted run bit for bit. The function `visit_memory(visit)` of a
+/// workspace passes numbers, lists of numbers and vectors to `visit`, always in the same order. For a distributed
+/// vector the list contains the entries of this rank.
 
 #include <algorithm>
 #include <cstddef>
@@ -17,6 +17,7 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
+/// Appends each value that `visit_memory` passes to `numbers`.
 struct MemorySaver {
   std::vector<double>& numbers;
   void operator()(std::span<double> values) const {
@@ -33,6 +34,7 @@ struct MemorySaver {
   }
 };
 
+/// Sets each value that `visit_memory` passes from the front of `numbers`, which must be long enough.
 struct MemoryRestorer {
   std::span<const double> numbers;
   void operator()(std::span<double> values) {

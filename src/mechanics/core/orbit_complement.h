@@ -1,7 +1,8 @@
 #pragma once
-/// The orthogonal complement of the orbit of the symmetries. The energy-momentum method needs the change ΔX of the
-/// state in a step without the components along the tangent space of the orbit at X = (q, v). With the fields ξ_i and
-/// ξ̇_i of conservative_system.h, this tangent space and the inner product are
+/// The orthogonal complement of the orbit of the symmetries. The orbit is the set of all states that the symmetries
+/// make from a state X = (q, v). The energy-momentum method removes the components along the tangent space of the orbit
+/// from the change ΔX in a step. With the fields ξ_i and ξ̇_i of conservative_system.h, this tangent space and the
+/// inner product are
 ///
 ///   span{(ξ_i(q), ξ̇_i(v))},   ⟨(a, α), (b, β)⟩ = a·b + α·β   (time in the system's unit).
 ///
@@ -40,9 +41,9 @@ class OrbitComplement {
     }
   }
 
-  /// (a, α) ← (a, α) without its components along the orbit. Returns the length of the remainder, or 0 if the remainder
-  /// is at most `dependent` times the original length. The loop repeats as long as cancellation removes more than half
-  /// of the length. A NaN ends the loop.
+  /// Removes the components along the orbit from (a, α). Returns the length of the remainder, or 0 if the remainder is
+  /// at most `dependent` times the original length. The loop repeats as long as cancellation removes more than half of
+  /// the length. A NaN ends the loop.
   double project(Vector& a, Vector& alpha) const {
     const double length = norm(a, alpha);
     double before = length, left = length;

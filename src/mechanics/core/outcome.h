@@ -2,7 +2,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// The outcome of a run. The time loop, the manifest and the exit code use it.
+/// The end of a run. `finished`: it reached its end time. `interrupted`: the user stopped it, and it can be resumed.
+/// `failed`: a step failed, and Status has the reason.
 enum class Outcome { finished, interrupted, failed };
 
 }  // namespace pseudorigid::mechanics

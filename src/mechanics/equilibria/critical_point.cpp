@@ -34,8 +34,8 @@ Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G
   return factor.matrixU().solve(Z);
 }
 
-/// Sets the rates and directions without damping: z² = −κ for each eigenvalue κ of H. If κ counts as zero, z is 0. Then
-/// n_unstable and n_stable are both the Morse index, which must be set.
+/// Sets the rates and directions without damping: z² = −κ for each eigenvalue κ of H. An eigenvalue with |κ| ≤ `zero`
+/// gives z = 0. Sets n_unstable and n_stable to p.morse_index, which the caller must have set.
 void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.values.size();
   p.rates.resize(2 * n);

@@ -16,7 +16,8 @@
 /// On this space S and W are again well defined. A symmetry causes a double rate zero, which round-off would split into
 /// two small rates. The motions with these rates are not in this space.
 ///
-/// Time is scaled by √max(|K|, |G|²), which is about the largest frequency, so all thresholds are relative.
+/// The unit of time is 1/√max(|K|, |G|²), and this root is about the largest frequency. All thresholds are therefore
+/// relative.
 
 #include <Eigen/Core>
 #include <complex>
@@ -31,7 +32,7 @@ struct SymmetryDirections {
   Eigen::MatrixXd y, rate;
 };
 
-/// The linear system dx/dt' = −W⁻¹S x on the reduced space. Its time t' is scaled: d/dt = scale · d/dt'.
+/// The linear system dx/dt' = −W⁻¹S x on the reduced space, with the scaled time t' = scale · t.
 struct ReducedLinearSystem {
   Eigen::MatrixXd S, W;
   double scale = 1;
@@ -52,8 +53,8 @@ struct LinearStability {
   bool stable = true;      ///< spectral stability: no rate has a positive real part
 };
 
-/// Real parts below this fraction of the largest rate count as zero. Round-off ε splits colliding rates by √ε, times a
-/// condition number.
+/// Real parts of at most this fraction of the largest rate count as zero. Energies ½x̄ᵀSx of scaled directions below
+/// half of this bound also count as zero. Round-off ε splits colliding rates by √ε, times a condition number.
 inline constexpr double zero_growth = 1e-6;
 /// Eigenvalues of the second variation are of order 1. Eigenvalues with a smaller absolute value than this bound count
 /// as zero.
@@ -63,8 +64,8 @@ inline constexpr double zero_variation = 1e-12;
 /// count as zero if they are at most `absent` times the largest singular value of the same matrix.
 ReducedLinearSystem reduce(Eigen::MatrixXd K, Eigen::MatrixXd G, const SymmetryDirections& symmetries, double absent);
 
-/// Sets the rates, the second variation and the stability in `result`. Fails if the system is not finite or if the
-/// eigenvalues do not converge.
+/// Sets the rates, the second variation and the stability in `result`. If the reduced space is zero, there are no rates
+/// and the result is stable. Fails if the system is not finite or if the eigenvalues do not converge.
 Status analyse_stability(const ReducedLinearSystem& system, LinearStability& result);
 
 }  // namespace pseudorigid::mechanics

@@ -1,7 +1,7 @@
 #pragma once
 /// Special points along a family of relative equilibria. Each kind has a smooth test function, whose zero is located to
-/// round-off. F = 0 are the equations of the family, t is its tangent, and t₀ is a fixed tangent nearby. J is the
-/// angular momentum and Z the circulation.
+/// round-off. The family is a curve of solutions of the equations F = 0, with the tangent t. The vector t₀ is a fixed
+/// tangent nearby. J is the angular momentum and Z the circulation.
 ///
 ///   fold          a quantity q of the family (its spin, a momentum) has an extremum: ∇q·t = 0
 ///   branch point  another branch of steady motions crosses:                          det[DF; t₀ᵀ] = 0
@@ -101,8 +101,8 @@ inline void locate_changes_of_stability(const StabilityAlong& stability, double 
       return std::abs(x) <= zero_variation ? 0 : x;
     };
     const auto s = bracketed_root(eigenvalue, a, b, resolution);
-    // Skip a jump of the eigenvalue through 0. Also skip a root at the same place as the last one, since on spheroids
-    // two eigenvalues vanish together.
+    // Skip a jump of the eigenvalue through 0, which is not a zero. Also skip a root at the same place as the last one,
+    // because two eigenvalues of a spheroid vanish together.
     if (!s || std::abs(eigenvalue(*s)) > 1e-6 || std::abs(*s - last) <= 1e-7 * std::abs(b - a)) continue;
     found.push_back({SpecialKind::index, *s});
     last = *s;
