@@ -62,6 +62,7 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
+/// Returns the product λ·r of a multiplier and a residual, which are numbers if there is a single constraint.
 inline double pairing(double lambda, double r) { return lambda * r; }
 template <class Multiplier>
 double pairing(const Multiplier& lambda, const Multiplier& r) {
@@ -98,7 +99,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Makes one substep. A failed step leaves the state unchanged.
+  /// Makes one substep. Fails if the force, the constraint or a Gram solve fails, or if the iteration does not
+  /// converge. A failed step leaves the state unchanged.
   template <ConservativeSystem S>
   static Status advance(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
     using Verdict = detail::ConvergenceMonitor::Verdict;
@@ -182,6 +184,7 @@ struct EnergyMomentum {
   }
 
   template <ConservativeSystem S>
+  /// Sets (q₁, v₁) to the state plus (Δq, Δv).
   static void set_end(const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     w.q_end = state.q;
     w.v_end = state.v;
@@ -189,7 +192,8 @@ struct EnergyMomentum {
     axpy(1.0, w.dv, w.v_end);
   }
 
-  /// Computes new Δv and Δq from their values and the multipliers of the previous iteration.
+  /// Computes new Δv and Δq from their values and the multipliers of the previous iteration. Fails if a force or the
+  /// constraint fails.
   template <ConservativeSystem S>
   static Status improve(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     w.q_middle = state.q;
@@ -217,7 +221,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// A += a [f(q) + G(q)ᵀλ − D²g(q)(v, ·)ᵀμ], B += a G(q)ᵀμ. The pair (−A, B) is ∇F without the term M v.
+  /// A += a [f(q) + G(q)ᵀλ − D²g(q)(v, ·)ᵀμ], B += a G(q)ᵀμ. With a = 1, the pair (−A, B) is ∇F without the term M v.
+  /// Fails if the force fails.
   template <ConservativeSystem S>
   static Status add_gradient(const S& system, double a, double t, const typename S::Vector& q,
                              const typename S::Vector& v, EnergyMomentumWorkspace<S>& w, typename S::Vector& A,
@@ -236,7 +241,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Sets C = Π D + θ P. Computes θ unless it is kept.
+  /// Sets C = Π D + θ P, with D = 0 if the system has no symmetries. Computes θ if w.hold is 0, and otherwise keeps it.
+  /// Fails if a force or the constraint fails.
   template <ConservativeSystem S>
   static Status correct(const S& system, double h, double t, EnergyMomentumWorkspace<S>& w) {
     w.P_q = w.dq;
@@ -267,9 +273,9 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Sets θ from the part of the energy error that exceeds ν. Sets θ = 0 near a relative equilibrium. The energy error
-  /// is ΔF − (∇F(X_m) + ΠD)·ΔX plus a bounded part of the error of earlier steps. The covectors ∇F(X_m) and ΠD vanish
-  /// along the orbit, so their products with ΔX and with P are equal.
+  /// Sets θ from the part of the energy error that exceeds ν. Sets θ = 0 near a relative equilibrium. Fails if the
+  /// constraint fails. The energy error is ΔF − (∇F(X_m) + ΠD)·ΔX plus a bounded part of the error of earlier steps.
+  /// The covectors ∇F(X_m) and ΠD vanish along the orbit, so their products with ΔX and with P are equal.
   template <ConservativeSystem S>
   static Status set_theta(const S& system, double h, double P, EnergyMomentumWorkspace<S>& w) {
     w.theta = 0;
@@ -290,7 +296,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Corrects the end state such that g(q₁) = 0 and γ(q₁, v₁) = 0 to first order, by reactions at q_m.
+  /// Corrects the end state such that g(q₁) = 0 and γ(q₁, v₁) = 0 to first order, by reactions at q_m. Fails if the
+  /// constraint or a Gram solve fails.
   template <ConservativeSystem S>
   static Status constrain(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {
@@ -310,7 +317,7 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Solves G(q₁)M⁻¹G(q_m)ᵀ δ = −residual, and sets B = M⁻¹G(q_m)ᵀ δ.
+  /// Solves G(q₁)M⁻¹G(q_m)ᵀ δ = −residual, and sets B = M⁻¹G(q_m)ᵀ δ. Fails if the Gram solve fails.
   template <ConservativeSystem S>
   static Status react(const S& system, EnergyMomentumWorkspace<S>& w) {
     scale(-1.0, w.residual);
@@ -324,6 +331,8 @@ struct EnergyMomentum {
   }
 
   template <ConservativeSystem S>
+  /// Adds (Δq, Δv) to the state, and restores the momenta. Stores the energy error and the values from which the next
+  /// step predicts its guess.
   static void accept(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
     const double K_start = system.kinetic_energy(state.v);
     add(1.0, w.dq, state.q, w.q_rounding);

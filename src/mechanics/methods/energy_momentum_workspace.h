@@ -9,7 +9,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// Temporaries and initial guesses of one integration.
+/// Temporaries, initial guesses and accumulated errors of one integration.
 template <ConservativeSystem S>
 struct EnergyMomentumWorkspace {
   using Vector = typename S::Vector;

@@ -24,6 +24,7 @@ struct MultiplierHistory {
     for (auto& value : values) value = system.make_multiplier();
   }
 
+  /// Stores λ(t) = lambda, and drops the oldest value if the history is full.
   void record(double t, const typename S::Multiplier& lambda) {
     for (int i = n_values - 1; i > 0; --i) {
       std::swap(values[i], values[i - 1]);

@@ -68,7 +68,7 @@ constexpr std::array<long double, n> solve(std::array<std::array<long double, n>
 
 constexpr long double power(long double x, int n) { return n == 0 ? 1 : x * power(x, n - 1); }
 
-/// Returns the coefficients of ρ for the given a_i, the lowest power first.
+/// Returns the k + 1 coefficients of ρ for the given a_i, the lowest power first.
 template <int k>
 constexpr std::array<long double, k + 1> first_polynomial(const std::array<long double, k / 2 - 1>& a) {
   std::array<long double, k + 1> rho{1, -2, 1};
@@ -91,8 +91,8 @@ constexpr std::array<long double, k / 2> second_polynomial(const std::array<long
   return solve<m>(A, b);
 }
 
-/// Weights c_i of the accelerations a_{n−i} in the formula for the velocity. The difference v_n − d_n/h is an integral
-/// of the polynomial through the a_{n−i}. The formula is exact for a = (t − t_n)^s with h = 1:
+/// Returns the weights c_i of the accelerations a_{n−i} in the formula for the velocity. The difference v_n − d_n/h is
+/// an integral of the polynomial through the a_{n−i}. The formula is exact for a = (t − t_n)^s with h = 1:
 ///   Σ_i c_i (−i)^s = v_n − (q_n − q_{n−1}) = (−1)^s / ((s + 1)(s + 2)),   s = 0 … k − 1.
 template <int k>
 constexpr std::array<long double, k> velocity_weights() {
@@ -108,6 +108,7 @@ constexpr std::array<long double, k> velocity_weights() {
 }  // namespace detail
 
 template <int k>
+/// Returns the formulas for the parameters a_i of ρ. They are computed in extended precision and then rounded.
 constexpr MultistepFormula<k> multistep_formula(const std::array<long double, k / 2 - 1>& a) {
   const auto rho = detail::first_polynomial<k>(a);
   const auto beta = detail::second_polynomial<k>(rho);

@@ -7,8 +7,8 @@
 ///   v_{n+1}   = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}) + G(q_{n+1})ᵀ μ_n],   G(q_{n+1}) v_{n+1} = 0
 ///
 /// The velocity projection with the multiplier μ_n changes v_{n+1} along M⁻¹G(q_{n+1})ᵀ. The next λ_{n+1} acts along
-/// the same directions. If a step omits the projection, λ_{n+1} takes over the missing change. SHAKE and RATTLE
-/// therefore have equal positions. `advance` omits the projection, and `project_velocity` projects at samples.
+/// the same directions. If a step omits the projection, λ_{n+1} includes the missing change. SHAKE and RATTLE therefore
+/// have equal positions. `advance` omits the projection, and `project_velocity` projects at samples.
 ///
 /// λ_n is multiplied by the sum of the half steps before and after q_n. With Λ for this product, Newton's iteration is
 ///
@@ -63,7 +63,9 @@ struct Rattle {
     return {};
   }
 
-  /// Makes one substep, without the final velocity projection unless a force depends on the velocity.
+  /// Makes one substep. The final projection of the velocity is omitted unless a force depends on the velocity. Fails
+  /// if the force fails, or if the iteration for the constraint or for the velocity does not converge. After a failure
+  /// the state is not valid.
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if (Status status = kick(system, h, state, w); !status) return status;
@@ -81,20 +83,22 @@ struct Rattle {
     }
   }
 
-  /// Completes the step of RATTLE by the projection of v (rattle_velocity.h).
+  /// Completes the step of RATTLE by the projection of v (rattle_velocity.h). Fails if the projection does not
+  /// converge.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
     return RattleVelocity::project_velocity(system, state, w);
   }
 
-  /// Sets w.acceleration to M⁻¹f at the state, unless it is known.
+  /// Sets w.acceleration to M⁻¹f at the state, unless it is known. Fails if the force fails.
   template <ConstrainedSystem S>
   static Status ensure_acceleration(const S& system, const State<S>& state, RattleWorkspace<S>& w) {
     return RattleVelocity::ensure_acceleration(system, state, w);
   }
 
  private:
-  /// Makes the second half step.
+  /// Makes the second half step. If a force depends on the velocity, the implicit equation is solved from the guess 2
+  /// v_{n+1/2} − v_n.
   template <ConstrainedSystem S>
   static Status kick_again(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     state.t += h;
@@ -136,7 +140,7 @@ struct Rattle {
   }
 
   /// Returns a correction of the dissipated energy. An implicit kick of length s from v_0 to v dissipates ½s (v_0 +
-  /// v)ᵀC v, but the system has counted s vᵀC v.
+  /// v)ᵀS v, but the system has counted s vᵀS v. S is the operator of the secant (damping.h).
   template <Damped S>
   static double taken_beyond_power(const S& system, double s, const State<S>& state, const typename S::Vector& start,
                                    DampingTemporaries<S>& w) {
@@ -145,7 +149,8 @@ struct Rattle {
     return 0.5 * s * (dot(state.v, w.force) - dot(start, w.force));
   }
 
-  /// q ← q + h v, with v corrected along M⁻¹G(q_n)ᵀ such that g(q) = 0 at the new q.
+  /// q ← q + h v, with v corrected along M⁻¹G(q_n)ᵀ such that g(q) = 0 at the new q. Fails if the iteration does not
+  /// converge.
   template <ConstrainedSystem S>
   static Status move_on_constraint(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (unconstrained<S>) {
