@@ -16,7 +16,7 @@ namespace pseudorigid::mechanics {
 template <class S>
 concept Relaxing = ConstrainedSystem<S> &&
     requires(const S s, double h, const typename S::Vector before, typename S::Vector q, typename S::Vector v) {
-  { s.relaxes() } -> std::same_as<bool>;  // false if this system has no variables z, although its type can have them
+  { s.relaxes() } -> std::same_as<bool>;  // false if this system has no variables z
   /// Replaces z in q by its value after the time h, for the mean strain of the positions `before` and q. Returns the
   /// dissipated energy, which the method passes to `add_taken`.
   { s.relax(h, before, q) } -> std::same_as<double>;

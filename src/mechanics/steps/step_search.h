@@ -27,7 +27,7 @@
 /// factor 23. If this product is too large, but 2.8 times the estimate is not, the search also tries w/2 with the
 /// factor 2.8. These factors were tested in releases, spins, tides and figures of equilibrium of the ball. Without a
 /// factor, the estimate was too small by a factor of 0.07 to 9 at w/8, and of 0.4 to 2.1 at w/2. A method of high order
-/// at its stability limit often passes this test. The pilot runs then cost only a fifth or a half as much.
+/// at its stability limit often passes this test. Its pilot runs then cost only a fifth or a half as much.
 ///
 /// A symmetric multistep method conserves a modified energy. For a mode of frequency ω and energy E_ω, the modified
 /// energy is
@@ -51,7 +51,7 @@
 /// constraint. The finite elements had degrees 2 to 4, and the polynomials had degrees 3 to 9. In 12 runs the change
 /// was more than 5 times D + 44 δ, because violent motions become more violent with time. In the worst case a
 /// compressible ball is compressed to a fifth. The power 3/2 was chosen after these measurements. The target and the
-/// reserve of the models (app/run/field_model.h) together permit a factor of 5. A larger excess comes from the
+/// reserve of the models (app/run/field_model.h) together permit a factor of 5. A larger excess results from the
 /// parasitic roots of the method, ±i for order 4, which resonate with sums of frequencies. Sums of two frequencies
 /// resonate from hω = 0.79 on, and sums of three from 0.52 on. The error of these resonances falls faster than h^p.
 ///
@@ -69,7 +69,8 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// The search for the step. `compensated` is true if sums of the system's vectors are compensated.
+/// The search for the step. `compensated` is true if sums of the system's vectors are compensated. The request must
+/// exist as long as the object.
 class StepSearch {
  public:
   StepSearch(const StepRequest& request, bool compensated)
@@ -84,7 +85,8 @@ class StepSearch {
     return trial;
   }
 
-  /// Number of force evaluations of the whole run with the largest permitted step. The method cannot need fewer.
+  /// Returns the number of force evaluations of the whole run with the largest permitted step. The method cannot need
+  /// fewer.
   double least_forces(const FixedStepMethod& method) const { return run_forces(method, limit(method)); }
   long n_force() const { return n_force_; }
 
