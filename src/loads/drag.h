@@ -1,5 +1,5 @@
 #pragma once
-/// Linear drag, with the force −cρẋ per reference volume and the density ρ.
+/// Linear drag: the force −cρẋ per reference volume, with the reference density ρ and the velocity ẋ.
 
 #include "loads/load.h"
 

@@ -29,7 +29,7 @@ class EllipsoidFriction {
  public:
   static constexpr int n_angles = 16;
 
-  /// The friction at the velocities Qdot and cdot.
+  /// The friction at the velocities Qdot and cdot. The object keeps references to the arguments.
   EllipsoidFriction(const EllipsoidContact& contact, const Eigen::Matrix3d& Qdot, const Eigen::Vector3d& cdot)
       : contact_(contact), Qdot_(Qdot), cdot_(cdot) {}
 
@@ -43,7 +43,8 @@ class EllipsoidFriction {
     });
     return power;
   }
-  /// Adds the linearised change of the friction for changes dQdot and dcdot of the velocities to f.
+  /// Adds the linearised change of the friction for changes dQdot and dcdot of the velocities to f. `kind` chooses one
+  /// of the two linearisations of friction.h.
   void add_change(const Eigen::Matrix3d& dQdot, const Eigen::Vector3d& dcdot, mechanics::Linearization kind,
                   AffineForce& f) const {
     for_each_point([&](const Eigen::Vector3d& X, double pressure) {

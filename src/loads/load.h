@@ -37,7 +37,8 @@ namespace pseudorigid::loads {
 /// Properties of the body that a load needs for its line in the output of `pseudorigid check`.
 struct BodyFacts {
   bool incompressible;
-  double volume_by_inertia;  ///< Vol/m̄, m̄ = tr E₀/3; converts a pressure to the column `multiplier`
+  double volume_by_inertia;  ///< volume over m̄ = tr E₀/3, with E₀ = ∫ρ X Xᵀ dX; converts a pressure to the column
+                             ///< `multiplier`
 };
 
 /// A visitor that ignores the entries, used to check the interface.
@@ -65,7 +66,8 @@ concept Load = std::default_initializable<L> &&
   { load.forcing() } -> std::same_as<Forcing>;
 });
 
-/// Returns the forcing of a load. If it depends on time, the result is the forcing of largest size over all times.
+/// Returns the forcing of a load. If the load depends on time, the result is the forcing of largest size over all
+/// times.
 template <Load L>
 Forcing largest_forcing(const L& load) {
   if constexpr (DependsOnTime<L>)

@@ -1,5 +1,6 @@
 #pragma once
-/// Objective viscosity (Kelvin–Voigt) with the Cauchy stress 2ηd, in which d is the symmetric velocity gradient.
+/// Objective viscosity (Kelvin–Voigt) with the Cauchy stress 2ηd. Here d is the symmetric part of the velocity
+/// gradient.
 
 #include "loads/load.h"
 

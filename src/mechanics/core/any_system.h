@@ -221,9 +221,9 @@ class AnyConstrainedSystem {
   Vector zero_, no_reaction_;
 };
 
-template <int n>
 /// Any system with n constraints. If the system is not conservative, its energies are 0, it has no symmetries, and the
 /// output vectors do not change.
+template <int n>
 class AnySystem : public AnyConstrainedSystem<n> {
  public:
   using Vector = typename AnyConstrainedSystem<n>::Vector;

@@ -40,9 +40,9 @@ struct SecondOrderJet {
   Eigen::Matrix<double, n, n> hessian;
 };
 
-template <int n, class Function>
 /// Returns the jet of f at q. The function f must be a template over the scalar type, because its argument has nested
 /// dual numbers.
+template <int n, class Function>
 SecondOrderJet<n> second_order_jet(const Function& f, const Coordinates<double, n>& q) {
   const auto y = f(independent(independent(q)));
   SecondOrderJet<n> jet;

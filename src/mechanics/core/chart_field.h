@@ -29,8 +29,8 @@ Coordinates<T, C::dimension> covariant_force(const C& chart, const Coordinates<T
   return F;
 }
 
-template <Chart C>
 /// The law of a chart as a SecondOrderField (second_order_field.h). A field contains its own copy of the chart.
+template <Chart C>
 class ChartField {
  public:
   using Vector = ChartVector<C>;

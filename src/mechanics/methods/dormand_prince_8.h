@@ -239,8 +239,8 @@ struct DormandPrince8 {
     return {};
   }
 
-  template <class F>
   /// Returns the number `error` of the head of this file, before its division by the tolerance.
+  template <class F>
   static double estimate_error(double h, const State<F>& state, const Workspace<F>& w) {
     double q5 = 0, v5 = 0, q3 = 0, v3 = 0;
     const auto square = [](double x) { return x * x; };
@@ -277,9 +277,9 @@ struct DormandPrince8 {
     return std::isfinite(a.squaredNorm()) ? Status() : Status::failure("the acceleration is not finite");
   }
 
-  template <class F>
   /// Moves the state to the end of the trial of size h, with the time t. The start of the step is kept for the dense
   /// output.
+  template <class F>
   static void accept(double t, double h, State<F>& state, Workspace<F>& w) {
     w.t_start = state.t;
     w.h_last = h;

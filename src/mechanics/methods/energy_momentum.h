@@ -183,8 +183,8 @@ struct EnergyMomentum {
     set_end(state, w);
   }
 
-  template <ConservativeSystem S>
   /// Sets (q₁, v₁) to the state plus (Δq, Δv).
+  template <ConservativeSystem S>
   static void set_end(const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     w.q_end = state.q;
     w.v_end = state.v;
@@ -330,9 +330,9 @@ struct EnergyMomentum {
     return {};
   }
 
-  template <ConservativeSystem S>
   /// Adds (Δq, Δv) to the state, and restores the momenta. Stores the energy error and the values from which the next
   /// step predicts its guess.
+  template <ConservativeSystem S>
   static void accept(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
     const double K_start = system.kinetic_energy(state.v);
     add(1.0, w.dq, state.q, w.q_rounding);

@@ -179,9 +179,9 @@ struct Gauss16 {
     int depth;
   };
 
-  template <class S>
   /// Makes the part as one step if it has been halved n_expected times or more and its stages are found. Otherwise
   /// makes two halves. Fails if the stages are not found in a part that must not be halved again.
+  template <class S>
   static Status advance_in_parts(const S& system, Part part, int n_expected, State<S>& state, Workspace<S>& w) {
     const auto [outer_h, h, depth] = part;
     w.n_halvings = std::max(w.n_halvings, depth);
@@ -308,9 +308,9 @@ struct Gauss16 {
     }
   }
 
-  template <ConstrainedSystem S>
   /// Projects position and velocity by the formulas of the head of this file. The velocity is not lifted if the system
   /// has no `add_reaction_rate`. Fails if one of the iterations does not converge.
+  template <ConstrainedSystem S>
   static Status project_with_momenta(const S& system, State<S>& state, Workspace<S>& w) {
     ++w.counters.n_projections;
     auto& c = w.system.constraint;

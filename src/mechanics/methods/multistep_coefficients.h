@@ -107,8 +107,8 @@ constexpr std::array<long double, k> velocity_weights() {
 
 }  // namespace detail
 
-template <int k>
 /// Returns the formulas for the parameters a_i of ρ. They are computed in extended precision and then rounded.
+template <int k>
 constexpr MultistepFormula<k> multistep_formula(const std::array<long double, k / 2 - 1>& a) {
   const auto rho = detail::first_polynomial<k>(a);
   const auto beta = detail::second_polynomial<k>(rho);

@@ -133,9 +133,9 @@ struct SymmetricMultistep {
     return {};
   }
 
-  template <ConstrainedSystem S>
   /// Sets state.v to the projected velocity v_n. During the first k − 1 steps, the starting method makes its velocity
   /// valid. Fails if the force or the projection fails.
+  template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, Workspace<S>& w) {
     if (w.n_known < w.n_slots) return w.start.project(system, state, w);
     if (Status status = ensure_predicted_acceleration(system, state, w); !status) return status;
@@ -151,9 +151,9 @@ struct SymmetricMultistep {
   /// Returns true if the step sizes differ only by the round-off of the sample times.
   static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
 
-  template <class S>
   /// Empties the history, so that the starting method makes the next k − 1 steps of size h. They start from the
   /// projected state.
+  template <class S>
   static Status restart(const S& system, double h, State<S>& state, Workspace<S>& w) {
     if (w.h != 0)
       if (Status status = project_velocity(system, state, w); !status) return status;

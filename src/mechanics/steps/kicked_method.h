@@ -25,9 +25,9 @@ struct Kicked : Method {
     std::uint64_t n_kicks = 0;
   };
 
-  template <SecondOrderField F>
   /// Makes a step of Method and then perturbs the state. If the step of Method fails, there is no perturbation, and the
   /// failure is returned.
+  template <SecondOrderField F>
   static Status step(const F& field, double t_limit, State<F>& state, Workspace<F>& w) {
     if (Status status = Method::step(field, t_limit, state, w); !status) return status;
     for (auto* x : {&state.q, &state.v})

@@ -183,8 +183,8 @@ FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& 
     };
   return method;
 }
-template <class Method, class S, class QOf>
 /// Returns an AdaptiveMethod, whose functions keep references to the arguments.
+template <class Method, class S, class QOf>
 AdaptiveMethod adaptive_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                const QOf& Q_of) {
   const auto pilot = [&]<class Stepper>(Stepper, double local_tolerance, auto&& prepare) {
