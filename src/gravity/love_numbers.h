@@ -40,12 +40,14 @@ struct LoveNumbers {
   double load_factor() const { return -2 * (degree - 1) / 3.0; }
 };
 
+/// Returns the exact numbers for n ≥ 2 and γ = `gamma`.
 inline LoveNumbers exact_love_numbers(int n, double gamma) {
   const double m = (2.0 * n * n + 4 * n + 3) / n;
   const double h = (2.0 * n + 1) / (2 * (n - 1)) / (1 + m / gamma);
   return {n, h, 3 / (n * (2.0 * n + 1)) * h};
 }
 
+/// Returns the numbers of the pseudo-rigid ball for γ = `gamma`, which are 0 for n > 2.
 inline LoveNumbers pseudo_rigid_love_numbers(int n, double gamma) {
   const double h = n == 2 ? 2.5 / (1 + 12.5 / gamma) : 0.0;
   return {n, h, h / 2};

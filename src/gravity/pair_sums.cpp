@@ -87,7 +87,8 @@ PairSums no_sums(std::size_t n_targets) {
   return {none, {none, none, none}, {none, none, none}};
 }
 
-/// A block of points, one in each lane, from number `first` on, with sums of 0. Lanes after the last point repeat it.
+/// Returns a block of points, one in each lane, from number `first` on, with sums of 0. Lanes after the last point
+/// repeat this point.
 Block<L> block_at(const SurfacePoints& points, std::size_t first) {
   Block<L> block{};
   for (int c = 0; c < 3; ++c) {
@@ -129,9 +130,9 @@ class PairWithImages {
     (std::make_integer_sequence<int, 8>());
   }
 
-  /// The sum Σ_k of `term` over the images.
+  /// Returns the sum Σ_k of `term` over the images.
   L sum(L ImageSums::*term) const { return all_.*term; }
-  /// The sum Σ_k s_kc of `term` over the images.
+  /// Returns the sum Σ_k s_kc of `term` over the images.
   L signed_sum(int c, L ImageSums::*term) const {
     return mirrors >> c & 1 ? all_.*term - 2.0 * behind_[c].*term : all_.*term;
   }
@@ -187,7 +188,8 @@ struct MutualSums {
   }
 };
 
-/// Adds the contributions of the points x and their images to the sums of the point y, lane by lane.
+/// Adds the contributions of the points x and their images to the sums of the point y. Each lane of the sums contains
+/// the contributions of one point x.
 template <unsigned mirrors>
 [[gnu::always_inline]] inline void react(const PairWithImages<mirrors>& pair, const L (&x)[3], const L (&N_x)[3],
                                          MutualSums& y) {
@@ -211,8 +213,8 @@ template <unsigned mirrors>
   }
 }
 
-/// The sums Σ_j over the points and their images, for each point. Each pair of points is computed once, except for
-/// pairs within a block.
+/// Returns the sums Σ_j over the points and their images, for each point. Each pair of points is computed once, except
+/// for pairs within a block.
 template <unsigned mirrors>
 PairSums sum_own_pairs(const SurfacePoints& points) {
   const std::size_t n = points.size();

@@ -41,7 +41,7 @@ struct CiarletGeymonat {
            0.25 * lambda * (2.0 * excess + delta * delta);
   }
 
-  /// First Piola–Kirchhoff stress P = ∂W/∂F.
+  /// First Piola–Kirchhoff stress P = ∂W/∂F; F must have J > 0.
   template <class T>
   [[gnu::always_inline]] Tensor<T> stress(const Tensor<T>& F) const {
     const Tensor<T> cof = cofactor(F);
@@ -49,14 +49,15 @@ struct CiarletGeymonat {
     return entrywise([&](const T& f, const T& c) { return by.of_F * f + by.of_cofactor * c; }, F, cof);
   }
 
-  /// Coefficients μ of F and s(J) of cof F in the stress.
+  /// Returns the coefficients μ of F and s(J) of cof F in the stress. If J is 1 up to round-off, s(1) is returned
+  /// (settled_at_one).
   template <class T>
   [[gnu::always_inline]] StressCoefficients<T> stress_coefficients(const T& det_F) const {
     const T J = settled_at_one(det_F);
     return {T(mu), (0.5 * lambda * (J * J - 1.0) - mu) / J};
   }
 
-  /// Derivative DP(F)[H] of the stress along H.
+  /// Derivative DP(F)[H] of the stress along H; F must have J > 0.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     const Tensor<T> cof = cofactor(F);

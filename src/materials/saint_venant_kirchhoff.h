@@ -39,7 +39,7 @@ struct SaintVenantKirchhoff {
   }
 
  private:
-  /// Second Piola–Kirchhoff stress λ tr E Id + 2μE, linear in D = 2E.
+  /// Returns the second Piola–Kirchhoff stress λ tr E Id + 2μE, which is linear in the argument D = 2E.
   template <class T>
   [[gnu::always_inline]] Tensor<T> second_stress(const Tensor<T>& D) const {
     const T mean = 0.5 * lambda * trace(D);

@@ -37,7 +37,8 @@ struct OverPoints {
   double (*value)(const Eigen::Matrix3d& F);
 };
 
-/// Quantities requested by the output. Other quantities are not computed.
+/// Quantities that the output requests. Other quantities are not computed. `over_points` has the requested columns of
+/// the type OverPoints.
 struct ObservableRequest : Quantities {
   std::vector<OverPoints> over_points{};
 };
@@ -58,6 +59,7 @@ struct AntisymmetricEntries {
   Eigen::Vector3d values;
 };
 
+/// One or several columns with the components of one observable.
 template <class Observables>
 struct BodyColumn {
   std::string_view name;
@@ -81,7 +83,7 @@ struct ContactObservables {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   double first = 0, last = 0, largest_force = 0, restitution = 0;
 
-  /// Sets the members for the current state, `energy` to `point`, from a loads::Contact.
+  /// Sets the members for the current state, from `energy` to `point`, to those of a loads::Contact.
   template <class Contact>
   void take(const Contact& now) {
     energy = now.energy;
@@ -106,8 +108,8 @@ struct VibrationObservables {
   }();
 };
 
-/// The motion of the companions (mechanics/core/orbit.h); set by observables/orbit.h. Without companions, the energies
-/// are 0.
+/// The motion of the companions (mechanics/core/orbit.h), set by observables/orbit.h, which defines the members.
+/// Without companions, the energies are 0 and the other members are NaN.
 struct OrbitObservables {
   double kinetic = 0;                                                                       ///< ½ Σ μ_k |Ṙ_k|²
   double interaction = 0;                                                                   ///< U
@@ -118,6 +120,7 @@ struct OrbitObservables {
   Eigen::Vector3d torque = position, spin = position, total_momentum = position;
 };
 
+/// Observables that every model of the ball has. The energies are those of the columns with the same names below.
 struct BodyObservables {
   Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);       ///< Q; for non-affine motions the mass moment Q_M
   Eigen::Matrix3d Qdot = Eigen::Matrix3d::Constant(not_observed);    ///< time derivative of Q
@@ -277,6 +280,7 @@ struct ReducedObservables : BodyObservables {
   double central_pressure = not_observed;  ///< p_c of p = p_c(1 − |X|²/r²), the reaction to det Q = 1
   Eigen::Vector3d axes =
       Eigen::Vector3d::Constant(not_observed);  ///< a_i of Q = TᵀAS, continued along the path, times r
+  /// Rotations T and S of the bipolar decomposition Q = TᵀAS.
   Eigen::Matrix3d T = Eigen::Matrix3d::Constant(not_observed), S = T;
   Eigen::Vector3d Omega_star = Eigen::Vector3d::Constant(not_observed);   ///< entries 12, 13, 23 of Ω* = ṪTᵀ
   Eigen::Vector3d Lambda_star = Eigen::Vector3d::Constant(not_observed);  ///< entries 12, 13, 23 of Λ* = ṠSᵀ

@@ -1,5 +1,5 @@
 #pragma once
-/// Functions for observables of the whole body.
+/// Functions for observables of the whole body that are computed from a sector between symmetry planes.
 
 #include <Eigen/Core>
 #include <array>
@@ -16,7 +16,7 @@ inline Eigen::Matrix3d without_odd_entries(Eigen::Matrix3d integral, const std::
   return integral;
 }
 
-/// Ratio of a part to the whole; 0 if the whole is 0.
+/// Returns part/whole, or 0 if the whole is 0.
 inline double share(double part, double whole) { return whole == 0 ? 0 : part / whole; }
 
 }  // namespace pseudorigid::mechanics
