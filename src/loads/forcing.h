@@ -1,7 +1,7 @@
 #pragma once
 /// All loads on an elastic body, as numbers, vectors and matrices. Each load (list.h) sets some members. Forces per
-/// mass are affine in x and ẋ, and surface tractions derive from stresses without divergence. Therefore both models of
-/// the body can represent the loads. On motions x = x_c + QX, the work of the loads is the same in both models:
+/// mass are affine in x and ẋ, and surface tractions derive from stresses without divergence. Therefore all models of
+/// the body can represent the loads. On motions x = x_c + QX, the work of the loads is the same in all models:
 ///
 ///   per mass       b − T x − c ẋ              energy ½ xᵀTx − b·x per mass; the drag dissipates c|ẋ|²
 ///   on the surface the nominal stress P̄ − p cof F, which is a dead traction P̄N per reference area and the follower

@@ -29,8 +29,8 @@ namespace pseudorigid::loads {
 struct Plane {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit normal n, pointing to the side of the body
   double position = 0;                                ///< position z₀
-  double stiffness = 0;                               ///< stiffness k
-  double damping = 0;                                 ///< damping coefficient β
+  double stiffness = 0;                               ///< stiffness k, a pressure per length
+  double damping = 0;                                 ///< damping coefficient β, in time/length
   double friction = 0;                                ///< coefficient of friction f
   double slip_speed = 1;                              ///< slip speed s
   double speed = 0;                                   ///< speed u along n

@@ -7,7 +7,7 @@
 namespace pseudorigid::loads {
 
 struct Viscosity {
-  double viscosity = 0;  ///< the viscosity η
+  double viscosity = 0;  ///< the viscosity η, in pressure · time
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

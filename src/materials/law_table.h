@@ -96,7 +96,8 @@ struct NamedLaw {
   /// there is none.
   std::string_view warning_incompressible = "", warning_compressible = warning_incompressible;
 
-  /// Makes the law for an incompressible body, without its bulk term, or for a compressible body.
+  /// Makes the law for an incompressible or a compressible body. The modulus of the bulk term is 0 for an
+  /// incompressible body, otherwise the entry Material/Lame lambda.
   AnyLaw make(const LawParameters& p, bool incompressible = true) const {
     return of(p, incompressible ? 0 : p.lame_lambda);
   }

@@ -12,13 +12,14 @@
 /// branch dissipates (μ_b/(2τ_b))(tr (Ĉ C_i⁻¹)² − ⅓ tr²(Ĉ C_i⁻¹)) ≥ 0 per reference volume. For small strains,
 /// ε̇_i = (ε − ε_i)/τ_b.
 ///
-/// For constant Ĉ the flow is exact along a line. After the time t,
+/// For constant Ĉ the flow has an exact solution. Up to the factor D, it is on the straight line from C_i(0) to Ĉ.
+/// After the time t,
 ///
 ///   C_i(t) = Y/D,   Y = (1 − w) C_i(0) + w Ĉ,   D³ = det Y = 1 + w(1 − w)[α(1 − w) + βw],
 ///   α = tr(Ĉ C_i⁻¹) − 3,   β = tr(Ĉ⁻¹C_i) − 3,
 ///   s − I(w) = t/τ_b,   w = 1 − e^{−s},   I(w) = ∫₀^w w'[α(1 − w') + βw']/(D + D² + D³) dw'.
 ///
-/// (Insert Y into the flow: ẇ = (1 − w) D/τ_b.) The branch loses the energy
+/// If Y is inserted into the flow, ẇ = (1 − w) D/τ_b follows. After the time t the branch has lost the energy
 ///
 ///   (μ_b/2)[(α + 3)(D² − 1) + w(α(2 − w) − 2β(1 − w))]/D².
 ///

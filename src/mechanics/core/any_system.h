@@ -1,14 +1,15 @@
 #pragma once
 /// One type for any system in constrained form. With this type the compiler compiles each method once and not once per
-/// system. any_field.h has the corresponding type for second-order fields. The template parameter n is 0 for a system
-/// without constraints. For all other systems it is dynamic_constraints, and only the concrete system has their number.
+/// system. any_field.h has the corresponding type for second-order fields, which adaptive methods integrate. The
+/// template parameter n is 0 for a system without constraints. For all other systems it is dynamic_constraints, and
+/// only the concrete system has their number.
 ///
 /// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). This cost is noticeable
 /// if a force takes only some nanoseconds. The models of the ball therefore use their own types.
 ///
 /// The concrete type of a constrained system computes the acceleration and the projection (explicit_multiplier.h). Some
-/// systems have energies and symmetries (conservative_system.h). The type AnySystem does not show them, so `fits` in
-/// field_of.h asks the system at run time.
+/// systems have energies and symmetries (conservative_system.h). The type AnySystem is the same with and without them,
+/// so `fits` in field_of.h tests `is_conservative()` at run time.
 
 #include <memory>
 #include <type_traits>
@@ -26,7 +27,7 @@ namespace pseudorigid::mechanics {
 namespace detail {
 
 /// Functions of a system that methods call. If there are no constraints, `acceleration`, `project` and the functions of
-/// the constraints change nothing.
+/// the constraints succeed and leave their output arguments unchanged.
 struct SystemInterface {
   using Vector = Eigen::VectorXd;
   virtual ~SystemInterface() = default;

@@ -11,7 +11,7 @@ namespace pseudorigid::mechanics {
 
 /// Arrangement of the points in the body, as blocks of (degree + 1)³ points. In a block the first coordinate varies
 /// fastest, and the coordinates are right-handed. The points of a block need not be equidistant. Fields in a block are
-/// about as smooth as polynomials of this degree.
+/// approximately polynomials of this degree in each coordinate.
 struct PointBlocks {
   int degree = 1;
   std::vector<std::int64_t> points;  ///< indices of the points, block by block

@@ -1,8 +1,8 @@
 #pragma once
 /// The generalized conjugate residual method (Eisenstat, Elman, Schultz 1983), truncated as Orthomin, for A x = r₀ with
 /// a nearly symmetric matrix A. The preconditioner M acts on the right, so the residuals r_k belong to A x = r₀ without
-/// preconditioner. Iteration k uses w = A M⁻¹ r_k and sums over the last m indices j < k. It makes y_k of length 1, and
-/// z_k is the same combination of M⁻¹ r_k and the z_j:
+/// preconditioner. Iteration k uses w = A M⁻¹ r_k and sums over the last m indices j < k. It makes y_k of length 1, so
+/// |…| is the length of the numerator. z_k is the same combination of M⁻¹ r_k and the z_j:
 ///
 ///   y_k = (w − Σ (y_j·w) y_j)/|…|,   z_k with A z_k = y_k, by the same combination,
 ///   x ← x + (y_k·r_k) z_k,   r_{k+1} = r_k − (y_k·r_k) y_k,   |r_{k+1}|² = |r_k|² − (y_k·r_k)².
@@ -15,7 +15,7 @@
 ///
 /// so an iteration needs only one sum over the processes. The orthogonalisation is the classical Gram–Schmidt process,
 /// which is accurate enough for a small number of vectors. The method computes |r|² by differences, with an error of
-/// 1e-16 |r₀|². The tolerance should therefore be at least 1e-7 |r₀|.
+/// 1e-16 |r₀|². The error of |r| is then up to 1e-8 |r₀|, so the tolerance should be at least 1e-7 |r₀|.
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +37,8 @@ class ConjugateResiduals {
 
   /// Solves A x = r from the guess x = 0, and sets r to the remaining residual. The iteration ends if |r| is at most
   /// `tolerance`, after `max_iterations`, or if a new direction is round-off or not finite. In all cases x is the last
-  /// iterate. After n_with_few iterations the method restarts with more vectors (see there). `multiply(z, y)` sets y ←
-  /// A z, and `precondition(r, z)` sets z ← M⁻¹ r. `norm` is the Euclidean norm of the initial r.
+  /// iterate. If it has not converged after n_with_few iterations, the method restarts with more vectors. `multiply(z,
+  /// y)` sets y ← A z, and `precondition(r, z)` sets z ← M⁻¹ r. `norm` is the Euclidean norm of the initial r.
   template <class Multiply, class Precondition>
   Result solve(Multiply&& multiply, Precondition&& precondition, double norm, double tolerance, int max_iterations,
                Vector& r, Vector& x) {
@@ -80,8 +80,9 @@ class ConjugateResiduals {
   static constexpr int n_with_few = 40, n_kept_if_slow = 40;
 
  private:
-  /// Makes y_k orthonormal to the previous y_j, and changes z_k such that A z_k = y_k. Returns the length |w − Σ
-  /// (y_j·w) y_j|, or 0 if only round-off remains or a number is not finite. Sets of_residual_ to w·r_k.
+  /// On entry y_k is w and z_k is M⁻¹ r_k. Makes y_k orthonormal to the previous y_j, and changes z_k such that A z_k =
+  /// y_k. Returns the length |w − Σ (y_j·w) y_j|, or 0 if only round-off remains or a number is not finite. Sets
+  /// of_residual_ to w·r_k.
   double orthogonalise(int k, const Vector& r) {
     const std::size_t n = std::min(k, n_slots_ - 1);
     Vector &y = y_[k % n_slots_], &z = z_[k % n_slots_];

@@ -98,8 +98,8 @@ template <class S>
 using State = VectorState<typename S::Vector>;
 
 /// Sets lambda to the multiplier λ of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v). Iterative
-/// refinement makes λ exact to round-off. Observables use this λ, and not the multipliers of a step, which are averages
-/// over the step. Fails if the force or the Gram solve fails. Does nothing if the system has no constraints.
+/// refinement makes λ exact to round-off. Observables use this λ, because the multipliers of a step have the error of
+/// the method. Fails if the force or the Gram solve fails. Does nothing if the system has no constraints.
 template <ConstrainedSystem S>
 Status multiplier_of_motion(const S& system, const State<S>& state, typename S::Workspace& workspace,
                             typename S::Multiplier& lambda) {

@@ -30,10 +30,10 @@ inline constexpr int max_constraint_iterations = 30;
 /// iteration continues for such residuals.
 inline constexpr double noise_reserve = 16;
 
-/// Judges the residual of each iteration: the iteration is done, must go on, or is stuck. It is stuck if the residual
-/// is NaN, grows at least tenfold, or is too large after max_constraint_iterations. A residual that did not halve
-/// counts as zero if it is at most `round_off` or noise_reserve · noise(). Since noise() costs several evaluations of
-/// the constraint, it is called only for a residual above `round_off` that did not halve.
+/// Judges the residual of each iteration. The iteration is done if the residual is at most `tolerance`. It is also done
+/// if the residual did not halve and is at most `round_off` or noise_reserve · noise(). It is stuck if the residual is
+/// NaN, grows at least tenfold, or is too large after max_constraint_iterations. Since noise() costs several
+/// evaluations of the constraint, it is called only for a residual above `round_off` that did not halve.
 struct ConvergenceMonitor {
   double tolerance, round_off, previous = HUGE_VAL;
   int iteration = 0;

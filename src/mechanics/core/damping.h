@@ -1,5 +1,5 @@
 #pragma once
-/// Damping: forces F(q, v) = −∂R/∂v, where R is a convex function of v, such as viscosity, drag and friction. The mass
+/// Damping: forces F(q, v) = −∂R/∂v with a convex function R of v. Examples are viscosity, drag and friction. The mass
 /// is M, and the constraint g = 0 has the derivative G = Dg. Let r be the residual of an implicit step of size 2s at
 /// the velocity v,
 ///
@@ -110,8 +110,8 @@ Status project_residual(const S& system, const typename S::Vector& q, double eno
 
 /// Sets w.solution to u for the projected residual P r = w.residual. On return w.residual is the remaining residual.
 /// The operator C is taken at `state`. The iteration ends when the remaining residual is at most `enough` or is
-/// round-off. It fails if a projection fails, if 2000 iterations are not enough, or if the operator is not positive. A
-/// long step backwards in time has an operator that is not positive.
+/// round-off. The function fails if a projection fails, if 2000 iterations are not enough, or if 1 + s M⁻¹C is not
+/// positive. The last case occurs in a long step backwards in time, s < 0.
 template <Damped S>
 Status solve_damping(const S& system, double s, const State<S>& state, double enough,
                      typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,

@@ -99,7 +99,7 @@ inline KeplerElements elements_of(const Eigen::Vector3d& r, const Eigen::Vector3
   o.semi_major_axis = by_a == 0 ? 0 : 1 / by_a;
   o.eccentricity = eccentric.norm();
   o.inclination = std::atan2(std::hypot(h[0], h[1]), h[2]);
-  // In the plane z = 0 an orbit has no node, and round-off would determine its direction.
+  // An orbit in the plane z = 0 has no node. Without this bound, round-off would determine the direction of the node.
   constexpr double least_inclination = 1e-10;
   const bool has_node = std::hypot(h[0], h[1]) > least_inclination * h.norm();
   const Eigen::Vector3d node = has_node ? Eigen::Vector3d(-h[1], h[0], 0).normalized() : Eigen::Vector3d::UnitX();

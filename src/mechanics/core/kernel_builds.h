@@ -38,7 +38,8 @@ std::size_t choose_build(const std::vector<KernelChoice>& builds, std::string_vi
 /// Returns the value of the environment variable PSEUDORIGID_INSTRUCTIONS, or an empty text if the variable is not set.
 std::string_view wanted_instructions();
 
-/// Returns the build that this process uses. Throws NoKernels as the function above.
+/// Returns the build that this process uses. Throws NoKernels if the processor cannot run any build, or cannot run the
+/// build that the environment variable names.
 template <class Table>
 const KernelBuild<Table>& choose_build(std::span<const KernelBuild<Table>> builds) {
   std::vector<KernelChoice> choices;

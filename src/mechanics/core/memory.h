@@ -34,7 +34,8 @@ struct MemorySaver {
   }
 };
 
-/// Sets each value that `visit_memory` passes from the front of `numbers`, which must be long enough.
+/// Sets each value that `visit_memory` passes to the next entries of `numbers`, and removes these entries. The list
+/// must have enough entries.
 struct MemoryRestorer {
   std::span<const double> numbers;
   void operator()(std::span<double> values) {

@@ -71,7 +71,7 @@ class Orbit {
     sdot_.resize(3, n_);
     Columns R(3, n_), Rdot(3, n_);
     double inner = mass;                                                                          // M_{k−1}
-    Eigen::Vector3d center = Eigen::Vector3d::Zero(), center_velocity = Eigen::Vector3d::Zero();  // of this mass
+    Eigen::Vector3d center = Eigen::Vector3d::Zero(), center_velocity = Eigen::Vector3d::Zero();  // of the mass M_{k−1}
     for (int k = 0; k < n_; ++k) {
       const Companion& companion = companions[static_cast<std::size_t>(k)];
       const double whole = inner + companion.mass, reduced = std::sqrt(companion.mass * (inner / whole));
@@ -107,8 +107,8 @@ class Orbit {
   /// The radius of a ball with the mass of the body and the density 1, which is the internal unit of density.
   double radius_of_ball() const { return std::cbrt(3 * mass_ / (4 * std::numbers::pi)); }
 
-  /// Returns the positions r_i for the coordinates s_k. The map is linear, so it returns the velocities ṙ_i for the
-  /// rates ṡ_k.
+  /// Returns the positions r_i for the coordinates s_k. The map is linear, so the function also returns the velocities
+  /// ṙ_i for the rates ṡ_k.
   Columns relative(const Columns& s) const {
     Columns r = Columns::Zero(3, n_);
     for (int i = 0; i < n_; ++i)
@@ -204,13 +204,12 @@ class Orbit {
   /// coordinates and rates at the time `before` ahead of the closest approach. The result is the start if this time is
   /// before the start. It is also the start if the least distance is more than 0.9 times the distance at the start. A
   /// single companion in a bound orbit repeats its motion, so the search ends after one period. Changes of the
-  /// pericentre by tides are not known before the run in any case. The search also ends if a companion is within the
-  /// radius of the ball, because the run then ends with a collision. It ends after 100,000 steps in any case.
+  /// pericentre by tides are not known before the run. The search also ends if a companion is within the radius of the
+  /// ball, because the run then ends with a collision. It also ends after 100,000 steps, which bounds its time.
   Motion near_closest_approach(double end, double before) const {
     if (const auto period = kepler_period()) end = std::min(end, *period);
     constexpr int most_steps = 100'000;
-    constexpr double part = 0.02, nearer = 0.9;  // step as a part of the time of a fall or a passage; largest ratio of
-                                                 // the distances
+    constexpr double part = 0.02, nearer = 0.9;  // step per time of fall or passage; ratio of distances
     std::vector<std::pair<double, Motion>> path{{0.0, {s_, sdot_}}};
     double t = 0, closest_time = 0, closest = nearer * least_distance(s_, s_);
     const double radius = radius_of_ball();
@@ -253,7 +252,7 @@ class Orbit {
   static Eigen::Vector3d cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
-  /// Returns the distance of the segment from a to b from the origin.
+  /// Returns the distance between the origin and the segment from a to b.
   static double distance_from_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     const Eigen::Vector3d along = b - a;
     const double square = along.squaredNorm(), x = square > 0 ? std::clamp(-a.dot(along) / square, 0.0, 1.0) : 0;
@@ -264,8 +263,8 @@ class Orbit {
     for (int i = 0; i < n_; ++i) sum += masses_[i];
     return sum;
   }
-  /// The period of a single companion in a bound orbit about the body. Empty if there is another number of companions
-  /// or if the orbit is not bound.
+  /// Returns the period of a single companion in a bound orbit about the body. The result is empty if there is another
+  /// number of companions or if the orbit is not bound.
   std::optional<double> kepler_period() const {
     if (n_ != 1) return std::nullopt;
     const double g = gravity_of_pair();
@@ -273,8 +272,8 @@ class Orbit {
     if (!(by_a > 0)) return std::nullopt;
     return 2 * std::numbers::pi / std::sqrt(g * by_a * by_a * by_a);
   }
-  /// Returns the motion of point masses after a step of size h by the classical method of Runge and Kutta. Their second
-  /// moment S is zero.
+  /// Returns the motion of point masses after a step of size h by the classical method of Runge and Kutta. The body
+  /// counts as a point mass, so S is zero.
   Motion as_point_masses(const Motion& m, double h) const {
     const auto a = [this](const Columns& s) { return force(Eigen::Matrix3d::Zero(), s); };
     const Columns k1 = a(m.s), k2 = a(m.s + h / 2 * m.sdot), k3 = a(m.s + h / 2 * m.sdot + h * h / 4 * k1),

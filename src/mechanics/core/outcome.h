@@ -2,8 +2,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// The end of a run. `finished`: it reached its end time. `interrupted`: the user stopped it, and it can be resumed.
-/// `failed`: a step failed, and Status has the reason.
+/// The outcome of a run. `finished`: it reached its end time. `interrupted`: the caller stopped it before its end.
+/// `failed`: a step failed.
 enum class Outcome { finished, interrupted, failed };
 
 }  // namespace pseudorigid::mechanics

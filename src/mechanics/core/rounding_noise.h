@@ -18,7 +18,8 @@ namespace pseudorigid::mechanics::detail {
 template <class Vector>
 void perturb(double unit, Vector size, int pattern, Vector& x) {
   scale(4 * unit, size);
-  std::minstd_rand random(static_cast<unsigned>(pattern) * 7654321U);  // similar seeds would give similar numbers
+  std::minstd_rand random(static_cast<unsigned>(pattern) * 7654321U);  // a large factor, because similar seeds give
+                                                                       // similar numbers
   constexpr double range = std::minstd_rand::max();
   const auto units = local_values(size), entries = local_values(x);
   for (std::size_t i = 0; i < entries.size(); ++i)
@@ -42,7 +43,8 @@ double largest_change(const S& system, Evaluate&& evaluate) {
   return largest;
 }
 
-/// Relative size of the last place of a double, and of a sum q + q_rounding, which has the precision of a long double.
+/// Relative size of the last place: `last_place` for a double, and `last_place_kept` for a sum q + q_rounding. This sum
+/// has the precision of a long double.
 inline constexpr double last_place = std::numeric_limits<double>::epsilon();
 inline constexpr auto last_place_kept = static_cast<double>(std::numeric_limits<long double>::epsilon());
 

@@ -34,10 +34,10 @@ class SmallCholesky {
     regular_ = least > std::numeric_limits<double>::epsilon() * greatest;
   }
 
-  /// True if all d_j are positive and the least d_j is larger than ε times the greatest, with the round-off ε.
+  /// Returns true if all d_j are positive and the least d_j is larger than ε times the greatest, with the round-off ε.
   bool regular() const { return regular_; }
 
-  /// Returns g⁻¹x.
+  /// Returns g⁻¹x. The matrix must be regular.
   Eigen::Matrix<double, n, 1> solve(Eigen::Matrix<double, n, 1> x) const {
     for (int j = 0; j < n; ++j) {
       for (int k = 0; k < j; ++k) x[j] -= L_(j, k) * x[k];

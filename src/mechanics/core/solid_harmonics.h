@@ -8,7 +8,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// A value and its gradient.
+/// A value and its gradient with respect to the position (x, y, z). The operators compute sums and products with their
+/// gradients.
 struct Jet {
   double value = 0;
   std::array<double, 3> gradient{};

@@ -48,8 +48,8 @@ class StageByStage final : public GaussField {
 
 }  // namespace detail
 
-/// True if the field can evaluate its stages in lanes. In measurements this took about a quarter of the time of an
-/// evaluation one by one.
+/// Returns true if the field can evaluate its stages in lanes. In measurements the evaluation in lanes took about a
+/// quarter of the time of an evaluation one by one.
 template <class F>
 bool has_stages_in_lanes(const F& field) {
   if constexpr (requires { field.has_stages_in_lanes(); })
@@ -58,9 +58,9 @@ bool has_stages_in_lanes(const F& field) {
     return requires(GaussStages & stages) { field.solve_stages_in_lanes(stages); };
 }
 
-/// Cost of an iteration on the eight stages. The unit is the cost of one force evaluation of the system, as in the step
-/// search. A member `cost_of_iteration()` of the field returns its cost. Without this member, the cost is 8, the number
-/// of stages.
+/// Returns the cost of an iteration on the eight stages for the step search. The unit is the cost of one force
+/// evaluation of the system. A member `cost_of_iteration()` of the field returns its cost. Without this member, the
+/// cost is 8, the number of stages.
 template <class F>
 double cost_of_iteration(const F& field) {
   if constexpr (requires { field.cost_of_iteration(); })

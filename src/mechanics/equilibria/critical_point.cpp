@@ -22,7 +22,7 @@ constexpr double round_off_curvature = 1e-14;
 /// this error.
 constexpr double zero_rate = 1e-6;
 
-/// Returns a basis T of ker G with TᵀMT = Id.
+/// Returns a basis T of ker G with TᵀMT = Id, as columns. If M is not positive definite, T is not finite.
 Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G) {
   const Eigen::LLT<Eigen::MatrixXd> factor(M);  // M = LLᵀ, T = L⁻ᵀZ with Z ⟂ L⁻¹Gᵀ
   Eigen::MatrixXd Z = Eigen::MatrixXd::Identity(M.rows(), M.cols());
@@ -49,7 +49,8 @@ void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::Ma
   p.n_unstable = p.n_stable = p.morse_index;
 }
 
-/// Sets the rates and directions of ÿ + Dẏ + Hy = 0 with δq = T y, and the numbers of stable and unstable rates.
+/// Sets the rates z and directions δq = T y of ÿ + Dẏ + Hy = 0, and the numbers of stable and unstable rates. The rates
+/// are the eigenvalues of a matrix of twice the size of H.
 void linearise(const Eigen::MatrixXd& H, const Eigen::MatrixXd& D, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.rows();
   Eigen::MatrixXd A(2 * n, 2 * n);  // the matrix of (y, ẏ)

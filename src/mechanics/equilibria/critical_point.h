@@ -25,6 +25,7 @@ struct CriticalPoint {
   Eigen::MatrixXcd directions;          // δq = T y for each rate, of length 1 in the metric
   int n_unstable = 0, n_stable = 0;     // numbers of rates with positive and with negative real part
 
+  /// True if no rate has the real part zero.
   bool hyperbolic() const { return n_unstable + n_stable == rates.size(); }
   /// True if the point satisfies 5.8.3: it is hyperbolic, and the number of unstable directions is the Morse index.
   bool obeys_5_8_3() const { return hyperbolic() && n_unstable == morse_index; }

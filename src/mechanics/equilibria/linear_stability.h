@@ -53,8 +53,9 @@ struct LinearStability {
   bool stable = true;      ///< spectral stability: no rate has a positive real part
 };
 
-/// Real parts of at most this fraction of the largest rate count as zero. Energies ½x̄ᵀSx of scaled directions below
-/// half of this bound also count as zero. Round-off ε splits colliding rates by √ε, times a condition number.
+/// Real parts of at most this fraction of the largest rate count as zero. The energy of a rate also counts as zero if
+/// |x̄ᵀSx|/|x|² is below this number, for the eigenvector x. Round-off ε splits colliding rates by √ε, times a
+/// condition number.
 inline constexpr double zero_growth = 1e-6;
 /// Eigenvalues of the second variation are of order 1. Eigenvalues with a smaller absolute value than this bound count
 /// as zero.

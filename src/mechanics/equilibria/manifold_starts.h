@@ -25,7 +25,8 @@ struct PhaseVector {
   double rate = 0;  ///< growth or decay rate |Re z|
 };
 
-/// Returns a basis of the tangent space of the unstable or the stable manifold, the fastest rates first.
+/// Returns a basis of the tangent space of the unstable manifold, or of the stable one if `unstable` is false. The
+/// fastest rates come first. The basis is empty if there is no such manifold.
 inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unstable) {
   constexpr double zero_rate = 1e-6;  // the value of zero_rate in critical_point.cpp
   const double zero = zero_rate * (p.rates.size() > 0 ? p.rates.cwiseAbs().maxCoeff() : 0);
@@ -40,7 +41,8 @@ inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unst
     Eigen::VectorXcd delta = p.directions.col(i);
     Eigen::Index largest;
     delta.cwiseAbs().maxCoeff(&largest);
-    delta *= std::conj(delta[largest]) / std::abs(delta[largest]);  // removes the eigensolver's arbitrary phase
+    delta *= std::conj(delta[largest]) / std::abs(delta[largest]);  // makes this entry real, because the phase is
+                                                                    // arbitrary
     const Eigen::VectorXcd velocity = p.rates[i] * delta;
     const double rate = std::abs(p.rates[i].real());
     basis.push_back({delta.real(), velocity.real(), rate});

@@ -78,7 +78,8 @@ inline double collision(const LinearStability& stability) {
   return delta / (largest * largest);
 }
 
-/// Linear stability along a curve of motions s ↦ motion(s). Returns an empty optional if there is no motion at s.
+/// A function that returns the linear stability of the motion at the parameter s of a curve of motions. The result is
+/// empty if there is no motion at s.
 using StabilityAlong = std::function<std::optional<LinearStability>(double s)>;
 
 /// Appends the zeros of the test functions for index and instability between a and b to `found`. Only zeros with a

@@ -320,8 +320,8 @@ struct DormandPrince8 {
     }
   }
 
-  /// Dense output y(θ) = y₀ + θ(F₀ + (1−θ)(F₁ + θ(F₂ + (1−θ)(F₃ + θ(F₄ + (1−θ)(F₅ + θF₆)))))). Hermite's coefficients
-  /// are F₀ = y₁ − y₀, F₁ = h y₀' − F₀ and F₂ = 2F₀ − h(y₀' + y₁'). F₃ … F₆ are in `dense`.
+  /// Sets y to the dense output y(θ) = y₀ + θ(F₀ + (1−θ)(F₁ + θ(F₂ + (1−θ)(F₃ + θ(F₄ + (1−θ)(F₅ + θF₆)))))). Hermite's
+  /// coefficients are F₀ = y₁ − y₀, F₁ = h y₀' − F₀ and F₂ = 2F₀ − h(y₀' + y₁'). F₃ … F₆ are in `dense`.
   template <class V>
   static void evaluate(double theta, double h, const V& y0, const V& y1, const V& rate0, const V& rate1,
                        const std::array<V, 4>& dense, V& y) {

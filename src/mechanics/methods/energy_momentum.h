@@ -89,7 +89,8 @@ struct EnergyMomentum {
   template <class S>
   static constexpr bool fits = ConservativeSystem<S>;
 
-  /// Fails if a force dissipates energy or depends on velocity or time.
+  /// Returns a failure if a force dissipates energy or depends on velocity or time, because the energy is then not
+  /// constant.
   template <ConservativeSystem S>
   static Status accepts(const S& system) {
     if (dissipative(system) || velocity_dependent(system) || time_dependent(system))

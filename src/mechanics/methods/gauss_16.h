@@ -102,7 +102,7 @@ struct Gauss16 {
       "systems. Momenta are kept to round-off if Step is given, else to a part of Tolerance";
   static constexpr int order = 16;
   static constexpr int n_stages = gauss::n_stages;
-  /// Cost of a step in the search for the step. The unit is the cost of one force evaluation.
+  /// Returns the cost of a step for the search of the step. The unit is the cost of one force evaluation.
   template <class S>
   static double forces_of_step(const S& system) {
     constexpr double n_iterations = 7;  // the number is 4 to 9, and depends on the tolerance and the system
@@ -110,7 +110,7 @@ struct Gauss16 {
   }
 
   /// Returns the permitted error e of the accelerations, for a `tolerance` of the configuration and a run of length T =
-  /// `end`. Runs of a body on SL(3), a rigid body and the double pendulum were measured, with T = 100 and 3000. The
+  /// `end`. Runs of a pseudo-rigid body, a rigid body and the double pendulum were measured, with T = 100 and 3000. The
   /// energy fell at a rate of 1e-3 to 5e-2 times e|v|, with the velocity v. The error of the configuration was at most
   /// 0.03 e T². For the returned e, this error is less than a sixth of the tolerance.
   static double iteration_tolerance(double tolerance, double end) { return 5 * tolerance / (end * end); }
@@ -146,7 +146,8 @@ struct Gauss16 {
   template <class S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     // A step starts with one halving less than the last step, but with at least 0 and at most 2 halvings. In a violent
-    // phase, the first trial of a step is then shorter than the whole step.
+    // phase of the motion, the first trial of a step is then a part of the step, and no trial of the whole step is
+    // wasted.
     constexpr int most_expected = 2;  // small, because all parts of the step have at least this depth
     const int n_expected = std::clamp(w.n_halvings - 1, 0, most_expected);
     w.n_halvings = 0;
@@ -226,7 +227,7 @@ struct Gauss16 {
     const auto& field = field_of(system);
     if (!same_step(h, w.tables.h))
       w.tables.set_step(h);
-    else if (w.tables.c[0] == 0)  // after the memory has been restored
+    else if (w.tables.c[0] == 0)  // the memory has been restored, and it does not contain the tables
       w.tables.set_step(w.tables.h);
     GaussStages s = stages_of(outer_h, state, w);
     if (Status status = begin(field, state, w, s); !status) return status;

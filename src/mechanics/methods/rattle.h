@@ -98,7 +98,7 @@ struct Rattle {
 
  private:
   /// Makes the second half step. If a force depends on the velocity, the implicit equation is solved from the guess 2
-  /// v_{n+1/2} − v_n.
+  /// v_{n+1/2} − v_n. Fails if the force fails or the equation is not solved.
   template <ConstrainedSystem S>
   static Status kick_again(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     state.t += h;
@@ -118,7 +118,8 @@ struct Rattle {
   }
 
   /// Makes the first half step. If a force depends on the velocity, w.settling.half is v_n afterwards. The very first
-  /// half step is implicit if the system is damped and stiff.
+  /// half step is implicit if the system is damped and stiff. Fails if the force fails, or if the equation of the
+  /// implicit half step is not solved.
   template <ConstrainedSystem S>
   static Status kick(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if (velocity_dependent(system)) w.settling.half = state.v;
@@ -183,11 +184,12 @@ struct Rattle {
     }
   }
 
-  /// Largest |g| that a step may leave: the tolerance of the system. If sums are compensated, |g| is the largest error
-  /// of a step and accumulates, so this tolerance is too coarse. It is divided by 256 if the constraint is solved for
-  /// q + q_rounding (`resolves_rounding`). Otherwise 0 is returned, and g(q) is iterated to its round-off. The measured
-  /// energy drift on SL(3) in 10⁶ periods is 7e-12 with the tolerance of the system, and 1e-12 if g(q) is iterated to
-  /// its round-off. There is no drift if |g(q + q_rounding)| is less than this round-off.
+  /// Returns the largest |g| that a step may leave. If sums are not compensated, this is the tolerance of the system.
+  /// If sums are compensated, |g| is the largest error of a step and accumulates, so the tolerance of the system is too
+  /// coarse. If the constraint is solved for q + q_rounding (`resolves_rounding`), the result is 1/256 of this
+  /// tolerance. Otherwise the result is 0, and g(q) is iterated to its round-off. The measured energy drift of a
+  /// pseudo-rigid body in 10⁶ periods is 7e-12 with the tolerance of the system, and 1e-12 if g(q) is iterated to its
+  /// round-off. There is no drift if |g(q + q_rounding)| is less than this round-off.
   template <ConstrainedSystem S>
   static double position_tolerance(const RattleWorkspace<S>& w) {
     if constexpr (resolves_rounding<S>)

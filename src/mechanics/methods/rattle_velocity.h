@@ -77,8 +77,9 @@ struct RattleVelocity {
   }
 
  private:
-  /// Sets w.acceleration to f at the state. If the damping is linear, f(q, v) is the sum of f(q, 0), which is known
-  /// after the first call at q, and of the damping. The iterations for v then do not evaluate the other forces again.
+  /// Sets w.acceleration to f at the state, and fails if the force fails. If the damping is linear and no force depends
+  /// on time, f(q, v) is the sum of f(q, 0) and the damping. The vector f(q, 0) is kept from the first call at q, so
+  /// the iterations for v do not evaluate the other forces again.
   template <ConstrainedSystem S>
   static Status find_force(const S& system, const State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (Damped<S>) {
@@ -103,7 +104,7 @@ struct RattleVelocity {
 
   /// Solves the equation of `settle_velocity` if the force is damping. If the damping is linear in v, a second solve
   /// removes the residual of the first. The system therefore computes the power of its forces at a v that is final up
-  /// to this residual.
+  /// to this residual. Fails if the force, a projection or a linear system fails.
   template <Damped S>
   static Status solve_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     const typename S::Vector rounding_half = w.v_rounding;
@@ -123,7 +124,8 @@ struct RattleVelocity {
   /// Solves the equation of `settle_velocity` for damping that is not linear in v. The iteration starts from the
   /// velocity v_n before the step, for which the present v is the extrapolation 2 v_half − v_n. If a body sticks, v_n
   /// has the right size, but v_half and the extrapolation do not. The iteration ends if the residual is small enough,
-  /// or if the last correction was round-off.
+  /// or if the last correction was round-off. Fails if 100 corrections are not enough, or if the force, a projection or
+  /// a linear system fails.
   template <Damped S>
   static Status solve_velocity_by_newton(const S& system, double h, const typename S::Vector& rounding_half,
                                          State<S>& state, RattleWorkspace<S>& w) {
@@ -184,7 +186,8 @@ struct RattleVelocity {
     return std::max(std::numeric_limits<double>::epsilon() * max_norm(state.v), w.constraint_tolerance / 10);
   }
 
-  /// Sets w.damping.residual to the projected residual of the equation of `settle_velocity` at v.
+  /// Sets w.damping.residual to the projected residual of the equation of `settle_velocity` at v. `rounding_half` is
+  /// the remainder of v_half. Fails if the force or the projection fails.
   template <Damped S>
   static Status find_residual(const S& system, double h, const typename S::Vector& rounding_half, State<S>& state,
                               RattleWorkspace<S>& w) {
@@ -203,7 +206,7 @@ struct RattleVelocity {
   }
 
   /// Solves the linear system for the residual at v. On return, w.damping.solution is the correction of v. `enough` is
-  /// the permitted residual.
+  /// the permitted residual. Fails if solve_damping fails.
   template <Damped S>
   static Status solve_for_correction(const S& system, double h, double enough, const State<S>& state,
                                      RattleWorkspace<S>& w) {
@@ -214,7 +217,8 @@ struct RattleVelocity {
   }
 
   /// Solves the equation of `settle_velocity` by alternate evaluations of the force and projections, until v no longer
-  /// changes. If the force is damping and the iteration is slow, sets w.stiff and returns without a solution.
+  /// changes. If the force is damping and the iteration is slow, sets w.stiff and returns success without a solution.
+  /// Fails if the force or a projection fails, or if the iteration does not converge.
   template <ConstrainedSystem S>
   static Status iterate_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     auto& [half, before, free, reaction] = w.settling;

@@ -66,7 +66,7 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   std::array<typename S::Vector, n_slots> d, a;
   std::array<typename S::Multiplier, n_extrapolated> multipliers;  // of the last steps, stored as a ring
   double h = 0;
-  int newest = 0;             // slot of d_n, with the index n of the state
+  int newest = 0;             // slot of d_n, the difference of the last step to q_n
   int n_known = 0;            // number of differences d in the history
   int newest_multiplier = 0;  // slot of λ_{n−1}
   int n_multipliers = 0;
@@ -186,9 +186,9 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Sets w.acceleration to M⁻¹f at the state. If the system computes f + Gᵀλ at little cost, sets w.acceleration to
-  /// M⁻¹(f + Gᵀλ) with the extrapolated λ. At the end of the start-up no λ is known and λ = 0, so a known M⁻¹f is
-  /// valid.
+  /// Sets w.acceleration to M⁻¹f at the state, and fails if the force fails. If the system computes f + Gᵀλ at little
+  /// cost, sets w.acceleration to M⁻¹(f + Gᵀλ) with the extrapolated λ. At the end of the start-up no λ is known and λ
+  /// = 0, so a known M⁻¹f is valid.
   template <class S>
   static Status ensure_predicted_acceleration(const S& system, const State<S>& state, Workspace<S>& w) {
     if constexpr (FindsForceWithReaction<S>) {
@@ -206,8 +206,9 @@ struct SymmetricMultistep {
   }
 
   /// Computes d_{n+1} and q_{n+1} with a_n from the extrapolated multiplier, and then corrects all three until
-  /// g(q_{n+1}) = 0. All calls are inlined, because calls kept the temporaries of small systems in memory. In a
-  /// measurement, accesses to these temporaries took a sixth of the time of a step of the pseudo-rigid body.
+  /// g(q_{n+1}) = 0. Fails if the iteration for the constraint does not converge or the result is not finite. All calls
+  /// are inlined, because calls kept the temporaries of small systems in memory. In a measurement, accesses to these
+  /// temporaries took a sixth of the time of a step of the pseudo-rigid body.
   template <class S>
   PSEUDORIGID_FLATTEN static Status make_step(const S& system, State<S>& state, Workspace<S>& w) {
     constexpr bool dense = VectorSpace<typename S::Vector>::dense;
@@ -249,9 +250,9 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Residual |g| below which the iteration ends after one more correction, without a check. For a fixed number of
-  /// constraints the Gram matrix is exact. An iteration of Newton then reduces the residual to its square times the
-  /// curvature of g. The factor 1e-4 permits curvatures up to 10⁴.
+  /// Returns the residual |g| below which the iteration ends after one more correction, without a check. For a fixed
+  /// number of constraints the Gram matrix is exact. An iteration of Newton then reduces the residual to its square
+  /// times the curvature of g. The factor 1e-4 permits curvatures up to 10⁴.
   template <class S>
   static double foregone(const S&, const Workspace<S>& w) {
     return S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * w.constraint_tolerance);

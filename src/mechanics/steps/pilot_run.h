@@ -41,6 +41,7 @@ struct StepRequest {
 namespace detail {
 
 inline constexpr double error_safety = 0.5;  ///< fraction of the tolerance that the error estimate may use
+/// Largest number of samples in a pilot run.
 inline constexpr long max_pilot_samples = 32;
 /// Largest difference of two pilot runs, in the system's unit of length, that is assumed to follow the order of the
 /// method. Collisions and chaos cause larger differences.
@@ -137,10 +138,10 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
   return std::move(hooks.run);
 }
 
-/// Returns the longest step of a pilot run with perturbations: the limit of RATTLE, but at least the window divided by
-/// 4096. If `rattle_limit` is 0, it is not known and the result is infinite. An adaptive step does not react to
-/// perturbations far below its tolerance. Without this bound, the steps of a body at rest would exceed the stability
-/// limit, and the method itself would amplify the perturbations.
+/// Returns the longest step of a pilot run with perturbations: the limit of RATTLE, but at least 1/4096 of the window.
+/// If `rattle_limit` is 0, it is not known and the result is infinite. An adaptive step does not react to perturbations
+/// far below its tolerance. Without this bound, the steps of a body at rest would exceed the stability limit, and the
+/// method itself would amplify the perturbations.
 inline double longest_kicked_step(const StepRequest& request) {
   constexpr double most_steps = 4096;
   if (request.rattle_limit == 0) return HUGE_VAL;  // not known
@@ -230,6 +231,7 @@ struct Trial {
   double limit = 0, step = 0;  ///< permitted and chosen step with all substeps; for an adaptive method, both are the
                                ///< bound of the step
   double local_tolerance = 0;  ///< for adaptive methods only
+  /// Estimated error of the configuration over the run, and number of force evaluations of the run.
   double error = 0, n_forces_of_run = 0;
   bool at_round_off = false;
   bool set_by_energy = false;  ///< the energy error determines the step

@@ -151,7 +151,7 @@ void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
   const PilotRun run = method.energies(window, grid.n_samples, grid.n_steps);
   n_force_ += run.n_force;
   const double p = method.order, h = window / static_cast<double>(grid.n_samples * grid.n_steps);
-  if (!run.status || run.q.size() < 2) return;  // the step remains; if the run fails too, it shortens its step itself
+  if (!run.status || run.q.size() < 2) return;  // the step remains; the run itself shortens it if the run fails too
   const double change = change_of_energy(run, part) * std::pow(trial.step / h, p);
   if (change <= allowed_error()) return;
   const double shorter = std::pow(allowed_error() / change, 1 / p);

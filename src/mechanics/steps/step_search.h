@@ -92,7 +92,7 @@ class StepSearch {
 
  private:
   bool given_up() const { return request_.give_up && request_.give_up(); }
-  /// Target of the estimate e, a fraction of the tolerance.
+  /// Returns the target of the estimate e: the fraction error_safety of the tolerance.
   double allowed_error() const { return error_safety * request_.tolerance; }
   double limit(const FixedStepMethod& method) const {
     return std::min(request_.rattle_limit * (method.step_limit / Rattle::stability_limit),
