@@ -19,8 +19,8 @@
 ///
 /// The energy is Ê = (V₀/V)^{5/3} (Gρ²/12) Σ_i e_i with e_i = Σ_j ab/|d| = N_i·h_i.
 ///
-/// If the sources are also the targets, each pair is computed once: the terms of y at x also give the terms of x at y.
-/// If only a sector of the body is computed, the sources are the points of the sector and their mirror images.
+/// If the sources are also the targets, each pair is computed once. The terms of y at x then also give the terms of x
+/// at y. If only a sector of the body is computed, the sources are the points of the sector and their mirror images.
 
 #include <Eigen/Core>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 /// Contact of an ellipsoid x = c + Q S ξ, |ξ| = 1, with a plane in closed form. The matrix S is the reference shape, Q
-/// the affine deformation and c the centre. plane.h defines n, z₀, k and β of the plane. dA is the area element of the
-/// sphere |ξ| = 1. With
+/// the affine deformation and c the centre. The header plane.h defines n, z₀, k and β of the plane. The area element of
+/// the sphere |ξ| = 1 is dA. With
 ///
 ///   g = SᵀQᵀn,   G = |g|,   h = z₀ − n·c,   u = −g·ξ/G,   d(ξ) = h + G u,
 ///
@@ -85,7 +85,7 @@ class EllipsoidContact {
     f.on_Q -= by_G() * plane_.normal * (S_ * direction_).transpose();
   }
 
-  /// Adds the rate of the force of add_force() to f if Q and c change at the rates dQ and dc and the plane is at rest.
+  /// Adds the rate of the force of add_force() to f. The rates of Q and c are dQ and dc, and the plane is at rest.
   void add_force_rate(const Eigen::Matrix3d& dQ, const Eigen::Vector3d& dc, AffineForce& f) const {
     if (!touches()) return;
     const Eigen::Vector3d dg = S_.transpose() * (dQ.transpose() * plane_.normal);

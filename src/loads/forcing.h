@@ -11,8 +11,8 @@
 ///   at planes      the pressure and the friction of contact with rigid planes (plane.h)
 ///   companions     point masses in orbit, with the quadratic potential of their tides (mechanics/core/orbit.h)
 ///
-/// The values are in the user's units or in internal units. The object does not record which; its owner knows the
-/// units.
+/// The values are in the user's units or in internal units. The object does not record the units, so its owner must use
+/// the same units in all members.
 
 #include <Eigen/Core>
 

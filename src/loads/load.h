@@ -5,7 +5,7 @@
 /// absent. The members of a load are
 ///
 ///   visit_entries(self, visit)    calls visit(member, kind, About) for each entry, as in scene/entries.h. The kind
-///                                 decides whether the load admits the reflection of an axis i. A matrix must not have
+///                                 decides if the load admits the reflection of an axis i. A matrix must not have
 ///                                 entries off the diagonal in row i and column i. A vector must not have the component
 ///                                 i. The unit in About converts the value to internal units.
 ///   forcing()                     the load as a Forcing (forcing.h); zero if the load is absent
@@ -37,8 +37,7 @@ namespace pseudorigid::loads {
 /// Properties of the body that a load needs for its line in the output of `pseudorigid check`.
 struct BodyFacts {
   bool incompressible;
-  double volume_by_inertia;  ///< volume over m̄ = tr E₀/3, with E₀ = ∫ρ X Xᵀ dX; converts a pressure to the column
-                             ///< `multiplier`
+  double volume_by_inertia;  ///< volume/m̄ with m̄ = ⅓ ∫ρ|X|² dX; converts a pressure to a multiplier
 };
 
 /// A visitor that ignores the entries, used to check the interface.

@@ -1,8 +1,8 @@
 #pragma once
-/// Maxwell branches of a viscoelastic body: a spring of shear modulus μ_b in series with a dashpot of the relaxation
-/// time τ_b, parallel to the elastic law. The strain of the dashpot is the internal metric C_i, which is symmetric and
-/// positive with det C_i = 1. With F = ∂x/∂X, J = det F, C = FᵀF and the isochoric strain Ĉ = J^{−2/3} C, the stored
-/// energy, the stress and the flow of a branch are
+/// Maxwell branches of a viscoelastic body. A branch is a spring of shear modulus μ_b in series with a dashpot of the
+/// relaxation time τ_b. It is parallel to the elastic law. The strain of the dashpot is the internal metric C_i, which
+/// is symmetric and positive with det C_i = 1. With F = ∂x/∂X, J = det F, C = FᵀF and the isochoric strain Ĉ = J^{−2/3}
+/// C, the stored energy, the stress and the flow of a branch are
 ///
 ///   W_b = (μ_b/2)(tr(Ĉ C_i⁻¹) − 3),
 ///   P_b = ∂W_b/∂F = μ_b J^{−2/3} (F C_i⁻¹ − ⅓ tr(C C_i⁻¹) F⁻ᵀ),
@@ -141,9 +141,9 @@ inline constexpr GaussRule<8> eight_points{
     {0.050614268145188130, 0.11119051722668724, 0.15685332293894364, 0.18134189168918099, 0.18134189168918099,
      0.15685332293894364, 0.11119051722668724, 0.050614268145188130}};
 
-/// Returns an upper bound of λ − 1 for the eigenvalues λ > 1 of Ĉ C_i⁻¹, if `excess` is α, or of its inverse, if
-/// `excess` is β. With λ = e^h the bound follows from h²/2 ≤ e^h − 1 − h ≤ α. The bound is needed because the integrand
-/// of I(w) has singularities at the distances 1/(λ − 1) below 0 and above 1.
+/// Returns an upper bound of λ − 1 for the eigenvalues λ > 1 of a matrix. The matrix is Ĉ C_i⁻¹ if `excess` is α, and
+/// its inverse if `excess` is β. With λ = e^h the bound follows from h²/2 ≤ e^h − 1 − h ≤ α. The bound is needed
+/// because the integrand of I(w) has singularities at the distances 1/(λ − 1) below 0 and above 1.
 inline double largest_stretch(double excess) {
   const double positive = std::max(excess, 0.0);
   return positive + std::sqrt(2 * positive);

@@ -13,9 +13,9 @@
 ///   k₂ = (|r|³/(m R⁵)) |q|,   q = r̂ᵀS r̂ − t̂ᵀS t̂ + 2i r̂ᵀS t̂,   1/Q = |Im q|/|q| = |sin(2 lag)|,
 ///
 /// are therefore |k₂| and |Im k₂|/|k₂| at the frequency 2(ω − n) of the tide under five conditions. The orbit is
-/// circular with the rate n, the spin is along n̂, the tide is small, free oscillations have decayed, and the undeformed
-/// body is a ball. The bulge of the spin is symmetric about n̂ and does not change q. In other motions k₂ and 1/Q are
-/// ratios at one time, without a frequency. R is the radius of the ball of the same mass and density.
+/// circular with the rate n, and the spin is along n̂. The tide is small, and free oscillations have decayed. The
+/// undeformed body is a ball. The bulge of the spin is symmetric about n̂ and does not change q. In other motions k₂
+/// and 1/Q are ratios at one time, without a frequency. R is the radius of the ball of the same mass and density.
 
 #include <Eigen/Dense>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 /// One type for any second-order field, so that the compiler compiles each adaptive method once and not once per
-/// system. any_system.h has the corresponding type for the constrained form. If the field has no invariant manifold,
+/// system. The corresponding type for the constrained form is in any_system.h. If the field has no invariant manifold,
 /// `project` does not change the state.
 
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 /// One type for any system in constrained form. With this type the compiler compiles each method once and not once per
-/// system. any_field.h has the corresponding type for second-order fields, which adaptive methods integrate. The
+/// system. The corresponding type for second-order fields, which adaptive methods integrate, is in any_field.h. The
 /// template parameter n is 0 for a system without constraints. For all other systems it is dynamic_constraints, and
 /// only the concrete system has their number.
 ///

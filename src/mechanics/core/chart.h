@@ -1,6 +1,6 @@
 #pragma once
-/// A chart of a Riemannian manifold (Oliva, Geometric Mechanics, 5.1) with coordinates q ∈ ℝⁿ, the metric g_ij(q), a
-/// potential U, an external force F_ext and a dissipation D. Derived quantities are
+/// A chart of a Riemannian manifold (Oliva, Geometric Mechanics, 5.1) with coordinates q ∈ ℝⁿ and the metric g_ij(q).
+/// The system has a potential U, an external force F_ext and a dissipation D. Derived quantities are
 ///
 ///   Γ_l,ij = ½ (∂_i g_jl + ∂_j g_il − ∂_l g_ij),   Γᵏ_ij = Σ_l gᵏˡ Γ_l,ij,
 ///   (Dq̇/dt)ᵏ = q̈ᵏ + Γᵏ_ij q̇ⁱq̇ʲ                                                                     (5.3)
@@ -62,6 +62,7 @@ struct MetricJet {
   std::array<Eigen::Matrix<T, C::dimension, C::dimension>, C::dimension> dg;
 };
 
+/// Returns the metric and its derivatives at q, by automatic differentiation.
 template <class T = double, Chart C>
 MetricJet<C, T> metric_jet(const C& chart, const std::type_identity_t<Coordinates<T, C::dimension>>& q) {
   constexpr int n = C::dimension;

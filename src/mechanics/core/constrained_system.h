@@ -79,8 +79,8 @@ bool drifts(const S& system) {
 }
 
 /// True if a system has `constraint(q, q_rounding, g)`, which computes g(q + q_rounding) more accurately than the
-/// round-off of q permits. q_rounding is the remainder of the compensated sum of q. Methods then satisfy the constraint
-/// at q + q_rounding.
+/// round-off of q permits. The vector q_rounding is the remainder of the compensated sum of q. Methods then satisfy the
+/// constraint at q + q_rounding.
 template <class S>
 inline constexpr bool resolves_rounding = VectorSpace<typename S::Vector>::compensated&& requires(
     const S s, const typename S::Vector q, const typename S::Vector q_rounding, typename S::Multiplier r) {

@@ -58,6 +58,7 @@ struct Companions : std::vector<Companion> {
   }
 };
 
+/// The companions of one body: their initial states, their energy and their forces.
 class Orbit {
  public:
   static constexpr int most_companions = 2;

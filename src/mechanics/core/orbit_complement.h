@@ -7,9 +7,9 @@
 ///   span{(ξ_i(q), ξ̇_i(v))},   ⟨(a, α), (b, β)⟩ = a·b + α·β   (time in the system's unit).
 ///
 /// The components are computed by Gram–Schmidt with reorthogonalisation ("twice is enough": Giraud, Langou, Rozložník,
-/// Comput. Math. Appl. 50 (2005) 1069). The dimension of an orbit may be less than the number of symmetries, for
-/// example if axes coincide or a point is on its axis of rotation. Tangent vectors that depend linearly on earlier ones
-/// are then omitted.
+/// Comput. Math. Appl. 50 (2005) 1069). The dimension of an orbit may be less than the number of symmetries. Examples
+/// are symmetries with coinciding axes, and a point on its axis of rotation. Tangent vectors that depend linearly on
+/// earlier ones are then omitted.
 
 #include <cmath>
 #include <cstddef>

@@ -76,6 +76,7 @@ inline bool orthogonal(const Symmetric& G, double bound) {
   return below(0, 1, 2) && below(1, 2, 0) && below(2, 0, 1);
 }
 
+/// The rotation (u, v) ← (cosine · u − sine · v, sine · u + cosine · v) of two columns.
 struct PlaneRotation {
   double cosine, sine;
   void apply(Eigen::Vector3d& u, Eigen::Vector3d& v) const {

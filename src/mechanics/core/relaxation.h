@@ -3,8 +3,8 @@
 ///
 ///   M q̈ = f(t, q, q̇, z) + G(q)ᵀλ,   g(q) = 0,   ż = R(q, z).
 ///
-/// The vector of the position contains z as further entries, which have no mass and no velocity. The system knows the
-/// exact flow of z for a constant strain, and a method composes this flow with steps for constant z (Strang's
+/// The vector of the position contains z as further entries, which have no mass and no velocity. The system computes
+/// the exact flow of z for a constant strain. A method composes this flow with steps for constant z (Strang's
 /// splitting; rattle.h). The flow dissipates energy.
 
 #include <concepts>

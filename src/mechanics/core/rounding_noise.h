@@ -18,8 +18,7 @@ namespace pseudorigid::mechanics::detail {
 template <class Vector>
 void perturb(double unit, Vector size, int pattern, Vector& x) {
   scale(4 * unit, size);
-  std::minstd_rand random(static_cast<unsigned>(pattern) * 7654321U);  // a large factor, because similar seeds give
-                                                                       // similar numbers
+  std::minstd_rand random(static_cast<unsigned>(pattern) * 7654321U);  // similar seeds give similar numbers
   constexpr double range = std::minstd_rand::max();
   const auto units = local_values(size), entries = local_values(x);
   for (std::size_t i = 0; i < entries.size(); ++i)

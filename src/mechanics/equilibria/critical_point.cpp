@@ -11,11 +11,12 @@
 namespace pseudorigid::mechanics {
 namespace {
 
-/// Eigenvalues of H with absolute values of at most this fraction of the largest count as zero, since Hessians by
-/// differences have errors of about 1e-12.
+/// Eigenvalues of H with absolute values of at most this fraction of the largest count as zero. The reason is that
+/// Hessians by differences have errors of about 1e-12.
 constexpr double zero_curvature = 1e-8;
-/// Eigenvalues of H with absolute values of at most this bound also count as zero, since they can be round-off of terms
-/// of order 1 that cancel. The relative bound is not enough: without any force, the largest eigenvalue can be 1e-170.
+/// Eigenvalues of H with absolute values of at most this bound also count as zero. Such numbers can be round-off of
+/// terms of order 1 that cancel. The relative bound is not enough: without any force, the largest eigenvalue can be
+/// 1e-170.
 constexpr double round_off_curvature = 1e-14;
 /// A rate counts as neither stable nor unstable if the absolute value of its real part is at most this fraction of the
 /// largest rate. With little damping, an error of a zero eigenvalue of H causes rates whose size is the square root of

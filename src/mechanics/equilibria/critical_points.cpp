@@ -127,8 +127,7 @@ class CriticalPointFinder {
   }
 
   Vector random_start() {
-    const auto uniform = [&] { return static_cast<double>(generator_() >> 11) * 0x1p-53; };  // in [0, 1), the same on
-                                                                                             // all platforms
+    const auto uniform = [&] { return static_cast<double>(generator_() >> 11) * 0x1p-53; };  // portable
     if (search_.start) return search_.start(uniform);
     Vector q = search_.center;
     for (Eigen::Index i = 0; i < q.size(); ++i)

@@ -41,8 +41,7 @@ inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unst
     Eigen::VectorXcd delta = p.directions.col(i);
     Eigen::Index largest;
     delta.cwiseAbs().maxCoeff(&largest);
-    delta *= std::conj(delta[largest]) / std::abs(delta[largest]);  // makes this entry real, because the phase is
-                                                                    // arbitrary
+    delta *= std::conj(delta[largest]) / std::abs(delta[largest]);  // fixes the arbitrary phase
     const Eigen::VectorXcd velocity = p.rates[i] * delta;
     const double rate = std::abs(p.rates[i].real());
     basis.push_back({delta.real(), velocity.real(), rate});

@@ -26,9 +26,9 @@
 ///
 /// - D is needed near relative equilibria, which are motions along the orbit with P = 0. X_m lies inside the arc of the
 /// motion, so ∇F(X_m) differs from ∇F on the arc by O(h²). Without D, θP would have to correct this difference, but θP
-/// has no limit as P → 0. The two points of D lie P/2 from the ends. If one group of rotations or translations acts, or
-/// both rotations of a body have one axis, a Cayley transform maps one point to the other. Then θP is O(h|P|). Near a
-/// steady motion with two different axes θP is O(h²), and the iteration may need smaller steps.
+/// has no limit as P → 0. The two points of D lie P/2 from the ends. A Cayley transform maps one point to the other if
+/// one group of rotations or translations acts. The same holds if both rotations of a body have one axis. Then θP is
+/// O(h|P|). Near a steady motion with two different axes θP is O(h²), and the iteration may need smaller steps.
 ///
 /// Round-off. Let ν be the round-off of V. Then θP has the error ν/|P|. A step corrects only the part of the energy
 /// error that exceeds ν. Later steps include the remainder, so the total error stays about ν. The round-off of V is

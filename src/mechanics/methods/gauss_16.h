@@ -146,8 +146,8 @@ struct Gauss16 {
   template <class S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     // A step starts with one halving less than the last step, but with at least 0 and at most 2 halvings. In a violent
-    // phase of the motion, the first trial of a step is then a part of the step, and no trial of the whole step is
-    // wasted.
+    // phase of the motion, the first trial is then a part of the step. This saves a trial of the whole step, which
+    // would fail.
     constexpr int most_expected = 2;  // small, because all parts of the step have at least this depth
     const int n_expected = std::clamp(w.n_halvings - 1, 0, most_expected);
     w.n_halvings = 0;

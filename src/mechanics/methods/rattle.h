@@ -187,9 +187,9 @@ struct Rattle {
   /// Returns the largest |g| that a step may leave. If sums are not compensated, this is the tolerance of the system.
   /// If sums are compensated, |g| is the largest error of a step and accumulates, so the tolerance of the system is too
   /// coarse. If the constraint is solved for q + q_rounding (`resolves_rounding`), the result is 1/256 of this
-  /// tolerance. Otherwise the result is 0, and g(q) is iterated to its round-off. The measured energy drift of a
-  /// pseudo-rigid body in 10⁶ periods is 7e-12 with the tolerance of the system, and 1e-12 if g(q) is iterated to its
-  /// round-off. There is no drift if |g(q + q_rounding)| is less than this round-off.
+  /// tolerance. Otherwise the result is 0, and g(q) is iterated to its round-off. In measurements, the energy of a
+  /// pseudo-rigid body drifted by 7e-12 in 10⁶ periods with the tolerance of the system. If g(q) was iterated to its
+  /// round-off, the drift was 1e-12. There was no drift if |g(q + q_rounding)| was less than this round-off.
   template <ConstrainedSystem S>
   static double position_tolerance(const RattleWorkspace<S>& w) {
     if constexpr (resolves_rounding<S>)

@@ -1,6 +1,6 @@
 #pragma once
-/// The velocity at the end of a step of RATTLE (rattle.h). With the velocity v_half after the first half step, the step
-/// h, the mass M, the force f and the derivative G of the constraint, the velocity v satisfies
+/// The velocity at the end of a step of RATTLE (rattle.h). The mass is M, the force f and the derivative of the
+/// constraint G. With the velocity v_half after the first half step of a step h, the velocity v satisfies
 ///
 ///   v = v_half + (h/2) M⁻¹[f(q, v) + Gᵀμ],   G v = 0.
 ///

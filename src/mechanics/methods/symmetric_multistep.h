@@ -301,7 +301,7 @@ struct SymmetricMultistep {
     constexpr double weights[7][6]{
         {}, {1}, {2, -1}, {3, -3, 1}, {4, -6, 4, -1}, {5, -10, 10, -5, 1}, {6, -15, 20, -15, 6, -1}};
     constexpr int n = Workspace<S>::n_extrapolated;
-    if (w.n_multipliers == n)  // the usual case, in which the compiler knows the number of terms
+    if (w.n_multipliers == n)  // the usual case, with a constant number of terms, so that the compiler unrolls the sum
       sum_multipliers<S>(w, weights[n], n);
     else
       sum_multipliers<S>(w, weights[w.n_multipliers], w.n_multipliers);

@@ -138,7 +138,8 @@ class TangentOperator {
 
  private:
   /// Computes w = K u, or w = C u if `of_velocity_` is true, by a difference of forces. If the damping is not linear in
-  /// the velocity, the system computes its tangent C, because a difference would need changes far below the slip speed.
+  /// the velocity, the system computes its tangent C. A difference would need changes far below the slip speed of
+  /// friction.
   Status difference(const typename S::Vector& u, typename S::Vector& w) {
     if constexpr (Damped<S>)
       if (of_velocity_ && !damping_is_linear(system_)) {

@@ -117,10 +117,10 @@ double StepSearch::predicted_forces(const FixedStepMethod& method, double h, dou
   return run_forces(method, h) * std::max(1.0, std::pow(e / target, 1 / method.order));
 }
 
-/// Estimates the error at the stability limit over a part of the window, and multiplies the estimate by its possible
-/// growth in the rest of the window. If the product is permitted, accepts the stability limit and returns true. Tries
-/// the longer part only if the estimate of the shorter part would be permitted with the smaller factor. Returns false
-/// if no part is sufficient or if a pilot run fails.
+/// Estimates the error at the stability limit over a part of the window. Multiplies the estimate by its possible growth
+/// in the rest of the window. If the product is permitted, accepts the stability limit and returns true. Tries the
+/// longer part only if the estimate of the shorter part would be permitted with the smaller factor. Returns false if no
+/// part is sufficient or if a pilot run fails.
 bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
   double error = 0;
   for (double part : {1.0 / 8, 1.0 / 2}) {

@@ -29,8 +29,8 @@ constexpr double worth_dear_pilots = 0.8;
 /// evaluation of an adaptive method.
 constexpr double price_of_invariants = 2;
 
-/// Returns the sentence for the log: the chosen method with its step, error and cost, the reason for the step, and the
-/// costs of the other methods.
+/// Returns the sentence for the log. It contains the chosen method, its step with the reason, its error and cost, and
+/// the costs of the other methods.
 std::string describe(const Trial& chosen, const StepRequest& request, const std::vector<Trial>& others) {
   std::ostringstream s;
   s.precision(3);

@@ -10,10 +10,10 @@
 ///
 /// Then methods with fixed steps are tried (step_search.h), in the order of their least cost, which is the cost at the
 /// stability limit. For methods of order 2 this cost counts twice. A method is skipped if its least cost exceeds the
-/// cost of the best method so far, or 0.8 of this cost if force evaluations are costly. During the search for the step
-/// of a method, pilot runs predict the cost of the method. The search ends if this cost exceeds the cost of the best
-/// method so far. It also ends if this cost is four times the least cost of a later method. If force evaluations are
-/// cheap, only later methods of higher order count.
+/// cost of the best method so far. If force evaluations are costly, the bound is 0.8 of this cost. During the search
+/// for the step of a method, pilot runs predict the cost of the method. The search ends if this cost exceeds the cost
+/// of the best method so far. It also ends if this cost is four times the least cost of a later method. If force
+/// evaluations are cheap, only later methods of higher order count.
 
 #include <Eigen/Core>
 #include <optional>
@@ -79,7 +79,7 @@ StepChoice choose_among(const std::vector<FixedStepMethod>& fixed, const std::ve
 /// and that accepts the system. If force evaluations are costly, an adaptive method is a candidate only for dissipative
 /// systems. Methods with fixed steps of high order do not accept these systems. A method that is for stages in lanes is
 /// a candidate only if the system evaluates its stages in lanes. If the system is stiff, RATTLE is the only candidate,
-/// because RATTLE solves a linear system for the velocity, and damping then does not limit its step.
+/// because RATTLE solves a linear system for the velocity. Damping then does not limit its step.
 template <class Method, class S>
 bool is_candidate(const S& system, const StepRequest& request) {
   if (request.method) return *request.method == id_of<Method>;
