@@ -71,6 +71,7 @@ struct SurfaceTotals {
   double pairs = 0;   ///< Σ_i e_i
   double volume = 0;  ///< V
 };
+/// Returns the sums over these targets, for the sums of pairs of the same targets.
 SurfaceTotals totals(const SurfacePoints& targets, const PairSums& sums);
 
 /// Returns Ê of the part of the body with these targets. `strength` is Gρ², and `rest_volume` is V₀ of this part. The
@@ -83,6 +84,7 @@ double surface_energy(const SurfaceTotals& totals, double strength, double rest_
 struct SurfaceDerivative {
   std::array<std::vector<double>, 3> by_point, by_area;
 };
+/// Returns the derivative for these targets. `totals` are the sums over the targets of all processes.
 SurfaceDerivative surface_derivative(const SurfacePoints& targets, const PairSums& sums, const SurfaceTotals& totals,
                                      double strength, double rest_volume);
 

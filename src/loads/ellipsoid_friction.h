@@ -9,8 +9,8 @@
 ///
 ///   on c  ∫F dA,   on Q  ∫F (S ξ)ᵀ dA.
 ///
-/// The sum has the 8 points of Gauss in τ and n_angles equidistant angles φ. It is exact for polynomials F of ξ up to
-/// the degree 13. F is smooth, but varies over distances at which v_t changes by the slip speed s. If v_t vanishes
+/// The sum has the 8 points of Gauss in τ and n_angles equidistant angles φ. The sum is exact for polynomials F of ξ up
+/// to the degree 13. F is smooth, but varies over distances at which v_t changes by the slip speed s. If v_t vanishes
 /// within the contact and changes by more than s, the error of the sum is larger (docs/contact.md has numbers). The
 /// vector e₁ is the part of (QS)ᵀa orthogonal to ĝ, with a fixed tangent vector a of the plane. The points therefore do
 /// not turn with a body that turns rigidly.

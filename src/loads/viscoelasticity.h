@@ -60,7 +60,7 @@ struct Viscoelasticity {
     return sum;
   }
 
-  /// Returns no reason, because the moduli are not vectors and branches admit every reflection.
+  /// Returns an empty optional, because the branches admit the reflection of every axis.
   std::optional<std::string> breaks_plane(int) const { return std::nullopt; }
 };
 

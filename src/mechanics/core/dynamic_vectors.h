@@ -37,7 +37,8 @@ decltype(auto) read_as(const Eigen::VectorXd& x) {
     return V(Eigen::Map<const V>(x.data()));
 }
 
-/// An output argument of a function of a system. The destructor writes the entries to the dynamic vector.
+/// An output argument of a function of a system. This general form is a copy of fixed size, whose entries the
+/// destructor writes to the dynamic vector.
 template <class V>
 class WriteAs {
  public:

@@ -159,9 +159,9 @@ class Orbit {
     return f;
   }
   /// Moves s along Kepler's orbits for the time h. A symplectic method calls this function in place of the drift s ← s
-  /// + hṡ, after the half step of the velocity. Its half steps use the whole force. The function therefore takes
-  /// Kepler's force out of both half steps in sdot. The step is then exact for a Kepler orbit (Wisdom and Holman,
-  /// Astron. J. 102 (1991) 1528).
+  /// + hṡ, after the half step of the velocity. The half steps of the method use the whole force. The function
+  /// therefore subtracts Kepler's force of both half steps from sdot. The step is then exact for a Kepler orbit (Wisdom
+  /// and Holman, Astron. J. 102 (1991) 1528).
   void drift(double h, Columns& s, Columns& sdot) const {
     for (int k = 0; k < n_; ++k) {
       const auto half_kick = [&](const Eigen::Vector3d& at) {

@@ -25,9 +25,10 @@ struct CriticalPoint {
   Eigen::MatrixXcd directions;          // δq = T y for each rate, of length 1 in the metric
   int n_unstable = 0, n_stable = 0;     // numbers of rates with positive and with negative real part
 
-  /// True if no rate has the real part zero.
+  /// Returns true if every rate has a real part other than zero, up to round-off.
   bool hyperbolic() const { return n_unstable + n_stable == rates.size(); }
-  /// True if the point satisfies 5.8.3: it is hyperbolic, and the number of unstable directions is the Morse index.
+  /// Returns true if the point satisfies 5.8.3: it is hyperbolic, and the number of unstable directions is the Morse
+  /// index.
   bool obeys_5_8_3() const { return hyperbolic() && n_unstable == morse_index; }
 };
 

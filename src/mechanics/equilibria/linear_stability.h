@@ -48,7 +48,7 @@ struct Rate {
 struct LinearStability {
   std::vector<Rate> rates;
   Eigen::VectorXd second_variation;  ///< eigenvalues of S, increasing: second variation of the energy at fixed momenta
-  int n_negative = 0;  ///< number of negative eigenvalues; stable if 0 and no eigenvalue is 0 (Dirichlet's criterion)
+  int n_negative = 0;  ///< number of negative eigenvalues; if none is negative or 0, the motion is stable (Dirichlet)
   double growth_rate = 0;  ///< largest real part, 0 if it is round-off
   bool stable = true;      ///< spectral stability: no rate has a positive real part
 };

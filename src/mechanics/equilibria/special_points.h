@@ -18,9 +18,9 @@
 ///
 ///     δ = Re (s − s')²
 ///
-/// is a smooth function of the matrix. Before the collision δ is −(difference of frequencies)², and after the collision
-/// +(2 growth rate)². Rates with equal signs of the energy ½x̄ᵀSx (linear_stability.h; x is the vector of a rate)
-/// cannot collide and are omitted.
+/// is a smooth function of the parameter of the family. Before the collision δ is −(difference of frequencies)², and
+/// after the collision +(2 growth rate)². Rates with equal signs of the energy ½x̄ᵀSx (linear_stability.h; x is the
+/// vector of a rate) cannot collide and are omitted.
 
 #include <functional>
 #include <limits>

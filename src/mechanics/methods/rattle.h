@@ -7,8 +7,9 @@
 ///   v_{n+1}   = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}) + G(q_{n+1})ᵀ μ_n],   G(q_{n+1}) v_{n+1} = 0
 ///
 /// The velocity projection with the multiplier μ_n changes v_{n+1} along M⁻¹G(q_{n+1})ᵀ. The next λ_{n+1} acts along
-/// the same directions. If a step omits the projection, λ_{n+1} includes the missing change. SHAKE and RATTLE therefore
-/// have equal positions. `advance` omits the projection, and `project_velocity` projects at samples.
+/// the same directions. If a step omits the projection, λ_{n+1} includes the missing change. RATTLE without the
+/// projection (SHAKE) therefore has the same positions. `advance` omits the projection, and `project_velocity` projects
+/// at samples.
 ///
 /// λ_n is multiplied by the sum of the half steps before and after q_n. With Λ for this product, Newton's iteration is
 ///

@@ -36,7 +36,7 @@ struct VelocityIteration {
         free(vector_if(keeps_reactions && velocity_dependent(system), system)),
         reaction(vector_if(keeps_reactions && velocity_dependent(system), system)) {}
 
-  typename S::Vector half;            // v_n, then v_{n+1/2}
+  typename S::Vector half;            // v_n in the first half step, v_{n+1/2} in the second
   typename S::Vector before;          // v_{n+1} of the previous iteration
   typename S::Vector free, reaction;  // v_{n+1} before the last projection; all reactions so far
 
