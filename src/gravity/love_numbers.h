@@ -5,10 +5,10 @@
 ///
 ///   u_r = h_n V/g,    u_t = l_n r∇V/g,    k_n V.
 ///
-/// These are the radial and the tangential displacement, and the additional potential of the displaced mass. Only the
-/// tangential part of ∇V counts in u_t. In the interior, a pressure balances the force ρ∇V. The tide therefore acts at
-/// the surface alone, and its work on a displacement is ρ∮V u_r dS. The displaced mass is a layer ρu_r with the
-/// potential 3/(2n + 1) g u_r:
+/// The three terms are the radial displacement, the tangential displacement, and the additional potential of the
+/// displaced mass. Only the tangential part of ∇V counts in u_t. In the interior, a pressure balances the force ρ∇V.
+/// The tide therefore acts at the surface alone, and its work on a displacement is ρ∮V u_r dS. The displaced mass is a
+/// layer ρu_r with the potential 3/(2n + 1) g u_r:
 ///
 ///   k_n = 3/(2n + 1) h_n.
 ///

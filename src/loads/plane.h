@@ -57,7 +57,7 @@ struct Plane {
   double height(const Eigen::Vector3d& x) const { return normal.dot(x) - position; }
   /// Returns the rate ḋ of the penetration of a point with the velocity v.
   double rate(const Eigen::Vector3d& v) const { return speed - normal.dot(v); }
-  /// Returns the pressure p at a point of the surface with the position x and the velocity v. It is 0 without
+  /// Returns the pressure p at a point of the surface with the position x and the velocity v. The pressure is 0 without
   /// penetration, and negative at fast separation.
   double pressure(const Eigen::Vector3d& x, const Eigen::Vector3d& v) const {
     const double d = std::max(0.0, -height(x));

@@ -1,8 +1,8 @@
 #pragma once
 /// Maxwell branches of a viscoelastic body. A branch is a spring of shear modulus μ_b in series with a dashpot of the
-/// relaxation time τ_b. It is parallel to the elastic law. The strain of the dashpot is the internal metric C_i, which
-/// is symmetric and positive with det C_i = 1. With F = ∂x/∂X, J = det F, C = FᵀF and the isochoric strain Ĉ = J^{−2/3}
-/// C, the stored energy, the stress and the flow of a branch are
+/// relaxation time τ_b. All branches are parallel to the elastic law. The strain of the dashpot is the internal metric
+/// C_i, which is symmetric and positive with det C_i = 1. With F = ∂x/∂X, J = det F, C = FᵀF and the isochoric strain Ĉ
+/// = J^{−2/3} C, the stored energy, the stress and the flow of a branch are
 ///
 ///   W_b = (μ_b/2)(tr(Ĉ C_i⁻¹) − 3),
 ///   P_b = ∂W_b/∂F = μ_b J^{−2/3} (F C_i⁻¹ − ⅓ tr(C C_i⁻¹) F⁻ᵀ),

@@ -126,7 +126,7 @@ ChartVector<C> apply_mass(const C& chart, const ChartVector<C>& q, const ChartVe
 }
 
 /// Sets v = μ⁻¹(p) for the metric g and the covector p. Fails if p is not finite, or if g is not positive definite up
-/// to round-off. This occurs at a pole of the chart, for example.
+/// to round-off. The metric is singular at a pole of the chart, for example.
 template <int n>
 Status apply_inverse_mass(const Eigen::Matrix<double, n, n>& g, const Eigen::Matrix<double, n, 1>& p,
                           Eigen::Matrix<double, n, 1>& v) {

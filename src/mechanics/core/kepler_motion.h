@@ -4,8 +4,8 @@
 ///
 ///   G_n(X) = Xⁿ c_n(βX²),   c_n(z) = 1/n! − z/(n + 2)! + z²/(n + 4)! − …,
 ///
-/// the time is h = r G₁ + η G₂ + k G₃. Its derivative with respect to X is r(X) = r + η G₁ + (k − βr) G₂, the distance
-/// |s| at the end. The increments of the motion are
+/// the time is h = r G₁ + η G₂ + k G₃. The derivative of the time with respect to X is r(X) = r + η G₁ + (k − βr) G₂,
+/// the distance |s| at the end. The increments of the motion are
 ///
 ///   Δs = −(k G₂/r) s + (h − k G₃) ṡ,   Δṡ = −(k G₁/(r r(X))) s − (k G₂/r(X)) ṡ.
 

@@ -17,7 +17,7 @@
 ///   θ_ij = A_i·A_j/(|A_j|² − |A_i|²),
 ///
 /// and leaves angles of order θ². Usually one such rotation is enough. Third, single plane rotations are made only if
-/// an angle is not small. This occurs for nearly equal axes.
+/// an angle is not small. Large angles occur if axes are nearly equal.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -105,8 +105,8 @@ inline double cosine_of_third(double q) {
   return c - 2 * f * slope / (2 * slope * slope - f * curvature);
 }
 
-/// Returns the eigenvectors of C in closed form. Their directions have an error of about 1e-8, and they are orthonormal
-/// to round-off.
+/// Returns the eigenvectors of C in closed form. The eigenvectors are the columns of the result. They are orthonormal
+/// to round-off, and their directions have errors of about 1e-8.
 inline Eigen::Matrix3d eigenvectors(const Symmetric& C) {
   const double mean = (C.diagonal[0] + C.diagonal[1] + C.diagonal[2]) / 3;
   const Symmetric B{{C.diagonal[0] - mean, C.diagonal[1] - mean, C.diagonal[2] - mean}, C.opposite};

@@ -6,8 +6,8 @@
 ///
 /// The composed method is symmetric. If Φ is symplectic, the composed method is symplectic too. The coefficients
 /// declare the order and the stability limit of the composed method. The limit is the largest hω for which the
-/// composition of Störmer–Verlet steps of a linear oscillator with frequency ω is stable. It was computed from the
-/// trace of the matrix of a step. If chosen_by_auto is true, Method = auto may choose the method.
+/// composition of Störmer–Verlet steps of a linear oscillator with frequency ω is stable. The limit was computed from
+/// the trace of the matrix of a step. If chosen_by_auto is true, Method = auto may choose the method.
 
 #include <array>
 #include <cstddef>

@@ -10,7 +10,7 @@
 ///   D = ½[∇F(X₁ − P/2) + ∇F(X₀ + P/2)] − ∇F(X_m),
 ///
 /// with the canonical antisymmetric matrix 𝒥 and multipliers λ, μ. The projection Π acts on vectors and on covectors in
-/// the coordinates (q, v). It removes their components along the orbit of the system's symmetries at X_m
+/// the coordinates (q, v). Π removes the components of both along the orbit of the system's symmetries at X_m
 /// (orbit_complement.h). In these coordinates, with ∇F = (−A, M v + B) at X_m and C = (C_q, C_v):
 ///
 ///   A = f(q_m) + G(q_m)ᵀλ − D²g(q_m)(v_m, ·)ᵀμ,   B = G(q_m)ᵀμ,

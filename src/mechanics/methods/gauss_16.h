@@ -146,8 +146,8 @@ struct Gauss16 {
   template <class S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     // A step starts with one halving less than the last step, but with at least 0 and at most 2 halvings. In a violent
-    // phase of the motion, the first trial is then a part of the step. This saves a trial of the whole step, which
-    // would fail.
+    // phase of the motion, the first trial is then a part of the step. The trial of the whole step, which would
+    // probably fail, is omitted.
     constexpr int most_expected = 2;  // small, because all parts of the step have at least this depth
     const int n_expected = std::clamp(w.n_halvings - 1, 0, most_expected);
     w.n_halvings = 0;
@@ -244,8 +244,8 @@ struct Gauss16 {
   }
 
   /// Sets the guess of the stages to the polynomial of the last step. At the first step, the guess is the acceleration
-  /// at the state. This is also the guess if the step is 1.5 times as long as the last step or more, or has the
-  /// opposite sign.
+  /// at the state. The acceleration is also the guess if the step is at least 1.5 times as long as the last step, or
+  /// has the opposite sign. Fails if the acceleration fails.
   template <class F>
   static Status begin(const F& field, const State<F>& state, auto& w, GaussStages& s) {
     constexpr double longest_look = 1.5;

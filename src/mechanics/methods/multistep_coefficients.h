@@ -31,8 +31,8 @@ struct MultistepFormula {
   /// Formula for the differences d_n = q_n − q_{n−1}, the newest first:
   ///   d_{n+1} = Σ_i difference[i] d_{n−i} + h² Σ_i acceleration[i] a_{n−i},   i = 0 … k − 2.
   std::array<double, k - 1> difference{}, acceleration{};
-  /// Formula for the velocity from the last difference and the last k accelerations. It is exact if the motion is a
-  /// polynomial in time of degree at most k + 1:
+  /// Formula for the velocity from the last difference and the last k accelerations. The formula is exact if the motion
+  /// is a polynomial in time of degree at most k + 1:
   ///   v_n = d_n/h + h Σ_i velocity[i] a_{n−i},   i = 0 … k − 1.
   std::array<double, k> velocity{};
 };
@@ -107,7 +107,8 @@ constexpr std::array<long double, k> velocity_weights() {
 
 }  // namespace detail
 
-/// Returns the formulas for the parameters a_i of ρ. They are computed in extended precision and then rounded.
+/// Returns the formulas for the parameters a_i of ρ. The coefficients are computed in extended precision and then
+/// rounded.
 template <int k>
 constexpr MultistepFormula<k> multistep_formula(const std::array<long double, k / 2 - 1>& a) {
   const auto rho = detail::first_polynomial<k>(a);

@@ -143,7 +143,7 @@ bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
 /// Shortens the step such that the predicted change of the energy over the run is permitted (step_search.h). Does
 /// nothing for methods other than multistep methods, for short runs, or if the pilot run fails.
 void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
-  // Both values were chosen after the measurements in step_search.h, and so was the power in change_of_energy().
+  // The two values and the power in change_of_energy() were chosen after the measurements in step_search.h.
   constexpr double part = 1.0 / 8, least_windows = 5;
   const double window = part * request_.end;
   if (!is_multistep(method) || !method.energies || window < least_windows * pilot_window(request_)) return;
@@ -168,9 +168,9 @@ PilotRun StepSearch::pilot(const FixedStepMethod& method, double window, long n_
   return run;
 }
 
-/// Sets the step and returns true if the difference d at h is sufficient. This is so if its error estimate is at most
-/// the target or the round-off. It is also so if d is small and has decreased according to the order from d_before, the
-/// difference at 2h. A d_before of 0 is not known.
+/// Sets the step and returns true if the difference d at h is sufficient. One sufficient condition is that the error
+/// estimate of d is at most the target or the round-off. The other condition is that d is small and has decreased
+/// according to the order from d_before, the difference at 2h. A d_before of 0 is not known.
 bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, double d, double d_before,
                         double speed) const {
   const double p = method.order;
