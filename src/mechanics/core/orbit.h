@@ -202,11 +202,12 @@ class Orbit {
     Columns s, sdot;
   };
   /// Integrates the orbits as those of point masses until the time `end`, and finds the closest approach. Returns the
-  /// coordinates and rates at the time `before` ahead of the closest approach. The result is the start if this time is
-  /// before the start. It is also the start if the least distance is more than 0.9 times the distance at the start. A
-  /// single companion in a bound orbit repeats its motion, so the search ends after one period. Changes of the
-  /// pericentre by tides are not known before the run. The search also ends if a companion is within the radius of the
-  /// ball, because the run then ends with a collision. It also ends after 100,000 steps, which bounds its time.
+  /// coordinates and rates at the last step that is at least the time `before` ahead of the closest approach. The
+  /// result is the start if there is no such step. The result is also the start if the least distance is more than 0.9
+  /// times the distance at the start. A single companion in a bound orbit repeats its motion, so the search ends after
+  /// one period. Changes of the pericentre by tides are not known before the run. The search also ends if a companion
+  /// is within the radius of the ball, because the run then ends with a collision. It also ends after 100,000 steps,
+  /// which bounds its time.
   Motion near_closest_approach(double end, double before) const {
     if (const auto period = kepler_period()) end = std::min(end, *period);
     constexpr int most_steps = 100'000;

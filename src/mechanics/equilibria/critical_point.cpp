@@ -23,7 +23,7 @@ constexpr double round_off_curvature = 1e-14;
 /// this error.
 constexpr double zero_rate = 1e-6;
 
-/// Returns a basis T of ker G with TᵀMT = Id, as columns. If M is not positive definite, T is not finite.
+/// Returns a basis T of ker G with TᵀMT = Id, as columns. M must be positive definite.
 Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G) {
   const Eigen::LLT<Eigen::MatrixXd> factor(M);  // M = LLᵀ, T = L⁻ᵀZ with Z ⟂ L⁻¹Gᵀ
   Eigen::MatrixXd Z = Eigen::MatrixXd::Identity(M.rows(), M.cols());

@@ -33,8 +33,8 @@ struct CriticalPoint {
 };
 
 /// Sets p to the description of the critical point (q, λ). `added_damping` is the matrix C of a force −C v in addition
-/// to the system's own damping. Fails if the Hessian or the damping cannot be computed, or if H or D is not finite. H
-/// and D are not finite if M is singular.
+/// to the system's own damping. Fails if the Hessian or the damping cannot be computed, or if H or D is not finite. The
+/// last case can occur if M is singular.
 Status describe_critical_point(const AnyLandscape& landscape, const Eigen::VectorXd& q, const Eigen::VectorXd& lambda,
                                const Eigen::MatrixXd& added_damping, CriticalPoint& p);
 

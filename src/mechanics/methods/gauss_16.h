@@ -141,8 +141,8 @@ struct Gauss16 {
     return {};
   }
 
-  /// Makes one step, and projects the state if 32 steps have been made since the last projection. Fails if the force
-  /// fails, the stages cannot be found, or the projection fails.
+  /// Makes one step, and projects the state if 32 steps have been made since the last projection. Fails if the
+  /// projection fails, or if the stages cannot be found after all permitted halvings. The force may be the reason.
   template <class S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     // A step starts with one halving less than the last step, but with at least 0 and at most 2 halvings. In a violent
