@@ -10,9 +10,10 @@
 namespace pseudorigid::loads {
 
 struct CompanionMasses {
-  std::vector<double> masses, positions, velocities;  ///< m_i, and three numbers of r_i and ṙ_i for each companion
+  std::vector<double> masses, positions, velocities;  ///< mass m_i, and three numbers each of r_i and ṙ_i, for each
+                                                      ///< companion
   std::vector<double> semi_major_axes, eccentricities, inclinations, ascending_nodes, arguments_of_pericentre,
-      mean_anomalies;  ///< elements of R_i, in place of r_i and ṙ_i
+      mean_anomalies;  ///< elements of Jacobi's R_i, in place of r_i and ṙ_i
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

@@ -81,6 +81,7 @@ struct Contact {
   double radius = 0;                                        ///< radius √(area/π) of a disk with the contact area
   double pressure_radius = 0;                               ///< radius √(5⟨s²⟩/2) of the pressure
   Eigen::Vector3d point = Eigen::Vector3d::Zero();          ///< centre of pressure; 0 without contact
+  /// Unit normal of the plane with the largest force, or of the nearest plane without contact.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double speed = 0;  ///< speed ż₀ of the plane with this normal
 

@@ -1,13 +1,15 @@
 #pragma once
 /// Observables of a ball at one state, and the columns of the CSV files that show them. Observables are for the whole
-/// ball, even if only a sector is computed. The columns are declared in this file, each with its name, group, unit,
-/// meaning and computation. Headers, rows, units and documentation are generated from these columns (io/trajectory.h).
+/// ball, even if only a sector between symmetry planes is computed. The columns are declared in this file, each with
+/// its name, group, unit, meaning and computation. Headers, rows, units and documentation are generated from these
+/// columns (io/trajectory.h).
 ///
 ///   K = ½ ∫ρ|ẋ|² dV,   J = ∫ρ (x−x_c)×(ẋ−ẋ_c) dV,   Z = ∫ρ X×(Fᵀẋ) dV
 ///
-/// with the centre of mass x_c and the velocity ẋ_c. For the pseudo-rigid ball and m̄ = tr E₀/3, J_i = m̄ ε_ijk Q_jA Q̇_kA
-/// and Z_A = m̄ ε_ABC (QᵀQ̇)_CB. A rigid rotation with angular velocity ω at Q = Id has J = Z = 2m̄ω. All observables are
-/// in internal units (entries/units.h).
+/// with the centre of mass x_c and its velocity ẋ_c. E₀ = ∫ρ X Xᵀ dV is the second moment at rest, and m̄ = tr E₀/3.
+/// For the pseudo-rigid ball, J_i = m̄ ε_ijk Q_jA Q̇_kA and Z_A = m̄ ε_ABC (QᵀQ̇)_CB. A rigid rotation with angular
+/// velocity ω at Q = Id has J = Z = 2m̄ω. Motions that are not affine have the mass moment Q_M = (∫ρ (x − x_c) Xᵀ dV)
+/// E₀⁻¹ in place of Q. All observables are in internal units (entries/units.h).
 ///
 /// To add an observable, add a member, and set it in the models that have it (reduced/observe.h,
 /// polynomial/observe.cpp, continuum/output/observe.cpp). An observable that is not set stays NaN. If its column is
@@ -132,7 +134,8 @@ struct BodyObservables {
   Eigen::Vector3d angular_momentum = Eigen::Vector3d::Constant(not_observed);  ///< J about the centre of mass
   Eigen::Vector3d circulation = Eigen::Vector3d::Constant(not_observed);       ///< Z about the centre of mass
   double volume_ratio = not_observed;                                          ///< current volume / reference volume
-  double multiplier = not_observed;  ///< λ of Oliva (5.120) per m̄; for non-affine motions (1/m̄)∫p dV
+  double multiplier = not_observed;  ///< λ of Oliva (5.120) per m̄; for non-affine motions (1/m̄)∫p dV with the
+                                     ///< Kirchhoff pressure p
   /// a₁ ≥ a₂ ≥ a₃, the singular values of Q S with the reference shape S. For a ball, S = r Id.
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Constant(not_observed);
   std::vector<double> over_points{};  ///< one value for each entry of ObservableRequest::over_points

@@ -4,9 +4,10 @@
 ///
 ///   K − ½ M|ẋ_c|² − ½ J·I⁻¹J + the elastic energy.
 ///
-/// The parts belong to the displacement u = Rᵀ(x − x_c) − X in the frame of the rotation R of Q_M = R S. A spheroidal
-/// motion of degree n that keeps the volume has the form ∇×∇×(f(r) Y_nm X). The motions with f = r^{n + 2j}, j = 0 … 4,
-/// have modes φ_k with frequencies ω_k (Ritz's method, for small strains), and the part of degree n is
+/// The parts belong to the displacement u = Rᵀ(x − x_c) − X in the frame of the rotation R of Q_M = R S. Q_M is the
+/// mass moment (body_observables.h), and S is symmetric. A spheroidal motion of degree n that keeps the volume has the
+/// form ∇×∇×(f(r) Y_nm X). The motions with f = r^{n + 2j}, j = 0 … 4, have modes φ_k with frequencies ω_k (Ritz's
+/// method, for small strains), and the part of degree n is
 ///
 ///   E_n = ½ Σ_mk ⟨φ_k, u̇⟩² + ω_k² ⟨φ_k, u⟩²,     ⟨a, b⟩ = ∫ρ a·b dV.
 ///
@@ -30,8 +31,8 @@ struct SpheroidalModes {
   Eigen::MatrixXd coefficients;  ///< c_j of a mode in each column, for ∫|φ|² dV = 1
 };
 
-/// The motions ∇×∇×(r^{n + 2j} Y_nm X) with the symmetry of the computed sector, for all degrees n of the columns. The
-/// order is by n, then m, then j.
+/// The motions ∇×∇×(r^{n + 2j} Y_nm X) that have the symmetry of the computed sector of the ball, for all degrees n of
+/// the columns. The order is by n, then m, then j.
 class SpheroidalMotions {
  public:
   static constexpr int n_powers = 5;  ///< number of powers, j = 0 … n_powers − 1

@@ -1,6 +1,7 @@
 #pragma once
-/// Choice of the method and the step. The tolerance applies to the time error of the configuration over a run, in the
-/// maximum norm over the samples.
+/// Choice of the method and the step. If the entry Time/Method of a parameter file is auto, the program chooses the
+/// method. The tolerance applies to the time error of the configuration over a run, in the maximum norm over the
+/// samples.
 ///
 /// An adaptive method (tolerance_search.h) is tried first. Its cost bounds the cost of the search among the other
 /// methods. If it fails, or if its estimated error is above 0.1, other methods are not tried. The motion then ends
