@@ -30,12 +30,14 @@ namespace pseudorigid::gravity {
 struct EllipsoidGravity {
   double strength;  ///< k = (3/5) G M²
 
+  /// Returns V for a regular F.
   double energy(const Eigen::Matrix3d& F) const {
     const double scale = unit_scale(F);
     const auto axes = mechanics::principal_axes(scale * F);
     return -strength / 3 * scale * axes.a.cwiseAbs2().dot(ellipsoid_integrals<false>(axes.a).d);
   }
 
+  /// Returns ∂V/∂F for a regular F.
   Eigen::Matrix3d gradient(const Eigen::Matrix3d& F) const {
     const double scale = unit_scale(F);
     const auto [U, A, a] = mechanics::principal_axes(scale * F);
@@ -43,6 +45,7 @@ struct EllipsoidGravity {
     return scale * (strength / 3 * scale * mechanics::detail::axes::product(U, d.asDiagonal() * A));
   }
 
+  /// Returns D(∂V/∂F)[H] for a regular F.
   Eigen::Matrix3d second_derivative(const Eigen::Matrix3d& F, const Eigen::Matrix3d& H) const {
     const double scale = unit_scale(F);
     const auto [U, A, a] = mechanics::principal_axes(scale * F);
@@ -60,8 +63,8 @@ struct EllipsoidGravity {
   }
 
  private:
-  /// The factor by which F is scaled. If the largest entry of F is between 2⁻²⁰ and 2²⁰, the factor is 1. Otherwise the
-  /// factor is the power of two that brings the largest entry into [½, 1).
+  /// Returns the factor by which F is scaled. If the largest entry of F is between 2⁻²⁰ and 2²⁰, the factor is 1.
+  /// Otherwise the factor is the power of two that brings the largest entry into [½, 1).
   static double unit_scale(const Eigen::Matrix3d& F) {
     const double largest = F.cwiseAbs().maxCoeff();
     if (largest > 0x1p-20 && largest < 0x1p+20) return 1;

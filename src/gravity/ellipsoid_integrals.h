@@ -33,9 +33,9 @@ struct EllipsoidIntegrals {
 
 namespace detail {
 
-/// The series is truncated after this degree in Z. The series is used if the largest and the smallest argument differ
-/// by at most `series_spread` times the sum of the arguments. The truncation error is below 1e-16 of the result
-/// (measured: 4e-17 in d_i, 6e-17 in t_k).
+/// The series for h_l is truncated such that d_i and t_k are complete up to this degree in Z. The series is used if the
+/// largest and the smallest argument x_i differ by at most `series_spread` times the sum of the arguments. The
+/// truncation error is below 1e-16 of the result (measured: 4e-17 in d_i, 6e-17 in t_k).
 inline constexpr int series_degree = 11;
 inline constexpr double series_spread = 0.025;
 
@@ -49,7 +49,8 @@ inline constexpr double series_coefficient = [] {
   return c;
 }();
 
-/// The factor of E_3^n in h_l, a polynomial in E_2 with the powers m ≤ M. Horner's rule evaluates this polynomial.
+/// Returns the factor of E_3^n in h_l, a polynomial in E_2 with the powers 0, …, M. Horner's rule evaluates this
+/// polynomial.
 template <int l, int n, int... m>
 double series_row(double E2, std::integer_sequence<int, m...>) {
   constexpr int M = sizeof...(m) - 1;
@@ -67,7 +68,7 @@ double series_rows(double E2, double E3, std::integer_sequence<int, n...>) {
   return sum;
 }
 
-/// The series h_l. The sums are unrolled, so that the processor can add the rows in parallel.
+/// Returns the series h_l. The compiler unrolls the sums, so that the processor can add the rows in parallel.
 template <int l>
 double series(double E2, double E3) {
   return series_rows<l>(E2, E3, std::make_integer_sequence<int, (series_degree - l) / 3 + 1>());
@@ -75,8 +76,8 @@ double series(double E2, double E3) {
 
 }  // namespace detail
 
-/// The integrals for semi-axes a_i, each 0 or between 10⁻⁵⁰ and 10⁵⁰. At most one of them may be 0. If a_i = 0, d_i and
-/// the t_k with k ≠ i are infinite. If `with_t` is false, t is not computed.
+/// Returns the integrals for semi-axes a_i, each 0 or between 10⁻⁵⁰ and 10⁵⁰. At most one of them may be 0. If a_i = 0,
+/// d_i and the t_k with k ≠ i are infinite. If `with_t` is false, t is not computed and not valid.
 template <bool with_t = true>
 EllipsoidIntegrals ellipsoid_integrals(const Eigen::Vector3d& a) {
   using Eigen::Array3d;

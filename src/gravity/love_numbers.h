@@ -5,10 +5,10 @@
 ///
 ///   u_r = h_n V/g,    u_t = l_n r∇V/g,    k_n V.
 ///
-/// These are the radial and the tangential displacement, and the additional potential of the displaced mass. Only the
-/// tangential part of ∇V counts in u_t. In the interior, a pressure balances the force ρ∇V. The tide therefore acts at
-/// the surface alone, and its work on a displacement is ρ∮V u_r dS. The displaced mass is a layer ρu_r with the
-/// potential 3/(2n + 1) g u_r:
+/// The three terms are the radial displacement, the tangential displacement, and the additional potential of the
+/// displaced mass. Only the tangential part of ∇V counts in u_t. In the interior, a pressure balances the force ρ∇V.
+/// The tide therefore acts at the surface alone, and its work on a displacement is ρ∮V u_r dS. The displaced mass is a
+/// layer ρu_r with the potential 3/(2n + 1) g u_r:
 ///
 ///   k_n = 3/(2n + 1) h_n.
 ///
@@ -40,12 +40,14 @@ struct LoveNumbers {
   double load_factor() const { return -2 * (degree - 1) / 3.0; }
 };
 
+/// Returns the exact numbers for n ≥ 2 and γ = `gamma`.
 inline LoveNumbers exact_love_numbers(int n, double gamma) {
   const double m = (2.0 * n * n + 4 * n + 3) / n;
   const double h = (2.0 * n + 1) / (2 * (n - 1)) / (1 + m / gamma);
   return {n, h, 3 / (n * (2.0 * n + 1)) * h};
 }
 
+/// Returns the numbers of the pseudo-rigid ball for γ = `gamma`, which are 0 for n > 2.
 inline LoveNumbers pseudo_rigid_love_numbers(int n, double gamma) {
   const double h = n == 2 ? 2.5 / (1 + 12.5 / gamma) : 0.0;
   return {n, h, h / 2};

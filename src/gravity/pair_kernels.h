@@ -1,6 +1,7 @@
 #pragma once
-/// Table of the functions for sums over pairs of points (surface_gravity.h). pair_sums.cpp is compiled once for each
-/// instruction set, and each compilation defines one such table.
+/// Table of the functions for sums over pairs of points (surface_gravity.h). `sum` and `sum_moving` are the two
+/// functions sum_pairs, and `sum_own` is sum_own_pairs. The source pair_sums.cpp is compiled once for each instruction
+/// set. Each compilation defines one such table.
 
 #include "gravity/surface_gravity.h"
 #include "mechanics/core/kernel_builds.h"
@@ -13,8 +14,8 @@ struct PairKernels {
   Moving<PairSums> (*sum_moving)(const Moving<SurfacePoints>& targets, const Moving<SurfacePoints>& sources);
 };
 
-/// One table of functions for each instruction set, the fastest first. A source file that CMake generates defines this
-/// function.
+/// Returns one table of functions for each instruction set, the fastest first. A source file that CMake generates
+/// defines this function.
 std::span<const mechanics::KernelBuild<PairKernels>> builds_of_pair_kernels();
 
 }  // namespace pseudorigid::gravity

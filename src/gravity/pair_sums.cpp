@@ -87,7 +87,8 @@ PairSums no_sums(std::size_t n_targets) {
   return {none, {none, none, none}, {none, none, none}};
 }
 
-/// A block of points, one in each lane, from number `first` on, with sums of 0. Lanes after the last point repeat it.
+/// Returns a block of points, one in each lane, from number `first` on, with sums of 0. Lanes after the last point
+/// repeat this point.
 Block<L> block_at(const SurfacePoints& points, std::size_t first) {
   Block<L> block{};
   for (int c = 0; c < 3; ++c) {
@@ -97,15 +98,15 @@ Block<L> block_at(const SurfacePoints& points, std::size_t first) {
   return block;
 }
 
-/// Sums over the images of one point, with the symbols of PairWithImages. The members a, b and w are Σ a/|d|, Σ b/|d|
-/// and Σ ab/|d|³.
+/// Sums over the images of one point, with the symbols of PairWithImages below. The members a, b and w are Σ a/|d|, Σ
+/// b/|d| and Σ ab/|d|³.
 struct ImageSums {
   L a = 0.0, b = 0.0, w = 0.0;
 };
 
 /// The pairs of a point y and its mirror images with a block of points x, one in each lane. Each distance is used for
-/// both points of a pair. Under a set k of reflections the image of y is R_k y, with R_k = diag(s_k1, s_k2, s_k3),
-/// s = ±1. Let d = x − R_k y, a = d·N_x, b = d·R_k N_y and w = ab/|d|³. Seen from y, the image R_k x has the distance
+/// both points of a pair. Under a set k of reflections the image of y is R_k y, with R_k = diag(s_k1, s_k2, s_k3), s =
+/// ±1. Let d = x − R_k y, a = d·N_x, b = d·R_k N_y and w = ab/|d|³. The pair of y with the image R_k x has the distance
 /// vector −R_k d, with −b and −a in place of a and b. Because d_c = x_c − s_kc y_c, only the sums Σ_k and, for each
 /// axis c, Σ_k s_kc over the images are needed:
 ///
@@ -129,9 +130,9 @@ class PairWithImages {
     (std::make_integer_sequence<int, 8>());
   }
 
-  /// The sum Σ_k of `term` over the images.
+  /// Returns the sum Σ_k of `term` over the images.
   L sum(L ImageSums::*term) const { return all_.*term; }
-  /// The sum Σ_k s_kc of `term` over the images.
+  /// Returns the sum Σ_k s_kc of `term` over the images.
   L signed_sum(int c, L ImageSums::*term) const {
     return mirrors >> c & 1 ? all_.*term - 2.0 * behind_[c].*term : all_.*term;
   }
@@ -166,8 +167,8 @@ class PairWithImages {
   ImageSums all_, behind_[3];  ///< behind_[c]: sums over the images with s_kc = −1
 };
 
-/// Sums for points whose pairs are computed once for both points. g_i and h_i do not contain the terms along N_i and
-/// x_i, whose factors are along_N and along_x.
+/// Sums for points whose pairs are computed once for both points. The vectors g_i and h_i do not contain the terms
+/// along N_i and x_i. The factors of these terms are along_N and along_x.
 struct MutualSums {
   L along_N, along_x, g[3], h[3];
 
@@ -187,7 +188,8 @@ struct MutualSums {
   }
 };
 
-/// Adds the contributions of the points x and their images to the sums of the point y, lane by lane.
+/// Adds the contributions of the points x and their images to the sums of the point y. Each lane of the sums contains
+/// the contributions of one point x.
 template <unsigned mirrors>
 [[gnu::always_inline]] inline void react(const PairWithImages<mirrors>& pair, const L (&x)[3], const L (&N_x)[3],
                                          MutualSums& y) {
@@ -211,8 +213,8 @@ template <unsigned mirrors>
   }
 }
 
-/// The sums Σ_j over the points and their images, for each point. Each pair of points is computed once, except for
-/// pairs within a block.
+/// Returns the sums Σ_j over the points and their images, for each point. Each pair of points is computed once, except
+/// for pairs within a block.
 template <unsigned mirrors>
 PairSums sum_own_pairs(const SurfacePoints& points) {
   const std::size_t n = points.size();

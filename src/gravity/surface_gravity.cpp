@@ -10,7 +10,7 @@
 namespace pseudorigid::gravity {
 namespace {
 
-/// (V₀/V)^{5/3}, the factor of E in Ê.
+/// Returns (V₀/V)^{5/3}, the factor of E in Ê.
 double gauge(const SurfaceTotals& totals, double rest_volume) { return std::pow(rest_volume / totals.volume, 5.0 / 3); }
 
 }  // namespace

@@ -19,8 +19,8 @@
 ///
 /// The energy is Ê = (V₀/V)^{5/3} (Gρ²/12) Σ_i e_i with e_i = Σ_j ab/|d| = N_i·h_i.
 ///
-/// If the sources are also the targets, each pair is computed once: the terms of y at x also give the terms of x at y.
-/// If only a sector of the body is computed, the sources are the points of the sector and their mirror images.
+/// If the sources are also the targets, each pair is computed once. The terms of y at x then also give the terms of x
+/// at y. If only a sector of the body is computed, the sources are the points of the sector and their mirror images.
 
 #include <Eigen/Core>
 #include <array>
@@ -44,6 +44,8 @@ struct PairSums {
   std::vector<double> e;  ///< Σ_j ab/|d|
   std::array<std::vector<double>, 3> g, h;
 };
+/// Returns the sums for any targets and sources. The functions of this file for sums throw NoKernels if no build of the
+/// kernels can be chosen (mechanics/core/kernel_builds.h).
 PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources);
 /// Returns the sums for sources that are the targets and their mirror images. The reflections are x_c ↦ −x_c for each c
 /// with mirrors[c] = true. Except within a block of SIMD lanes, the distance of a pair is computed once for both
@@ -57,9 +59,10 @@ template <class T>
 struct Moving {
   T at, rate;
 };
+/// Returns the sums and their time derivatives for moving targets and sources.
 Moving<PairSums> sum_pairs(const Moving<SurfacePoints>& targets, const Moving<SurfacePoints>& sources);
 
-/// V = ⅓ Σ x·N
+/// Returns the enclosed volume V = ⅓ Σ x·N.
 double enclosed_volume(const SurfacePoints& points);
 
 /// Sums over the targets. If the targets are distributed over several processes, add the totals of all processes before
@@ -68,27 +71,31 @@ struct SurfaceTotals {
   double pairs = 0;   ///< Σ_i e_i
   double volume = 0;  ///< V
 };
+/// Returns the sums over these targets, for the sums of pairs of the same targets.
 SurfaceTotals totals(const SurfacePoints& targets, const PairSums& sums);
 
-/// Ê of the part of the body with these targets. `strength` is Gρ², and `rest_volume` is V₀ of this part.
+/// Returns Ê of the part of the body with these targets. `strength` is Gρ², and `rest_volume` is V₀ of this part. The
+/// result is NaN if the volume V is negative.
 double surface_energy(const SurfaceTotals& totals, double strength, double rest_volume);
 
-/// The derivative of Ê with respect to the points and area vectors of the targets. The sources must be the targets and,
-/// if only a sector is computed, also the images of the targets. The derivative includes the motion of the sources.
+/// The derivative of Ê with respect to the points and area vectors of the targets: [component][target]. The sources
+/// must be the targets and, if only a sector is computed, also the images of the targets. The derivative includes the
+/// motion of the sources.
 struct SurfaceDerivative {
   std::array<std::vector<double>, 3> by_point, by_area;
 };
+/// Returns the derivative for these targets. `totals` are the sums over the targets of all processes.
 SurfaceDerivative surface_derivative(const SurfacePoints& targets, const PairSums& sums, const SurfaceTotals& totals,
                                      double strength, double rest_volume);
 
 Moving<SurfaceTotals> totals(const Moving<SurfacePoints>& targets, const Moving<PairSums>& sums);
 
-/// The time derivative of surface_derivative: D²Ê applied to the rates of the points and of the area vectors.
+/// Returns the time derivative of surface_derivative: D²Ê applied to the rates of the points and of the area vectors.
 SurfaceDerivative surface_derivative_rate(const Moving<SurfacePoints>& targets, const Moving<PairSums>& sums,
                                           const Moving<SurfaceTotals>& totals, double strength, double rest_volume);
 
-/// The potential φ(x) = −½Gρ ∮ (y − x)·N_y/|y − x| at points x on the surface or in the interior. A source at the point
-/// x itself adds 0. `strength` is Gρ.
+/// Returns the potential φ(x) = −½Gρ ∮ (y − x)·N_y/|y − x| per mass, at points x on the surface or in the interior. A
+/// source at the point x itself adds 0. `strength` is Gρ.
 std::vector<double> potential_at(const std::vector<Eigen::Vector3d>& points, const SurfacePoints& sources,
                                  double strength);
 

@@ -1,12 +1,12 @@
 #pragma once
-/// A uniform acceleration b.
+/// A uniform acceleration b of all mass points, with the potential energy −b·x per mass.
 
 #include "loads/load.h"
 
 namespace pseudorigid::loads {
 
 struct Acceleration {
-  std::vector<double> acceleration{0, 0, 0};  ///< the acceleration b
+  std::vector<double> acceleration{0, 0, 0};  ///< the three components of b
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Point masses in orbit about the body, which act on it by their tides and on which the body acts
-/// (mechanics/core/orbit.h).
+/// Point masses in orbit about the body (mechanics/core/orbit.h). They act on the body by their tides, and the body
+/// acts on them by its gravity.
 
 #include <algorithm>
 #include <optional>
@@ -10,9 +10,10 @@
 namespace pseudorigid::loads {
 
 struct CompanionMasses {
-  std::vector<double> masses, positions, velocities;  ///< m_i, and three numbers of r_i and ṙ_i for each companion
+  std::vector<double> masses, positions, velocities;  ///< mass m_i, and three numbers each of r_i and ṙ_i, for each
+                                                      ///< companion
   std::vector<double> semi_major_axes, eccentricities, inclinations, ascending_nodes, arguments_of_pericentre,
-      mean_anomalies;  ///< elements of R_i, in place of r_i and ṙ_i
+      mean_anomalies;  ///< elements of Jacobi's R_i, in place of r_i and ṙ_i
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {
@@ -65,7 +66,8 @@ struct CompanionMasses {
 
   bool has_elements() const { return !semi_major_axes.empty(); }
 
-  /// The companions. Those without an orbit are omitted here; scene/companions.h rejects scenes with such companions.
+  /// Returns a Forcing with the companions. A companion without a position or without elements is omitted here;
+  /// scene/companions.h rejects scenes with such companions.
   Forcing forcing() const {
     Forcing sum;
     const std::size_t n_orbits = has_elements() ? semi_major_axes.size() : positions.size() / 3;
@@ -81,7 +83,8 @@ struct CompanionMasses {
     return sum;
   }
 
-  /// Returns a clause about the first companion that leaves the plane x_i = 0; empty if none does.
+  /// Returns a clause about the first companion that leaves the plane x_i = 0, for the message that the scene has no
+  /// such symmetry. Empty if no companion leaves the plane.
   std::optional<std::string> breaks_plane(int i) const {
     const mechanics::Companions list = forcing().companions;
     for (std::size_t j = 0; j < list.size(); ++j) {

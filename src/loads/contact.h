@@ -5,11 +5,13 @@
 ///
 ///   energy V = Σ w k d²/2,   force along n  N = Σ w p,   area Σ w,   moments Σ w p x and Σ w p |x − (n·x) n|².
 ///
-/// With the mean square distance ⟨s²⟩ of the pressure from the normal through its centre, the pressure radius is
-/// √(5⟨s²⟩/2). It is the radius of the contact if the pressure is that of Hertz, p₀√(1 − s²/a²), which has ⟨s²⟩ =
-/// 2a²/5. Points near the edge have a small weight in it, so that it is more accurate than the area.
+/// Let s be the distance from the normal through the centre of pressure, and ⟨s²⟩ the mean of s² weighted with the
+/// pressure. The pressure radius is √(5⟨s²⟩/2). For the pressure of Hertz, p₀√(1 − s²/a²), ⟨s²⟩ is 2a²/5, and the
+/// pressure radius is the radius a of the contact. Points near the edge have a small pressure, so the pressure radius
+/// is more accurate than the area.
 ///
-/// A plane that moves with the speed ż₀ along n gives the power N ż₀, and N then includes the damping force.
+/// A plane that moves with the speed ż₀ along n gives the power N ż₀ to the body. In this power, N includes the damping
+/// force.
 ///
 /// A model may compute these sums only for a sector of the body between symmetry planes. The set of planes then has the
 /// same symmetry, so reflections give the sums for the whole body.
@@ -26,13 +28,16 @@
 
 namespace pseudorigid::loads {
 
-/// Contact of a surface with one plane, without the damping force. `area` is an area of the reference surface.
+/// Contact of a surface with one plane, without the damping force. The members are V, N and the sums of the head of
+/// this file. `area` is an area of the reference surface.
 struct PlaneContact {
   double energy = 0, force = 0, area = 0;
   double spread = 0;                                        ///< ∫p |x − (n·x) n|² dA
   double height = std::numeric_limits<double>::infinity();  ///< least n·x − z₀
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< integral of the pressure times the position, ∫p x dA
 
+  /// Adds a point with the position x and the quadrature weight w = `weight`. A point that does not touch the plane
+  /// changes only `height`.
   void add(const Plane& plane, const Eigen::Vector3d& x, double weight) {
     const double above = plane.height(x);
     height = std::min(height, above);
@@ -44,6 +49,7 @@ struct PlaneContact {
     moment += pressure * x;
     spread += pressure * (x - plane.normal.dot(x) * plane.normal).squaredNorm();
   }
+  /// Adds the contact of the mirror image of another part. `signs` has −1 for each reflected coordinate, otherwise 1.
   void add(const PlaneContact& other, const Eigen::Vector3d& signs = Eigen::Vector3d::Ones()) {
     energy += other.energy;
     force += other.force;
@@ -54,8 +60,8 @@ struct PlaneContact {
   }
 };
 
-/// Powers of all planes at one time. `taken` is dissipated by damping and friction, and `given` is given by the motion
-/// of the planes.
+/// Powers of all planes at one time. Damping and friction dissipate `taken`, and the motion of the planes gives `given`
+/// to the body.
 struct ContactPower {
   double taken = 0, given = 0;
 
@@ -75,13 +81,14 @@ struct Contact {
   double radius = 0;                                        ///< radius √(area/π) of a disk with the contact area
   double pressure_radius = 0;                               ///< radius √(5⟨s²⟩/2) of the pressure
   Eigen::Vector3d point = Eigen::Vector3d::Zero();          ///< centre of pressure; 0 without contact
+  /// Unit normal of the plane with the largest force, or of the nearest plane without contact.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  double speed = 0;  ///< speed along the normal of the plane that has the normal
+  double speed = 0;  ///< speed ż₀ of the plane with this normal
 
   double penetration() const { return std::max(0.0, -height); }
 };
 
-/// The plane whose normal has the components of the given normal times the signs.
+/// Returns the plane with the normal (signs_i n_i). The other members are those of `plane`.
 inline Plane mirrored_plane(Plane plane, const Eigen::Vector3d& signs) {
   plane.normal = signs.cwiseProduct(plane.normal);
   return plane;
@@ -89,7 +96,7 @@ inline Plane mirrored_plane(Plane plane, const Eigen::Vector3d& signs) {
 
 /// Returns the contact of the whole body from the contact of its computed sector. `reflect[i]` is true if the body is
 /// symmetric under the reflection of x_i. For such a reflection R, plane j touches the image R x of a point x as the
-/// mirror image of plane j touches x.
+/// mirror image of plane j touches x. The set of planes must contain all mirror images.
 inline std::vector<PlaneContact> of_whole_body(const Planes& planes, const std::vector<PlaneContact>& computed,
                                                const std::array<bool, 3>& reflect) {
   std::vector<PlaneContact> whole(planes.size());
@@ -112,6 +119,8 @@ inline std::vector<PlaneContact> of_whole_body(const Planes& planes, const std::
   return whole;
 }
 
+/// Returns the columns for `contacts`, which has one entry for each plane. Without planes, `normal` is 0 and `height`
+/// is infinite.
 inline Contact summary(const Planes& planes, const std::vector<PlaneContact>& contacts) {
   Contact result;
   const PlaneContact* pressing = nullptr;

@@ -1,12 +1,12 @@
 #pragma once
-/// Linear drag, with the force −cρẋ per reference volume and the density ρ.
+/// Linear drag: the force −cρẋ per reference volume, with the reference density ρ and the velocity ẋ.
 
 #include "loads/load.h"
 
 namespace pseudorigid::loads {
 
 struct Drag {
-  double drag = 0;  ///< the coefficient c
+  double drag = 0;  ///< the coefficient c, in 1/time
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

@@ -1,7 +1,7 @@
 #pragma once
 /// Contact of an ellipsoid x = c + Q S ξ, |ξ| = 1, with a plane in closed form. The matrix S is the reference shape, Q
-/// the affine deformation and c the centre. plane.h defines n, z₀, k and β of the plane. dA is the area element of the
-/// sphere |ξ| = 1. With
+/// the affine deformation and c the centre. The header plane.h defines n, z₀, k and β of the plane. The area element of
+/// the sphere |ξ| = 1 is dA. With
 ///
 ///   g = SᵀQᵀn,   G = |g|,   h = z₀ − n·c,   u = −g·ξ/G,   d(ξ) = h + G u,
 ///
@@ -35,6 +35,7 @@ struct AffineForce {
   Eigen::Vector3d on_center = Eigen::Vector3d::Zero();
 };
 
+/// The contact for given Q and c. The object keeps a reference to S.
 class EllipsoidContact {
  public:
   EllipsoidContact(const Plane& plane, const Eigen::Matrix3d& S, const Eigen::Matrix3d& Q, const Eigen::Vector3d& c)
@@ -53,9 +54,10 @@ class EllipsoidContact {
   const Eigen::Vector3d& direction() const { return direction_; }  ///< ĝ
   double slope() const { return G_; }                              ///< G
   double deepest() const { return deepest_; }                      ///< δ
-  /// The power N ż₀ that the conservative pressure gives to a body on a plane with the speed ż₀.
+  /// Returns the power N ż₀ of the motion of the plane with the speed ż₀, without the damping force.
   double given() const { return touches() ? by_h() * plane_.speed : 0; }
 
+  /// Returns the sums of contact.h in closed form, without the damping force. Without contact, only `height` is set.
   PlaneContact contact() const {
     PlaneContact result;
     result.height = -deepest_;
@@ -76,13 +78,14 @@ class EllipsoidContact {
     return result;
   }
 
+  /// Adds the conservative forces −∂V/∂Q and −∂V/∂c to f.
   void add_force(AffineForce& f) const {
     if (!touches()) return;
     f.on_center += by_h() * plane_.normal;
     f.on_Q -= by_G() * plane_.normal * (S_ * direction_).transpose();
   }
 
-  /// Adds the rate of change of the force of add_force() if Q and c change at the rates dQ and dc.
+  /// Adds the rate of the force of add_force() to f. The rates of Q and c are dQ and dc, and the plane is at rest.
   void add_force_rate(const Eigen::Matrix3d& dQ, const Eigen::Vector3d& dc, AffineForce& f) const {
     if (!touches()) return;
     const Eigen::Vector3d dg = S_.transpose() * (dQ.transpose() * plane_.normal);
@@ -97,8 +100,8 @@ class EllipsoidContact {
               by_G() / G_ * plane_.normal * (S_ * (dg - direction_ * dG)).transpose();
   }
 
-  /// Adds the damping force for the velocities Qdot and cdot to f. Returns the power that it dissipates and the power
-  /// that the plane gives by this force.
+  /// Adds the damping force for the velocities Qdot and cdot to f. Returns the power that this force dissipates and the
+  /// power that the moving plane gives by it.
   ContactPower add_damping(const Eigen::Matrix3d& Qdot, const Eigen::Vector3d& cdot, AffineForce& f) const {
     if (!touches() || plane_.damping == 0) return {};
     const double factor = plane_.stiffness * plane_.damping;
@@ -118,12 +121,13 @@ class EllipsoidContact {
   static double square(double x) { return x * x; }
   static double cube(double x) { return x * x * x; }
   double strength() const { return std::numbers::pi * plane_.stiffness; }
+  /// by_h() is ∂V/∂h = N, and by_G() is ∂V/∂G.
   double by_h() const { return strength() * (square(deepest_) - square(least_)) / G_; }
   double by_G() const {
     return strength() / G_ * (square(deepest_) + square(least_) - (cube(deepest_) - cube(least_)) / (3 * G_));
   }
-  /// The integrals 2∫d t^j dt over 0 ≤ t ≤ T with t = 1 − u and T = min(2, δ/G). They do not have a cancellation for
-  /// small penetrations.
+  /// Returns the integrals 2∫d t^j dt over 0 ≤ t ≤ T for j = 0, 1, 2, with t = 1 − u and T = min(2, δ/G). Unlike the
+  /// integrals of d u^j, their formula has no cancellation for small penetrations.
   Eigen::Vector3d moments_of_t() const {
     const double T = std::min(2.0, deepest_ / G_);
     Eigen::Vector3d of_t;

@@ -9,8 +9,8 @@
 ///
 ///   on c  ∫F dA,   on Q  ∫F (S ξ)ᵀ dA.
 ///
-/// The sum has the 8 points of Gauss in τ and n_angles equidistant angles φ. It is exact for polynomials F of ξ up to
-/// the degree 13. F is smooth, but varies over distances at which v_t changes by the slip speed s. If v_t vanishes
+/// The sum has the 8 points of Gauss in τ and n_angles equidistant angles φ. The sum is exact for polynomials F of ξ up
+/// to the degree 13. F is smooth, but varies over distances at which v_t changes by the slip speed s. If v_t vanishes
 /// within the contact and changes by more than s, the error of the sum is larger (docs/contact.md has numbers). The
 /// vector e₁ is the part of (QS)ᵀa orthogonal to ĝ, with a fixed tangent vector a of the plane. The points therefore do
 /// not turn with a body that turns rigidly.
@@ -29,7 +29,7 @@ class EllipsoidFriction {
  public:
   static constexpr int n_angles = 16;
 
-  /// The friction at the velocities Qdot and cdot.
+  /// The friction at the velocities Qdot and cdot. The object keeps references to the arguments.
   EllipsoidFriction(const EllipsoidContact& contact, const Eigen::Matrix3d& Qdot, const Eigen::Vector3d& cdot)
       : contact_(contact), Qdot_(Qdot), cdot_(cdot) {}
 
@@ -43,7 +43,8 @@ class EllipsoidFriction {
     });
     return power;
   }
-  /// Adds the linearised change of the friction for changes dQdot and dcdot of the velocities to f.
+  /// Adds the linearised change of the friction for changes dQdot and dcdot of the velocities to f. `kind` chooses one
+  /// of the two linearisations of friction.h.
   void add_change(const Eigen::Matrix3d& dQdot, const Eigen::Vector3d& dcdot, mechanics::Linearization kind,
                   AffineForce& f) const {
     for_each_point([&](const Eigen::Vector3d& X, double pressure) {

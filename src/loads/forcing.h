@@ -1,7 +1,7 @@
 #pragma once
 /// All loads on an elastic body, as numbers, vectors and matrices. Each load (list.h) sets some members. Forces per
-/// mass are affine in x and ẋ, and surface tractions derive from stresses without divergence. Therefore both models of
-/// the body can represent the loads. On motions x = x_c + QX, the work of the loads is the same in both models:
+/// mass are affine in x and ẋ, and surface tractions derive from stresses without divergence. Therefore all models of
+/// the body can represent the loads. On motions x = x_c + QX, the work of the loads is the same in all models:
 ///
 ///   per mass       b − T x − c ẋ              energy ½ xᵀTx − b·x per mass; the drag dissipates c|ẋ|²
 ///   on the surface the nominal stress P̄ − p cof F, which is a dead traction P̄N per reference area and the follower
@@ -11,7 +11,8 @@
 ///   at planes      the pressure and the friction of contact with rigid planes (plane.h)
 ///   companions     point masses in orbit, with the quadratic potential of their tides (mechanics/core/orbit.h)
 ///
-/// The values are in the user's units or in internal units, as the owner of the object decides.
+/// The values are in the user's units or in internal units. The object does not record the units, so its owner must use
+/// the same units in all members.
 
 #include <Eigen/Core>
 
@@ -23,6 +24,8 @@
 
 namespace pseudorigid::loads {
 
+/// The viscoelastic branches of a body. The sum of two lists has the branches of both, and is relaxed if one of them
+/// is.
 struct Branches {
   materials::MaxwellBranches list{};
   bool relaxed = false;  ///< true if the branches have no stress at the start
@@ -71,16 +74,18 @@ struct Forcing {
     return *this;
   }
 
-  /// True if a force depends on the velocity.
+  /// Returns true if a force depends on the velocity. The stresses of viscoelastic branches depend on internal strains
+  /// and not on the velocity.
   bool damped() const { return viscosity != 0 || drag != 0 || planes.damped() || planes.rough(); }
   bool dissipative() const { return damped() || !branches.empty(); }
-  /// True if there is a load other than a pressure. The motion of a body of constant volume does not depend on a
-  /// pressure.
+  /// Returns true if there is a load other than a pressure. The motion of a body of constant volume does not depend on
+  /// a pressure.
   bool acts_at_constant_volume() const {
     Forcing others = *this;
     others.pressure = 0;
     return others.present();
   }
+  /// Returns true if a member differs from its default, so that there is a load.
   bool present() const {
     bool any = false;
     const Forcing none;
@@ -88,9 +93,10 @@ struct Forcing {
     return any;
   }
 
-  /// The potential energy of the loads other than self-gravity, contact and companions. The arguments are the moments
-  /// ∫ρ x xᵀ dX and ∫ρ x dX of the body, the integral ∫F dX and the current volume V. If the members are the time
-  /// derivatives of a forcing, the result is the power that the body receives from the change of the forcing.
+  /// Returns the potential energy of the loads other than self-gravity, contact, companions and branches. The arguments
+  /// are the moments ∫ρ x xᵀ dX and ∫ρ x dX of the body, the integral ∫F dX and the current volume V. If the members
+  /// are the time derivatives of a forcing, the result is the power that the body receives from the change of the
+  /// forcing.
   double potential(const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const {
     const double energy = 0.5 * quadratic.cwiseProduct(second_moment).sum() - acceleration.dot(first_moment) -

@@ -18,15 +18,15 @@ namespace pseudorigid::loads {
 
 class Friction {
  public:
-  /// The friction of a plane on a point with the velocity v.
+  /// The friction of a plane on a point with the velocity v. The plane must exist as long as the object.
   Friction(const Plane& plane, const Eigen::Vector3d& v)
       : plane_(plane), tangential_(tangential(v)), w_(std::hypot(tangential_.norm(), plane.slip_speed)) {}
 
-  /// The traction F for the pressure p.
+  /// Returns the traction F per reference area for the pressure p.
   Eigen::Vector3d traction(double p) const { return -plane_.friction * p / w_ * tangential_; }
-  /// The power −F·v.
+  /// Returns the dissipated power −F·v per reference area for the pressure p.
   double power(double p) const { return plane_.friction * p / w_ * tangential_.squaredNorm(); }
-  /// The linearised change of F for a change u of the velocity.
+  /// Returns the linearised change of F for a change u of the velocity, with the linearisation `kind`.
   Eigen::Vector3d change(double p, const Eigen::Vector3d& u, mechanics::Linearization kind) const {
     Eigen::Vector3d along = tangential(u);
     if (kind == mechanics::Linearization::tangent) along -= tangential_ * (tangential_.dot(along) / (w_ * w_));

@@ -93,7 +93,7 @@ inline bool any_present(const Loads& loads) {
   return any;
 }
 
-/// Sum of the forcings of all loads that are constant, or become constant after the rise of the loads (rise.h), at full
+/// Returns the sum of the forcings of all loads that are constant after the rise of the loads (rise.h), at full
 /// strength.
 inline Forcing full_forcing(const Loads& loads) {
   Forcing sum;
@@ -102,15 +102,14 @@ inline Forcing full_forcing(const Loads& loads) {
   });
   return sum;
 }
-/// The part of the full forcing that does not depend on time.
+/// Returns the part of the full forcing that does not depend on time. Planes are a part of it, even if they move.
 inline Forcing constant_forcing(const Loads& loads) {
   const Forcing sum = full_forcing(loads);
   return loads.get<Rise>().is_present() ? Rise::constant(sum) : sum;
 }
 
-/// `driving` is the sum of the forcings that depend on time, at the time t. If the loads rise, the sum includes the
-/// rising loads, and the factor of rise.h multiplies it. `driving_rate` is the derivative of `driving` with respect to
-/// time.
+/// Returns the sum of the forcings that depend on time, at the time t. If the loads rise, the sum includes the rising
+/// loads, and the factor of rise.h multiplies the sum.
 inline Forcing driving(const Loads& loads, double t) {
   Forcing sum;
   loads.for_each([&]<class L>(const L& load) {
@@ -121,6 +120,7 @@ inline Forcing driving(const Loads& loads, double t) {
   sum += Rise::rising(full_forcing(loads));
   return Rise::times(rise.factor(t), sum);
 }
+/// Returns the derivative of `driving` with respect to time.
 inline Forcing driving_rate(const Loads& loads, double t) {
   Forcing sum, rate;
   loads.for_each([&]<class L>(const L& load) {
@@ -132,8 +132,8 @@ inline Forcing driving_rate(const Loads& loads, double t) {
   rate = Rise::times(rise.factor(t), rate);
   return rate += Rise::times(rise.factor_rate(t), sum);
 }
-/// Whether a forcing that depends on time satisfies the condition `has`. The forcings are the sum of the loads that
-/// rise, at full strength, and the largest forcing of each load that depends on time.
+/// Returns true if a forcing that depends on time satisfies the condition `has`. The forcings are the sum of the loads
+/// that rise, at full strength, and the largest forcing of each load that depends on time.
 template <class Condition>
 bool depend_on_time(const Loads& loads, const Condition& has) {
   bool any = loads.get<Rise>().is_present() && has(Rise::rising(full_forcing(loads)));
@@ -142,13 +142,13 @@ bool depend_on_time(const Loads& loads, const Condition& has) {
   });
   return any;
 }
-/// Whether a forcing depends on time or a plane moves. Planes are not a part of `driving`, because the bodies compute
-/// their contact at the time t.
+/// Returns true if a forcing depends on time or a plane moves. Planes are not a part of `driving`, because the bodies
+/// compute the positions of planes at the time t.
 inline bool depend_on_time(const Loads& loads) {
   return full_forcing(loads).planes.moving() || depend_on_time(loads, [](const Forcing& f) { return f.present(); });
 }
 
-/// Angular frequencies of the periodic loads that are present.
+/// Returns the angular frequencies of the periodic loads that are present, without zeros.
 inline std::vector<double> angular_frequencies(const Loads& loads) {
   std::vector<double> frequencies;
   loads.for_each([&]<class L>(const L& load) {

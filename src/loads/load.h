@@ -5,7 +5,7 @@
 /// absent. The members of a load are
 ///
 ///   visit_entries(self, visit)    calls visit(member, kind, About) for each entry, as in scene/entries.h. The kind
-///                                 decides whether the load admits the reflection of an axis i. A matrix must not have
+///                                 decides if the load admits the reflection of an axis i. A matrix must not have
 ///                                 entries off the diagonal in row i and column i. A vector must not have the component
 ///                                 i. The unit in About converts the value to internal units.
 ///   forcing()                     the load as a Forcing (forcing.h); zero if the load is absent
@@ -37,7 +37,7 @@ namespace pseudorigid::loads {
 /// Properties of the body that a load needs for its line in the output of `pseudorigid check`.
 struct BodyFacts {
   bool incompressible;
-  double volume_by_inertia;  ///< Vol/m̄, m̄ = tr E₀/3; converts a pressure to the column `multiplier`
+  double volume_by_inertia;  ///< volume/m̄ with m̄ = ⅓ ∫ρ|X|² dX; converts a pressure to a multiplier
 };
 
 /// A visitor that ignores the entries, used to check the interface.
@@ -65,7 +65,8 @@ concept Load = std::default_initializable<L> &&
   { load.forcing() } -> std::same_as<Forcing>;
 });
 
-/// Returns the forcing of a load. If it depends on time, the result is the forcing of largest size over all times.
+/// Returns the forcing of a load. If the load depends on time, the result is the forcing of largest size over all
+/// times.
 template <Load L>
 Forcing largest_forcing(const L& load) {
   if constexpr (DependsOnTime<L>)

@@ -11,7 +11,7 @@
 ///
 /// The second term is Coulomb's friction with the coefficient f, regularised by the slip speed s. For |v_t| ≫ s the
 /// point slides, and the friction is f k d. For |v_t| ≪ s the point sticks, and creeps with a part of s. The friction
-/// dissipates the power f k d |v_t|²/√(|v_t|² + s²) per area. It does not depend on β.
+/// dissipates the power f k d |v_t|²/√(|v_t|² + s²) per area. The friction does not depend on β.
 ///
 /// A plane can move along its normal,
 ///
@@ -29,15 +29,16 @@ namespace pseudorigid::loads {
 struct Plane {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit normal n, pointing to the side of the body
   double position = 0;                                ///< position z₀
-  double stiffness = 0;                               ///< stiffness k
-  double damping = 0;                                 ///< damping coefficient β
+  double stiffness = 0;                               ///< stiffness k, a pressure per length
+  double damping = 0;                                 ///< damping coefficient β, in time/length
   double friction = 0;                                ///< coefficient of friction f
   double slip_speed = 1;                              ///< slip speed s
   double speed = 0;                                   ///< speed u along n
   double amplitude = 0, frequency = 0;                ///< amplitude A and angular frequency Ω
 
   bool moves() const { return speed != 0 || (amplitude != 0 && frequency != 0); }
-  /// The plane with the position z₀(t) and the speed ż₀(t), without an oscillation.
+  /// Returns the plane with the position z₀(t) and the speed ż₀(t), without an oscillation. The functions below need
+  /// such a plane if the plane moves.
   Plane at(double t) const {
     Plane now = *this;
     if (!moves()) return now;
@@ -46,16 +47,18 @@ struct Plane {
     now.amplitude = 0;
     return now;
   }
-  /// A plane at rest with the position z₀(t).
+  /// Returns a plane at rest with the position z₀(t).
   Plane stopped_at(double t) const {
     Plane now = at(t);
     now.speed = 0;
     return now;
   }
+  /// Returns the height n·x − z₀ of a point, which is negative if the point penetrates the plane.
   double height(const Eigen::Vector3d& x) const { return normal.dot(x) - position; }
-  /// The rate ḋ of the penetration of a point with the velocity v.
+  /// Returns the rate ḋ of the penetration of a point with the velocity v.
   double rate(const Eigen::Vector3d& v) const { return speed - normal.dot(v); }
-  /// The pressure p at a point of the surface with the position x and the velocity v.
+  /// Returns the pressure p at a point of the surface with the position x and the velocity v. The pressure is 0 without
+  /// penetration, and negative at fast separation.
   double pressure(const Eigen::Vector3d& x, const Eigen::Vector3d& v) const {
     const double d = std::max(0.0, -height(x));
     return stiffness * d * (1 + damping * rate(v));
@@ -71,6 +74,7 @@ struct Planes : std::vector<Plane> {
     insert(end(), others.begin(), others.end());
     return *this;
   }
+  /// damped(), rough() and moving() return true if a plane has damping, has friction, or moves.
   bool damped() const {
     return std::any_of(begin(), end(), [](const Plane& plane) { return plane.damping != 0; });
   }
@@ -80,7 +84,7 @@ struct Planes : std::vector<Plane> {
   bool moving() const {
     return std::any_of(begin(), end(), [](const Plane& plane) { return plane.moves(); });
   }
-  /// The planes at the time t (Plane::at, Plane::stopped_at).
+  /// Returns Plane::at(t) of each plane. `stopped_at` does the same with Plane::stopped_at.
   Planes at(double t) const {
     Planes now = *this;
     for (Plane& plane : now) plane = plane.at(t);

@@ -1,7 +1,8 @@
 #pragma once
 /// A follower pressure: the traction −p n per current area with the current normal n, and the energy p V with the
 /// current volume V. In a body of constant volume the constraint balances the pressure, and the motion does not change.
-/// The pressure inside the body is then larger by p everywhere. The multiplier per m̄ = tr E₀/3 is larger by p V/m̄.
+/// The pressure inside the body is then larger by p everywhere. The multiplier of the constraint is larger by the
+/// constant p V/m̄, with m̄ = tr E₀/3 and E₀ = ∫ρ X Xᵀ dX. The column `multiplier` does not contain this constant.
 
 #include <cstdio>
 

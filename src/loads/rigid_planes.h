@@ -75,8 +75,8 @@ struct RigidPlanes {
   /// The search for equilibria does not include bodies at rest on a plane.
   static constexpr bool has_static_equilibria = false;
 
-  /// The planes with unit normals. A row without a partner in the other entry, and a normal of length 0, are omitted
-  /// here. scene/contact.h rejects scenes with such rows.
+  /// Returns a Forcing that contains the planes with unit normals. A row without a partner in the other entry, and a
+  /// normal of length 0, are omitted here. scene/contact.h rejects scenes with such rows.
   Forcing forcing() const {
     Forcing sum;
     for (std::size_t i = 0; i + 2 < std::min(normals.size(), points.size()); i += 3) {
@@ -94,14 +94,15 @@ struct RigidPlanes {
     }
     return sum;
   }
-  /// Angular frequency of the oscillation; 0 if no plane oscillates.
+  /// Returns the angular frequency of the oscillation, or 0 if no plane oscillates.
   double angular_frequency() const {
     const Planes planes = forcing().planes;
     const bool any = std::any_of(planes.begin(), planes.end(), [](const Plane& plane) { return plane.amplitude != 0; });
     return any ? frequency : 0;
   }
 
-  /// Returns a clause about the first plane whose mirror image in x_i = 0 is missing; empty if no image is missing.
+  /// Returns a clause about the first plane whose mirror image in x_i = 0 is missing, for the message that the scene
+  /// has no such symmetry. Empty if no image is missing.
   std::optional<std::string> breaks_plane(int i) const {
     const Planes planes = forcing().planes;
     for (std::size_t j = 0; j < planes.size(); ++j) {

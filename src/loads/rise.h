@@ -38,6 +38,7 @@ struct Rise {
   Forcing forcing() const { return {}; }
   bool is_present() const { return time > 0; }
 
+  /// Returns s(t), and factor_rate(t) its derivative. T must not be 0.
   double factor(double t) const {
     const double x = part(t);
     return x * x * x * (10 - x * (15 - 6 * x));
@@ -46,14 +47,14 @@ struct Rise {
     const double x = part(t);
     return 30 * x * x * (1 - x) * (1 - x) / time;
   }
-  /// The part of the forcing that rises, at full strength.
+  /// Returns the part of the forcing that rises, at full strength.
   static Forcing rising(const Forcing& f) {
     return {.quadratic = f.quadratic,
             .acceleration = f.acceleration,
             .nominal_traction = f.nominal_traction,
             .pressure = f.pressure};
   }
-  /// The part of the forcing that has its full strength at once.
+  /// Returns the part of the forcing that has its full strength at once.
   static Forcing constant(Forcing f) {
     f.quadratic.setZero();
     f.acceleration.setZero();
@@ -61,7 +62,7 @@ struct Rise {
     f.pressure = 0;
     return f;
   }
-  /// The loads of `f` that can rise, times a factor. Other members of the result are 0.
+  /// Returns the loads of `f` that can rise, times a factor. Other members of the result are 0.
   static Forcing times(double factor, const Forcing& f) {
     return {.quadratic = factor * f.quadratic,
             .acceleration = factor * f.acceleration,

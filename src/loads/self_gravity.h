@@ -1,5 +1,5 @@
 #pragma once
-/// Self-gravity of the body, with Newton's constant G.
+/// The gravity of the body on itself, with Newton's constant G.
 
 #include "loads/load.h"
 

@@ -6,7 +6,7 @@
 namespace pseudorigid::loads {
 
 struct Tide {
-  scene::Matrix3 tensor{};  ///< the matrix T
+  scene::Matrix3 tensor{};  ///< the symmetric matrix T, in 1/time²
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

@@ -6,7 +6,7 @@
 namespace pseudorigid::loads {
 
 struct Traction {
-  scene::Matrix3 nominal_stress{};  ///< the matrix P̄
+  scene::Matrix3 nominal_stress{};  ///< the matrix P̄, a constant first Piola–Kirchhoff stress
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

@@ -17,7 +17,7 @@
 namespace pseudorigid::loads {
 
 struct Viscoelasticity {
-  std::vector<double> moduli, times;  ///< μ_b and τ_b of each branch
+  std::vector<double> moduli, times;  ///< shear modulus μ_b and relaxation time τ_b of each branch
   bool relaxed = false;               ///< true if the branches have no stress in the initial state
 
   /// Largest number of branches.
@@ -50,7 +50,8 @@ struct Viscoelasticity {
   }
   bool is_present() const { return !moduli.empty(); }
 
-  /// Branches without a time are omitted here. scene/branches.h rejects scenes with such branches.
+  /// Returns a Forcing with the branches. Branches without a time are omitted here; scene/branches.h rejects scenes
+  /// with such branches.
   Forcing forcing() const {
     Forcing sum;
     for (std::size_t i = 0; i < std::min(moduli.size(), times.size()); ++i)
@@ -59,6 +60,7 @@ struct Viscoelasticity {
     return sum;
   }
 
+  /// Returns an empty optional, because the branches admit the reflection of every axis.
   std::optional<std::string> breaks_plane(int) const { return std::nullopt; }
 };
 

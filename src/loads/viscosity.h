@@ -1,12 +1,13 @@
 #pragma once
-/// Objective viscosity (Kelvin–Voigt) with the Cauchy stress 2ηd, in which d is the symmetric velocity gradient.
+/// Objective viscosity (Kelvin–Voigt) with the Cauchy stress 2ηd. Here d is the symmetric part of the velocity
+/// gradient.
 
 #include "loads/load.h"
 
 namespace pseudorigid::loads {
 
 struct Viscosity {
-  double viscosity = 0;  ///< the viscosity η
+  double viscosity = 0;  ///< the viscosity η, in pressure · time
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

@@ -6,12 +6,12 @@
 ///   P = ∂W/∂F = μ(F − F⁻ᵀ) + (λ/2)(J² − 1) F⁻ᵀ = μF + s cof F,   s(J) = [(λ/2)(J² − 1) − μ]/J
 ///   DP(F)[H] = μH + s′(J)(cof F : H) cof F + s D(cof)(F)[H],   s′ = [(λ/2)(J² + 1) + μ]/J²
 ///
-/// Oliva prints λ/2 in place of λ/4. The printed law is this law with 2λ instead of λ. Its name in law_table.h is
-/// `ciarlet-geymonat (as printed)`.
+/// Oliva prints λ/2 in place of λ/4. The printed law is this law with 2λ instead of λ. The printed law has the name
+/// `ciarlet-geymonat (as printed)` in law_table.h.
 ///
-/// For compressible bodies, F ∈ GL⁺(3), the neo-Hookean law of this program is the same function. It is usually written
-/// as W = (μ/2)(I − 3 − 2 ln J) plus the bulk term (λ/4)(III − 1 − ln III). For incompressible bodies, F ∈ SL(3), the
-/// neo-Hookean law does not have the bulk term: λ = 0. Both laws are stress-free at Id.
+/// For compressible bodies, F ∈ GL⁺(3), the neo-Hookean law of this program is the same function. The neo-Hookean law
+/// is usually written as W = (μ/2)(I − 3 − 2 ln J) plus the bulk term (λ/4)(III − 1 − ln III). For incompressible
+/// bodies, F ∈ SL(3), the neo-Hookean law does not have the bulk term: λ = 0. Both laws are stress-free at Id.
 ///
 /// The energy is computed from H = F − Id, so that there is no cancellation for small strains. With II(H) = tr cof H
 /// and δ = J − 1 = tr H + II(H) + det H,
@@ -41,7 +41,7 @@ struct CiarletGeymonat {
            0.25 * lambda * (2.0 * excess + delta * delta);
   }
 
-  /// First Piola–Kirchhoff stress P = ∂W/∂F.
+  /// First Piola–Kirchhoff stress P = ∂W/∂F; F must have J > 0.
   template <class T>
   [[gnu::always_inline]] Tensor<T> stress(const Tensor<T>& F) const {
     const Tensor<T> cof = cofactor(F);
@@ -49,14 +49,15 @@ struct CiarletGeymonat {
     return entrywise([&](const T& f, const T& c) { return by.of_F * f + by.of_cofactor * c; }, F, cof);
   }
 
-  /// Coefficients μ of F and s(J) of cof F in the stress.
+  /// Returns the coefficients μ of F and s(J) of cof F in the stress. If J is 1 up to round-off, s(1) is returned
+  /// (settled_at_one).
   template <class T>
   [[gnu::always_inline]] StressCoefficients<T> stress_coefficients(const T& det_F) const {
     const T J = settled_at_one(det_F);
     return {T(mu), (0.5 * lambda * (J * J - 1.0) - mu) / J};
   }
 
-  /// Derivative DP(F)[H] of the stress along H.
+  /// Derivative DP(F)[H] of the stress along H; F must have J > 0.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     const Tensor<T> cof = cofactor(F);

@@ -1,5 +1,5 @@
 #pragma once
-/// Conversions between Eigen matrices and tensors.
+/// Conversions between Eigen matrices and the tensors of the material laws (tensor.h).
 
 #include <Eigen/Core>
 

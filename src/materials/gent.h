@@ -30,14 +30,14 @@ struct Gent {
     return first_part().energy(F) + 0.5 * mu * J_m * x_minus_log1p(-1.0 / J_m * trace_of_strain(F));
   }
 
-  /// First Piola–Kirchhoff stress P = ∂W/∂F.
+  /// First Piola–Kirchhoff stress P = ∂W/∂F; F must have J > 0 and a positive `reserve`.
   template <class T>
   [[gnu::always_inline]] Tensor<T> stress(const Tensor<T>& F) const {
     const T d = trace_of_strain(F), stiffening = mu * d / (J_m - d);
     return entrywise([&](const T& p, const T& f) { return p + stiffening * f; }, first_part().stress(F), F);
   }
 
-  /// Derivative DP(F)[H] of the stress along H.
+  /// Derivative DP(F)[H] of the stress along H, under the same conditions on F.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     const T d = trace_of_strain(F), d_rate = 2.0 * dot(F, H), rest = J_m - d;
@@ -46,7 +46,7 @@ struct Gent {
                      first_part().tangent(F, H), F, H);
   }
 
-  /// J_m − d. The law admits F if this reserve is positive.
+  /// Returns J_m − d. The law admits F if the reserve is positive.
   template <class T>
   [[gnu::always_inline]] T reserve(const Tensor<T>& F) const {
     return J_m - trace_of_strain(F);

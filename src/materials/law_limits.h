@@ -22,6 +22,7 @@ namespace pseudorigid::materials {
 /// Biot's limit of λ₁/λ_n for neo-Hookean and Mooney–Rivlin half-spaces, the root of x³ + x² + 3x = 1 (Biot 1963).
 inline constexpr double biot_ratio = 0.29559774252208477;
 
+/// True if the law declares `reserve` and `limit`. A law that declares only one of them does not compile.
 template <class Law>
 inline constexpr bool is_limited = [] {
   constexpr bool has_reserve = requires(const Law law, Tensor<double> F) { law.reserve(F); };
@@ -30,8 +31,8 @@ inline constexpr bool is_limited = [] {
   return has_reserve;
 }();
 
-/// True if a law admits F, provided that J > 0. `law` can also be a class that adds other energies to a law and has its
-/// own members admits(F) and limit().
+/// Returns true if a law admits F, for F with J > 0. `law` can also be a class that adds other energies to a law. Such
+/// a class has its own members admits(F) and limit().
 template <class Law>
 [[gnu::always_inline]] inline bool admits(const Law& law, const Tensor<double>& F) {
   if constexpr (is_limited<Law>)
@@ -42,7 +43,7 @@ template <class Law>
     return true;
 }
 
-/// The reason why the law does not admit some F with J > 0; empty if the law admits all of them.
+/// Returns the reason why the law does not admit some F with J > 0, or an empty text if the law admits all F.
 template <class Law>
 constexpr std::string_view limit_of(const Law& law) {
   if constexpr (is_limited<Law>)
@@ -53,7 +54,7 @@ constexpr std::string_view limit_of(const Law& law) {
     return {};
 }
 
-/// The message to the user if a deformation is beyond the limit of the law.
+/// Returns the message to the user if a deformation is beyond the limit of the law, with the reason `limit`.
 [[gnu::cold, gnu::noinline]] inline std::string beyond_limit(std::string_view limit) {
   std::string sentence = "the law of the material admits no such deformation: ";
   sentence += limit;

@@ -44,6 +44,7 @@ struct LawParameters {
   double gent_limit = 10;
 };
 
+/// One entry of the parameter file. Permitted values are from `low` to `high`, without `low` if `low_excluded` is true.
 struct LawEntry {
   double LawParameters::*member;
   std::string_view path;
@@ -82,6 +83,7 @@ inline constexpr LawEntry law_entries[] = {
 static_assert(sizeof(LawParameters) == sizeof(double) * (1 + std::size(law_entries)),
               "every number of LawParameters has one line of law_entries");
 
+/// One line of the table of laws.
 struct NamedLaw {
   std::string_view name;
   /// Documentation of the law in parameter files: the formula for W, and remarks. The documentation of Material/Law
@@ -94,6 +96,8 @@ struct NamedLaw {
   /// there is none.
   std::string_view warning_incompressible = "", warning_compressible = warning_incompressible;
 
+  /// Makes the law for an incompressible or a compressible body. The modulus of the bulk term is 0 for an
+  /// incompressible body, otherwise the entry Material/Lame lambda.
   AnyLaw make(const LawParameters& p, bool incompressible = true) const {
     return of(p, incompressible ? 0 : p.lame_lambda);
   }
@@ -171,10 +175,10 @@ inline AnyLaw make_law(std::string_view name, const LawParameters& p, bool incom
   return find_law(name).make(p, incompressible);
 }
 
-/// True if the law stores no energy.
+/// Returns true if the law stores no energy.
 inline bool is_fluid(const AnyLaw& law) { return std::holds_alternative<Fluid>(law); }
 
-/// True if the law admits F, provided J = det F > 0. If the law does not admit F, limit_of(law) is the reason
+/// Returns true if the law admits F, for F with J = det F > 0. If the law does not admit F, limit_of(law) is the reason
 /// (law_limits.h).
 inline bool admits(const AnyLaw& law, const Tensor<double>& F) {
   return std::visit([&](const auto& l) { return admits(l, F); }, law);
@@ -182,8 +186,8 @@ inline bool admits(const AnyLaw& law, const Tensor<double>& F) {
 inline std::string_view limit_of(const AnyLaw& law) {
   return std::visit([](const auto& l) { return limit_of(l); }, law);
 }
-/// The ratio λ₁/λ_n at which the surface of an incompressible body wrinkles (law_limits.h); empty if the law does not
-/// declare it.
+/// Returns the ratio λ₁/λ_n at which the surface of an incompressible body wrinkles (law_limits.h). Empty if the law
+/// does not declare it.
 inline std::optional<double> surface_limit(const AnyLaw& law) {
   return std::visit(
       []<class Law>(const Law&) -> std::optional<double> {

@@ -1,8 +1,8 @@
 #pragma once
-/// Maxwell branches of a viscoelastic body: a spring of shear modulus μ_b in series with a dashpot of the relaxation
-/// time τ_b, parallel to the elastic law. The strain of the dashpot is the internal metric C_i, which is symmetric and
-/// positive with det C_i = 1. With F = ∂x/∂X, J = det F, C = FᵀF and the isochoric strain Ĉ = J^{−2/3} C, the stored
-/// energy, the stress and the flow of a branch are
+/// Maxwell branches of a viscoelastic body. A branch is a spring of shear modulus μ_b in series with a dashpot of the
+/// relaxation time τ_b. All branches are parallel to the elastic law. The strain of the dashpot is the internal metric
+/// C_i, which is symmetric and positive with det C_i = 1. With F = ∂x/∂X, J = det F, C = FᵀF and the isochoric strain Ĉ
+/// = J^{−2/3} C, the stored energy, the stress and the flow of a branch are
 ///
 ///   W_b = (μ_b/2)(tr(Ĉ C_i⁻¹) − 3),
 ///   P_b = ∂W_b/∂F = μ_b J^{−2/3} (F C_i⁻¹ − ⅓ tr(C C_i⁻¹) F⁻ᵀ),
@@ -12,13 +12,14 @@
 /// branch dissipates (μ_b/(2τ_b))(tr (Ĉ C_i⁻¹)² − ⅓ tr²(Ĉ C_i⁻¹)) ≥ 0 per reference volume. For small strains,
 /// ε̇_i = (ε − ε_i)/τ_b.
 ///
-/// For constant Ĉ the flow is exact along a line. After the time t,
+/// For constant Ĉ the flow has an exact solution. Up to the factor D, it is on the straight line from C_i(0) to Ĉ.
+/// After the time t,
 ///
 ///   C_i(t) = Y/D,   Y = (1 − w) C_i(0) + w Ĉ,   D³ = det Y = 1 + w(1 − w)[α(1 − w) + βw],
 ///   α = tr(Ĉ C_i⁻¹) − 3,   β = tr(Ĉ⁻¹C_i) − 3,
 ///   s − I(w) = t/τ_b,   w = 1 − e^{−s},   I(w) = ∫₀^w w'[α(1 − w') + βw']/(D + D² + D³) dw'.
 ///
-/// (Insert Y into the flow: ẇ = (1 − w) D/τ_b.) The branch loses the energy
+/// If Y is inserted into the flow, ẇ = (1 − w) D/τ_b follows. After the time t the branch has lost the energy
 ///
 ///   (μ_b/2)[(α + 3)(D² − 1) + w(α(2 − w) − 2β(1 − w))]/D².
 ///
@@ -48,9 +49,10 @@ struct Symmetric {
   T a[n_entries];
 };
 
+/// The internal metric C_i = Id of a dashpot without strain.
 inline constexpr Symmetric<double> identity_metric{{1, 0, 0, 1, 0, 1}};
 
-/// A + s B
+/// Returns A + s B.
 template <class T>
 [[gnu::always_inline]] inline Symmetric<T> plus(const Symmetric<T>& A, const T& s, const Symmetric<T>& B) {
   return {{A.a[0] + s * B.a[0], A.a[1] + s * B.a[1], A.a[2] + s * B.a[2], A.a[3] + s * B.a[3], A.a[4] + s * B.a[4],
@@ -60,7 +62,7 @@ template <class T>
 [[gnu::always_inline]] inline Symmetric<T> operator*(const T& s, const Symmetric<T>& A) {
   return {{s * A.a[0], s * A.a[1], s * A.a[2], s * A.a[3], s * A.a[4], s * A.a[5]}};
 }
-/// The adjugate, which is the inverse if det A = 1.
+/// Returns the adjugate of A, which is the inverse if det A = 1.
 template <class T>
 [[gnu::always_inline]] inline Symmetric<T> adjugate(const Symmetric<T>& A) {
   const T *m = A.a, &a = m[0], &b = m[1], &c = m[2], &d = m[3], &e = m[4], &f = m[5];
@@ -70,13 +72,13 @@ template <class T>
 [[gnu::always_inline]] inline T determinant(const Symmetric<T>& A, const Symmetric<T>& adjugate) {
   return A.a[0] * adjugate.a[0] + A.a[1] * adjugate.a[1] + A.a[2] * adjugate.a[2];
 }
-/// A : B
+/// Returns A : B = tr(AB).
 template <class T>
 [[gnu::always_inline]] inline T dot(const Symmetric<T>& A, const Symmetric<T>& B) {
   return (A.a[0] * B.a[0] + A.a[3] * B.a[3] + A.a[5] * B.a[5]) +
          2.0 * (A.a[1] * B.a[1] + A.a[2] * B.a[2] + A.a[4] * B.a[4]);
 }
-/// FᵀF
+/// Returns FᵀF.
 template <class T>
 [[gnu::always_inline]] inline Symmetric<T> gram(const Tensor<T>& F) {
   const auto entry = [&](int i, int j) { return F(0, i) * F(0, j) + F(1, i) * F(1, j) + F(2, i) * F(2, j); };
@@ -85,7 +87,7 @@ template <class T>
 
 namespace detail {
 
-/// result(l) for every lane l, or the result for a number.
+/// Returns the vector with f(x_l, l) in lane l, or f(x, 0) if x is a number.
 template <int n, class Function>
 mechanics::Lanes<n> in_each_lane(const mechanics::Lanes<n>& x, const Function& f) {
   return mechanics::Lanes<n>::of([&](int l) { return f(x[l], l); });
@@ -100,7 +102,7 @@ double lane(const mechanics::Lanes<n>& x, int l) {
 }
 inline double lane(double x, int) { return x; }
 
-/// True if |x| ≤ bound in all lanes. False if a number is NaN.
+/// Returns true if |x| ≤ bound in all lanes, and false if a number is NaN.
 template <int n>
 bool all_within(const mechanics::Lanes<n>& x, double bound) {
   bool all = true;
@@ -109,14 +111,16 @@ bool all_within(const mechanics::Lanes<n>& x, double bound) {
 }
 inline bool all_within(double x, double bound) { return std::abs(x) <= bound; }
 
-/// (1 + p)^{1/3}, by one step of Halley's method from four terms of the series. The error is below 1e-16 if |p| is at
-/// most `near_one`.
+/// Largest |p| for cube_root_near_one.
 inline constexpr double near_one = 0.1;
+/// Returns (1 + p)^{1/3}, by one step of Halley's method from four terms of the series. The error is below 1e-16 if |p|
+/// is at most `near_one`.
 template <class T>
 [[gnu::always_inline]] inline T cube_root_near_one(const T& p) {
   const T y = 1.0 + p * (1.0 / 3 + p * ((5.0 / 81) * p - 1.0 / 9)), y3 = y * y * y, u = 1.0 + p;
   return y * (y3 + 2.0 * u) / (2.0 * y3 + u);
 }
+/// Returns the cube root of u. If u is not near 1 in all lanes, std::cbrt computes it lane by lane.
 template <class T>
 T cube_root(const T& u) {
   const T p = u - 1.0;
@@ -137,20 +141,22 @@ inline constexpr GaussRule<8> eight_points{
     {0.050614268145188130, 0.11119051722668724, 0.15685332293894364, 0.18134189168918099, 0.18134189168918099,
      0.15685332293894364, 0.11119051722668724, 0.050614268145188130}};
 
-/// D³ has its zeros at the distances 1/(λ − 1) below 0 and above 1, with the eigenvalues λ > 1 of Ĉ C_i⁻¹ and of its
-/// inverse. Returns an upper bound of λ − 1 for `excess` = α or β: with λ = e^h, h²/2 ≤ e^h − 1 − h ≤ α.
+/// Returns an upper bound of λ − 1 for the eigenvalues λ > 1 of a matrix. The matrix is Ĉ C_i⁻¹ if `excess` is α, and
+/// its inverse if `excess` is β. With λ = e^h the bound follows from h²/2 ≤ e^h − 1 − h ≤ α. The bound is needed
+/// because the integrand of I(w) has singularities at the distances 1/(λ − 1) below 0 and above 1.
 inline double largest_stretch(double excess) {
   const double positive = std::max(excess, 0.0);
   return positive + std::sqrt(2 * positive);
 }
 
-/// The share w of the flow after the time x = t/τ for any α and β.
+/// The number w after the time x = t/τ_b, for any α and β. `share` solves s − I(w) = x by Newton's method, with
+/// bisections if an iterate leaves its bounds.
 class FlowLine {
  public:
   FlowLine(double alpha, double beta) : alpha_(std::max(alpha, 0.0)), beta_(std::max(beta, 0.0)) {}
 
   double share(double x) const {
-    double low = x, high = x + alpha_ / 18 + beta_ / 9, s = low;  // because I increases, and D ≥ 1
+    double low = x, high = x + alpha_ / 18 + beta_ / 9, s = low;  // because 0 ≤ I ≤ α/18 + β/9 from D ≥ 1
     constexpr int most_iterations = 100;
     for (int i = 0; i < most_iterations; ++i) {
       const double w = -std::expm1(-s), residual = s - integral(w) - x;
@@ -167,7 +173,7 @@ class FlowLine {
   double excess(double w) const { return w * (alpha_ * (1 - w) + beta_ * w); }  // (D³ − 1)/(1 − w)
   double D(double w) const { return std::cbrt(1 + (1 - w) * excess(w)); }
 
-  /// I(w), over panels that are shorter near 0 and near 1.
+  /// Returns I(w), by Gauss quadrature over panels that are shorter near 0 and near 1.
   double integral(double w) const {
     const double at_0 = 1 / largest_stretch(alpha_), at_1 = 1 / largest_stretch(beta_);
     double sum = 0;
@@ -185,13 +191,14 @@ class FlowLine {
   double alpha_, beta_;
 };
 
-/// The share w for α and β in lanes, if one panel of Gauss points suffices and D is near 1 (`one_panel`).
+/// The number w for α and β in lanes, if one panel of Gauss points suffices and D is near 1 (`one_panel`).
 template <class T>
 class ShortFlow {
  public:
   ShortFlow(const T& alpha, const T& beta, double x) : alpha_(alpha), beta_(beta), x_(x) {}
 
-  /// True if `share` is correct to round-off. x(α + 3)/3 bounds w.
+  /// Returns true if `share` is correct to round-off, and false if α or β is not finite. Also chooses the number of
+  /// Gauss points. The number w is at most x(α + 3)/3.
   bool one_panel() {
     double worst = 0, largest = 0;
     bool all_numbers = true;
@@ -206,7 +213,7 @@ class ShortFlow {
     return all_numbers && worst <= 0.5 && largest <= near_one;
   }
 
-  /// Two steps of Newton's method for s, from a start with D = 1.
+  /// Returns w after two steps of Newton's method for s, from a start with D = 1.
   T share() const {
     const double w0 = -std::expm1(-x_);
     T s = x_ + (w0 * w0 / 6) * alpha_ + (w0 * w0 * w0 / 9) * (beta_ - alpha_);
@@ -223,7 +230,7 @@ class ShortFlow {
  private:
   T excess(const T& w) const { return w * (alpha_ + w * (beta_ - alpha_)); }
 
-  /// The mean of the integrand of I over [0, w].
+  /// Returns the mean of the integrand of I over [0, w].
   template <std::size_t n>
   T mean(const GaussRule<n>& rule, const T& w) const {
     T sum(0.0);
@@ -234,7 +241,7 @@ class ShortFlow {
     return sum;
   }
 
-  /// 1 − e^{−s}, by the series for s/2ⁿ and n times 1 − e^{−2s} = w(2 − w).
+  /// Returns w = 1 − e^{−s}, by the series for s/2ⁿ and n doublings 1 − e^{−2s} = w(2 − w).
   T share_of(const T& s) const {
     const int n = x_ <= 0.08 ? 0 : static_cast<int>(std::ceil(std::log2(x_ / 0.08)));
     const T small = std::ldexp(1.0, -n) * s;
@@ -251,6 +258,7 @@ class ShortFlow {
   bool few_points_ = false;
 };
 
+/// Returns w after the time x = t/τ_b. Uses FlowLine in each lane if ShortFlow is not correct in all lanes.
 template <class T>
 T share_of_flow(const T& alpha, const T& beta, double x) {
   constexpr double forever = 60;  // e^{−60} is 0 in double precision
@@ -261,24 +269,25 @@ T share_of_flow(const T& alpha, const T& beta, double x) {
 
 }  // namespace detail
 
-/// C/(det C)^{1/3}
+/// Returns C/(det C)^{1/3}, which has the determinant 1.
 template <class T>
 Symmetric<T> unimodular(const Symmetric<T>& C) {
   return (1.0 / detail::cube_root(determinant(C, adjugate(C)))) * C;
 }
-/// Ĉ = (det F)^{−2/3} FᵀF
+/// Returns Ĉ = (det F)^{−2/3} FᵀF.
 template <class T>
 Symmetric<T> isochoric_strain(const Tensor<T>& F) {
   return unimodular(gram(F));
 }
-/// The isochoric strain of the mean of C for two deformations. Unlike the strain of the mean deformation, it does not
-/// depend on rotations.
+/// Returns the isochoric strain of the mean of C for two deformations. Unlike the strain of the mean deformation, the
+/// result does not depend on rotations.
 template <class T>
 Symmetric<T> mean_strain(const Tensor<T>& F0, const Tensor<T>& F1) {
   return unimodular(plus(gram(F0), T(1.0), gram(F1)));
 }
 
-/// Replaces C_i by C_i(t) for constant Ĉ = `strain`, with x = t/τ_b. Returns the lost energy over μ_b.
+/// Replaces C_i = `metric` by C_i(t) for constant Ĉ = `strain`, with x = t/τ_b ≥ 0. Returns the lost energy per
+/// reference volume, divided by μ_b.
 template <class T>
 T relax(const Symmetric<T>& strain, double x, Symmetric<T>& metric) {
   const T alpha = dot(adjugate(metric), strain) - 3.0, beta = dot(adjugate(strain), metric) - 3.0;
@@ -296,7 +305,7 @@ template <class T>
   A = plus(A, T(modulus), adjugate(metric));
 }
 
-/// The stress Σ P_b for A = Σ μ_b C_i⁻¹.
+/// Returns the stress Σ P_b for A = Σ μ_b C_i⁻¹.
 template <class T>
 Tensor<T> stress_of_branches(const Tensor<T>& F, const Symmetric<T>& A) {
   const Tensor<T> cof = cofactor(F);
@@ -315,7 +324,7 @@ Tensor<T> stress_of_branches(const Tensor<T>& F, const Symmetric<T>& A) {
   return P;
 }
 
-/// The energy Σ W_b = ½ (Ĉ:A − 3 Σ μ_b) for A = Σ μ_b C_i⁻¹.
+/// Returns the energy Σ W_b = ½ (Ĉ:A − 3 Σ μ_b) per reference volume for A = Σ μ_b C_i⁻¹.
 template <class T>
 T energy_of_branches(const Tensor<T>& F, const Symmetric<T>& A, double sum_of_moduli) {
   return 0.5 * (dot(isochoric_strain(F), A) - 3.0 * sum_of_moduli);

@@ -32,7 +32,7 @@ struct MooneyRivlin {
     return first_part().energy(F) + 0.25 * b * mu * (d * d - dot(D, D));
   }
 
-  /// First Piola–Kirchhoff stress P = ∂W/∂F.
+  /// First Piola–Kirchhoff stress P = ∂W/∂F; F must have J > 0.
   template <class T>
   [[gnu::always_inline]] Tensor<T> stress(const Tensor<T>& F) const {
     const Tensor<T> D = strain(F);
@@ -41,7 +41,7 @@ struct MooneyRivlin {
                      first_part().stress(F), F, product(F, D));
   }
 
-  /// Derivative DP(F)[H] of the stress along H.
+  /// Derivative DP(F)[H] of the stress along H; F must have J > 0.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     const Tensor<T> D = strain(F), D_rate = strain_rate(F, H);

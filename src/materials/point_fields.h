@@ -1,7 +1,7 @@
 #pragma once
-/// Fields of a picture that depend on the material: the Cauchy stress σ = (P Fᵀ − p Id)/det F and the energy density W.
-/// P and W are those of the law and of the viscoelastic branches. p is the Kirchhoff pressure by which the constraint
-/// of an incompressible body reacts.
+/// Fields of a picture file (mechanics/core/body_fields.h) that depend on the material: the Cauchy stress σ = (P Fᵀ − p
+/// Id)/det F and the energy density W. P and W are the sums of those of the law and of the viscoelastic branches. The
+/// number p is the Kirchhoff pressure by which the constraint of an incompressible body reacts.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -16,8 +16,8 @@
 
 namespace pseudorigid::materials {
 
-/// Appends the values at the material point X, with the position x and the velocity v, to the fields. Fails if det
-/// F ≤ 0 or if it is not finite.
+/// Appends the values at the material point X to the fields. The point has the position x, the velocity v and the
+/// deformation gradient F. `pressure` is p, or 0 for a compressible body. Fails if det F is not positive or not finite.
 inline mechanics::Status add_point(const AnyLaw& law, const Eigen::Vector3d& X, const Eigen::Vector3d& x,
                                    const Eigen::Vector3d& v, const Eigen::Matrix3d& F, double pressure,
                                    const BranchesAtPoint& branches, mechanics::BodyFields& fields) {

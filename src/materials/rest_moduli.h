@@ -12,13 +12,13 @@
 
 namespace pseudorigid::materials {
 
-/// The number p of the stress P(Id) = p Id at rest.
+/// Returns the number p of the stress P(Id) = p Id at rest. Isotropic laws have a stress of this form.
 inline double pressure_at_rest(const AnyLaw& law) {
   constexpr Tensor<double> Id{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   return std::visit([&](const auto& known) { return trace(known.stress(Id)) / 3; }, law);
 }
 
-/// The second variation C(H).
+/// Returns the second variation C(H).
 inline Tensor<double> tangent_at_rest(const AnyLaw& law, bool incompressible, const Tensor<double>& H) {
   constexpr Tensor<double> Id{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   Tensor<double> C = std::visit([&](const auto& known) { return known.tangent(Id, H); }, law);
@@ -33,6 +33,7 @@ inline Tensor<double> tangent_at_rest(const AnyLaw& law, bool incompressible, co
 struct RestModuli {
   double shear, lame;
 };
+/// Returns the moduli from C. If a compressible body has a stress at Id, they are not the moduli of its state of rest.
 inline RestModuli moduli_at_rest(const AnyLaw& law, bool incompressible) {
   constexpr Tensor<double> shear{{{0, 1, 0}, {0, 0, 0}, {0, 0, 0}}}, stretch{{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
   const double mu = tangent_at_rest(law, incompressible, shear)(0, 1);

@@ -7,8 +7,8 @@
 ///   DP(F)[H] = H((λ/2) d Id + μD) + F((λ/2) ḋ Id + μḊ),   Ḋ = HᵀF + FᵀH, ḋ = 2 F:H
 ///
 /// The law is stress-free at Id, with Lamé's moduli λ, μ. W is a polynomial and does not prevent J ≤ 0. If the body is
-/// compressed along one axis to a stretch below 1/√3, its resistance decreases and the law loses stability.
-/// Incompressible motions also depend on λ, because I − 3 is not constant on SL(3).
+/// compressed along one axis to a stretch below 1/√3, its resistance decreases with further compression, and the law
+/// loses stability. Incompressible motions also depend on λ, because I − 3 is not constant on SL(3).
 
 #include "materials/strain.h"
 
@@ -39,7 +39,7 @@ struct SaintVenantKirchhoff {
   }
 
  private:
-  /// Second Piola–Kirchhoff stress λ tr E Id + 2μE, linear in D = 2E.
+  /// Returns the second Piola–Kirchhoff stress λ tr E Id + 2μE, which is linear in the argument D = 2E.
   template <class T>
   [[gnu::always_inline]] Tensor<T> second_stress(const Tensor<T>& D) const {
     const T mean = 0.5 * lambda * trace(D);

@@ -11,8 +11,8 @@ inline double log1p(double x) { return std::log1p(x); }
 inline std::complex<double> log1p(std::complex<double> z) { return std::log(1.0 + z); }
 
 namespace detail {
-/// x − ln(1+x) = s [x − 2s²(1/3 + s²/5 + s⁴/7 + …)] with s = x/(2+x), since ln(1+x) = 2 artanh s. The result is exact
-/// to round-off for |x| ≤ ¼.
+/// Returns x − ln(1+x) = s [x − 2s²(1/3 + s²/5 + s⁴/7 + …)] with s = x/(2+x). The series follows from ln(1+x) = 2
+/// artanh s. The result is exact to round-off for |x| ≤ ¼.
 template <class T>
 T x_minus_log1p_series(const T& x) {
   const T s = x / (2.0 + x), s2 = s * s;
@@ -22,8 +22,8 @@ T x_minus_log1p_series(const T& x) {
 }
 }  // namespace detail
 
-/// x − ln(1+x) ≈ x²/2. For real and complex x, there is no cancellation for small x. For SIMD types, the result is the
-/// direct difference of both terms, with the absolute error |x| ε and the round-off ε.
+/// Returns x − ln(1+x), which is about x²/2. For real and complex x, there is no cancellation for small x. For SIMD
+/// types, the result is the direct difference of both terms, with the absolute error |x| ε and the round-off ε.
 template <class T>
 T x_minus_log1p(const T& x) {
   return x - log1p(x);
@@ -46,9 +46,10 @@ template <class T>
   return J;
 }
 
-/// ln J, which is fast for J near 1, as in the iterations for the constraint det Q = 1. For |δ| ≤ 2⁻¹¹ with the exact δ
-/// = J − 1, the result is δ − δ²/2 + δ³/3 − δ⁴/4 + δ⁵/5. The remainder δ⁶/6 is then below the round-off of the sum. For
-/// other J, the result is std::log. If J has extended precision, a small logarithm is as accurate as δ.
+/// Returns ln J. The function is fast for J near 1, as in the iterations for the constraint det Q = 1. T is double or
+/// an extended precision. For |δ| ≤ 2⁻¹¹ with the exact δ = J − 1, the result is δ − δ²/2 + δ³/3 − δ⁴/4 + δ⁵/5. The
+/// remainder δ⁶/6 is then below the round-off of the sum. For other J, the result is std::log. If J has extended
+/// precision, a small logarithm is as accurate as δ.
 template <class T>
 double log_near_one(T J) {
   const double delta = static_cast<double>(J - 1);

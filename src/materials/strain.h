@@ -10,7 +10,7 @@
 
 namespace pseudorigid::materials {
 
-/// The displacement gradient H = F − Id.
+/// Returns the displacement gradient H = F − Id.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> displacement_gradient(const Tensor<T>& F) {
   return {{{F(0, 0) - 1.0, F(0, 1), F(0, 2)}, {F(1, 0), F(1, 1) - 1.0, F(1, 2)}, {F(2, 0), F(2, 1), F(2, 2) - 1.0}}};
@@ -23,7 +23,7 @@ template <class Entry>
   return Tensor<std::decay_t<decltype(entry(0, 0))>>{{{entry(0, 0), a, b}, {a, entry(1, 1), c}, {b, c, entry(2, 2)}}};
 }
 
-/// The strain D = FᵀF − Id.
+/// Returns the strain D = FᵀF − Id, from H without cancellation.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> strain(const Tensor<T>& F) {
   const Tensor<T> H = displacement_gradient(F);
@@ -31,14 +31,14 @@ template <class T>
       [&](int i, int j) { return (H(i, j) + H(j, i)) + (H(0, i) * H(0, j) + H(1, i) * H(1, j) + H(2, i) * H(2, j)); });
 }
 
-/// The trace tr D = I − 3.
+/// Returns the trace tr D = I − 3, from H without cancellation.
 template <class T>
 [[gnu::always_inline]] inline T trace_of_strain(const Tensor<T>& F) {
   const Tensor<T> H = displacement_gradient(F);
   return 2.0 * trace(H) + dot(H, H);
 }
 
-/// The derivative DD(F)[K] = KᵀF + FᵀK of the strain along K.
+/// Returns the derivative DD(F)[K] = KᵀF + FᵀK of the strain along K.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> strain_rate(const Tensor<T>& F, const Tensor<T>& K) {
   const Tensor<T> half = transposed_product(F, K);

@@ -3,7 +3,7 @@
 ///
 ///   P = a F + c cof F,   a and c functions of J,
 ///
-/// may declare its coefficients:
+/// may declare its coefficients a (`of_F`) and c (`of_cofactor`):
 ///
 ///     template <class T> StressCoefficients<T> stress_coefficients(const T& J) const;
 ///

@@ -23,7 +23,7 @@ template <class F, class T, class... Ts>
            {f(A(2, 0), B(2, 0)...), f(A(2, 1), B(2, 1)...), f(A(2, 2), B(2, 2)...)}}};
 }
 
-/// The cofactor cof F = (det F) F⁻ᵀ = ∂(det F)/∂F.
+/// Returns the cofactor cof F = (det F) F⁻ᵀ = ∂(det F)/∂F.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> cofactor(const Tensor<T>& F) {
   return {{{F(1, 1) * F(2, 2) - F(1, 2) * F(2, 1), F(1, 2) * F(2, 0) - F(1, 0) * F(2, 2),
@@ -34,7 +34,7 @@ template <class T>
             F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0)}}};
 }
 
-/// The derivative of cof(F + sH) with respect to s at s = 0. Its entries are the mixed minors of F and H.
+/// Returns the derivative of cof(F + sH) with respect to s at s = 0. Its entries are the mixed minors of F and H.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> cofactor_derivative(const Tensor<T>& F, const Tensor<T>& H) {
   const auto minor = [&](int i, int j, int k, int l) {
@@ -45,7 +45,7 @@ template <class T>
            {minor(0, 1, 1, 2), minor(0, 2, 1, 0), minor(0, 0, 1, 1)}}};
 }
 
-/// The determinant det F, from F and its cofactor.
+/// Returns det F from F and its cofactor `cof`, which the caller often has already.
 template <class T>
 [[gnu::always_inline]] inline T determinant(const Tensor<T>& F, const Tensor<T>& cof) {
   return F(0, 0) * cof(0, 0) + F(0, 1) * cof(0, 1) + F(0, 2) * cof(0, 2);
@@ -56,7 +56,8 @@ template <class T>
   return determinant(F, cofactor(F));
 }
 
-/// A : B, summed row by row. The sums of the rows are independent, so the processor can compute them in parallel.
+/// Returns A : B = tr(AᵀB), summed row by row. The sums of the rows are independent, so the processor can compute them
+/// in parallel.
 template <class T>
 [[gnu::always_inline]] inline T dot(const Tensor<T>& A, const Tensor<T>& B) {
   return (A(0, 0) * B(0, 0) + A(0, 1) * B(0, 1) + A(0, 2) * B(0, 2)) +
@@ -64,13 +65,13 @@ template <class T>
           (A(2, 0) * B(2, 0) + A(2, 1) * B(2, 1) + A(2, 2) * B(2, 2)));
 }
 
-/// The trace tr A.
+/// Returns the trace tr A.
 template <class T>
 [[gnu::always_inline]] inline T trace(const Tensor<T>& A) {
   return A(0, 0) + A(1, 1) + A(2, 2);
 }
 
-/// The product AB.
+/// Returns the product AB.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> product(const Tensor<T>& A, const Tensor<T>& B) {
   const auto entry = [&](int i, int j) { return A(i, 0) * B(0, j) + A(i, 1) * B(1, j) + A(i, 2) * B(2, j); };
@@ -79,7 +80,7 @@ template <class T>
            {entry(2, 0), entry(2, 1), entry(2, 2)}}};
 }
 
-/// The product AᵀB.
+/// Returns the product AᵀB.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> transposed_product(const Tensor<T>& A, const Tensor<T>& B) {
   const auto entry = [&](int i, int j) { return A(0, i) * B(0, j) + A(1, i) * B(1, j) + A(2, i) * B(2, j); };
@@ -88,7 +89,7 @@ template <class T>
            {entry(2, 0), entry(2, 1), entry(2, 2)}}};
 }
 
-/// The trace tr A².
+/// Returns the trace tr A².
 template <class T>
 [[gnu::always_inline]] inline T trace_of_square(const Tensor<T>& A) {
   return (A(0, 0) * A(0, 0) + A(1, 1) * A(1, 1) + A(2, 2) * A(2, 2)) +

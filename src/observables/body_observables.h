@@ -1,13 +1,15 @@
 #pragma once
 /// Observables of a ball at one state, and the columns of the CSV files that show them. Observables are for the whole
-/// ball, even if only a sector is computed. The columns are declared in this file, each with its name, group, unit,
-/// meaning and computation. Headers, rows, units and documentation are generated from these columns (io/trajectory.h).
+/// ball, even if only a sector between symmetry planes is computed. The columns are declared in this file, each with
+/// its name, group, unit, meaning and computation. Headers, rows, units and documentation are generated from these
+/// columns (io/trajectory.h).
 ///
 ///   K = ½ ∫ρ|ẋ|² dV,   J = ∫ρ (x−x_c)×(ẋ−ẋ_c) dV,   Z = ∫ρ X×(Fᵀẋ) dV
 ///
-/// with the centre of mass x_c and the velocity ẋ_c. For the pseudo-rigid ball and m̄ = tr E₀/3, J_i = m̄ ε_ijk Q_jA Q̇_kA
-/// and Z_A = m̄ ε_ABC (QᵀQ̇)_CB. A rigid rotation with angular velocity ω at Q = Id has J = Z = 2m̄ω. All observables are
-/// in internal units (entries/units.h).
+/// with the centre of mass x_c and its velocity ẋ_c. E₀ = ∫ρ X Xᵀ dV is the second moment at rest, and m̄ = tr E₀/3.
+/// For the pseudo-rigid ball, J_i = m̄ ε_ijk Q_jA Q̇_kA and Z_A = m̄ ε_ABC (QᵀQ̇)_CB. A rigid rotation with angular
+/// velocity ω at Q = Id has J = Z = 2m̄ω. Motions that are not affine have the mass moment Q_M = (∫ρ (x − x_c) Xᵀ dV)
+/// E₀⁻¹ in place of Q. All observables are in internal units (entries/units.h).
 ///
 /// To add an observable, add a member, and set it in the models that have it (reduced/observe.h,
 /// polynomial/observe.cpp, continuum/output/observe.cpp). An observable that is not set stays NaN. If its column is
@@ -37,7 +39,8 @@ struct OverPoints {
   double (*value)(const Eigen::Matrix3d& F);
 };
 
-/// Quantities requested by the output. Other quantities are not computed.
+/// Quantities that the output requests. Other quantities are not computed. `over_points` has the requested columns of
+/// the type OverPoints.
 struct ObservableRequest : Quantities {
   std::vector<OverPoints> over_points{};
 };
@@ -58,6 +61,7 @@ struct AntisymmetricEntries {
   Eigen::Vector3d values;
 };
 
+/// One or several columns with the components of one observable.
 template <class Observables>
 struct BodyColumn {
   std::string_view name;
@@ -81,7 +85,7 @@ struct ContactObservables {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   double first = 0, last = 0, largest_force = 0, restitution = 0;
 
-  /// Sets the members for the current state, `energy` to `point`, from a loads::Contact.
+  /// Sets the members for the current state, from `energy` to `point`, to those of a loads::Contact.
   template <class Contact>
   void take(const Contact& now) {
     energy = now.energy;
@@ -106,8 +110,8 @@ struct VibrationObservables {
   }();
 };
 
-/// The motion of the companions (mechanics/core/orbit.h); set by observables/orbit.h. Without companions, the energies
-/// are 0.
+/// The motion of the companions (mechanics/core/orbit.h), set by observables/orbit.h, which defines the members.
+/// Without companions, the energies are 0 and the other members are NaN.
 struct OrbitObservables {
   double kinetic = 0;                                                                       ///< ½ Σ μ_k |Ṙ_k|²
   double interaction = 0;                                                                   ///< U
@@ -118,6 +122,7 @@ struct OrbitObservables {
   Eigen::Vector3d torque = position, spin = position, total_momentum = position;
 };
 
+/// Observables that every model of the ball has. The energies are those of the columns with the same names below.
 struct BodyObservables {
   Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);       ///< Q; for non-affine motions the mass moment Q_M
   Eigen::Matrix3d Qdot = Eigen::Matrix3d::Constant(not_observed);    ///< time derivative of Q
@@ -129,7 +134,8 @@ struct BodyObservables {
   Eigen::Vector3d angular_momentum = Eigen::Vector3d::Constant(not_observed);  ///< J about the centre of mass
   Eigen::Vector3d circulation = Eigen::Vector3d::Constant(not_observed);       ///< Z about the centre of mass
   double volume_ratio = not_observed;                                          ///< current volume / reference volume
-  double multiplier = not_observed;  ///< λ of Oliva (5.120) per m̄; for non-affine motions (1/m̄)∫p dV
+  double multiplier = not_observed;  ///< λ of Oliva (5.120) per m̄; for non-affine motions (1/m̄)∫p dV with the
+                                     ///< Kirchhoff pressure p
   /// a₁ ≥ a₂ ≥ a₃, the singular values of Q S with the reference shape S. For a ball, S = r Id.
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Constant(not_observed);
   std::vector<double> over_points{};  ///< one value for each entry of ObservableRequest::over_points
@@ -277,6 +283,7 @@ struct ReducedObservables : BodyObservables {
   double central_pressure = not_observed;  ///< p_c of p = p_c(1 − |X|²/r²), the reaction to det Q = 1
   Eigen::Vector3d axes =
       Eigen::Vector3d::Constant(not_observed);  ///< a_i of Q = TᵀAS, continued along the path, times r
+  /// Rotations T and S of the bipolar decomposition Q = TᵀAS.
   Eigen::Matrix3d T = Eigen::Matrix3d::Constant(not_observed), S = T;
   Eigen::Vector3d Omega_star = Eigen::Vector3d::Constant(not_observed);   ///< entries 12, 13, 23 of Ω* = ṪTᵀ
   Eigen::Vector3d Lambda_star = Eigen::Vector3d::Constant(not_observed);  ///< entries 12, 13, 23 of Λ* = ṠSᵀ

@@ -1,12 +1,13 @@
 #pragma once
 /// The energy of vibration of an incompressible elastic ball, and its parts of the degrees n = 2 … 8. With the centre
-/// of mass x_c, the momentum J and the moment of inertia I of the current body, it is
+/// of mass x_c, the momentum J and the moment of inertia I of the current body, the energy of vibration is
 ///
 ///   K − ½ M|ẋ_c|² − ½ J·I⁻¹J + the elastic energy.
 ///
-/// The parts belong to the displacement u = Rᵀ(x − x_c) − X in the frame of the rotation R of Q_M = R S. A spheroidal
-/// motion of degree n that keeps the volume has the form ∇×∇×(f(r) Y_nm X). The motions with f = r^{n + 2j}, j = 0 … 4,
-/// have modes φ_k with frequencies ω_k (Ritz's method, for small strains), and the part of degree n is
+/// The parts belong to the displacement u = Rᵀ(x − x_c) − X in the frame of the rotation R of Q_M = R S. Q_M is the
+/// mass moment (body_observables.h), and S is symmetric. A spheroidal motion of degree n that keeps the volume has the
+/// form ∇×∇×(f(r) Y_nm X). The motions with f = r^{n + 2j}, j = 0 … 4, have modes φ_k with frequencies ω_k (Ritz's
+/// method, for small strains), and the part of degree n is
 ///
 ///   E_n = ½ Σ_mk ⟨φ_k, u̇⟩² + ω_k² ⟨φ_k, u⟩²,     ⟨a, b⟩ = ∫ρ a·b dV.
 ///
@@ -22,15 +23,16 @@
 
 namespace pseudorigid::mechanics {
 
-/// The modes of degree n with f = Σ_j c_j r^{n + 2j}. Units are the radius, density and shear modulus of the ball.
+/// The modes of degree n with f = Σ_j c_j r^{n + 2j}, ordered by increasing ω². Units are the radius, density and shear
+/// modulus of the ball.
 struct SpheroidalModes {
   explicit SpheroidalModes(int n);
   Eigen::VectorXd omega_squared;
   Eigen::MatrixXd coefficients;  ///< c_j of a mode in each column, for ∫|φ|² dV = 1
 };
 
-/// The motions ∇×∇×(r^{n + 2j} Y_nm X) with the symmetry of the computed sector, for all degrees n of the columns. The
-/// order is by n, then m, then j.
+/// The motions ∇×∇×(r^{n + 2j} Y_nm X) that have the symmetry of the computed sector of the ball, for all degrees n of
+/// the columns. The order is by n, then m, then j.
 class SpheroidalMotions {
  public:
   static constexpr int n_powers = 5;  ///< number of powers, j = 0 … n_powers − 1
@@ -41,9 +43,9 @@ class SpheroidalMotions {
   explicit SpheroidalMotions(const std::array<bool, 3>& reflect);
   Eigen::Index size() const { return static_cast<Eigen::Index>(harmonics_.size()) * n_powers; }
   const std::array<bool, 3>& reflect() const { return reflect_; }
-  /// The degree n of each harmonic, which has n_powers motions.
+  /// Returns the degree n of each harmonic Y_nm. A harmonic has n_powers motions.
   std::vector<int> degrees() const;
-  /// The motions at X, one in each row.
+  /// Returns the motions at the point X of the reference ball, one in each of size() rows.
   Eigen::MatrixX3d at(const Eigen::Vector3d& X) const;
 
  private:
@@ -54,17 +56,18 @@ class SpheroidalMotions {
   std::vector<Harmonic> harmonics_;
 };
 
+/// Computes the energy of vibration of one body and its parts from positions and velocities of its nodes.
 class Vibration {
  public:
-  /// A body with the positions of nodes or points X and their masses, in the computed sector. The matrix `products` has
-  /// the products ⟨motion, u⟩ with a displacement u, as a function of the values u_1(X_1), u_2(X_1), … in this order.
+  /// A body with the reference positions X of nodes or points and their masses, in the computed sector. The matrix
+  /// `products` maps the values u_1(X_1), u_2(X_1), … of a displacement u to the products ⟨motion, u⟩ over the sector.
   Vibration(const SpheroidalMotions& motions, Eigen::Matrix3Xd X, Eigen::VectorXd masses, Eigen::MatrixXd products);
 
-  /// Sums over the nodes, for positions x and velocities v relative to the centre of mass, and the mass moment Q_M with
-  /// its rate. The sums of several ranks are added.
+  /// Returns sums over the nodes of this rank, for positions x and velocities v relative to the centre of mass. Q is
+  /// the mass moment Q_M, and Qdot its rate. The caller adds the sums of all ranks before it calls `observables`.
   Eigen::VectorXd sums(const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& v, const Eigen::Matrix3d& Q,
                        const Eigen::Matrix3d& Qdot) const;
-  /// The observables of the whole body, from the sums over all nodes and the elastic energy.
+  /// Returns the observables of the whole body, from the sums over all nodes and the elastic energy of the whole body.
   VibrationObservables observables(const Eigen::VectorXd& sums, double elastic) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Functions for observables of the whole body.
+/// Functions for observables of the whole body that are computed from a sector between symmetry planes.
 
 #include <Eigen/Core>
 #include <array>
@@ -8,7 +8,7 @@ namespace pseudorigid::mechanics {
 
 /// Sets the entries of a 3×3 integral over the whole body to 0 if they vanish by symmetry. `reflect[i]` is true if the
 /// motion is symmetric under the reflection of x_i. This reflection changes the sign of the entries (i, j) and (j, i)
-/// with j ≠ i. These entries are therefore 0.
+/// with j ≠ i. The entries are therefore 0.
 inline Eigen::Matrix3d without_odd_entries(Eigen::Matrix3d integral, const std::array<bool, 3>& reflect) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
@@ -16,7 +16,7 @@ inline Eigen::Matrix3d without_odd_entries(Eigen::Matrix3d integral, const std::
   return integral;
 }
 
-/// Ratio of a part to the whole; 0 if the whole is 0.
+/// Returns part/whole, or 0 if the whole is 0.
 inline double share(double part, double whole) { return whole == 0 ? 0 : part / whole; }
 
 }  // namespace pseudorigid::mechanics

@@ -54,9 +54,9 @@ class LoadedBody {
   using Multiplier = typename Body::Multiplier;
   struct Workspace {
     typename Body::Workspace body{};
-    /// If this pointer is not null, springs on the whole surface replace the pressure of contact and the friction. They
-    /// pull each point of the surface towards its position in the configuration `*held_at`, with the stiffness
-    /// Planes::stiffness_of_all. The total stiffness is then an upper bound for the stiffness with contact.
+    /// If this pointer is not null, springs on the whole surface replace the pressure, the damping and the friction of
+    /// contact. They pull each point of the surface towards its position in the configuration `*held_at`, with the
+    /// stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the stiffness with contact.
     const Vector* held_at = nullptr;
   };
   static constexpr int n_constraints = Body::n_constraints;

@@ -1,6 +1,7 @@
 #pragma once
-/// One type for any second-order field; any_system.h has the corresponding type for the constrained form. If the field
-/// has no invariant manifold, `project` does not change the state.
+/// One type for any second-order field, so that the compiler compiles each adaptive method once and not once per
+/// system. The corresponding type for the constrained form is in any_system.h. If the field has no invariant manifold,
+/// `project` does not change the state.
 
 #include <memory>
 #include <type_traits>
@@ -20,6 +21,7 @@ requires(!ConstrainedSystem<F>) typename F::Workspace& own_workspace(AnyWorkspac
   return w.as<typename F::Workspace>();
 }
 
+/// Functions of a field that methods call. The vectors are those of dynamic_vectors.h.
 struct FieldInterface {
   using Vector = Eigen::VectorXd;
   virtual ~FieldInterface() = default;

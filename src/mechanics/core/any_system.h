@@ -1,14 +1,15 @@
 #pragma once
 /// One type for any system in constrained form. With this type the compiler compiles each method once and not once per
-/// system. any_field.h has the corresponding type for second-order fields. The number n of constraints is 0 or
-/// dynamic_constraints, which means a number that is known only at run time.
+/// system. The corresponding type for second-order fields, which adaptive methods integrate, is in any_field.h. The
+/// template parameter n is 0 for a system without constraints. For all other systems it is dynamic_constraints, and
+/// only the concrete system has their number.
 ///
-/// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). This cost is small for
-/// small systems. The models of the ball use their own types and avoid the cost.
+/// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). This cost is noticeable
+/// if a force takes only some nanoseconds. The models of the ball therefore use their own types.
 ///
-/// The concrete type of a constrained system computes the acceleration and the projection (explicit_multiplier.h). Only
-/// at run time is it known whether the system has energies and symmetries (conservative_system.h); `fits` in field_of.h
-/// checks this.
+/// The concrete type of a constrained system computes the acceleration and the projection (explicit_multiplier.h). Some
+/// systems have energies and symmetries (conservative_system.h). The type AnySystem is the same with and without them,
+/// so `fits` in field_of.h tests `is_conservative()` at run time.
 
 #include <memory>
 #include <type_traits>
@@ -26,7 +27,7 @@ namespace pseudorigid::mechanics {
 namespace detail {
 
 /// Functions of a system that methods call. If there are no constraints, `acceleration`, `project` and the functions of
-/// the constraints change nothing.
+/// the constraints succeed and leave their output arguments unchanged.
 struct SystemInterface {
   using Vector = Eigen::VectorXd;
   virtual ~SystemInterface() = default;
@@ -136,8 +137,8 @@ class HeldSystem final : public SystemInterface {
 
 }  // namespace detail
 
-/// Any system with n constraints, without its energies. The class has the members of a ConstrainedSystem and of its
-/// second-order field.
+/// Any system with n constraints, without its energies. The class has the members of a ConstrainedSystem. If n is not
+/// 0, it also has `acceleration` and `project` of the second-order field.
 template <int n>
 class AnyConstrainedSystem {
   static_assert(n == 0 || n == dynamic_constraints);
@@ -221,12 +222,14 @@ class AnyConstrainedSystem {
   Vector zero_, no_reaction_;
 };
 
+/// Any system with n constraints. If the system is not conservative, its energies are 0, it has no symmetries, and the
+/// output vectors do not change.
 template <int n>
 class AnySystem : public AnyConstrainedSystem<n> {
  public:
   using Vector = typename AnyConstrainedSystem<n>::Vector;
   using Multiplier = typename AnyConstrainedSystem<n>::Multiplier;
-  /// The base class. Methods may use only its members if the system is not conservative.
+  /// The base class. If the system is not conservative, a method must compile for this type (`fits` in field_of.h).
   using WithoutEnergies = AnyConstrainedSystem<n>;
 
   template <ConstrainedSystem S>

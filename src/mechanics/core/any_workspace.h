@@ -1,6 +1,6 @@
 #pragma once
-/// The workspace of a system behind AnySystem or AnyField. Only the system that made the workspace may use it, because
-/// `as` does not check the concrete type.
+/// The workspace of an AnySystem or AnyField, which contains the workspace of the concrete system. Only the system that
+/// made the workspace may use it, because `as` does not check the concrete type.
 
 #include <memory>
 #include <utility>

@@ -3,8 +3,8 @@
 /// value and its n partial derivatives, exact to round-off. The function must accept any scalar type. Nested scalars
 /// give second derivatives.
 ///
-/// In Eigen's type all n variables have one scalar type, so a metric is an ordinary matrix of this scalar. Boost.Math's
-/// autodiff has a different type for each variable. Boost's autodiff with one pass per variable took twice the time.
+/// Eigen's type is used because all n variables have one scalar type. A function with values in the matrices, such as
+/// the metric of a chart, then returns an ordinary matrix. In Boost.Math's autodiff each variable has a different type.
 ///
 /// Arithmetic on these scalars returns expressions that refer to their operands. A function must therefore declare the
 /// scalar itself as its return type (T, not auto).
@@ -21,7 +21,7 @@ using Coordinates = Eigen::Matrix<T, n, 1>;
 template <class T, int n>
 using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<T, n, 1>>;
 
-/// q as independent variables: ∂q_k/∂q_j = δ_kj.
+/// Returns the coordinates q as independent variables, with the derivatives ∂q_k/∂q_j = δ_kj.
 template <class T, int n>
 Coordinates<Dual<T, n>, n> independent(const Coordinates<T, n>& q) {
   Coordinates<Dual<T, n>, n> x;
@@ -32,7 +32,7 @@ Coordinates<Dual<T, n>, n> independent(const Coordinates<T, n>& q) {
   return x;
 }
 
-/// Value, gradient and Hessian of a scalar function at a point.
+/// Value, gradient ∂f/∂q_i and Hessian ∂²f/∂q_i∂q_j of a scalar function f at a point.
 template <int n>
 struct SecondOrderJet {
   double value;
@@ -40,6 +40,8 @@ struct SecondOrderJet {
   Eigen::Matrix<double, n, n> hessian;
 };
 
+/// Returns the jet of f at q. The function f must be a template over the scalar type, because its argument has nested
+/// dual numbers.
 template <int n, class Function>
 SecondOrderJet<n> second_order_jet(const Function& f, const Coordinates<double, n>& q) {
   const auto y = f(independent(independent(q)));

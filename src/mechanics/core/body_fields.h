@@ -1,7 +1,7 @@
 #pragma once
-/// Fields over a body at one time, for pictures. Their values are given at points of the reference body, in internal
-/// units. All quantities in a picture are computed from these fields, in the same way for every model
-/// (io/body_picture.h).
+/// Fields over a body at one time, for the picture files (VTU). Their values are given at points of the reference body,
+/// in the internal units, in which all quantities are of order 1. All quantities in a picture are computed from these
+/// fields, so that every model has the same definitions (io/body_picture.h).
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace pseudorigid::mechanics {
 
 /// Arrangement of the points in the body, as blocks of (degree + 1)³ points. In a block the first coordinate varies
 /// fastest, and the coordinates are right-handed. The points of a block need not be equidistant. Fields in a block are
-/// about as smooth as polynomials of this degree.
+/// approximately polynomials of this degree in each coordinate.
 struct PointBlocks {
   int degree = 1;
   std::vector<std::int64_t> points;  ///< indices of the points, block by block
@@ -30,8 +30,10 @@ struct BodyFields {
   std::vector<double> energy;                            ///< stored energy W per reference volume
   std::vector<double> potential;                         ///< potential of self-gravity per mass; empty if not known
   Eigen::Vector3d center = Eigen::Vector3d::Zero();      ///< centre of mass x_c
-  Eigen::Matrix3d moment = Eigen::Matrix3d::Identity();  ///< ∫ρ (x − x_c) Xᵀ dV, which determines the mean rotation
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Identity();  ///< ∫ρ (x − x_c) Xᵀ dV over the reference body with its
+                                                         ///< density ρ; the polar decomposition gives the mean rotation
 
+  /// Appends the values at one point to all fields except `potential`.
   void add(const Eigen::Vector3d& X_of_point, const Eigen::Vector3d& x_of_point, const Eigen::Vector3d& v_of_point,
            const Eigen::Matrix3d& F_of_point, const Eigen::Matrix3d& stress_of_point, double energy_of_point) {
     X.insert(X.end(), X_of_point.begin(), X_of_point.end());

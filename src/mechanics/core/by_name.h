@@ -5,13 +5,13 @@
 
 namespace pseudorigid {
 
-/// The first member of an aggregate with several members of one type, such as a load. It permits only initialisers with
-/// names, `{.viscosity = 0.1}`, so a value cannot initialise the wrong member.
+/// Type of the first member of an aggregate with several members of one type, such as a load. The aggregate then
+/// permits only initialisers with names, `{.viscosity = 0.1}`. A value therefore cannot initialise the wrong member.
 struct ByName {
   explicit ByName() = default;
 };
 
-/// A member that every initialiser must set, because no default value would be right.
+/// Type of a member that every initialiser must set, because no default value would be right.
 template <class T>
 class Required {
  public:

@@ -12,8 +12,9 @@
 
 namespace pseudorigid::mechanics {
 
-/// Sets `derivative` to F′(0). The function F(s, value) sets `value` and returns a Status. If F fails, its failure is
-/// returned. On entry `derivative` must have the size of the values of F.
+/// Sets `derivative` to F′(0). The function F(s, value) sets `value` to F(s) and returns a Status. If F fails, the
+/// function returns this failure, and `derivative` is not valid. On entry `derivative` must have the size of the values
+/// of F.
 template <class Vector, class Function>
 Status central_difference(const Function& F, double h, Vector& derivative) {
   constexpr std::array<double, 4> c{4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};

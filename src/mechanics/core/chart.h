@@ -1,6 +1,6 @@
 #pragma once
-/// A chart of a Riemannian manifold (Oliva, Geometric Mechanics, 5.1) with coordinates q ∈ ℝⁿ, the metric g_ij(q), a
-/// potential U, an external force F_ext and a dissipation D. Derived quantities are
+/// A chart of a Riemannian manifold (Oliva, Geometric Mechanics, 5.1) with coordinates q ∈ ℝⁿ and the metric g_ij(q).
+/// The system has a potential U, an external force F_ext and a dissipation D. Derived quantities are
 ///
 ///   Γ_l,ij = ½ (∂_i g_jl + ∂_j g_il − ∂_l g_ij),   Γᵏ_ij = Σ_l gᵏˡ Γ_l,ij,
 ///   (Dq̇/dt)ᵏ = q̈ᵏ + Γᵏ_ij q̇ⁱq̇ʲ                                                                     (5.3)
@@ -22,7 +22,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// A chart has a function `metric`, which is a template over the scalar type of q.
+/// A chart has a constant `dimension` n and a function `metric`, which returns the matrix g_ij(q). The function is a
+/// template over the scalar type of q, so that it can be differentiated automatically.
 template <class C>
 concept Chart = requires(const C chart, const Coordinates<double, C::dimension> q,
                          const Coordinates<Dual<double, C::dimension>, C::dimension> x) {
@@ -35,7 +36,7 @@ using ChartVector = Coordinates<double, C::dimension>;
 template <class C>
 using ChartMatrix = Eigen::Matrix<double, C::dimension, C::dimension>;
 
-// Optional functions of a chart. A missing function means zero.
+// Optional functions of a chart. If one of them is missing, the program assumes that it is zero.
 template <class C>
 concept HasPotential = requires(const C chart, const ChartVector<C> q) {
   chart.potential(q);
@@ -53,13 +54,15 @@ concept HasPeriods = requires(const C chart) {
   chart.periods();
 };  // period of each coordinate; 0: not periodic
 
-/// The metric and its partial derivatives dg[k] = ∂g/∂q_k. The scalar T is double or a vector of lanes.
+/// The metric and its partial derivatives dg[k] = ∂g/∂q_k. The scalar T is double, or a vector of lanes that holds one
+/// number for each of several points (lanes.h).
 template <Chart C, class T = double>
 struct MetricJet {
   Eigen::Matrix<T, C::dimension, C::dimension> g;
   std::array<Eigen::Matrix<T, C::dimension, C::dimension>, C::dimension> dg;
 };
 
+/// Returns the metric and its derivatives at q, by automatic differentiation.
 template <class T = double, Chart C>
 MetricJet<C, T> metric_jet(const C& chart, const std::type_identity_t<Coordinates<T, C::dimension>>& q) {
   constexpr int n = C::dimension;
@@ -88,7 +91,7 @@ Coordinates<T, C::dimension> christoffel_of_first_kind(const MetricJet<C, T>& je
   return c;
 }
 
-/// The differential dU; zero if the chart has no potential.
+/// Returns the differential dU at q, or zero if the chart has no potential.
 template <class T = double, Chart C>
 Coordinates<T, C::dimension> potential_differential(const C& chart,
                                                     const std::type_identity_t<Coordinates<T, C::dimension>>& q) {
@@ -110,20 +113,20 @@ double kinetic_energy(const C& chart, const ChartVector<C>& q, const ChartVector
   return 0.5 * v.dot(chart.metric(q) * v);
 }
 
-/// Mechanical energy E_m = K + U.
+/// Returns the mechanical energy E_m = K + U, with U = 0 if the chart has no potential.
 template <Chart C>
 double mechanical_energy(const C& chart, const ChartVector<C>& q, const ChartVector<C>& v) {
   return kinetic_energy(chart, q, v) + potential_energy(chart, q);
 }
 
-/// The mass operator μ: TQ → T*Q.
+/// Returns the covector μ(v), with the mass operator μ: TQ → T*Q.
 template <Chart C>
 ChartVector<C> apply_mass(const C& chart, const ChartVector<C>& q, const ChartVector<C>& v) {
   return chart.metric(q) * v;
 }
 
-/// Sets v = μ⁻¹(p). Fails if p is not finite, or if the metric is not positive definite up to round-off, for example at
-/// a pole of the chart.
+/// Sets v = μ⁻¹(p) for the metric g and the covector p. Fails if p is not finite, or if g is not positive definite up
+/// to round-off. The metric is singular at a pole of the chart, for example.
 template <int n>
 Status apply_inverse_mass(const Eigen::Matrix<double, n, n>& g, const Eigen::Matrix<double, n, 1>& p,
                           Eigen::Matrix<double, n, 1>& v) {

@@ -16,8 +16,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns F_l − Γ_l,ij q̇ⁱq̇ʲ without the external force. The result therefore does not depend on time. Also sets g to
-/// the metric at q.
+/// Returns F_l − Γ_l,ij q̇ⁱq̇ʲ without the external force. The result therefore does not depend on time. The function
+/// also sets g to the metric at q.
 template <class T, Chart C>
 Coordinates<T, C::dimension> covariant_force(const C& chart, const Coordinates<T, C::dimension>& q,
                                              const Coordinates<T, C::dimension>& v,
@@ -29,6 +29,7 @@ Coordinates<T, C::dimension> covariant_force(const C& chart, const Coordinates<T
   return F;
 }
 
+/// The law of a chart as a SecondOrderField (second_order_field.h). A field contains its own copy of the chart.
 template <Chart C>
 class ChartField {
  public:
@@ -44,8 +45,9 @@ class ChartField {
     return apply_inverse_mass(jet.g, rhs, a);
   }
 
-  /// Members for stages in lanes (stage_by_stage.h). They call `solve_stages_in_lanes_of(chart, stages)` and
-  /// `cost_of_iteration_of(chart)`. Each member exists if its function is defined for the type of the chart.
+  /// Members for stages in lanes (stage_by_stage.h). They call the free functions `solve_stages_in_lanes_of(chart,
+  /// stages)` and `cost_of_iteration_of(chart)`. Each member exists if its free function is defined for the type of the
+  /// chart.
   bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const C& c) {
     solve_stages_in_lanes_of(c, stages);
   }
@@ -53,7 +55,9 @@ class ChartField {
   double cost_of_iteration() const requires requires(const C& c) { cost_of_iteration_of(c); }
   { return cost_of_iteration_of(chart_); }
 
-  /// Sets D = Dq̇/dt = q̈ + Γ(q̇, q̇) for a curve with the velocity v and the given second derivative q̈.
+  /// Sets D = Dq̇/dt, with the components q̈ᵏ + Γᵏ_ij q̇ⁱq̇ʲ, for a curve through q with the velocity v. The argument
+  /// `second_derivative` is q̈. Fails if the metric is not positive definite or a derivative of the metric is not
+  /// finite.
   Status covariant_acceleration(const Vector& q, const Vector& v, const Vector& second_derivative, Vector& D) const {
     const MetricJet<C> jet = metric_jet(chart_, q);
     if (Status status = apply_inverse_mass(jet.g, christoffel_of_first_kind(jet, v, v), D); !status) return status;
@@ -61,7 +65,7 @@ class ChartField {
     return {};
   }
 
-  /// The force F = −dU + F_ext + μ D(v).
+  /// Returns the force F = −dU + F_ext + μ D(v) as a covector. Terms that the chart does not have are zero.
   Vector force(double t, const Vector& q, const Vector& v) const { return force(t, q, v, chart_.metric(q)); }
 
   double energy(const Vector& q, const Vector& v) const { return mechanical_energy(chart_, q, v); }

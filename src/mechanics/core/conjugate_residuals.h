@@ -1,7 +1,8 @@
 #pragma once
 /// The generalized conjugate residual method (Eisenstat, Elman, Schultz 1983), truncated as Orthomin, for A x = r₀ with
 /// a nearly symmetric matrix A. The preconditioner M acts on the right, so the residuals r_k belong to A x = r₀ without
-/// preconditioner. With w = A M⁻¹ r_k and sums over the last m indices j < k,
+/// preconditioner. Iteration k uses w = A M⁻¹ r_k and sums over the last m indices j < k. It makes y_k of length 1, so
+/// |…| is the length of the numerator. z_k is the same combination of M⁻¹ r_k and the z_j:
 ///
 ///   y_k = (w − Σ (y_j·w) y_j)/|…|,   z_k with A z_k = y_k, by the same combination,
 ///   x ← x + (y_k·r_k) z_k,   r_{k+1} = r_k − (y_k·r_k) y_k,   |r_{k+1}|² = |r_k|² − (y_k·r_k)².
@@ -14,7 +15,7 @@
 ///
 /// so an iteration needs only one sum over the processes. The orthogonalisation is the classical Gram–Schmidt process,
 /// which is accurate enough for a small number of vectors. The method computes |r|² by differences, with an error of
-/// 1e-16 |r₀|². The tolerance should therefore be at least 1e-7 |r₀|.
+/// 1e-16 |r₀|². The error of |r| is then up to 1e-8 |r₀|, so the tolerance should be at least 1e-7 |r₀|.
 
 #include <algorithm>
 #include <cmath>
@@ -35,9 +36,9 @@ class ConjugateResiduals {
   };
 
   /// Solves A x = r from the guess x = 0, and sets r to the remaining residual. The iteration ends if |r| is at most
-  /// `tolerance`, after `max_iterations`, or if a new direction is round-off or not finite. x is then the last iterate.
-  /// `multiply(z, y)` sets y ← A z, and `precondition(r, z)` sets z ← M⁻¹ r. `norm` is the Euclidean norm of the
-  /// initial r.
+  /// `tolerance`, after `max_iterations`, or if a new direction is round-off or not finite. In all cases x is the last
+  /// iterate. If it has not converged after n_with_few iterations, the method restarts with more vectors. `multiply(z,
+  /// y)` sets y ← A z, and `precondition(r, z)` sets z ← M⁻¹ r. `norm` is the Euclidean norm of the initial r.
   template <class Multiply, class Precondition>
   Result solve(Multiply&& multiply, Precondition&& precondition, double norm, double tolerance, int max_iterations,
                Vector& r, Vector& x) {
@@ -56,7 +57,7 @@ class ConjugateResiduals {
         precondition(r, z_[slot]);
         multiply(z_[slot], y_[slot]);
         const double length = orthogonalise(k, r);
-        if (!(length > 0)) return;  // no new direction, or not finite
+        if (!(length > 0)) return;  // the new direction is round-off or not finite
         const double alpha = of_residual_ / length;
         axpy(alpha, z_[slot], x);
         axpy(-alpha, y_[slot], r);
@@ -69,18 +70,18 @@ class ConjugateResiduals {
     return result;
   }
 
-  /// Number m of vectors y_j in the sums. With m = 1, the Gram systems of elements of degree 6 do not converge. For
-  /// 1100 … 410,000 unknowns, the numbers of iterations with m = 2 … 6 and with all vectors agree within 2 %. For the
-  /// largest system, the scalar products with all vectors took a tenth of the time of a step. Six vectors leave a
-  /// reserve.
+  /// Number m of vectors y_j in the sums. With m = 1, the Gram systems of elements of degree 6 do not converge. In
+  /// measurements with 1100 … 410,000 unknowns, the numbers of iterations with m = 2 … 6 and with all vectors agreed
+  /// within 2 %. For the largest system, the scalar products with all vectors took a tenth of the time of a step. Six
+  /// vectors leave a reserve.
   static constexpr int n_kept = 6;
-  /// If n_with_few iterations are not enough, M is not close to A. The method then restarts and keeps n_kept_if_slow
-  /// vectors.
+  /// If n_with_few iterations are not enough, M is not close to A. The method then restarts from the last iterate with
+  /// m = n_kept_if_slow.
   static constexpr int n_with_few = 40, n_kept_if_slow = 40;
 
  private:
-  /// Makes y_k orthonormal to the previous y_j, and changes z_k such that A z_k = y_k. Returns the length of y_k after
-  /// orthogonalisation and before normalisation, or 0 if only round-off remains or a number is not finite. Sets
+  /// On entry y_k is w and z_k is M⁻¹ r_k. Makes y_k orthonormal to the previous y_j, and changes z_k such that A z_k =
+  /// y_k. Returns the length |w − Σ (y_j·w) y_j|, or 0 if only round-off remains or a number is not finite. Sets
   /// of_residual_ to w·r_k.
   double orthogonalise(int k, const Vector& r) {
     const std::size_t n = std::min(k, n_slots_ - 1);
@@ -111,7 +112,7 @@ class ConjugateResiduals {
     return length;
   }
 
-  std::vector<Vector> y_, z_;  // y_k in slot k mod n_slots_
+  std::vector<Vector> y_, z_;  // y_k and z_k are in slot k mod n_slots_
   int n_slots_ = 0;
   std::vector<const Vector*> before_;
   std::vector<double> products_;

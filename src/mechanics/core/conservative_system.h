@@ -1,9 +1,9 @@
 #pragma once
 /// Functions of a conservative system in addition to its law of motion. These are the energies, the mass operator, the
 /// rate of the reaction, and the one-parameter groups that leave the energies unchanged (Noether). Critical points,
-/// conserving methods and observables use these functions; steps of RATTLE do not. With the kinetic energy K, the
-/// potential energy V, the mass operator M, the force f, the fields ξ_i of the symmetries and a small number ε, the
-/// formulas are
+/// conserving methods and observables use these functions; steps of RATTLE do not. K is the kinetic energy, V the
+/// potential energy, M the mass operator and f the force. With the fields ξ_i of the symmetries and a small number ε,
+/// the formulas are
 ///
 ///   K = ½ ⟨q̇, M q̇⟩,   V(q),   f = −dV,
 ///   symmetry i:  (q, q̇) ↦ (q, q̇) + ε (ξ_i(q), ξ̇_i(q̇)),   momentum ⟨M q̇, ξ_i(q)⟩.
@@ -23,7 +23,7 @@ concept ConservativeSystem = ConstrainedSystem<S> &&
   s.apply_mass(v, f);                                        // f = M v
   s.add_reaction_rate(q, v, lambda, f);                      // f += Σ_k λ_k D²g_k(q)(v, ·), the rate of G(q)ᵀλ
   { s.n_symmetries() } -> std::convertible_to<int>;
-  s.symmetry(0, q, v, f, f);  // (i, q, v) → ξ_i(q), ξ̇_i(v): two different vectors
+  s.symmetry(0, q, v, f, f);  // (i, q, v, dq, dv): sets dq = ξ_i(q) and dv = ξ̇_i(v), which must be different vectors
 };
 
 }  // namespace pseudorigid::mechanics

@@ -29,15 +29,15 @@ concept ConstrainedSystem = requires(const S s, double t, const typename S::Vect
                                      typename S::Vector f, const typename S::Multiplier lambda,
                                      typename S::Multiplier r, typename S::Workspace w) {
   { S::n_constraints } -> std::convertible_to<int>;                   // 0, 1, 2, 6, … or dynamic_constraints
-  { s.force(t, q, v, w, f) } -> std::same_as<Status>;                 // f = −dV + loads
+  { s.force(t, q, v, w, f) } -> std::same_as<Status>;                 // f = −dV + loads, with the potential V
   s.apply_inverse_mass(f, f);                                         // a = M⁻¹ f; both may be the same vector
   { s.constraint(q, r) } -> std::same_as<Status>;                     // g(q)
   s.constraint_rate(q, v, r);                                         // G(q) v
   s.constraint_curvature(q, v, r);                                    // D²g(q)(v, v)
   s.add_reaction(q, lambda, f);                                       // f += G(q)ᵀ λ
-  { s.solve_gram(q, q, lambda, w, r) } -> std::same_as<SolveReport>;  // (q₁, q₀, b, w, x): G(q₁)M⁻¹G(q₀)ᵀ x = b
-  { s.constraint_tolerance() } -> std::convertible_to<double>;        // largest |g|_∞, |G v|_∞ that count as zero
-  { s.make_vector() } -> std::same_as<typename S::Vector>;            // zero vector of the right size
+  { s.solve_gram(q, q, lambda, w, r) } -> std::same_as<SolveReport>;  // (q₁, q₀, b, w, x): solves G(q₁)M⁻¹G(q₀)ᵀ x = b
+  { s.constraint_tolerance() } -> std::convertible_to<double>;  // largest |g|_∞, |G v|_∞ that count as zero
+  { s.make_vector() } -> std::same_as<typename S::Vector>;      // zero vector of the right size
   { s.make_multiplier() } -> std::same_as<typename S::Multiplier>;
   { s.make_workspace() } -> std::same_as<typename S::Workspace>;
 };
@@ -46,8 +46,9 @@ concept ConstrainedSystem = requires(const S s, double t, const typename S::Vect
 template <class S>
 inline constexpr bool unconstrained = S::n_constraints == 0;
 
-/// True if a force evaluation is so costly that pilot runs and estimates of the frequency are costly too. By default
-/// this holds for distributed vectors. A member `has_costly_force` of the system overrides this default.
+/// True if a force evaluation is so costly that pilot runs and estimates of the frequency are costly too. By default,
+/// only systems with distributed vectors have a costly force. A member `has_costly_force` of the system overrides this
+/// default.
 template <class S>
 inline constexpr bool has_costly_force = [] {
   if constexpr (requires { S::has_costly_force; }) return S::has_costly_force;
@@ -63,8 +64,8 @@ concept FindsForceWithReaction = requires(const S s, const typename S::Vector q,
 };
 
 /// True if a system has `constraint(q, q_rounding, g)`, which computes g(q + q_rounding) more accurately than the
-/// round-off of q permits. q_rounding is the remainder of the compensated sum of q. Methods then satisfy the constraint
-/// at q + q_rounding.
+/// round-off of q permits. The vector q_rounding is the remainder of the compensated sum of q. Methods then satisfy the
+/// constraint at q + q_rounding.
 template <class S>
 inline constexpr bool resolves_rounding = VectorSpace<typename S::Vector>::compensated&& requires(
     const S s, const typename S::Vector q, const typename S::Vector q_rounding, typename S::Multiplier r) {
@@ -82,8 +83,8 @@ template <class S>
 using State = VectorState<typename S::Vector>;
 
 /// Sets lambda to the multiplier λ of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v). Iterative
-/// refinement makes λ exact to round-off. Observables use this λ, and not the multipliers of a step, which do not
-/// belong to one time. Fails if the force or the Gram solve fails. Does nothing if the system has no constraints.
+/// refinement makes λ exact to round-off. Observables use this λ, because the multipliers of a step have the error of
+/// the method. Fails if the force or the Gram solve fails. Does nothing if the system has no constraints.
 template <ConstrainedSystem S>
 Status multiplier_of_motion(const S& system, const State<S>& state, typename S::Workspace& workspace,
                             typename S::Multiplier& lambda) {

@@ -30,9 +30,10 @@ inline constexpr int max_constraint_iterations = 30;
 /// iteration continues for such residuals.
 inline constexpr double noise_reserve = 16;
 
-/// Judges each residual: the iteration is done, must go on, or is stuck. A residual that did not halve counts as zero
-/// if it is at most `round_off` or noise_reserve · noise(). Since noise() costs several evaluations of the constraint,
-/// it is called only for a residual above `round_off` that did not halve.
+/// Judges the residual of each iteration. The iteration is done if the residual is at most `tolerance`. It is also done
+/// if the residual did not halve and is at most `round_off` or noise_reserve · noise(). It is stuck if the residual is
+/// NaN, grows at least tenfold, or is too large after max_constraint_iterations. Since noise() costs several
+/// evaluations of the constraint, it is called only for a residual above `round_off` that did not halve.
 struct ConvergenceMonitor {
   double tolerance, round_off, previous = HUGE_VAL;
   int iteration = 0;
@@ -65,7 +66,7 @@ struct ConstraintTemporaries {
         residual(system.make_multiplier()),
         delta(system.make_multiplier()) {}
 
-  typename S::Vector reaction, direction;  // M⁻¹G(q₀)ᵀδ; M⁻¹G(q₀)ᵀ of a single constraint
+  typename S::Vector reaction, direction;  // M⁻¹G(q₀)ᵀδ; for a single constraint also the vector M⁻¹G(q₀)ᵀ
   typename S::Multiplier residual, delta;
   bool direction_known = false;  // set this flag to false if you change q₀
   long n_gram_iterations = 0;
@@ -117,8 +118,8 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   return {};
 }
 
-/// Returns the failure of an iteration. The function is cold and not inlined, because building the message costs more
-/// than a step.
+/// Returns the failure of the iteration for `what`, the position or the velocity. The function is cold and not inlined,
+/// because building the message costs more than a step.
 [[gnu::cold, gnu::noinline]] inline Status without_convergence(std::string_view what) {
   std::string sentence = "the ";
   sentence += what;
@@ -126,8 +127,9 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   return Status::failure(std::move(sentence));
 }
 
-/// Permits an inexact solver of Gram systems to stop at a third of the residual `enough`. For 0, the solver uses its
-/// default. For other systems the function does nothing.
+/// Permits an iterative solver of Gram systems to stop at a third of the residual `enough`. If `enough` is 0, the
+/// solver uses its default. The function does nothing if the workspace has no `residual_sought`, because the solver is
+/// direct.
 template <ConstrainedSystem S>
 void seek_residual(typename S::Workspace& system_workspace, double enough) {
   constexpr double linear_part = 1.0 / 3;  // the remaining tolerance is for the nonlinear part
@@ -135,9 +137,9 @@ void seek_residual(typename S::Workspace& system_workspace, double enough) {
 }
 
 /// Runs Newton's iteration. `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. Fails if
-/// `evaluate` or a Gram solve fails, or if the iteration is stuck. With tolerance 0 the iteration continues to
-/// round-off. If a residual is at most `foregone`, the iteration ends after its correction, without evaluating the new
-/// residual.
+/// `evaluate` or a Gram solve fails, or if the iteration is stuck. With tolerance 0 the iteration continues until the
+/// residual is round-off. If a residual is at most `foregone`, the iteration ends after its correction, without
+/// evaluating the new residual.
 template <ConstrainedSystem S, class Evaluate, class Apply, class Noise>
 Status meet_constraint(const S& system, const char* what, double tolerance, const typename S::Vector& q1,
                        const typename S::Vector& q0, typename S::Workspace& system_workspace,
@@ -159,7 +161,7 @@ Status meet_constraint(const S& system, const char* what, double tolerance, cons
   }
 }
 
-/// Solves G(q) v = 0; `apply` adds w.reaction to v.
+/// Solves G(q) v = 0 for v; `apply` adds w.reaction to v. Fails if a Gram solve fails or the iteration is stuck.
 template <ConstrainedSystem S, class Apply>
 Status meet_velocity_constraint(const S& system, double tolerance, const typename S::Vector& q,
                                 const typename S::Vector& v, typename S::Workspace& system_workspace,
@@ -172,7 +174,8 @@ Status meet_velocity_constraint(const S& system, double tolerance, const typenam
                          [&] { return noise_of_rate(system, q, v); });
 }
 
-/// Solves g(q) = 0; `apply` adds w.reaction to q. The reactions act at q₀.
+/// Solves g(q) = 0 for q; `apply` adds w.reaction to q. The reactions act at q₀. Fails if the constraint cannot be
+/// evaluated, a Gram solve fails, or the iteration is stuck. `foregone` is that of meet_constraint.
 template <ConstrainedSystem S, class Apply>
 Status meet_position_constraint(const S& system, double tolerance, const typename S::Vector& q,
                                 const typename S::Vector& q0, typename S::Workspace& system_workspace,
@@ -182,8 +185,8 @@ Status meet_position_constraint(const S& system, double tolerance, const typenam
       apply, [&] { return noise_of_constraint(system, q); }, foregone);
 }
 
-/// Solves g(q + q_rounding) = 0 if the system supports it (`resolves_rounding`), otherwise g(q) = 0. q_rounding is the
-/// remainder of the compensated sum of q.
+/// Solves g(q + q_rounding) = 0 if the system supports it (`resolves_rounding` in constrained_system.h), otherwise g(q)
+/// = 0. q_rounding is the remainder of the compensated sum of q. `apply` adds w.reaction to q.
 template <ConstrainedSystem S, class Apply>
 Status meet_position_constraint(const S& system, double tolerance, const typename S::Vector& q,
                                 const typename S::Vector& q_rounding, const typename S::Vector& q0,

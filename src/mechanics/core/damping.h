@@ -1,5 +1,5 @@
 #pragma once
-/// Damping: forces F(q, v) = −∂R/∂v, where R is a convex function of v, such as viscosity, drag and friction. The mass
+/// Damping: forces F(q, v) = −∂R/∂v with a convex function R of v. Examples are viscosity, drag and friction. The mass
 /// is M, and the constraint g = 0 has the derivative G = Dg. Let r be the residual of an implicit step of size 2s at
 /// the velocity v,
 ///
@@ -31,16 +31,18 @@
 
 namespace pseudorigid::mechanics {
 
-/// A system that also computes C at a state, f += −C u. The velocity may change the force only by the damping.
+/// A system that also applies the operators C and S at a state to a vector u. The rest of its force must not depend on
+/// the velocity, because the implicit step treats only the damping.
 template <class S>
 concept Damped = ConstrainedSystem<S> &&
     requires(const S s, const State<S> state, const typename S::Vector v, typename S::Vector f) {
   s.add_damping(state, v, Linearization::tangent, f);  // (state, u, kind, f): f += −C u, or f += −S u
   s.apply_mass(v, f);                                  // f = M v
-  s.add_taken(0.0, f);                                 // (energy, v): adds to the dissipated energy, which v contains
+  s.add_taken(0.0, f);                                 // (energy, v): adds `energy` to the entry of v that is the
+                                                       // dissipated energy
 };
 
-/// True if C does not depend on v. A system without the function `damping_is_linear` has such a C.
+/// Returns true if C does not depend on v. A system without the function `damping_is_linear` must have such a C.
 template <class S>
 bool damping_is_linear(const S& system) {
   if constexpr (requires { system.damping_is_linear(); }) return system.damping_is_linear();
@@ -65,6 +67,7 @@ struct DampingTemporaries<S> {
 
   typename S::Vector residual;  ///< r, or P r after the projection
   typename S::Vector solution;  ///< u
+  /// The direction p of conjugate gradients, P(1 + s M⁻¹C) p, −C p, and M x for a norm.
   typename S::Vector direction, product, force, momentum;
   typename S::Vector at_rest;  ///< f(q, 0), if `rest_known` is true (rattle_velocity.h)
   bool rest_known = false;
@@ -81,10 +84,11 @@ struct DampingTemporaries<S> {
 
 namespace detail {
 
-/// Fraction of the permitted residual that projections may leave.
+/// Tolerance of the projections as a fraction of the permitted residual of `solve_damping`.
 inline constexpr double left_by_projections = 0.1;
 
-/// x ← P x at the configuration q. Fails if the iteration for the constraint does not converge.
+/// Replaces x by P x at the configuration q, up to the residual |G x|_∞ ≤ `tolerance`. Fails if the iteration for the
+/// constraint does not converge.
 template <ConstrainedSystem S>
 Status project_onto_tangent_space(const S& system, double tolerance, const typename S::Vector& q, typename S::Vector& x,
                                   typename S::Workspace& system_workspace, ConstraintTemporaries<S>& constraint) {
@@ -97,7 +101,8 @@ Status project_onto_tangent_space(const S& system, double tolerance, const typen
 
 }  // namespace detail
 
-/// Replaces r = w.residual by P r, and sets w.round_off. Fails if the iteration for the constraint does not converge.
+/// Replaces r = w.residual by P r, and sets w.round_off. `enough` is the permitted residual of solve_damping, which
+/// follows. Fails if the iteration for the constraint does not converge.
 template <Damped S>
 Status project_residual(const S& system, const typename S::Vector& q, double enough,
                         typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
@@ -109,8 +114,8 @@ Status project_residual(const S& system, const typename S::Vector& q, double eno
 
 /// Sets w.solution to u for the projected residual P r = w.residual. On return w.residual is the remaining residual.
 /// The operator C is taken at `state`. The iteration ends when the remaining residual is at most `enough`,
-/// w.round_off or 64 units of round-off of P r. It fails if a projection fails, if 2000 iterations are not enough, or
-/// if the operator is not positive. A long step backwards in time has an operator that is not positive.
+/// w.round_off or 64 units of round-off of P r. The function fails if a projection fails, if 2000 iterations are not
+/// enough, or if 1 + s M⁻¹C is not positive. The last case occurs in a long step backwards in time, s < 0.
 template <Damped S>
 Status solve_damping(const S& system, double s, const State<S>& state, double enough,
                      typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,

@@ -6,14 +6,14 @@
 
 namespace pseudorigid::mechanics {
 
-/// Spectrum of a symmetric matrix A = V diag(values) Vᵀ, with V = `vectors` and ascending values.
+/// Spectrum of a symmetric matrix A = V diag(values) Vᵀ, with the orthogonal matrix V = `vectors` and ascending values.
 struct SymmetricSpectrum {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;
 };
 SymmetricSpectrum symmetric_spectrum(const Eigen::MatrixXd& A);
 
-/// Spectrum of a matrix, A X = X diag(values) with X = `vectors`. The numbers are valid only if `converged` is true.
+/// Spectrum of a matrix, A X = X diag(values) with X = `vectors`. Both members are valid only if `converged` is true.
 struct Spectrum {
   Eigen::VectorXcd values;
   Eigen::MatrixXcd vectors;
@@ -21,8 +21,8 @@ struct Spectrum {
 };
 Spectrum spectrum(const Eigen::MatrixXd& A);
 
-/// Returns an orthonormal basis of {x: Bx = 0} as columns. Singular values of at most `absent` times the largest one
-/// count as zero.
+/// Returns an orthonormal basis of {x: Bx = 0} as columns. If B has no rows, the basis is the identity. Singular values
+/// of at most `absent` times the largest one count as zero.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& B, double absent);
 /// Returns an orthonormal basis of the span of the columns of N. Singular values of at most `absent` times the largest
 /// one count as zero.

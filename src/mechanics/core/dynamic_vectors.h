@@ -1,9 +1,10 @@
 #pragma once
 /// Conversions between Eigen vectors of dynamic size and the vectors and multipliers of a system. The dynamic vector
 /// contains the entries of a matrix column by column. `read_as<V>` makes an input argument of a function of the system,
-/// and `WriteAs<V>` an output argument. Both copy if V has a fixed size. If V is VectorXd, both are references. If V is
-/// a matrix of dynamic size, both are views for a function that takes Eigen::Ref. For other functions both copy, which
-/// is slow.
+/// and `WriteAs<V>` an output argument. Both copy if V is a matrix of fixed size. If V is double, read_as copies the
+/// only entry, and WriteAs is a reference to it. If V is NoMultiplier, both are empty. If V is VectorXd, both are
+/// references. If V is a matrix of dynamic size, both are views for a function that takes Eigen::Ref. For other
+/// functions both copy, which is slow.
 
 #include <Eigen/Core>
 #include <optional>
@@ -36,7 +37,8 @@ decltype(auto) read_as(const Eigen::VectorXd& x) {
     return V(Eigen::Map<const V>(x.data()));
 }
 
-/// An output argument of a function of a system. The destructor writes the entries to the dynamic vector.
+/// An output argument of a function of a system. This general form is a copy of fixed size, whose entries the
+/// destructor writes to the dynamic vector.
 template <class V>
 class WriteAs {
  public:

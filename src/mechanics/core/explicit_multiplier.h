@@ -10,7 +10,8 @@
 ///
 /// A system may have its own faster members `acceleration(t, q, v, w, a)` and `project(q, v, w)`. The field then calls
 /// these members. If the number of constraints is known at compile time, Gram solves are direct. Other Gram solves may
-/// be inexact, and are repeated until the acceleration satisfies the constraint.
+/// be inexact. They are repeated until the residual of the acceleration is within the constraint tolerance, or no
+/// longer halves, or at most 30 times.
 
 #include <cmath>
 
@@ -80,6 +81,7 @@ class ExplicitMultiplier {
   bool time_dependent() const { return mechanics::time_dependent(system_); }
   bool relaxes() const { return mechanics::relaxes(system_); }
 
+  /// Sets a = q̈ of the motion through (q, v). Fails if the force or a Gram solve fails.
   Status acceleration(double t, const Vector& q, const Vector& v, Workspace& w, Vector& a) const {
     if constexpr (requires { system_.acceleration(t, q, v, w.system, a); }) {
       return system_.acceleration(t, q, v, w.system, a);
@@ -109,6 +111,8 @@ class ExplicitMultiplier {
   }
   { return system_.solve_stages(stages, w.system); }
 
+  /// Moves q and v until both constraints hold up to the tolerance of the system or round-off. Fails if one of the
+  /// iterations does not converge. Does nothing without constraints.
   Status project(Vector& q, Vector& v, Workspace& w) const {
     if constexpr (requires { system_.project(q, v, w.system); }) {
       return system_.project(q, v, w.system);
@@ -116,7 +120,7 @@ class ExplicitMultiplier {
       return {};
     } else {
       auto& c = w.constraint;
-      c.direction_known = false;  // the velocity uses the same direction, which the correction of q hardly changes
+      c.direction_known = false;  // the correction of v reuses the direction from that of q, since q hardly changes
       const double tolerance = system_.constraint_tolerance();
       if (Status status = detail::meet_position_constraint(system_, tolerance, q, q, w.system, c,
                                                            [&] { axpy(1.0, c.reaction, q); });

@@ -21,7 +21,7 @@ decltype(auto) field_of(const S& system) {
 template <class S>
 using FieldOf = std::remove_cvref_t<decltype(field_of(std::declval<const S&>()))>;
 
-/// The form of the system that Method integrates.
+/// Returns the form of the system that Method integrates: the field if the method is adaptive, otherwise the system.
 template <class Method, class S>
 decltype(auto) form_for(const S& system) {
   if constexpr (Method::adaptive)
@@ -32,15 +32,15 @@ decltype(auto) form_for(const S& system) {
 template <class Method, class S>
 using FormFor = std::remove_cvref_t<decltype(form_for<Method>(std::declval<const S&>()))>;
 
-/// True if the method declares that it needs only the operations of VectorSpace. Other methods need dense Eigen
-/// vectors.
+/// True if the method declares that it needs only the operations of VectorSpace (vector_space.h). Other methods need
+/// dense Eigen vectors.
 template <class Method>
 inline constexpr bool takes_any_vector = [] {
   if constexpr (requires { Method::takes_any_vector; }) return Method::takes_any_vector;
   return false;
 }();
 
-/// True if the method compiles for the type of the system.
+/// Returns true if the method compiles for the type of the system.
 template <class Method, class S>
 consteval bool method_fits() {
   if constexpr (!VectorSpace<typename S::Vector>::dense && !takes_any_vector<Method>)
@@ -49,8 +49,8 @@ consteval bool method_fits() {
     return Method::template fits<FormFor<Method, S>>;
 }
 
-/// True if the method can integrate this system. For an AnySystem the answer depends on `is_conservative()`, which is
-/// known only at run time (any_system.h).
+/// Returns true if the method compiles for this system. For an AnySystem the result depends on `is_conservative()`,
+/// which is known only at run time (any_system.h).
 template <class Method, class S>
 constexpr bool fits(const S& system) {
   if constexpr (requires { typename S::WithoutEnergies; }) {

@@ -57,8 +57,8 @@ inline constexpr int n_lane_groups = gauss::n_stages / native_lanes;
   std::memcpy(&x.v, &bits, sizeof bits);
   return x;
 }
-/// Returns the greater number in each lane, if neither is NaN. The intrinsics are one instruction; a comparison in C++
-/// compiles to two.
+/// Returns the greater number in each lane. If one of them is NaN, the result is the number of `b`. The intrinsics are
+/// used because a comparison in C++ compiles to two instructions.
 [[gnu::always_inline]] inline StageLanes greater_lanes(StageLanes a, StageLanes b) {
 #if defined(__AVX512F__)
   return StageLanes(StageLanes::Native(_mm512_maskz_max_pd(0xff, a.v, b.v)));
@@ -118,7 +118,8 @@ template <int n_groups = n_lane_groups, class Columns>
     store_lanes(g < n_groups ? sum[g % n_groups] : in_all_lanes(0), out.data() + g * native_lanes);
 }
 
-/// Decides after each iteration whether the iteration goes on, is done, or is stuck.
+/// Decides after each iteration if the iteration goes on, is done, or is stuck. It is stuck if an increment is not
+/// finite, has grown three times, or is too large after 60 iterations.
 class GaussMonitor {
  public:
   enum Verdict { go_on, done, stuck };
@@ -131,7 +132,8 @@ class GaussMonitor {
     }
     // Round-off of an acceleration of this size moves neither q nor v by more than the round-off of q and v.
     unseen_ = std::min(v / std::abs(s.h), q / (s.h * s.h));
-    // Bound of the round-off of forces that cancel. Each force has the size ω²q with a frequency ω, and hω ≤ 4.
+    // Bound of the round-off of forces that cancel. Each force has the size ω²q with a frequency ω, and hω ≤ 4
+    // (stability_limit in gauss_16.h). The bound is 32 times the round-off 2⁻⁵³ω²q.
     noise_ = 0x1p-44 * q / (s.outer_h * s.outer_h);
     set_scale(scale);
   }
@@ -145,7 +147,8 @@ class GaussMonitor {
     const bool first = n_iterations_ == 0;  // θ is not yet known
     if (first) before_ = twice_before_ = increment;
     // The test θδ ≤ x is written as δ² ≤ x δ_before, because the processor would have to wait for a quotient. Near
-    // round-off the last factor θ consists of noise. The third test therefore uses the factor before the last one.
+    // round-off the last θ is determined by rounding errors. The third test therefore uses the factor before the last
+    // one.
     const double unseen = (to_round_off_ ? 0x1p-12 : 0.125) * epsilon * scale_;
     if (increment <= (to_round_off_ ? 0x1p-12 : 0.5) * epsilon * scale_ ||
         increment * std::min(increment, before_) <= std::max(unseen, tolerance_) * before_ ||
@@ -168,13 +171,14 @@ class GaussMonitor {
   int n_iterations_ = 0, n_grown_ = 0;
 };
 
-/// The parts of q_i − q and v_i − v that do not change during the iteration, for each entry.
+/// The parts of q_i − q and v_i − v that do not change during the iteration. There is one OfStages for each entry of q
+/// and of v.
 struct StageStarts {
   OfStages *q, *v;
 };
-/// Sets `start`, and sets s.a to the guess of the stages if s.last is given. The function takes any number of entries
-/// and is therefore compiled once, not once for each field. The unused parameter `Vector` gives each instruction set
-/// its own function.
+/// Sets `start`. If s.last is not null, also sets s.a to the guess that the last step gives. The function takes any
+/// number of entries and is therefore compiled once, not once for each field. The unused parameter `Vector` gives each
+/// instruction set its own function.
 template <class Vector = StageLanes>
 [[gnu::noinline]] void begin_stages(GaussStages& s, StageStarts start) {
   const int n = s.n;
@@ -249,8 +253,8 @@ template <int n_together>
     }
 }
 
-/// Computes q_i and v_i of all entries, two entries at a time. If a vector has only two lanes, the registers have room
-/// for the sums of only one entry.
+/// Computes q_i and v_i of all entries, two entries at a time. If a vector has only two lanes, the registers can hold
+/// the sums of only one entry.
 template <class Vector = StageLanes>
 [[gnu::noinline]] void states_of_stages(const GaussStages& s, StageStarts start, OfStages* q, OfStages* v) {
   int k = 0;
@@ -259,8 +263,8 @@ template <class Vector = StageLanes>
   for (; k < s.n; ++k) states_of_entries<1>(s, k, start, q, v);
 }
 
-/// Number of groups of lanes that contain the sums before velocity_low (GaussSum), which are not sums of rounding
-/// errors.
+/// Number of groups of lanes that contain the sums before velocity_low (GaussSum). Only the sums from velocity_low on
+/// are sums of rounding errors, which are not always needed.
 inline constexpr int n_groups_without_low = (velocity_low + native_lanes - 1) / native_lanes;
 
 /// Computes s.sums, which contain the increments of q and v in the step. Sets s.tail to the largest Legendre

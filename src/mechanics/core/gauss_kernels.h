@@ -1,6 +1,6 @@
 #pragma once
-/// The iteration of gauss_iteration.h for fields that are evaluated by a virtual function (GaussField), as compiled for
-/// one instruction set.
+/// The iteration of gauss_iteration.h as compiled for one instruction set. `solve` is the function iterate_by_calls
+/// there, for fields that are evaluated by a virtual function (GaussField).
 
 #include <span>
 
@@ -13,7 +13,8 @@ struct GaussKernels {
   void (*solve)(const GaussField& field, GaussStages& stages);
 };
 
-/// One table for each instruction set, the fastest first. A source file that CMake generates defines this function.
+/// Returns one table for each instruction set, the fastest first. A source file that CMake generates
+/// (cmake/Kernels.cmake) defines this function.
 std::span<const KernelBuild<GaussKernels>> builds_of_gauss_kernels();
 
 }  // namespace pseudorigid::mechanics

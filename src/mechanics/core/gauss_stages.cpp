@@ -16,7 +16,7 @@ constexpr gauss::Matrix ahead(gauss::Real r) {
   for (std::size_t i = 0; i < gauss::n_stages; ++i) l[i] = gauss::lagrange(1 + r * gauss::c[i]);
   return l;
 }
-/// The matrix for two successive steps of the same length, which is the most frequent case.
+/// The matrix ahead(r) for two successive steps of the same length, which is the most frequent case.
 constexpr gauss::Matrix equally_ahead = ahead(1);
 
 }  // namespace

@@ -1,8 +1,9 @@
 #pragma once
 /// The stages of one step of Gauss collocation (gauss_16.h) as plain numbers. Kernels that are compiled for several
-/// instruction sets (kernel_builds.h) take these numbers as arguments, so the types do not contain Eigen types.
+/// instruction sets (kernel_builds.h) take these numbers as arguments. The types contain no Eigen types, because their
+/// alignment would depend on the instruction set.
 ///
-/// A quantity has one number for each of the 8 stages. These 8 numbers are the lanes of a vector.
+/// A quantity has one number for each of the 8 stages. The 8 numbers of a quantity are the lanes of a vector.
 
 #include <array>
 #include <cstddef>
@@ -20,10 +21,11 @@ namespace pseudorigid::mechanics {
 /// Legendre coefficients of orders 6 and 7 of the polynomial through the stages.
 enum GaussSum : std::size_t { velocity, position, legendre_6, legendre_7, velocity_low, position_low };
 
-/// One number for each stage.
+/// One number for each stage, aligned to 64 bytes for vector instructions.
 struct alignas(64) OfStages : std::array<double, gauss::n_stages> {};
 
-/// Coefficients of a step of size h. Column j of a matrix contains the coefficients for all stages i and is one vector.
+/// Coefficients of a step of size h, from gauss_coefficients.h. Column j of a matrix contains the coefficients for all
+/// stages i and is one vector.
 struct GaussTables {
   using Columns = std::array<OfStages, gauss::n_stages>;
   Columns a{};                       ///< h a_ij
@@ -35,13 +37,17 @@ struct GaussTables {
   OfStages c_low{};                  ///< rounding errors of `c`
   double h = 0, ratio = 0;           ///< h and r
 
+  /// Sets h, and all coefficients except `guess`.
   void set_step(double step);
+  /// Sets `ratio` and `guess`. r is the size of this step divided by the size of the last step.
   void set_ratio(double r);
 };
 
+/// The problem of one step and its solution. The pointers refer to arrays of the caller.
 struct GaussStages {
   int n = 0;            ///< number of entries of q
   double t = 0, h = 0;  ///< start and size of the step
+  /// Position q and velocity v at the start of the step, n numbers each.
   const double* q = nullptr;
   const double* v = nullptr;
   const GaussTables* tables = nullptr;
@@ -51,8 +57,8 @@ struct GaussStages {
   double tolerance = 0;
   double outer_h = 0;  ///< length of the whole step, of which this step may be a part
 
-  OfStages* a = nullptr;        ///< the stages, which are accelerations
-  OfStages* sums = nullptr;     ///< the sums of GaussSum for each entry
+  OfStages* a = nullptr;        ///< the stages, which are accelerations: n quantities, set by the solution
+  OfStages* sums = nullptr;     ///< the sums of GaussSum for each of the n entries, set by the solution
   OfStages* scratch = nullptr;  ///< memory for n_scratch · n quantities
   static constexpr std::size_t n_scratch = 5;
 
@@ -64,8 +70,8 @@ struct GaussStages {
   double tail = 0, scale = 0;
 };
 
-/// A field that is evaluated at all stages: q[k][i] and v[k][i] are entry k at stage i. `evaluate` returns false if the
-/// field fails.
+/// A field that is evaluated at all stages: q[k][i] and v[k][i] are entry k at stage i. `evaluate` sets a[k][i] to the
+/// acceleration of entry k at stage i, and returns false if the field fails.
 struct GaussField {
   virtual bool evaluate(const GaussStages& stages, const OfStages* q, const OfStages* v, OfStages* a) const = 0;
 
@@ -73,8 +79,8 @@ struct GaussField {
   ~GaussField() = default;
 };
 
-/// Solves for the stages of any field by calls of `field.evaluate`. Sets stages.converged. Throws NoKernels if no build
-/// of the iteration can be chosen (kernel_builds.h).
+/// Solves for the stages of any field by calls of `field.evaluate`. Sets stages.converged to true if the iteration ends
+/// and the field does not fail. Throws NoKernels if no build of the iteration can be chosen (kernel_builds.h).
 void solve_gauss_stages(const GaussField& field, GaussStages& stages);
 
 }  // namespace pseudorigid::mechanics

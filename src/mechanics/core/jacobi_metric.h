@@ -1,6 +1,6 @@
 #pragma once
 /// The Jacobi metric g_h of a conservative system at energy h (Oliva, Geometric Mechanics, 5.2). With the metric g and
-/// the potential U of the system, it is defined on Q_h = {U < h}:
+/// the potential U of the system, the Jacobi metric is defined on Q_h = {U < h}:
 ///
 ///   g_h = 2(h − U) g = e^{2ρ} g                                                                   (5.11)
 ///   ∇̃_X Y = ∇_X Y + dρ(X)Y + dρ(Y)X − ⟨X, Y⟩ grad ρ                                               (5.12)
@@ -15,7 +15,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// The metric g_h as a chart. The ChartField of this chart has the geodesics as its motions.
+/// The metric g_h as a chart. The geodesics of g_h are the motions of the ChartField of this chart. At points with U ≥
+/// h the metric is not positive definite, and the field fails. The chart C must have a potential.
 template <Chart C>
 struct JacobiMetric {
   static constexpr int dimension = C::dimension;
@@ -36,8 +37,9 @@ struct JacobiMetric {
 template <Chart C>
 using CurveWithIntegral = Coordinates<double, C::dimension + 1>;
 
-/// Geodesics of g_h, with the time t of the motion as the last coordinate. The functions fail at points with U ≥ h. A
-/// geodesic that starts with unit speed keeps unit speed. The prime denotes d/ds̃:
+/// Geodesics of g_h, with the time t of the motion as the last coordinate. The functions fail at points with U ≥ h.
+/// `acceleration` also fails if g is not positive definite. A geodesic that starts with unit speed keeps unit speed.
+/// The prime denotes d/ds̃:
 ///   q″ = −Γ(q′, q′) − 2 dρ(q′) q′ + ⟨q′, q′⟩ grad ρ,   t′ = 1/(2(h − U)),   t″ = 2 dU(q′)/(2(h − U))².
 template <Chart C>
 class JacobiGeodesicField {
@@ -64,8 +66,8 @@ class JacobiGeodesicField {
     return {};
   }
 
-  /// Sets the start (x, dx) of the unit-speed geodesic along the motion of energy h through (q, v): q′ = v/(2(h − U))
-  /// (5.18).
+  /// Sets the start (x, dx) of the unit-speed geodesic along the motion through (q, v): q′ = v/(2(h − U)) (5.18). The
+  /// caller ensures that this motion has the energy h.
   Status start(const ChartVector<C>& q, const ChartVector<C>& v, Vector& x, Vector& dx) const {
     const double factor = 2 * (h_ - potential_energy(chart_, q));
     if (Status status = inside(factor); !status) return status;
@@ -87,8 +89,8 @@ class JacobiGeodesicField {
   double h_;
 };
 
-/// The motion, with its Jacobi length s̃ as the last coordinate. ds̃/dt = 2K = 2(h − U) with the kinetic energy K, so
-/// s̃¨ = −2 dU(q̇).
+/// The motion of the chart in the time t, with its Jacobi length s̃ as the last coordinate. With the kinetic energy K,
+/// ds̃/dt = 2K = 2(h − U), so d²s̃/dt² = −2 dU(q̇).
 template <Chart C>
 class JacobiLengthField {
  public:

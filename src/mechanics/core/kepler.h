@@ -1,15 +1,16 @@
 #pragma once
-/// The orbit of two point masses. Let r and v be their relative position and velocity, and g = G(M + m). An orbit has
-/// six elements. The semi-major axis a and the eccentricity e are those of the conic section. The inclination i is the
-/// angle to the plane z = 0, and the longitude Ω of the ascending node is counted from the x axis. The argument ω of
-/// the pericentre is counted from the node, and the mean anomaly from the pericentre. With h = r × v,
+/// The orbit of two point masses. Let r and v be their relative position and velocity, and g = G(M + m) with the
+/// gravitational constant G and the masses M and m. An orbit has six elements. The semi-major axis a and the
+/// eccentricity e are those of the conic section. The inclination i is the angle to the plane z = 0, and the longitude
+/// Ω of the ascending node is counted from the x axis. The argument ω of the pericentre is counted from the node, and
+/// the mean anomaly from the pericentre. With h = r × v,
 ///
 ///   1/a = 2/|r| − |v|²/g,   e = |v × h/g − r̂|,   tan i = |(h_x, h_y)|/h_z,   node along (−h_y, h_x, 0).
 ///
 /// An ellipse has a > 0 and e < 1, the eccentric anomaly E and the true anomaly f. Its mean anomaly is E − e sin E,
 /// with tan(E/2) = √((1 − e)/(1 + e)) tan(f/2). A hyperbola has a < 0 and e > 1, and the mean anomaly e sinh H − H,
-/// with sinh H = r·v/(e √(g|a|)). All angles are in radians. If h is along z to ten digits, the node is the x axis. If
-/// e is 0, the pericentre is at the node.
+/// with sinh H = r·v/(e √(g|a|)). All angles are in radians. If the angle between h and the z axis is below 10⁻¹⁰, the
+/// node is on the x axis. If e is 0, the pericentre is at the node.
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -33,7 +34,8 @@ struct OrbitalMotion {
 
 namespace detail {
 
-/// Solves f(x) = mean for an increasing f, by Newton's method within the bracket [low, high]. `of` returns f and f′.
+/// Solves f(x) = mean for an increasing f, by Newton's method from the guess x. If an iterate leaves the bracket [low,
+/// high], a bisection replaces it. `of` returns f and f′. Returns the last iterate if 200 steps are not enough.
 template <class Function>
 double increasing_root(double mean, double low, double high, double x, const Function& of) {
   constexpr int most_steps = 200;
@@ -50,26 +52,27 @@ double increasing_root(double mean, double low, double high, double x, const Fun
 
 }  // namespace detail
 
-/// The eccentric anomaly E of Kepler's equation E − e sin E = mean, for 0 ≤ e < 1.
+/// Returns the solution E of Kepler's equation E − e sin E = mean, for 0 ≤ e < 1.
 inline double eccentric_anomaly(double mean, double e) {
   const double turns = std::round(mean / (2 * std::numbers::pi)) * (2 * std::numbers::pi), rest = mean - turns;
   return turns + detail::increasing_root(rest, rest - e, rest + e, rest + e * std::sin(rest),
                                          [e](double E) { return std::pair(E - e * std::sin(E), 1 - e * std::cos(E)); });
 }
 
-/// The anomaly H of e sinh H − H = mean, for e > 1.
+/// Returns the solution H of e sinh H − H = mean, for e > 1.
 inline double hyperbolic_anomaly(double mean, double e) {
-  // From (e − 1) sinh H ≤ e sinh H − H, for H ≥ 0.
+  // |H| is at most `bound`, because (e − 1) sinh H ≤ e sinh H − H for H ≥ 0.
   const double bound = std::asinh(std::abs(mean) / (e - 1));
   return detail::increasing_root(mean, -bound, bound, std::copysign(std::asinh(std::abs(mean) / e), mean),
                                  [e](double H) { return std::pair(e * std::sinh(H) - H, e * std::cosh(H) - 1); });
 }
 
-/// The motion with these elements, for g = G(M + m).
+/// Returns the relative position and velocity for the elements `o` and g = G(M + m). They are not finite for a
+/// parabola, which has a = 0.
 inline OrbitalMotion motion_of(const KeplerElements& o, double g) {
   const double e = o.eccentricity, size = std::abs(o.semi_major_axis), rate = std::sqrt(g / size) / size;
   const double minor = std::sqrt(std::abs((1 - e) * (1 + e)));
-  Eigen::Vector2d r, v;  // along the pericentre, and ahead
+  Eigen::Vector2d r, v;  // components along the pericentre, and along the velocity there
   if (o.semi_major_axis > 0) {
     const double E = eccentric_anomaly(o.mean_anomaly, e), c = std::cos(E), s = std::sin(E);
     r = size * Eigen::Vector2d(c - e, minor * s);
@@ -87,8 +90,8 @@ inline OrbitalMotion motion_of(const KeplerElements& o, double g) {
   return {r[0] * to_pericentre + r[1] * ahead, v[0] * to_pericentre + v[1] * ahead};
 }
 
-/// The elements of the motion of r with the velocity v, for g = G(M + m). The angles are between −π and π. A
-/// parabola gets a = 0 and the mean anomaly 0.
+/// Returns the elements of the orbit through r with the velocity v, for g = G(M + m). The angles are between −π and π,
+/// except the mean anomaly of a hyperbola. For a parabola, the result has a = 0 and the mean anomaly 0.
 inline KeplerElements elements_of(const Eigen::Vector3d& r, const Eigen::Vector3d& v, double g) {
   const double d = r.norm(), by_a = 2 / d - v.squaredNorm() / g;
   const Eigen::Vector3d h = r.cross(v), eccentric = v.cross(h) / g - r / d;
@@ -96,7 +99,7 @@ inline KeplerElements elements_of(const Eigen::Vector3d& r, const Eigen::Vector3
   o.semi_major_axis = by_a == 0 ? 0 : 1 / by_a;
   o.eccentricity = eccentric.norm();
   o.inclination = std::atan2(std::hypot(h[0], h[1]), h[2]);
-  // Round-off gives an orbit in the plane z = 0 a node in any direction.
+  // An orbit in the plane z = 0 has no node. Without this bound, round-off would determine the direction of the node.
   constexpr double least_inclination = 1e-10;
   const bool has_node = std::hypot(h[0], h[1]) > least_inclination * h.norm();
   const Eigen::Vector3d node = has_node ? Eigen::Vector3d(-h[1], h[0], 0).normalized() : Eigen::Vector3d::UnitX();

@@ -4,8 +4,8 @@
 ///
 ///   G_n(X) = Xⁿ c_n(βX²),   c_n(z) = 1/n! − z/(n + 2)! + z²/(n + 4)! − …,
 ///
-/// the time is h = r G₁ + η G₂ + k G₃. It increases with X by the rate r(X) = r + η G₁ + (k − βr) G₂, which is the
-/// distance at the end. The increments of the motion are
+/// the time is h = r G₁ + η G₂ + k G₃. The derivative of the time with respect to X is r(X) = r + η G₁ + (k − βr) G₂,
+/// the distance |s| at the end. The increments of the motion are
 ///
 ///   Δs = −(k G₂/r) s + (h − k G₃) ṡ,   Δṡ = −(k G₁/(r r(X))) s − (k G₂/r(X)) ṡ.
 
@@ -14,13 +14,13 @@
 
 namespace pseudorigid::mechanics {
 
-/// G₁, G₂ and G₃. The series is for small arguments, and the formulas for double arguments lead to X:
-/// G₃(2X) = 2(G₃ + G₁G₂), G₂(2X) = 2G₁², G₁(2X) = 2G₀G₁, with G₀ = 1 − βG₂.
+/// The functions G₁, G₂ and G₃ at X. X is halved until the series converges fast. Formulas for the double argument then
+/// give the values at X: G₃(2X) = 2(G₃ + G₁G₂), G₂(2X) = 2G₁², G₁(2X) = 2G₀G₁, with G₀ = 1 − βG₂.
 struct UniversalFunctions {
   double G1, G2, G3;
 
   UniversalFunctions(double beta, double X) {
-    constexpr double small = 0.1;  // eight terms of the series then have an error below round-off
+    constexpr double small = 0.1;  // largest |βX²| for the series; eight terms then have an error below round-off
     constexpr int n_terms = 8, most_halvings = 60;
     int n_halvings = 0;
     for (; std::abs(beta) * X * X > small && n_halvings < most_halvings; ++n_halvings) X /= 2;
@@ -46,7 +46,7 @@ struct KeplerIncrements {
   Eigen::Vector3d s, sdot;
 };
 
-/// Δs and Δṡ after the time h. They are not finite if s is 0 or if the numbers are not finite.
+/// Returns Δs and Δṡ after the time h. They are not finite if s = 0 or an argument is not finite.
 inline KeplerIncrements kepler_increments(double k, const Eigen::Vector3d& s, const Eigen::Vector3d& sdot, double h) {
   constexpr int most_iterations = 200;
   const double r = s.norm(), eta = s.dot(sdot), beta = 2 * k / r - sdot.squaredNorm();

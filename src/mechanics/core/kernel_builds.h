@@ -1,7 +1,7 @@
 #pragma once
 /// Kernels that are compiled several times, for different instruction sets of the processor (cmake/Kernels.cmake). A
-/// build of the kernels is a table of functions. Each process chooses one build. The choice is the first build that the
-/// processor can run, or the build named by the environment variable PSEUDORIGID_INSTRUCTIONS.
+/// build of the kernels is a table of functions. Each process uses the first build that its processor can run. The
+/// environment variable PSEUDORIGID_INSTRUCTIONS can name another build.
 
 #include <cstddef>
 #include <span>
@@ -30,15 +30,16 @@ struct KernelChoice {
   bool runs_here;
 };
 
-/// Returns the index of the first build that runs on this processor. If `wanted` is not empty, returns the index of the
-/// build with this name. Throws NoKernels if no build has this name, or if this processor cannot run the required
-/// build.
+/// Returns the index of the build with the name `wanted`. If `wanted` is empty, returns the index of the first build
+/// that this processor can run. Throws NoKernels if no build has the name, or if this processor cannot run it. If
+/// `wanted` is empty, throws NoKernels if this processor can run no build.
 std::size_t choose_build(const std::vector<KernelChoice>& builds, std::string_view wanted);
 
 /// Returns the value of the environment variable PSEUDORIGID_INSTRUCTIONS, or an empty text if the variable is not set.
 std::string_view wanted_instructions();
 
-/// Returns the build that this process uses. Throws NoKernels if no build can be chosen.
+/// Returns the build that this process uses. Throws NoKernels if the processor cannot run any build, or cannot run the
+/// build that the environment variable names.
 template <class Table>
 const KernelBuild<Table>& choose_build(std::span<const KernelBuild<Table>> builds) {
   std::vector<KernelChoice> choices;

@@ -31,7 +31,7 @@ inline namespace PSEUDORIGID_LANES_OF {
 /// Number of lanes of the widest vector that this translation unit may use.
 inline constexpr int native_lanes = PSEUDORIGID_NATIVE_LANES;
 
-/// The smaller of two numbers. A NaN counts as smaller than any number.
+/// Returns the smaller of two numbers. A NaN counts as smaller than any number.
 inline double lesser(double a, double b) { return a < b || a != a ? a : b; }
 
 namespace lanes_detail {
@@ -88,8 +88,8 @@ struct Lanes {
   Lanes(Native native) : v(native) {}
   Lanes(double s) : v(Native{} + s) {}
 
-  /// Returns the vector with value(l) in lane l. The vector is built in registers. Setting single lanes would need
-  /// accesses to memory.
+  /// Returns the vector with value(l) in lane l. The vector is built in registers, because setting single lanes would
+  /// need accesses to memory.
   template <class Value>
   [[gnu::always_inline]] static Lanes of(const Value& value) {
     return lanes_detail::collect<n_lanes>(value);
@@ -115,7 +115,8 @@ struct Lanes {
   /// The smaller number in each lane. A NaN counts as smaller than any number.
   friend Lanes min(Lanes a, Lanes b) { return (a.v < b.v) | (a.v != a.v) ? a.v : b.v; }
 
-  /// Natural logarithm of positive finite numbers, with an error of about one unit in the last place:
+  /// Natural logarithm of positive normal numbers, with an error of about one unit in the last place. The logarithm of
+  /// any other number is wrong:
   ///   x = 2^e m, m in [√½, √2), z = (m−1)/(m+1), ln x = e ln 2 + 2(z + z³/3 + z⁵/5 + …).
   friend Lanes log(Lanes x) {
     NativeBits bits;
@@ -133,15 +134,17 @@ struct Lanes {
     return (2 * z + 2 * z * z2 * series) + e * 0.69314718055994530942;
   }
 
-  /// ln(1 + x) for x > −1, without cancellation for small x. A first-order term corrects the rounding error of 1 + x.
+  /// ln(1 + x) for x > −1, without cancellation for small x. The last term corrects the rounding error of u = 1 + x to
+  /// first order.
   friend Lanes log1p(Lanes x) {
     const Native u = 1.0 + x.v;
     return log(Lanes(u)).v - ((u - 1.0) - x.v) / u;
   }
 
-  /// 1/√x with an error of about one unit in the last place, for positive x in the range of single precision. The
-  /// computation starts from a guess y with 11 or more correct bits. With e = 1 − xy² the result is y (1 + e/2 + 3e²/8
-  /// + 5e³/16 + 35e⁴/128). The instructions for square root and division take several times as long.
+  /// 1/√x with an error of about one unit in the last place, for positive x in the range of single precision. Other x
+  /// may give wrong numbers. The computation starts from a guess y with 11 or more correct bits. With e = 1 − xy² the
+  /// result is y (1 + e/2 + 3e²/8 + 5e³/16 + 35e⁴/128). The instructions for square root and division take several
+  /// times as long.
   friend Lanes inverse_sqrt(Lanes x) {
     const Native y = inverse_sqrt_guess(x.v), e = 1.0 - x.v * y * y;
     return y + y * e * (0.5 + e * (0.375 + e * (0.3125 + e * 0.2734375)));
@@ -188,6 +191,7 @@ struct Lanes {
     }
   }
 
+  /// Returns 1/√x with 11 or more correct bits.
   static Native inverse_sqrt_guess(Native x) {
 #if defined(__AVX512F__)
     // The mask has all lanes. Without a mask gcc 12 warns that the function reads an undefined vector.
@@ -202,11 +206,13 @@ struct Lanes {
     return Lanes::of([&](int lane) { return 1 / std::sqrt(x[lane]); }).v;
   }
 
+  /// Returns the least number in the first n_active lanes, or NaN if one of them is NaN.
   double least(int n_active) const {
     double m = std::numeric_limits<double>::infinity();
     for (int l = 0; l < n_active; ++l) m = lesser(v[l], m);
     return m;
   }
+  /// Returns the sum of the first n_active lanes.
   double sum(int n_active) const {
     double s = 0;
     for (int l = 0; l < n_active; ++l) s += v[l];

@@ -18,7 +18,8 @@ struct SineCosine {
   Lanes<native_lanes> sine, cosine;
 };
 
-/// True if |x| ≤ bound in all lanes. A loop over the lanes would take longer than a sine.
+/// Returns true if |x| ≤ bound in all lanes, and false if a lane is NaN. The intrinsics are used because a loop over
+/// the lanes would take longer than a sine.
 [[gnu::always_inline]] inline bool all_within(Lanes<native_lanes> x, double bound) {
 #if defined(__AVX512F__)
   return _mm512_cmp_pd_mask(_mm512_abs_pd(x.v), _mm512_set1_pd(bound), _CMP_LE_OQ) == 0xff;
@@ -32,9 +33,11 @@ struct SineCosine {
 #endif
 }
 
+/// Largest |x| of the reduction. The integer k then has at most 20 bits, so its products with the parts of π/2 are
+/// exact.
 inline constexpr double most_of_moderate = 0x1p20;
 
-/// Sine and cosine, if |x| ≤ most_of_moderate in all lanes. Lanes with larger |x| have wrong results.
+/// Returns the sine and the cosine in the lanes with |x| ≤ most_of_moderate. Lanes with larger |x| have wrong results.
 [[gnu::always_inline]] inline SineCosine sine_cosine_of_moderate(Lanes<native_lanes> x) {
   using Vector = Lanes<native_lanes>;
   using Native = Vector::Native;

@@ -5,7 +5,7 @@
 ///
 ///   U = −Σ_i G m_i [M/|r_i| + (3 r̂_iᵀS r̂_i − tr S)/(2|r_i|³)] − Σ_{i<j} G m_i m_j/|r_i − r_j|.
 ///
-/// On the body it acts as the quadratic potential ½(x − x_c)ᵀT(x − x_c) per mass,
+/// The companions act on the body by the quadratic potential ½(x − x_c)ᵀT(x − x_c) per mass,
 ///
 ///   T = Σ_i (G m_i/|r_i|³)(Id − 3 r̂_i r̂_iᵀ).
 ///
@@ -14,10 +14,10 @@
 ///
 ///   r_i = R_i + Σ_{k<i} (m_k/M_k) R_k,   kinetic energy ½ Σ μ_k |Ṙ_k|²,   μ_k = m_k M_{k−1}/M_k.
 ///
-/// The coordinates of the systems are s_k = √μ_k R_k, with unit mass. Without the size of the body and the interaction
-/// of companions, each moves as s̈_k = −k_k s_k/|s_k|³ with k_k = G M_k μ_k^{3/2}, on a conic (kepler_motion.h). Uniform
-/// accelerations act on the common centre of mass alone. In a model with companions, the centre of mass of the model is
-/// therefore the common one, and the body is at the origin of the r_i.
+/// Models use the coordinates s_k = √μ_k R_k, which have unit mass. If the body were a point and companions did not
+/// interact, each s_k would move on a conic (kepler_motion.h). Its equation would be s̈_k = −k_k s_k/|s_k|³ with k_k =
+/// G M_k μ_k^{3/2}. Uniform accelerations act on the common centre of mass alone. In a model with companions, the
+/// centre of mass in the state is therefore the common one.
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -37,8 +37,10 @@ namespace pseudorigid::mechanics {
 struct Companion {
   double mass = 0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< r_i at the start
-  std::optional<Eigen::Vector3d> velocity{};           ///< ṙ_i at the start; empty: a circular orbit about the z axis
-  /// The elements of R_i at the start, for the gravity G M_i. They replace the position and the velocity.
+  std::optional<Eigen::Vector3d> velocity{};  ///< ṙ_i at the start. If empty, Ṙ_i is horizontal with the speed
+                                              ///< of a circular orbit, in the direction of ẑ × R_i.
+  /// The elements of the orbit of R_i at the start, for g = G M_i (kepler.h). If they are given, `position` and
+  /// `velocity` are not used.
   std::optional<KeplerElements> elements{};
 
   bool operator==(const Companion& other) const {
@@ -56,10 +58,11 @@ struct Companions : std::vector<Companion> {
   }
 };
 
+/// The companions of one body: their initial states, their energy and their forces.
 class Orbit {
  public:
   static constexpr int most_companions = 2;
-  /// A column for each companion: s, or r, or their rates.
+  /// A column for each companion: s_k, r_i, a rate of these, or a force.
   using Columns = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, most_companions>;
 
   Orbit() = default;
@@ -69,7 +72,7 @@ class Orbit {
     sdot_.resize(3, n_);
     Columns R(3, n_), Rdot(3, n_);
     double inner = mass;                                                                          // M_{k−1}
-    Eigen::Vector3d center = Eigen::Vector3d::Zero(), center_velocity = Eigen::Vector3d::Zero();  // of this mass
+    Eigen::Vector3d center = Eigen::Vector3d::Zero(), center_velocity = Eigen::Vector3d::Zero();  // of the mass M_{k−1}
     for (int k = 0; k < n_; ++k) {
       const Companion& companion = companions[static_cast<std::size_t>(k)];
       const double whole = inner + companion.mass, reduced = std::sqrt(companion.mass * (inner / whole));
@@ -96,22 +99,24 @@ class Orbit {
   int n() const { return n_; }
   double body_mass() const { return mass_; }
   double gravity_constant() const { return G_; }
-  /// The coordinates s_k and their rates at the start.
+  /// The coordinates s_k at the start. `velocity` has their rates.
   const Columns& position() const { return s_; }
   const Columns& velocity() const { return sdot_; }
-  /// G(M + m_1), of the relative motion of the first companion.
+  /// G(M + m_1), which determines the orbit of the first companion about the body. There must be a companion.
   double gravity_of_pair() const { return G_ * (mass_ + masses_[0]); }
   double first_mass() const { return masses_[0]; }
-  /// The radius of a ball with the mass of the body and the density 1, the unit of density inside the program.
+  /// The radius of a ball with the mass of the body and the density 1, which is the internal unit of density.
   double radius_of_ball() const { return std::cbrt(3 * mass_ / (4 * std::numbers::pi)); }
 
-  /// The positions r_i for the coordinates s_k, or the velocities for their rates.
+  /// Returns the positions r_i for the coordinates s_k. The map is linear, so the function also returns the velocities
+  /// ṙ_i for the rates ṡ_k.
   Columns relative(const Columns& s) const {
     Columns r = Columns::Zero(3, n_);
     for (int i = 0; i < n_; ++i)
       for (int k = 0; k <= i; ++k) r.col(i) += weights_[k][i] * s.col(k);
     return r;
   }
+  /// Returns the matrix T of the potential per mass.
   Eigen::Matrix3d tide(const Columns& s) const {
     const Columns r = relative(s);
     Eigen::Matrix3d T = Eigen::Matrix3d::Zero();
@@ -122,7 +127,7 @@ class Orbit {
     }
     return T;
   }
-  /// U, for the second moment S.
+  /// Returns the energy U, for the second moment S of the body and the coordinates s.
   double energy(const Eigen::Matrix3d& S, const Columns& s) const {
     const Columns r = relative(s);
     double sum = 0;
@@ -134,7 +139,7 @@ class Orbit {
     }
     return sum;
   }
-  /// −∂U/∂s_k
+  /// Returns the forces −∂U/∂s_k.
   Columns force(const Eigen::Matrix3d& S, const Columns& s) const {
     const Columns r = relative(s);
     Columns on_r = Columns::Zero(3, n_);  // −∂U/∂r_i
@@ -153,10 +158,10 @@ class Orbit {
       for (int i = k; i < n_; ++i) f.col(k) += weights_[k][i] * on_r.col(i);
     return f;
   }
-  /// The motion of the companions from s to the time h later, for the velocity sdot after the half step of a symplectic
-  /// method. The method leaves out the drift of s. The drift of Kepler's motion replaces it, and takes back the two
-  /// half steps by Kepler's force. The step is then exact for a Kepler orbit (Wisdom and Holman, Astron. J. 102 (1991)
-  /// 1528).
+  /// Moves s along Kepler's orbits for the time h. A symplectic method calls this function in place of the drift s ← s
+  /// + hṡ, after the half step of the velocity. The half steps of the method use the whole force. The function
+  /// therefore subtracts Kepler's force of both half steps from sdot. The step is then exact for a Kepler orbit (Wisdom
+  /// and Holman, Astron. J. 102 (1991) 1528).
   void drift(double h, Columns& s, Columns& sdot) const {
     for (int k = 0; k < n_; ++k) {
       const auto half_kick = [&](const Eigen::Vector3d& at) {
@@ -169,19 +174,19 @@ class Orbit {
       sdot.col(k) += half_kick(start) + moved.sdot + half_kick(s.col(k));
     }
   }
-  /// The largest semi-axis of the ellipsoid with the second moment S.
+  /// Returns the largest semi-axis of the homogeneous ellipsoid with the mass of the body and the second moment S.
   double largest_semi_axis(const Eigen::Matrix3d& S) const {
     return std::sqrt(5 * S.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff() / mass_);
   }
-  /// The least of the Hill radii |r_i| (M/(3 m_i))^⅓.
+  /// Returns the least of the Hill radii |r_i| (M/(3 m_i))^⅓ of the body, or infinity without companions.
   double hill_radius(const Columns& s) const {
     const Columns r = relative(s);
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < n_; ++i) least = std::min(least, r.col(i).norm() * std::cbrt(mass_ / (3 * masses_[i])));
     return least;
   }
-  /// The least distance of a companion from the centre of the body, or of two companions from each other. All move on
-  /// straight lines from the coordinates s0 to s1.
+  /// Returns the least distance of a companion from the centre of the body, or of two companions from each other. The
+  /// companions move on straight lines from the coordinates s0 to s1. Without companions the result is infinite.
   double least_distance(const Columns& s0, const Columns& s1) const {
     const Columns r0 = relative(s0), r1 = relative(s1);
     double least = std::numeric_limits<double>::infinity();
@@ -192,19 +197,21 @@ class Orbit {
     }
     return least;
   }
-  /// A motion of the companions as of point masses.
+  /// The coordinates s_k and their rates at one time.
   struct Motion {
     Columns s, sdot;
   };
-  /// The motion of point masses at the time `before` before their closest approach, or at the start if this is later.
-  /// The closest approach is searched until the time `end`. It must be nearer than the start by a tenth. Otherwise the
-  /// result is the motion at the start. A single companion in a bound orbit repeats its motion, so the search ends
-  /// after one period. Changes of the pericentre by tides are not known before the run in any case. The search also
-  /// ends if a companion is within the radius of the ball, because the run then ends with a collision.
+  /// Integrates the orbits as those of point masses until the time `end`, and finds the closest approach. Returns the
+  /// coordinates and rates at the last step that is at least the time `before` ahead of the closest approach. The
+  /// result is the start if there is no such step. The result is also the start if the least distance is more than 0.9
+  /// times the distance at the start. A single companion in a bound orbit repeats its motion, so the search ends after
+  /// one period. Changes of the pericentre by tides are not known before the run. The search also ends if a companion
+  /// is within the radius of the ball, because the run then ends with a collision. It also ends after 100,000 steps,
+  /// which bounds its time.
   Motion near_closest_approach(double end, double before) const {
     if (const auto period = kepler_period()) end = std::min(end, *period);
     constexpr int most_steps = 100'000;
-    constexpr double part = 0.02, nearer = 0.9;  // of the time in which a companion falls or passes
+    constexpr double part = 0.02, nearer = 0.9;  // step per time of fall or passage; ratio of distances
     std::vector<std::pair<double, Motion>> path{{0.0, {s_, sdot_}}};
     double t = 0, closest_time = 0, closest = nearer * least_distance(s_, s_);
     const double radius = radius_of_ball();
@@ -224,13 +231,14 @@ class Orbit {
       if (time <= closest_time - before) found = motion;
     return found;
   }
-  /// The angular momentum Σ μ_k R_k × Ṙ_k.
+  /// Returns the angular momentum of the orbits, Σ μ_k R_k × Ṙ_k. The angular momentum of the body about its centre is
+  /// not included.
   static Eigen::Vector3d momentum(const Columns& s, const Columns& sdot) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (Eigen::Index k = 0; k < s.cols(); ++k) sum += cross(s.col(k), sdot.col(k));
     return sum;
   }
-  /// The torque of all companions on the body about its centre, −∫ρ x × T x with x relative to x_c.
+  /// Returns the torque of all companions on the body about x_c, −∫ρ y × T y with y = x − x_c.
   Eigen::Vector3d torque(const Eigen::Matrix3d& S, const Columns& s) const {
     const Columns r = relative(s);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -246,6 +254,7 @@ class Orbit {
   static Eigen::Vector3d cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
+  /// Returns the distance between the origin and the segment from a to b.
   static double distance_from_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     const Eigen::Vector3d along = b - a;
     const double square = along.squaredNorm(), x = square > 0 ? std::clamp(-a.dot(along) / square, 0.0, 1.0) : 0;
@@ -256,7 +265,8 @@ class Orbit {
     for (int i = 0; i < n_; ++i) sum += masses_[i];
     return sum;
   }
-  /// The period of a single companion in a bound orbit about the body; empty if the orbit is not of this kind.
+  /// Returns the period of a single companion in a bound orbit about the body. The result is empty if there is another
+  /// number of companions or if the orbit is not bound.
   std::optional<double> kepler_period() const {
     if (n_ != 1) return std::nullopt;
     const double g = gravity_of_pair();
@@ -264,18 +274,21 @@ class Orbit {
     if (!(by_a > 0)) return std::nullopt;
     return 2 * std::numbers::pi / std::sqrt(g * by_a * by_a * by_a);
   }
-  /// A step of the classical method of Runge and Kutta.
+  /// Returns the motion of point masses after a step of size h by the classical method of Runge and Kutta. The body
+  /// counts as a point mass, so S is zero.
   Motion as_point_masses(const Motion& m, double h) const {
     const auto a = [this](const Columns& s) { return force(Eigen::Matrix3d::Zero(), s); };
     const Columns k1 = a(m.s), k2 = a(m.s + h / 2 * m.sdot), k3 = a(m.s + h / 2 * m.sdot + h * h / 4 * k1),
                   k4 = a(m.s + h * m.sdot + h * h / 2 * k2);
     return {m.s + h * m.sdot + h * h / 6 * (k1 + k2 + k3), m.sdot + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)};
   }
+  /// Returns the horizontal velocity of a circular orbit through R, in the direction of ẑ × R. R must not be on the z
+  /// axis.
   static Eigen::Vector3d circular_velocity(const Eigen::Vector3d& R, double gravity) {
     const Eigen::Vector3d along(-R[1], R[0], 0);
     return std::sqrt(gravity / R.norm()) / along.norm() * along;
   }
-  /// The attraction of companion i by the body.
+  /// Returns the force of the body on companion i at r = r_i.
   Eigen::Vector3d attraction(int i, const Eigen::Matrix3d& S, const Eigen::Vector3d& r) const {
     const double d = r.norm();
     const Eigen::Vector3d u = r / d, Su = S * u;

@@ -1,14 +1,15 @@
 #pragma once
-/// The orthogonal complement of the orbit of the symmetries. The energy-momentum method needs the change ΔX of the
-/// state in a step without the components along the tangent space of the orbit at X = (q, v). With the fields ξ_i and
-/// ξ̇_i of conservative_system.h, this tangent space and the inner product are
+/// The orthogonal complement of the orbit of the symmetries. The orbit is the set of all states that the symmetries
+/// make from a state X = (q, v). The energy-momentum method removes the components along the tangent space of the orbit
+/// from the change ΔX in a step. With the fields ξ_i and ξ̇_i of conservative_system.h, this tangent space and the
+/// inner product are
 ///
 ///   span{(ξ_i(q), ξ̇_i(v))},   ⟨(a, α), (b, β)⟩ = a·b + α·β   (time in the system's unit).
 ///
 /// The components are computed by Gram–Schmidt with reorthogonalisation ("twice is enough": Giraud, Langou, Rozložník,
-/// Comput. Math. Appl. 50 (2005) 1069). The dimension of an orbit may be less than the number of symmetries, for
-/// example if axes coincide or a point is on its axis of rotation. Tangent vectors that depend linearly on earlier ones
-/// are then omitted.
+/// Comput. Math. Appl. 50 (2005) 1069). The dimension of an orbit may be less than the number of symmetries. Examples
+/// are symmetries with coinciding axes, and a point on its axis of rotation. Tangent vectors that depend linearly on
+/// earlier ones are then omitted.
 
 #include <cmath>
 #include <cstddef>
@@ -40,9 +41,9 @@ class OrbitComplement {
     }
   }
 
-  /// (a, α) ← (a, α) without its components along the orbit. Returns the length of the remainder, or 0 if the remainder
-  /// is at most `dependent` times the original length. The loop repeats as long as cancellation removes more than half
-  /// of the length. A NaN ends the loop.
+  /// Removes the components along the orbit from (a, α). Returns the length of the remainder, or 0 if the remainder is
+  /// at most `dependent` times the original length. The loop repeats as long as cancellation removes more than half of
+  /// the length. A NaN ends the loop.
   double project(Vector& a, Vector& alpha) const {
     const double length = norm(a, alpha);
     double before = length, left = length;

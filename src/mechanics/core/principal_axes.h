@@ -11,13 +11,13 @@
 ///   q = |det B|/(2p³),   λ = ±2p cos(⅓ arccos q),
 ///
 /// λ has the sign of det B and is the eigenvalue of B farthest from the other two. Its eigenvector is a column of the
-/// matrix adj(B − λ Id). A plane rotation diagonalizes B on the orthogonal complement of this vector. Second, one
-/// Cayley rotation removes all remaining small angles
+/// matrix adj(B − λ Id). B is then diagonalized on the orthogonal complement of this vector by a plane rotation.
+/// Second, one Cayley rotation removes all remaining small angles
 ///
 ///   θ_ij = A_i·A_j/(|A_j|² − |A_i|²),
 ///
 /// and leaves angles of order θ². Usually one such rotation is enough. Third, single plane rotations are made only if
-/// an angle is not small. This occurs for nearly equal axes.
+/// an angle is not small. Large angles occur if axes are nearly equal.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -37,7 +37,8 @@ struct PrincipalAxes {
 namespace detail::axes {
 
 /// Returns the product MN, computed entry by entry. Eigen would load pairs of doubles right after they were stored
-/// singly. The processor waits for such loads. The waiting takes a quarter of the time of principal_axes.
+/// singly, and the processor waits for such loads. In a measurement the waiting was a quarter of the time of
+/// principal_axes.
 inline Eigen::Matrix3d product(const Eigen::Matrix3d& M, const Eigen::Matrix3d& N) {
   Eigen::Matrix3d P;
   for (int j = 0; j < 3; ++j)
@@ -59,14 +60,14 @@ struct Symmetric {
   }
 };
 
-/// Gram matrix of the columns of W.
+/// Returns the Gram matrix WᵀW of the columns of W.
 inline Symmetric gram(const Eigen::Matrix3d& W) {
   const auto dot = [&W](int i, int j) { return W(0, i) * W(0, j) + W(1, i) * W(1, j) + W(2, i) * W(2, j); };
   return {{dot(0, 0), dot(1, 1), dot(2, 2)}, {dot(1, 2), dot(2, 0), dot(0, 1)}};
 }
 
-/// True if the cosines of the angles between the columns are at most `bound` in absolute value, or NaN. G is the Gram
-/// matrix of the columns.
+/// Returns true if the cosines of the angles between the columns are at most `bound` in absolute value, or NaN. G is
+/// the Gram matrix of the columns.
 inline bool orthogonal(const Symmetric& G, double bound) {
   const Eigen::Vector3d &square = G.diagonal, &product = G.opposite;
   const auto below = [&](int i, int j, int k) {
@@ -75,6 +76,7 @@ inline bool orthogonal(const Symmetric& G, double bound) {
   return below(0, 1, 2) && below(1, 2, 0) && below(2, 0, 1);
 }
 
+/// The rotation (u, v) ← (cosine · u − sine · v, sine · u + cosine · v) of two columns.
 struct PlaneRotation {
   double cosine, sine;
   void apply(Eigen::Vector3d& u, Eigen::Vector3d& v) const {
@@ -103,8 +105,8 @@ inline double cosine_of_third(double q) {
   return c - 2 * f * slope / (2 * slope * slope - f * curvature);
 }
 
-/// Returns the eigenvectors of C in closed form. Their directions have an error of about 1e-8, and they are orthonormal
-/// to round-off.
+/// Returns the eigenvectors of C in closed form. The eigenvectors are the columns of the result. They are orthonormal
+/// to round-off, and their directions have errors of about 1e-8.
 inline Eigen::Matrix3d eigenvectors(const Symmetric& C) {
   const double mean = (C.diagonal[0] + C.diagonal[1] + C.diagonal[2]) / 3;
   const Symmetric B{{C.diagonal[0] - mean, C.diagonal[1] - mean, C.diagonal[2] - mean}, C.opposite};
@@ -147,7 +149,7 @@ inline Eigen::Matrix3d cayley(const Eigen::Vector3d& theta) {
 }
 
 /// Makes one sweep of plane rotations of the columns of W, and applies the same rotations to the columns of U. A pair
-/// of columns of W is skipped if the cosine of its angle is at most `tolerance`.
+/// of columns of W is skipped if the absolute cosine of its angle is at most `tolerance`.
 inline void sweep(Eigen::Matrix3d& W, Eigen::Matrix3d& U, double tolerance) {
   for (const auto& [i, j] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
     Eigen::Vector3d u = W.col(i), v = W.col(j), u_of_U = U.col(i), v_of_U = U.col(j);
@@ -163,7 +165,8 @@ inline void sweep(Eigen::Matrix3d& W, Eigen::Matrix3d& U, double tolerance) {
 }  // namespace detail::axes
 
 /// Returns the principal axes of F. The nonzero entries must be between 10⁻²⁰ and 10²⁰ in size, because the method uses
-/// their eighth powers. If F is not finite, at least one length in `a` is not finite.
+/// their eighth powers. If F is not finite, at least one length in `a` is not finite. If 20 turns are not enough, the
+/// result is that of the last turn.
 inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
   constexpr double round_off = 2 * std::numeric_limits<double>::epsilon(), its_root = 1e-8, small = 0.1;
   constexpr int max_turns = 20;

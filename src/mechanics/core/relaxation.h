@@ -3,8 +3,8 @@
 ///
 ///   M q̈ = f(t, q, q̇, z) + G(q)ᵀλ,   g(q) = 0,   ż = R(q, z).
 ///
-/// The vector of the position contains z as further entries, which have no mass and no velocity. The system knows the
-/// exact flow of z for a constant strain, and a method composes this flow with steps for constant z (Strang's
+/// The vector of the position contains z as further entries, which have no mass and no velocity. The system computes
+/// the exact flow of z for a constant strain. A method composes this flow with steps for constant z (Strang's
 /// splitting; rattle.h). The flow dissipates energy.
 
 #include <concepts>
@@ -16,11 +16,11 @@ namespace pseudorigid::mechanics {
 template <class S>
 concept Relaxing = ConstrainedSystem<S> &&
     requires(const S s, double h, const typename S::Vector before, typename S::Vector q, typename S::Vector v) {
-  { s.relaxes() } -> std::same_as<bool>;  // false if the system has no internal variables
+  { s.relaxes() } -> std::same_as<bool>;  // false if this system has no variables z
   /// Replaces z in q by its value after the time h, for the mean strain of the positions `before` and q. Returns the
-  /// dissipated energy, as an argument of `add_taken`.
+  /// dissipated energy, which the method passes to `add_taken`.
   { s.relax(h, before, q) } -> std::same_as<double>;
-  s.add_taken(0.0, v);  // (energy, v): adds to the dissipated energy, which v contains
+  s.add_taken(0.0, v);  // (energy, v): adds `energy` to the entry of v that is the dissipated energy
 };
 
 template <class S>
@@ -29,7 +29,8 @@ bool relaxes(const S& system) {
   return false;
 }
 
-/// The reason why a method other than RATTLE refuses a system with internal variables.
+/// Returns the failure of all methods other than RATTLE for a system with internal variables. Only RATTLE includes the
+/// flow of z in its steps.
 inline Status refuses_relaxation() {
   return Status::failure("the internal strains of viscoelastic branches are integrated by rattle; use rattle");
 }

@@ -13,11 +13,12 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// x_i ← x_i + a_i · unit · size_i with pseudo-random a_i in (−2, 2). `pattern` 1, 2, … selects the random numbers.
+/// Adds a_i · unit · size_i to each x_i, with pseudo-random a_i in (−2, 2). `pattern` 1, 2, … is the seed of the random
+/// numbers, so the changes are reproducible.
 template <class Vector>
 void perturb(double unit, Vector size, int pattern, Vector& x) {
   scale(4 * unit, size);
-  std::minstd_rand random(static_cast<unsigned>(pattern) * 7654321U);  // similar seeds would give similar numbers
+  std::minstd_rand random(static_cast<unsigned>(pattern) * 7654321U);  // similar seeds give similar numbers
   constexpr double range = std::minstd_rand::max();
   const auto units = local_values(size), entries = local_values(x);
   for (std::size_t i = 0; i < entries.size(); ++i)
@@ -41,10 +42,12 @@ double largest_change(const S& system, Evaluate&& evaluate) {
   return largest;
 }
 
+/// Relative size of the last place: `last_place` for a double, and `last_place_kept` for a sum q + q_rounding. This sum
+/// has the precision of a long double.
 inline constexpr double last_place = std::numeric_limits<double>::epsilon();
 inline constexpr auto last_place_kept = static_cast<double>(std::numeric_limits<long double>::epsilon());
 
-/// Measured round-off of G(q) v.
+/// Returns the noise of G(q) v if q and v change in their last places.
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_rate(const S& system, const typename S::Vector& q,
                                                   const typename S::Vector& v) {
@@ -59,7 +62,7 @@ template <ConstrainedSystem S>
   });
 }
 
-/// Measured round-off of g(q).
+/// Returns the noise of g(q) if q changes in its last place.
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_constraint(const S& system, const typename S::Vector& q) {
   return largest_change(system, [&](int pattern, auto& r) {
@@ -69,7 +72,8 @@ template <ConstrainedSystem S>
   });
 }
 
-/// Measured round-off of g(q + q_rounding), which the system computes with the precision of long double.
+/// Returns the noise of g(q + q_rounding) if q_rounding changes by the last place of the sum q + q_rounding. The system
+/// computes this constraint with the precision of long double.
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_constraint(const S& system, const typename S::Vector& q,
                                                         const typename S::Vector& q_rounding) {

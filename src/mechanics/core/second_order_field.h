@@ -43,7 +43,7 @@ bool velocity_dependent(const S& system) {  // true if the force depends on v
   return false;
 }
 template <class S>
-bool dissipative(const S& system) {  // true if a force dissipates energy; time must then not run backwards
+bool dissipative(const S& system) {  // true if a force dissipates energy, so that no substep may go backwards in time
   if constexpr (requires { system.dissipative(); }) return system.dissipative();
   return false;
 }

@@ -15,8 +15,8 @@ namespace pseudorigid::mechanics {
 template <int n>
 class SmallCholesky {
  public:
-  /// Reads the lower half of `g`. If g is not positive definite, `regular` returns false, and `solve` must not be
-  /// called.
+  /// Reads the lower half of `g`. If g is not positive definite up to round-off, `regular` returns false, and results
+  /// of `solve` are not valid.
   explicit SmallCholesky(const Eigen::Matrix<double, n, n>& g) : L_(g) {
     double least = HUGE_VAL, greatest = 0;
     for (int j = 0; j < n; ++j) {
@@ -34,9 +34,10 @@ class SmallCholesky {
     regular_ = least > std::numeric_limits<double>::epsilon() * greatest;
   }
 
-  /// True if all d_j are positive and the least d_j is larger than ε times the greatest, with the round-off ε.
+  /// Returns true if all d_j are positive and the least d_j is larger than ε times the greatest, with the round-off ε.
   bool regular() const { return regular_; }
 
+  /// Returns g⁻¹x. The matrix must be regular.
   Eigen::Matrix<double, n, 1> solve(Eigen::Matrix<double, n, 1> x) const {
     for (int j = 0; j < n; ++j) {
       for (int k = 0; k < j; ++k) x[j] -= L_(j, k) * x[k];

@@ -8,7 +8,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// A value and its gradient.
+/// A value and its gradient with respect to the position (x, y, z). The operators compute sums and products with their
+/// gradients.
 struct Jet {
   double value = 0;
   std::array<double, 3> gradient{};
@@ -27,13 +28,13 @@ inline Jet operator*(const Jet& a, const Jet& b) {
 inline Jet operator*(double s, const Jet& a) { return Jet{s, {}} * a; }
 inline Jet constant(double value) { return {value, {}}; }
 
-/// For each axis, whether Y_lm is odd in its coordinate.
+/// Returns true for each axis x, y, z in whose coordinate Y_lm is odd, otherwise false.
 inline std::array<bool, 3> is_odd(int l, int m) {
   const int order = m < 0 ? -m : m;
   return {(order % 2 == 1) != (m < 0), m < 0, (l - order) % 2 == 1};
 }
 
-/// The functions |x|^l Y_lm with their gradients for l ≤ N, at [l][l + m].
+/// Returns the functions |x|^l Y_lm with their gradients at x for l ≤ N, at [l][l + m].
 std::vector<std::vector<Jet>> solid_harmonics(int N, const std::array<double, 3>& x);
 
 }  // namespace pseudorigid::mechanics

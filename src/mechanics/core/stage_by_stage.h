@@ -1,8 +1,8 @@
 #pragma once
 /// Solves for the stages of a Gauss step of any second-order field. A field that evaluates all stages at once in SIMD
 /// lanes has a member `solve_stages_in_lanes(stages)`. If this member returns false, the stages are evaluated one by
-/// one, as for other fields. A field behind an interface (any_field.h) has a member `solve_stages(stages, workspace)`,
-/// which chooses between the two ways.
+/// one, as for other fields. An AnyField (any_field.h) has a member `solve_stages(stages, workspace)`, which calls
+/// solve_stages for the concrete field.
 
 #include <concepts>
 #include <cstddef>
@@ -14,7 +14,8 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// Evaluates a field at the stages one by one.
+/// A second-order field as a GaussField, which evaluates the stages one by one. The field and the workspace must exist
+/// as long as this object.
 template <SecondOrderField F>
 class StageByStage final : public GaussField {
   using Vector = typename F::Vector;
@@ -47,8 +48,8 @@ class StageByStage final : public GaussField {
 
 }  // namespace detail
 
-/// True if the field can evaluate its stages in lanes. This evaluation takes about a quarter of the time of an
-/// evaluation one by one.
+/// Returns true if the field can evaluate its stages in lanes. In measurements the evaluation in lanes took about a
+/// quarter of the time of an evaluation one by one.
 template <class F>
 bool has_stages_in_lanes(const F& field) {
   if constexpr (requires { field.has_stages_in_lanes(); })
@@ -57,9 +58,9 @@ bool has_stages_in_lanes(const F& field) {
     return requires(GaussStages & stages) { field.solve_stages_in_lanes(stages); };
 }
 
-/// Cost of an iteration on the eight stages. The unit is the cost of one force evaluation of the system, as in the step
-/// search. A member `cost_of_iteration()` of the field returns a measured cost. Without this member, the cost is 8, the
-/// number of stages.
+/// Returns the cost of an iteration on the eight stages for the step search. The unit is the cost of one force
+/// evaluation of the system. A member `cost_of_iteration()` of the field returns its cost. Without this member, the
+/// cost is 8, the number of stages.
 template <class F>
 double cost_of_iteration(const F& field) {
   if constexpr (requires { field.cost_of_iteration(); })
@@ -68,8 +69,8 @@ double cost_of_iteration(const F& field) {
     return gauss::n_stages;
 }
 
-/// Solves for the stages of any field, evaluated one by one. If the last evaluation of the field failed, returns its
-/// failure. Sets stages.converged.
+/// Solves for the stages of any field, evaluated one by one. If an evaluation of the field fails, returns its failure.
+/// Sets stages.converged, which may be false after success.
 template <SecondOrderField F>
 Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspace& w) {
   const detail::StageByStage<F> by_stage(field, w);
@@ -77,8 +78,8 @@ Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspa
   return by_stage.reason();
 }
 
-/// Solves for the stages in the fastest way that the field supports. Returns the failure if the field cannot be
-/// evaluated. `stages.converged` is true afterwards if the stages have been found.
+/// Solves for the stages in the fastest way that the field supports. Fails if the field cannot be evaluated. Sets
+/// stages.converged to true if the stages are found; it may be false after success.
 template <SecondOrderField F>
 Status solve_stages(const F& field, GaussStages& stages, typename F::Workspace& w) {
   if constexpr (requires { field.solve_stages(stages, w); }) {

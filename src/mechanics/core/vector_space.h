@@ -1,8 +1,8 @@
 #pragma once
 /// Operations that methods apply to vectors of any type. Every vector can be copied and has y ← y + a x, x ← a x and
 /// |x|_∞. Estimates of frequencies also use the scalar product xᵀy. Iterative solvers also use sums of several vectors,
-/// and several scalar products with one sum over the processes. For a distributed vector VectorSpace is specialised;
-/// its max_norm, dot and dots are collective.
+/// and several scalar products with one sum over the processes. VectorSpace is specialised for distributed vectors. All
+/// processes must then call max_norm, dot and dots together.
 ///
 /// A long sum of small increments also stores its round-off c (compensated summation, Kahan 1965; Hairer, Lubich,
 /// Wanner, Geometric Numerical Integration, VIII.5). With t = a x + c,
@@ -18,6 +18,7 @@ namespace pseudorigid::mechanics {
 
 template <class V>
 struct VectorSpace {  // dense Eigen vectors and matrices
+  // dense: V is an Eigen type of this process. compensated: `add` stores the round-off of sums.
   static constexpr bool dense = true, compensated = true;
   static void add(double a, const V& x, V& y, V& c) {
     for (Eigen::Index i = 0; i < y.size(); ++i) {
@@ -82,8 +83,8 @@ template <class V>
 double dot(const V& x, const V& y) {
   return VectorSpace<V>::dot(x, y);
 }
-/// y ← y + a x. If the sums of this type are compensated, c stores the round-off. c must be zero at the start of the
-/// sum.
+/// y ← y + a x. If the sums of this type are compensated, c stores the round-off. The caller sets c to zero at the
+/// start of a sum.
 template <class V>
 void add(double a, const V& x, V& y, V& c) {
   if constexpr (VectorSpace<V>::compensated)
@@ -91,7 +92,7 @@ void add(double a, const V& x, V& y, V& c) {
   else
     axpy(a, x, y);
 }
-/// The entries of x that this process owns.
+/// Returns the entries of x that this process owns, column by column for a matrix. Changes of the span change x.
 template <class V>
 std::span<double> local_values(V& x) {
   return VectorSpace<V>::local_values(x);

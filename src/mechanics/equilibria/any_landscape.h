@@ -1,6 +1,7 @@
 #pragma once
 /// One type for the landscapes of all systems, so that the search for critical points is compiled only once. The object
-/// contains a landscape. If the landscape refers to a system, the system must exist as long as the object.
+/// contains a landscape (landscape.h). If this landscape refers to a system, the system must exist as long as the
+/// object.
 
 #include <concepts>
 #include <memory>

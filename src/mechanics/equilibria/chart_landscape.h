@@ -1,7 +1,7 @@
 #pragma once
-/// The potential landscape (landscape.h) of a system in a chart (mechanics/core/chart.h). It has no constraint. The
-/// mass is M = g(q), automatic differentiation gives the Hessian of U, and the damping is C = −∂F/∂v at v = 0 and
-/// t = 0, by differences.
+/// The potential landscape (landscape.h) of a system in a chart with metric g, potential U and force F
+/// (mechanics/core/chart.h). The landscape has no constraint, and its mass is M = g(q). Automatic differentiation gives
+/// the Hessian of U. The damping is C = −∂F/∂v at v = 0 and t = 0, by differences.
 
 #include <utility>
 

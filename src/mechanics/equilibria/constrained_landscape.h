@@ -1,7 +1,8 @@
 #pragma once
 /// The potential landscape (landscape.h) of a system in constrained form. The force at rest is −∇V, and differences of
-/// the force give the Hessian ∇²V. Differences with respect to the velocity give the damping. The Hessian of V − λᵀg is
-/// ∇²V − Σ λ_k D²g_k. The product of Σ λ_k D²g_k with v is the rate of Gᵀλ along v, which the system computes.
+/// the force give the Hessian ∇²V. Differences of the force with respect to the velocity give the damping C. Forces are
+/// evaluated at the time 0. The Hessian of V − λᵀg is ∇²V − Σ λ_k D²g_k. The product of Σ λ_k D²g_k with v is the rate
+/// of Gᵀλ along v, which the system computes.
 
 #include <algorithm>
 
@@ -94,7 +95,8 @@ class ConstrainedLandscape {
     f = flat(value);
     return f.allFinite() ? Status() : Status::failure("the force is not finite");
   }
-  /// Conversions between the system's vectors or multipliers and Eigen vectors.
+  /// Conversions between the vectors or multipliers of the system and Eigen vectors. `filled` returns x with the given
+  /// entries.
   static Vector flat(auto& x) {
     const auto values = local_values(x);
     Vector entries(static_cast<Eigen::Index>(values.size()));

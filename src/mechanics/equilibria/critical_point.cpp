@@ -11,18 +11,19 @@
 namespace pseudorigid::mechanics {
 namespace {
 
-/// Eigenvalues of H with absolute values of at most this fraction of the largest count as zero, since Hessians by
-/// differences have errors of about 1e-12.
+/// Eigenvalues of H with absolute values of at most this fraction of the largest count as zero. The reason is that
+/// Hessians by differences have errors of about 1e-12.
 constexpr double zero_curvature = 1e-8;
-/// Eigenvalues of H with absolute values of at most this bound also count as zero, since they can be round-off of terms
-/// of order 1 that cancel. The relative bound is not enough: without any force, the largest eigenvalue can be 1e-170.
+/// Eigenvalues of H with absolute values of at most this bound also count as zero. Such numbers can be round-off of
+/// terms of order 1 that cancel. The relative bound is not enough: without any force, the largest eigenvalue can be
+/// 1e-170.
 constexpr double round_off_curvature = 1e-14;
 /// A rate counts as neither stable nor unstable if the absolute value of its real part is at most this fraction of the
 /// largest rate. With little damping, an error of a zero eigenvalue of H causes rates whose size is the square root of
 /// this error.
 constexpr double zero_rate = 1e-6;
 
-/// Returns a basis T of ker G with TᵀMT = Id.
+/// Returns a basis T of ker G with TᵀMT = Id, as columns. M must be positive definite.
 Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G) {
   const Eigen::LLT<Eigen::MatrixXd> factor(M);  // M = LLᵀ, T = L⁻ᵀZ with Z ⟂ L⁻¹Gᵀ
   Eigen::MatrixXd Z = Eigen::MatrixXd::Identity(M.rows(), M.cols());
@@ -34,8 +35,8 @@ Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G
   return factor.matrixU().solve(Z);
 }
 
-/// Sets the rates and directions without damping: z² = −κ for each eigenvalue κ of H. If κ counts as zero, z is 0. Then
-/// n_unstable and n_stable are both the Morse index, which must be set.
+/// Sets the rates and directions without damping: z² = −κ for each eigenvalue κ of H. An eigenvalue with |κ| ≤ `zero`
+/// gives z = 0. Sets n_unstable and n_stable to p.morse_index, which the caller must have set.
 void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.values.size();
   p.rates.resize(2 * n);
@@ -49,7 +50,8 @@ void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::Ma
   p.n_unstable = p.n_stable = p.morse_index;
 }
 
-/// Sets the rates and directions of ÿ + Dẏ + Hy = 0 with δq = T y, and the numbers of stable and unstable rates.
+/// Sets the rates z and directions δq = T y of ÿ + Dẏ + Hy = 0, and the numbers of stable and unstable rates. The rates
+/// are the eigenvalues of a matrix of twice the size of H.
 void linearise(const Eigen::MatrixXd& H, const Eigen::MatrixXd& D, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.rows();
   Eigen::MatrixXd A(2 * n, 2 * n);  // the matrix of (y, ẏ)

@@ -25,14 +25,16 @@ struct CriticalPoint {
   Eigen::MatrixXcd directions;          // δq = T y for each rate, of length 1 in the metric
   int n_unstable = 0, n_stable = 0;     // numbers of rates with positive and with negative real part
 
+  /// Returns true if every rate has a real part other than zero, up to round-off.
   bool hyperbolic() const { return n_unstable + n_stable == rates.size(); }
-  /// True if the point satisfies 5.8.3: it is hyperbolic, and the number of unstable directions is the Morse index.
+  /// Returns true if the point satisfies 5.8.3: it is hyperbolic, and the number of unstable directions is the Morse
+  /// index.
   bool obeys_5_8_3() const { return hyperbolic() && n_unstable == morse_index; }
 };
 
 /// Sets p to the description of the critical point (q, λ). `added_damping` is the matrix C of a force −C v in addition
-/// to the system's own damping. Fails if the Hessian or the damping cannot be computed, or if a matrix on the tangent
-/// space is not finite, for example for a singular M.
+/// to the system's own damping. Fails if the Hessian or the damping cannot be computed, or if H or D is not finite. The
+/// last case can occur if M is singular.
 Status describe_critical_point(const AnyLandscape& landscape, const Eigen::VectorXd& q, const Eigen::VectorXd& lambda,
                                const Eigen::MatrixXd& added_damping, CriticalPoint& p);
 

@@ -59,7 +59,7 @@ class CriticalPointFinder {
   static constexpr double singular = 1e-10;  // bound of zero pivots in Newton's matrix, relative to the largest pivot
 
   /// Moves q to a critical point and sets λ to its multiplier. Returns false if the iteration does not converge from q
-  /// or if a derivative fails.
+  /// or if a derivative fails. In these cases q and λ are not valid.
   bool newton(Vector& q, Vector& lambda) const {
     const Eigen::Index n = q.size();
     Vector r;
@@ -85,6 +85,8 @@ class CriticalPointFinder {
     return false;
   }
 
+  /// Sets `step` to the solution δ of Newton's equation (critical_points.h). Returns false if the Hessian fails or δ is
+  /// not finite.
   bool newton_step(const Vector& q, const Vector& lambda, const Vector& r, Vector& step) const {
     const Eigen::Index n = q.size(), n_constraints = lambda.size();
     Matrix H, G;
@@ -99,6 +101,7 @@ class CriticalPointFinder {
     return step.allFinite();
   }
 
+  /// Sets r = (∇V − Gᵀλ, g). Returns false if a derivative or the constraint fails or is not finite.
   bool residual(const Vector& q, const Vector& lambda, Vector& r) const {
     Vector dV, g;
     Matrix G;
@@ -124,7 +127,7 @@ class CriticalPointFinder {
   }
 
   Vector random_start() {
-    const auto uniform = [&] { return static_cast<double>(generator_() >> 11) * 0x1p-53; };  // equal on all platforms
+    const auto uniform = [&] { return static_cast<double>(generator_() >> 11) * 0x1p-53; };  // portable
     if (search_.start) return search_.start(uniform);
     Vector q = search_.center;
     for (Eigen::Index i = 0; i < q.size(); ++i)
@@ -142,6 +145,7 @@ class CriticalPointFinder {
     return q;
   }
 
+  /// Returns true if a and b count as one point (critical_points.h).
   bool same(const CriticalPoint& a, const CriticalPoint& b) const {
     const double scale = 1 + a.hessian_eigenvalues.cwiseAbs().maxCoeff();
     if (a.nullity > 0 && a.nullity == b.nullity && std::abs(a.V - b.V) < same_place * scale &&
@@ -153,6 +157,7 @@ class CriticalPointFinder {
     return d.norm() < same_place * (1 + a.q.norm());
   }
 
+  /// Order of the points by increasing V. Points with V equal up to same_place are ordered by their coordinates.
   static bool before(const CriticalPoint& a, const CriticalPoint& b) {
     if (std::abs(a.V - b.V) > same_place) return a.V < b.V;
     return std::lexicographical_compare(a.q.begin(), a.q.end(), b.q.begin(), b.q.end());
@@ -164,14 +169,16 @@ class CriticalPointFinder {
   std::mt19937_64 generator_;
 };
 
-/// The mass matrix M, for a damping force −M v. Every system has a mass matrix.
+/// Returns the mass matrix M, as the matrix of a damping force −M v. M is positive definite, so this force is strongly
+/// dissipative in every system.
 Eigen::MatrixXd unit_damping(const AnyLandscape& landscape, const Eigen::VectorXd& q) {
   Eigen::MatrixXd M;
   landscape.mass(q, M);
   return M;
 }
 
-/// Replaces the rates and directions of the point by their values without added damping.
+/// Replaces the rates and directions of the point by their values without added damping. Fails if
+/// describe_critical_point fails.
 Status find_own_rates(const AnyLandscape& landscape, CriticalPoint& p) {
   CriticalPoint undamped;
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(p.q.size(), p.q.size());

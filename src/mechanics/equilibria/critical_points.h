@@ -4,12 +4,13 @@
 ///
 ///   r(q, λ) = (∇V − Gᵀλ, g) = 0,   [H_L  −Gᵀ; G  0] δ = −r,   H_L = ∇²V − Σ λ_k D²g_k.
 ///
-/// If symmetries make the matrix singular, δ is the shortest solution. δ is halved until |r| decreases. Newton's
-/// iteration converges to critical points of every index. The random numbers have a fixed seed, so a search is
-/// reproducible.
+/// If symmetries make the matrix singular, δ is the shortest solution. δ is halved until |r| decreases, at most 20
+/// times. If |r| does not decrease, the iteration from this point ends. Newton's iteration converges to critical points
+/// of every index. The random numbers have a fixed seed, so a search is reproducible.
 ///
-/// Each point is listed once, modulo the periods of the chart. A degenerate point, for example on a critical orbit of
-/// symmetries, is not listed if another point has the same V, nullity and spectrum of the Hessian.
+/// Each point is listed once, modulo the periods of the chart. A degenerate point is not listed if another point has
+/// the same V, nullity and spectrum of the Hessian. Both are then regarded as points of one critical orbit of the
+/// symmetries.
 
 #include <cstdint>
 #include <functional>

@@ -4,8 +4,8 @@
 ///
 ///   ÿ + 2Gẏ + Ky = 0,   G = −Gᵀ,   K = Kᵀ,
 ///
-/// with the gyroscopic matrix G and the stiffness K. This is a linear Hamiltonian system Wẋ = −Sx in x = (y, ẏ). It has
-/// the conserved energy ½xᵀSx, S = diag(K, Id), and the symplectic form W = [2G, Id; −Id, 0].
+/// with the gyroscopic matrix G and the stiffness K. The equation is a linear Hamiltonian system Wẋ = −Sx in x = (y,
+/// ẏ). It has the conserved energy ½xᵀSx, S = diag(K, Id), and the symplectic form W = [2G, Id; −Id, 0].
 ///
 /// A symmetry maps the equilibrium to other equilibria. The directions (y, ẏ) of all symmetries span an invariant space
 /// N, whose rates are known and do not depend on the equilibrium. The remaining space contains the motions with fixed
@@ -16,7 +16,8 @@
 /// On this space S and W are again well defined. A symmetry causes a double rate zero, which round-off would split into
 /// two small rates. The motions with these rates are not in this space.
 ///
-/// Time is scaled by √max(|K|, |G|²), which is about the largest frequency, so all thresholds are relative.
+/// The unit of time is 1/√max(|K|, |G|²), and this root is about the largest frequency. All thresholds are therefore
+/// relative.
 
 #include <Eigen/Core>
 #include <complex>
@@ -31,7 +32,7 @@ struct SymmetryDirections {
   Eigen::MatrixXd y, rate;
 };
 
-/// The linear system dx/dt' = −W⁻¹S x on the reduced space. Its time t' is scaled: d/dt = scale · d/dt'.
+/// The linear system dx/dt' = −W⁻¹S x on the reduced space, with the scaled time t' = scale · t.
 struct ReducedLinearSystem {
   Eigen::MatrixXd S, W;
   double scale = 1;
@@ -47,12 +48,13 @@ struct Rate {
 struct LinearStability {
   std::vector<Rate> rates;
   Eigen::VectorXd second_variation;  ///< eigenvalues of S, increasing: second variation of the energy at fixed momenta
-  int n_negative = 0;  ///< number of negative eigenvalues; stable if 0 and no eigenvalue is 0 (Dirichlet's criterion)
+  int n_negative = 0;  ///< number of negative eigenvalues; if none is negative or 0, the motion is stable (Dirichlet)
   double growth_rate = 0;  ///< largest real part, 0 if it is round-off
   bool stable = true;      ///< spectral stability: no rate has a positive real part
 };
 
-/// Real parts below this fraction of the largest rate count as zero. Round-off ε splits colliding rates by √ε, times a
+/// Real parts of at most this fraction of the largest rate count as zero. The energy of a rate also counts as zero if
+/// |x̄ᵀSx|/|x|² is below this number, for the eigenvector x. Round-off ε splits colliding rates by √ε, times a
 /// condition number.
 inline constexpr double zero_growth = 1e-6;
 /// Eigenvalues of the second variation are of order 1. Eigenvalues with a smaller absolute value than this bound count
@@ -63,8 +65,8 @@ inline constexpr double zero_variation = 1e-12;
 /// count as zero if they are at most `absent` times the largest singular value of the same matrix.
 ReducedLinearSystem reduce(Eigen::MatrixXd K, Eigen::MatrixXd G, const SymmetryDirections& symmetries, double absent);
 
-/// Sets the rates, the second variation and the stability in `result`. Fails if the system is not finite or if the
-/// eigenvalues do not converge.
+/// Sets the rates, the second variation and the stability in `result`. If the reduced space is zero, there are no rates
+/// and the result is stable. Fails if the system is not finite or if the eigenvalues do not converge.
 Status analyse_stability(const ReducedLinearSystem& system, LinearStability& result);
 
 }  // namespace pseudorigid::mechanics

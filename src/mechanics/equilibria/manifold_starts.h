@@ -25,9 +25,10 @@ struct PhaseVector {
   double rate = 0;  ///< growth or decay rate |Re z|
 };
 
-/// Returns a basis of the tangent space of the unstable or the stable manifold, the fastest rates first.
+/// Returns a basis of the tangent space of the unstable manifold, or of the stable one if `unstable` is false. The
+/// fastest rates come first. The basis is empty if there is no such manifold.
 inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unstable) {
-  constexpr double zero_rate = 1e-6;  // the bound in critical_point.cpp
+  constexpr double zero_rate = 1e-6;  // the value of zero_rate in critical_point.cpp
   const double zero = zero_rate * (p.rates.size() > 0 ? p.rates.cwiseAbs().maxCoeff() : 0);
   std::vector<Eigen::Index> order;
   for (Eigen::Index i = 0; i < p.rates.size(); ++i)
@@ -40,7 +41,7 @@ inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unst
     Eigen::VectorXcd delta = p.directions.col(i);
     Eigen::Index largest;
     delta.cwiseAbs().maxCoeff(&largest);
-    delta *= std::conj(delta[largest]) / std::abs(delta[largest]);  // removes the eigensolver's arbitrary phase
+    delta *= std::conj(delta[largest]) / std::abs(delta[largest]);  // fixes the arbitrary phase
     const Eigen::VectorXcd velocity = p.rates[i] * delta;
     const double rate = std::abs(p.rates[i].real());
     basis.push_back({delta.real(), velocity.real(), rate});
@@ -57,8 +58,9 @@ inline std::vector<PhaseVector> both_ways(const std::vector<PhaseVector>& basis,
   return starts;
 }
 
-/// Returns n displacements (x, y), with the sizes defined at the top of this file. Their directions are at equal angles
-/// if the basis has two vectors, otherwise random. The basis must not be empty.
+/// Returns n displacements (x, y), whose component along each basis vector has at most the initial size defined at the
+/// top of this file. The directions are at equal angles if the basis has two vectors. Otherwise they are random with a
+/// fixed seed. The basis must not be empty.
 inline std::vector<PhaseVector> all_around(const std::vector<PhaseVector>& basis, int n, double epsilon) {
   constexpr double least = 1e-12;  // least size for a fast direction, above the round-off of q*
   std::vector<double> sizes;

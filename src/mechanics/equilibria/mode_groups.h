@@ -17,8 +17,8 @@ struct ClassifiedMode {
   int n_copies = 1;  ///< number of modes of this frequency that the entry represents
 };
 
-/// One frequency with its copies in the list of modes, possibly not all 2n + 1. The sign of ω is the sign of ω². A
-/// negative ω means growth at the rate −ω.
+/// One frequency with its copies in the list of modes. The highest group of a kind and degree may have fewer than 2n +
+/// 1 copies. The sign of ω is the sign of ω². A negative ω means growth at the rate −ω.
 struct ModeGroup {
   bool spheroidal;
   int degree, overtone;            ///< overtone 0: the fundamental

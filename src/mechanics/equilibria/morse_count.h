@@ -13,7 +13,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// True if a list of points with these Morse indices satisfies the condition, so that the list can be complete.
+/// Returns true if a list of points with these Morse indices satisfies the condition, so that the list can be complete.
 /// `dimension` is n. `betti` has at most n + 1 Betti numbers; missing numbers are 0.
 bool obeys_morse(const std::vector<int>& indices, int dimension, std::span<const int> betti);
 

@@ -8,7 +8,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// The distance d. `periods` has the period P of each coordinate, or 0 if the coordinate is not periodic.
+/// Returns the distance d. `periods` has the period P of each coordinate, or 0 if the coordinate is not periodic.
 template <class Vector>
 double phase_distance(const Vector& q, const Vector& v, const Eigen::VectorXd& q0, const Eigen::VectorXd& periods) {
   Eigen::VectorXd d = q - q0;

@@ -1,7 +1,7 @@
 #pragma once
 /// Special points along a family of relative equilibria. Each kind has a smooth test function, whose zero is located to
-/// round-off. F = 0 are the equations of the family, t is its tangent, and t₀ is a fixed tangent nearby. J is the
-/// angular momentum and Z the circulation.
+/// round-off. The family is a curve of solutions of the equations F = 0, with the tangent t. The vector t₀ is a fixed
+/// tangent nearby. J is the angular momentum and Z the circulation.
 ///
 ///   fold          a quantity q of the family (its spin, a momentum) has an extremum: ∇q·t = 0
 ///   branch point  another branch of steady motions crosses:                          det[DF; t₀ᵀ] = 0
@@ -18,9 +18,9 @@
 ///
 ///     δ = Re (s − s')²
 ///
-/// is a smooth function of the matrix. Before the collision δ is −(difference of frequencies)², and after the collision
-/// +(2 growth rate)². Rates with equal signs of the energy ½x̄ᵀSx (linear_stability.h; x is the vector of a rate)
-/// cannot collide and are omitted.
+/// is a smooth function of the parameter of the family. Before the collision δ is −(difference of frequencies)², and
+/// after the collision +(2 growth rate)². Rates with equal signs of the energy ½x̄ᵀSx (linear_stability.h; x is the
+/// vector of a rate) cannot collide and are omitted.
 
 #include <functional>
 #include <limits>
@@ -78,7 +78,8 @@ inline double collision(const LinearStability& stability) {
   return delta / (largest * largest);
 }
 
-/// Linear stability along a curve of motions s ↦ motion(s). Returns an empty optional if there is no motion at s.
+/// A function that returns the linear stability of the motion at the parameter s of a curve of motions. The result is
+/// empty if there is no motion at s.
 using StabilityAlong = std::function<std::optional<LinearStability>(double s)>;
 
 /// Appends the zeros of the test functions for index and instability between a and b to `found`. Only zeros with a
@@ -101,8 +102,8 @@ inline void locate_changes_of_stability(const StabilityAlong& stability, double 
       return std::abs(x) <= zero_variation ? 0 : x;
     };
     const auto s = bracketed_root(eigenvalue, a, b, resolution);
-    // Skip a jump of the eigenvalue through 0. Also skip a root at the same place as the last one, since on spheroids
-    // two eigenvalues vanish together.
+    // Skip a jump of the eigenvalue through 0, which is not a zero. Also skip a root at the same place as the last one,
+    // because two eigenvalues of a spheroid vanish together.
     if (!s || std::abs(eigenvalue(*s)) > 1e-6 || std::abs(*s - last) <= 1e-7 * std::abs(b - a)) continue;
     found.push_back({SpecialKind::index, *s});
     last = *s;

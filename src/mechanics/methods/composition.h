@@ -5,8 +5,9 @@
 ///   Ψ_h = Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h},   γ_i = γ_{s+1−i},   Σγ_i = 1.
 ///
 /// The composed method is symmetric. If Φ is symplectic, the composed method is symplectic too. The coefficients
-/// declare the order of the composed method. Each composed method has its own member chosen_by_auto, which is true if
-/// Method = auto may choose the method.
+/// declare the order and the stability limit of the composed method. The limit is the largest hω for which the
+/// composition of Störmer–Verlet steps of a linear oscillator with frequency ω is stable. The limit was computed from
+/// the trace of the matrix of a step. If chosen_by_auto is true, Method = auto may choose the method.
 
 #include <array>
 #include <cstddef>
@@ -63,8 +64,8 @@ struct Composition {
   template <class S>
   static constexpr bool fits = Base::template fits<S>;
 
-  /// Fails for dissipative systems, and for systems that the base method does not accept. Some substeps go backwards in
-  /// time, and dissipation would add energy in these substeps.
+  /// Returns a failure for dissipative systems and for systems that the base method does not accept. Some substeps go
+  /// backwards in time, and dissipation would add energy in these substeps.
   template <class S>
   static Status accepts(const S& system) {
     if (dissipative(system))

@@ -18,7 +18,7 @@
 /// its size. After a rejection, the next accepted trial does not increase the size.
 ///
 /// If the force fails or is not finite in a trial, the next trial has a quarter of the size. If the size falls below
-/// round-off, the motion ends with a failure. The increments of q and v are summed with compensation (vector_space.h).
+/// the round-off of the time, the step fails. The increments of q and v are summed with compensation (vector_space.h).
 
 #include <algorithm>
 #include <array>
@@ -106,7 +106,9 @@ struct DormandPrince8 {
   }
 
   /// Makes one accepted step that ends at t_limit at the latest, or none if state.t is t_limit. The step goes backwards
-  /// if t_limit < state.t. A failure leaves the state unchanged. Every trial counts as a substep.
+  /// if t_limit < state.t. Fails if the acceleration at the start fails, if `tolerance` or `h_max` is below round-off,
+  /// or if trials fail down to the shortest step. A failure leaves the state unchanged. Every trial counts as a
+  /// substep.
   template <SecondOrderField F>
   static Status step(const F& field, double t_limit, State<F>& state, Workspace<F>& w) {
     if (t_limit == state.t) return {};
@@ -148,6 +150,7 @@ struct DormandPrince8 {
   }
 
  private:
+  /// Returns the size below which a step counts as round-off of the time.
   static double shortest_step(double t, double t_limit) {
     return 16 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(t_limit));
   }
@@ -177,8 +180,8 @@ struct DormandPrince8 {
 
   /// Returns the size of the first step by Hairer, Nørsett, Wanner, II.4. With this size, h⁸ times the larger of the
   /// norms of (v, a) and (a, ȧ) is a hundredth of the tolerance. Norms are relative to 1 + |q| and 1 + |v|. The size is
-  /// at most 100 times a first guess and at most the distance to t_limit. If the acceleration fails at the first guess,
-  /// the size is a hundredth of the guess.
+  /// at most 100 times a first guess and at most the distance to t_limit. If the acceleration at the first guess fails
+  /// or is not finite, the size is a hundredth of the guess.
   template <class F>
   static double first_step(const F& field, double t_limit, const State<F>& state, Workspace<F>& w) {
     const auto norm = [&](const auto& x, const auto& y) {
@@ -199,7 +202,8 @@ struct DormandPrince8 {
   }
 
   /// Computes the stages and sets `error` to the estimate divided by the tolerance. If error ≤ 1, also computes the
-  /// projected new state and its acceleration. All results except `error` are in the workspace.
+  /// projected new state and its acceleration. All results except `error` are in the workspace. Fails if the
+  /// acceleration fails or is not finite, or if the projection fails.
   template <class F>
   static Status try_step(const F& field, double h, const State<F>& state, Workspace<F>& w, double& error) {
     ++w.counters.n_substeps;
@@ -215,7 +219,8 @@ struct DormandPrince8 {
     return finish(field, h, state, w);
   }
 
-  /// Computes the accelerations at the stages first, …, last − 1 of the step from (t, q, v).
+  /// Computes the accelerations at the stages first, …, last − 1 of the step from (t, q, v). Fails if an acceleration
+  /// fails.
   template <int first, int last, class F>
   static Status evaluate_stages(const F& field, double t, double h, const typename F::Vector& q,
                                 const typename F::Vector& v, Workspace<F>& w) {
@@ -234,6 +239,7 @@ struct DormandPrince8 {
     return {};
   }
 
+  /// Returns the number `error` of the head of this file, before its division by the tolerance.
   template <class F>
   static double estimate_error(double h, const State<F>& state, const Workspace<F>& w) {
     double q5 = 0, v5 = 0, q3 = 0, v3 = 0;
@@ -249,7 +255,8 @@ struct DormandPrince8 {
     return e5 == 0 ? 0 : e5 / std::sqrt(e5 + 0.01 * e3);
   }
 
-  /// Computes and projects the new state, and evaluates its acceleration.
+  /// Computes and projects the new state, and evaluates its acceleration. Fails if the projection or the acceleration
+  /// fails, or if the acceleration is not finite.
   template <class F>
   static Status finish(const F& field, double h, const State<F>& state, Workspace<F>& w) {
     using Stage = dop853::Stage<dop853::n_stages>;
@@ -270,6 +277,8 @@ struct DormandPrince8 {
     return std::isfinite(a.squaredNorm()) ? Status() : Status::failure("the acceleration is not finite");
   }
 
+  /// Moves the state to the end of the trial of size h, with the time t. The start of the step is kept for the dense
+  /// output.
   template <class F>
   static void accept(double t, double h, State<F>& state, Workspace<F>& w) {
     w.t_start = state.t;
@@ -285,7 +294,7 @@ struct DormandPrince8 {
     w.dense_known = false;
   }
 
-  /// Computes three more stages and F₃ … F₆ of the dense output, at most once per step.
+  /// Computes three more stages and F₃ … F₆ of the dense output, at most once per step. Fails if an acceleration fails.
   template <class F>
   static Status prepare_dense_output(const F& field, Workspace<F>& w) {
     if (w.dense_known) return {};
@@ -311,8 +320,8 @@ struct DormandPrince8 {
     }
   }
 
-  /// Dense output y(θ) = y₀ + θ(F₀ + (1−θ)(F₁ + θ(F₂ + (1−θ)(F₃ + θ(F₄ + (1−θ)(F₅ + θF₆)))))). Hermite's coefficients
-  /// are F₀ = y₁ − y₀, F₁ = h y₀' − F₀ and F₂ = 2F₀ − h(y₀' + y₁'). F₃ … F₆ are in `dense`.
+  /// Sets y to the dense output y(θ) = y₀ + θ(F₀ + (1−θ)(F₁ + θ(F₂ + (1−θ)(F₃ + θ(F₄ + (1−θ)(F₅ + θF₆)))))). Hermite's
+  /// coefficients are F₀ = y₁ − y₀, F₁ = h y₀' − F₀ and F₂ = 2F₀ − h(y₀' + y₁'). F₃ … F₆ are in `dense`.
   template <class V>
   static void evaluate(double theta, double h, const V& y0, const V& y1, const V& rate0, const V& rate1,
                        const std::array<V, 4>& dense, V& y) {

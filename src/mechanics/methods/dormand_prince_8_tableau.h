@@ -117,7 +117,8 @@ inline constexpr Rows<4> d_exact{
       -0.43533456590011143754432175058e2L, 0.96324553959188282948394950600e2L, -0.39177261675615439165231486172e2L,
       -0.14972683625798562581422125276e3L}}};
 
-/// One row x of coefficients for the velocities (x.v), and the row x̄ = x a for the positions (x.q).
+/// Coefficients of the accelerations in a sum. `v` is the row x for velocities, and `q` is the row x̄ = x a for
+/// positions.
 struct Pair {
   Row<double> v{}, q{};
 };

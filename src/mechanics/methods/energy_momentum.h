@@ -10,7 +10,7 @@
 ///   D = ½[∇F(X₁ − P/2) + ∇F(X₀ + P/2)] − ∇F(X_m),
 ///
 /// with the canonical antisymmetric matrix 𝒥 and multipliers λ, μ. The projection Π acts on vectors and on covectors in
-/// the coordinates (q, v). It removes their components along the orbit of the system's symmetries at X_m
+/// the coordinates (q, v). Π removes the components of both along the orbit of the system's symmetries at X_m
 /// (orbit_complement.h). In these coordinates, with ∇F = (−A, M v + B) at X_m and C = (C_q, C_v):
 ///
 ///   A = f(q_m) + G(q_m)ᵀλ − D²g(q_m)(v_m, ·)ᵀμ,   B = G(q_m)ᵀμ,
@@ -26,9 +26,9 @@
 ///
 /// - D is needed near relative equilibria, which are motions along the orbit with P = 0. X_m lies inside the arc of the
 /// motion, so ∇F(X_m) differs from ∇F on the arc by O(h²). Without D, θP would have to correct this difference, but θP
-/// has no limit as P → 0. The two points of D lie P/2 from the ends. If one group of rotations or translations acts, or
-/// both rotations of a body have one axis, a Cayley transform maps one point to the other. Then θP is O(h|P|). Near a
-/// steady motion with two different axes θP is O(h²), and the iteration may need smaller steps.
+/// has no limit as P → 0. The two points of D lie P/2 from the ends. A Cayley transform maps one point to the other if
+/// one group of rotations or translations acts. The same holds if both rotations of a body have one axis. Then θP is
+/// O(h|P|). Near a steady motion with two different axes θP is O(h²), and the iteration may need smaller steps.
 ///
 /// Round-off. Let ν be the round-off of V. Then θP has the error ν/|P|. A step corrects only the part of the energy
 /// error that exceeds ν. Later steps include the remainder, so the total error stays about ν. The round-off of V is
@@ -62,6 +62,7 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
+/// Returns the product λ·r of a multiplier and a residual, which are numbers if there is a single constraint.
 inline double pairing(double lambda, double r) { return lambda * r; }
 template <class Multiplier>
 double pairing(const Multiplier& lambda, const Multiplier& r) {
@@ -88,7 +89,8 @@ struct EnergyMomentum {
   template <class S>
   static constexpr bool fits = ConservativeSystem<S>;
 
-  /// Fails if a force dissipates energy or depends on velocity or time.
+  /// Returns a failure if a force dissipates energy or depends on velocity or time, because the energy is then not
+  /// constant.
   template <ConservativeSystem S>
   static Status accepts(const S& system) {
     if (dissipative(system) || velocity_dependent(system) || time_dependent(system))
@@ -98,7 +100,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Makes one substep. A failed step leaves the state unchanged.
+  /// Makes one substep. Fails if the force, the constraint or a Gram solve fails, or if the iteration does not
+  /// converge. A failed step leaves the state unchanged.
   template <ConservativeSystem S>
   static Status advance(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
     using Verdict = detail::ConvergenceMonitor::Verdict;
@@ -181,6 +184,7 @@ struct EnergyMomentum {
     set_end(state, w);
   }
 
+  /// Sets (q₁, v₁) to the state plus (Δq, Δv).
   template <ConservativeSystem S>
   static void set_end(const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     w.q_end = state.q;
@@ -189,7 +193,8 @@ struct EnergyMomentum {
     axpy(1.0, w.dv, w.v_end);
   }
 
-  /// Computes new Δv and Δq from their values and the multipliers of the previous iteration.
+  /// Computes new Δv and Δq from their values and the multipliers of the previous iteration. Fails if a force or the
+  /// constraint fails.
   template <ConservativeSystem S>
   static Status improve(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     w.q_middle = state.q;
@@ -217,7 +222,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// A += a [f(q) + G(q)ᵀλ − D²g(q)(v, ·)ᵀμ], B += a G(q)ᵀμ. The pair (−A, B) is ∇F without the term M v.
+  /// A += a [f(q) + G(q)ᵀλ − D²g(q)(v, ·)ᵀμ], B += a G(q)ᵀμ. With a = 1, the pair (−A, B) is ∇F without the term M v.
+  /// Fails if the force fails.
   template <ConservativeSystem S>
   static Status add_gradient(const S& system, double a, double t, const typename S::Vector& q,
                              const typename S::Vector& v, EnergyMomentumWorkspace<S>& w, typename S::Vector& A,
@@ -236,7 +242,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Sets C = Π D + θ P. Computes θ unless it is kept.
+  /// Sets C = Π D + θ P, with D = 0 if the system has no symmetries. Computes θ if w.hold is 0, and otherwise keeps it.
+  /// Fails if a force or the constraint fails.
   template <ConservativeSystem S>
   static Status correct(const S& system, double h, double t, EnergyMomentumWorkspace<S>& w) {
     w.P_q = w.dq;
@@ -267,9 +274,9 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Sets θ from the part of the energy error that exceeds ν. Sets θ = 0 near a relative equilibrium. The energy error
-  /// is ΔF − (∇F(X_m) + ΠD)·ΔX plus a bounded part of the error of earlier steps. The covectors ∇F(X_m) and ΠD vanish
-  /// along the orbit, so their products with ΔX and with P are equal.
+  /// Sets θ from the part of the energy error that exceeds ν. Sets θ = 0 near a relative equilibrium. Fails if the
+  /// constraint fails. The energy error is ΔF − (∇F(X_m) + ΠD)·ΔX plus a bounded part of the error of earlier steps.
+  /// The covectors ∇F(X_m) and ΠD vanish along the orbit, so their products with ΔX and with P are equal.
   template <ConservativeSystem S>
   static Status set_theta(const S& system, double h, double P, EnergyMomentumWorkspace<S>& w) {
     w.theta = 0;
@@ -290,7 +297,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Corrects the end state such that g(q₁) = 0 and γ(q₁, v₁) = 0 to first order, by reactions at q_m.
+  /// Corrects the end state such that g(q₁) = 0 and γ(q₁, v₁) = 0 to first order, by reactions at q_m. Fails if the
+  /// constraint or a Gram solve fails.
   template <ConservativeSystem S>
   static Status constrain(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {
@@ -310,7 +318,7 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Solves G(q₁)M⁻¹G(q_m)ᵀ δ = −residual, and sets B = M⁻¹G(q_m)ᵀ δ.
+  /// Solves G(q₁)M⁻¹G(q_m)ᵀ δ = −residual, and sets B = M⁻¹G(q_m)ᵀ δ. Fails if the Gram solve fails.
   template <ConservativeSystem S>
   static Status react(const S& system, EnergyMomentumWorkspace<S>& w) {
     scale(-1.0, w.residual);
@@ -323,6 +331,8 @@ struct EnergyMomentum {
     return {};
   }
 
+  /// Adds (Δq, Δv) to the state, and restores the momenta. Stores the energy error and the values from which the next
+  /// step predicts its guess.
   template <ConservativeSystem S>
   static void accept(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
     const double K_start = system.kinetic_energy(state.v);

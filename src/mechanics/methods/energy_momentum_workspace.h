@@ -9,7 +9,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// Temporaries and initial guesses of one integration.
+/// Temporaries, initial guesses and accumulated errors of one integration.
 template <ConservativeSystem S>
 struct EnergyMomentumWorkspace {
   using Vector = typename S::Vector;
@@ -48,7 +48,7 @@ struct EnergyMomentumWorkspace {
   typename S::Workspace system;
   Vector dq, dv, dq_before, dv_before;                      // Δq and Δv, and their values in the previous iteration
   Vector q_middle, v_middle, q_end, v_end, q_side, v_side;  // q and v of X_m, of X₁, and of X₀ + P/2 or X₁ − P/2
-  Vector force, A, B, C_q, C_v, P_q, P_v;                   // see the formulas of energy_momentum.h
+  Vector force, A, B, C_q, C_v, P_q, P_v;                   // f with its reactions; A, B, C and P of the formulas
   Vector acceleration;                                      // Δv/h of the last step
   Vector q_rounding, v_rounding;                            // remainders of the compensated sums of q and v
   Multiplier lambda, mu, residual, delta;                   // λ, μ, the residual g or γ, and δ of `react`

@@ -9,7 +9,7 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// Decides after each increment whether the iteration is done, goes on, or is stuck. `stalled` detects a decrease that
+/// Decides after each increment if the iteration is done, goes on, or is stuck. `stalled` detects a decrease that
 /// round-off has stopped.
 struct FixedPointMonitor {
   static constexpr int max_iterations = 150;
@@ -28,10 +28,14 @@ struct FixedPointMonitor {
     n_since_least = 0;
   }
 
+  /// Judges an increment. `round_off` is the bound of increments that consist of round-off. The iteration is done if
+  /// the increment is at most `round_off`. It is also done if the increment is at most 30 · `round_off` and has not
+  /// decreased.
   ConvergenceMonitor::Verdict judge(double increment, double round_off) {
     using Verdict = ConvergenceMonitor::Verdict;
     if (increment <= round_off || (increment >= previous && increment <= 30 * round_off)) return Verdict::done;
-    // Comparisons with NaN are false, so a NaN counts as stuck. Increments below 1e-3 may grow by any factor.
+    // An increment of at least 1e-3 that grows tenfold counts as stuck. Comparisons with NaN are false, so a NaN counts
+    // as stuck too.
     if (!(increment < 10 * previous || increment < 1e-3) || ++iteration > max_iterations) return Verdict::stuck;
     previous = increment;
     return Verdict::go_on;

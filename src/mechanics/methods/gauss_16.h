@@ -8,15 +8,15 @@
 ///   v_{n+1} = v + h Σ_j b_j a_j,    q_{n+1} = q + h v + h² Σ_j b_j (1 − c_j) a_j
 ///
 /// The method is symmetric. It is symplectic if the mass is constant and there is no constraint. Momenta that are
-/// bilinear in q and v are conserved up to round-off if the stages are iterated to round-off. Examples are the momenta
-/// J and Z of a body. Forces may depend on velocity and time and may dissipate. A system with constraints is integrated
-/// with its explicit multiplier (explicit_multiplier.h). The multiplier keeps g = 0 to the error of the step. Every 32
-/// steps, and before a state is observed, the state is projected,
+/// bilinear in q and v are conserved up to round-off if the stages are iterated to round-off. Examples are the angular
+/// momentum J and the circulation Z of a body. Forces may depend on velocity and time and may dissipate. A system with
+/// constraints is integrated with its explicit multiplier (explicit_multiplier.h). The multiplier keeps g = 0 to the
+/// error of the step. Every 32 steps, and before a state is observed, the state is projected,
 ///
 ///   q ← q + M⁻¹Gᵀδ,   v ← v − M⁻¹D²(δ·g)(v),   then  v ← v + M⁻¹Gᵀμ.
 ///
-/// The first change of v is the lift of the projection of q to the momenta. Therefore J does not change in first order
-/// of δ.
+/// The first change of v is the lift of the projection of q to the momenta. Therefore the angular momentum J does not
+/// change in first order of δ.
 ///
 /// The stages are found by iteration (gauss_iteration.h). The initial guess is the polynomial through the stages of the
 /// last step. If the iteration does not converge, the step is made in two halves. The halves can be halved again, and
@@ -79,7 +79,7 @@ struct Gauss16Workspace {
   int n_unprojected = 0;  // calls of `advance` since the last projection
   Counters counters;
 
-  /// Visits all numbers that a checkpoint must contain.
+  /// Passes each member that a checkpoint must contain to `visit`.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
@@ -102,24 +102,25 @@ struct Gauss16 {
       "systems. Momenta are kept to round-off if Step is given, else to a part of Tolerance";
   static constexpr int order = 16;
   static constexpr int n_stages = gauss::n_stages;
-  /// Cost of a step in the search for the step. The unit is the cost of one force evaluation.
+  /// Returns the cost of a step for the search of the step. The unit is the cost of one force evaluation.
   template <class S>
   static double forces_of_step(const S& system) {
     constexpr double n_iterations = 7;  // the number is 4 to 9, and depends on the tolerance and the system
     return n_iterations * cost_of_iteration(field_of(system));
   }
 
-  /// Permitted error e of the accelerations, for a tolerance of the configuration and a run of length T. Runs of a body
-  /// on SL(3), a rigid body and the double pendulum were measured, with T = 100 and 3000. The energy fell at a rate of
-  /// 1e-3 to 5e-2 times e|v|, with the velocity v. The error of the configuration was at most 0.03 e T². For the
-  /// returned e, this error is less than a sixth of the tolerance.
+  /// Returns the permitted error e of the accelerations, for a `tolerance` of the configuration and a run of length T =
+  /// `end`. Runs of a pseudo-rigid body, a rigid body and the double pendulum were measured, with T = 100 and 3000. The
+  /// energy fell at a rate of 1e-3 to 5e-2 times e|v|, with the velocity v. The error of the configuration was at most
+  /// 0.03 e T². For the returned e, this error is less than a sixth of the tolerance.
   static double iteration_tolerance(double tolerance, double end) { return 5 * tolerance / (end * end); }
 
   /// Method = auto considers the method only for systems that evaluate their stages in lanes.
   static constexpr bool for_stages_in_lanes = true;
   static constexpr bool symplectic = false, symmetric = true;
   static constexpr bool adaptive = false, chosen_by_auto = true;
-  /// Largest hω for which the iteration needs at most a dozen rounds. The iteration converges up to about hω = 11.
+  /// Largest hω for which the iteration on the stages needs at most a dozen rounds. The iteration converges for hω <
+  /// 11, the inverse of the spectral radius of A.
   static constexpr double stability_limit = 4;
 
   template <class S>
@@ -140,11 +141,13 @@ struct Gauss16 {
     return {};
   }
 
-  /// Makes one step. Projects the state if 32 steps have been made since the last projection.
+  /// Makes one step, and projects the state if 32 steps have been made since the last projection. Fails if the
+  /// projection fails, or if the stages cannot be found after all permitted halvings. The force may be the reason.
   template <class S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     // A step starts with one halving less than the last step, but with at least 0 and at most 2 halvings. In a violent
-    // phase, the first trial of a step is then shorter than the whole step.
+    // phase of the motion, the first trial is then a part of the step. The trial of the whole step, which would
+    // probably fail, is omitted.
     constexpr int most_expected = 2;  // small, because all parts of the step have at least this depth
     const int n_expected = std::clamp(w.n_halvings - 1, 0, most_expected);
     w.n_halvings = 0;
@@ -154,7 +157,8 @@ struct Gauss16 {
     return project_velocity(system, state, w);
   }
 
-  /// Projects position and velocity.
+  /// Projects position and velocity onto the constraints or the invariant manifold, if there are any. Fails if the
+  /// projection does not converge.
   template <class S>
   static Status project_velocity(const S& system, State<S>& state, Workspace<S>& w) {
     w.n_unprojected = 0;
@@ -176,6 +180,8 @@ struct Gauss16 {
     int depth;
   };
 
+  /// Makes the part as one step if it has been halved n_expected times or more and its stages are found. Otherwise
+  /// makes two halves. Fails if the stages are not found in a part that must not be halved again.
   template <class S>
   static Status advance_in_parts(const S& system, Part part, int n_expected, State<S>& state, Workspace<S>& w) {
     const auto [outer_h, h, depth] = part;
@@ -194,7 +200,7 @@ struct Gauss16 {
     return {};
   }
 
-  /// True if the step sizes differ only by the round-off of the sample times.
+  /// Returns true if the step sizes differ only by the round-off of the sample times.
   static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
 
   template <class S>
@@ -221,7 +227,7 @@ struct Gauss16 {
     const auto& field = field_of(system);
     if (!same_step(h, w.tables.h))
       w.tables.set_step(h);
-    else if (w.tables.c[0] == 0)  // after the memory has been restored
+    else if (w.tables.c[0] == 0)  // the memory has been restored, and it does not contain the tables
       w.tables.set_step(w.tables.h);
     GaussStages s = stages_of(outer_h, state, w);
     if (Status status = begin(field, state, w, s); !status) return status;
@@ -238,8 +244,8 @@ struct Gauss16 {
   }
 
   /// Sets the guess of the stages to the polynomial of the last step. At the first step, the guess is the acceleration
-  /// at the state. This is also the guess if the step is 1.5 times as long as the last step or more, or has the
-  /// opposite sign.
+  /// at the state. The acceleration is also the guess if the step is at least 1.5 times as long as the last step, or
+  /// has the opposite sign. Fails if the acceleration fails.
   template <class F>
   static Status begin(const F& field, const State<F>& state, auto& w, GaussStages& s) {
     constexpr double longest_look = 1.5;
@@ -263,8 +269,9 @@ struct Gauss16 {
     return same_step(ratio, power) ? power : ratio;
   }
 
-  /// Estimated error of a step. If the Legendre coefficients fall like ρᵏ with the order k, the tail is about ρ^6.5 and
-  /// the error ρ^16. The factor 1e3 was fitted on SL(3).
+  /// Returns the estimated error of a step. If the Legendre coefficients fall like ρᵏ with the order k, s.tail is about
+  /// ρ^6.5 and the error ρ^16. The factor 1e3 was fitted to motions of a pseudo-rigid body, whose configurations are
+  /// the group SL(3).
   static double error_of(const GaussStages& s) { return 1e3 * s.tail * s.tail * std::sqrt(s.tail); }
 
   /// Returns the failure of the force at a stage or at the state. If the force does not fail, returns a failure with
@@ -302,6 +309,8 @@ struct Gauss16 {
     }
   }
 
+  /// Projects position and velocity by the formulas of the head of this file. The velocity is not lifted if the system
+  /// has no `add_reaction_rate`. Fails if one of the iterations does not converge.
   template <ConstrainedSystem S>
   static Status project_with_momenta(const S& system, State<S>& state, Workspace<S>& w) {
     ++w.counters.n_projections;
@@ -309,7 +318,8 @@ struct Gauss16 {
     auto& of_system = w.system.system;
     c.direction_known = false;
     const double tolerance = system.constraint_tolerance();
-    // An iteration squares the residual. A new residual is evaluated only if this square may exceed round-off.
+    // A Newton iteration replaces the residual by its square times the curvature of g. A new residual is evaluated only
+    // if this product may exceed the tolerance, for curvatures up to 10⁴.
     const double foregone = S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * tolerance);
     const auto move_position = [&] {
       if constexpr (requires { system.add_reaction_rate(state.q, state.v, c.delta, w.change); }) {

@@ -1,9 +1,9 @@
 #pragma once
 /// Correction of the round-off of the momenta p_i = ⟨M v, ξ_i(q)⟩, for a method that conserves them. The field ξ_i(q)
-/// is the velocity field of the i-th symmetry. Each step changes the momenta by about 10⁻¹⁸, and these errors would
-/// accumulate. If the error of a momentum exceeds the round-off of this momentum, the correction changes the velocity
-/// along the orbit of the symmetries. In the metric of the kinetic energy this is the smallest change that restores the
-/// momenta:
+/// is the velocity field of the i-th symmetry. Each step changes the momenta by about 10⁻¹⁸ of the internal unit, and
+/// these errors would accumulate. If the error of a momentum exceeds the round-off of this momentum, the correction
+/// changes the velocity along the orbit of the symmetries. In the metric of the kinetic energy this is the smallest
+/// change that restores the momenta:
 ///
 ///   v ← v + Σ α_i ξ_i(q),   Σ_j ⟨M ξ_i, ξ_j⟩ α_j = p_i(0) − p_i,
 ///
@@ -24,7 +24,7 @@ namespace pseudorigid::mechanics {
 namespace detail {
 
 /// Returns the solution α of Σ_j gram_ij α_j = lost_i with the least norm. Combinations of symmetries that do not move
-/// the body have no part in α. An example is a rotation of space and of the body about a common axis.
+/// the body do not contribute to α. An example is a rotation of space and of the body about a common axis.
 Eigen::VectorXd least_solution(const Eigen::MatrixXd& gram, const Eigen::VectorXd& lost);
 
 }  // namespace detail
@@ -48,6 +48,8 @@ class MomentumKeeper {
     for (std::size_t i = 0; i < xi_.size(); ++i) start_[i] = dot(momentum_, xi_[i]);
   }
 
+  /// Corrects state.v and its remainder v_rounding as in the head of this file. Does nothing if all errors of momenta
+  /// are round-off.
   void keep(const S& system, State<S>& state, Vector& v_rounding) {
     const auto n = static_cast<Eigen::Index>(xi_.size());
     if (n == 0) return;
@@ -71,12 +73,14 @@ class MomentumKeeper {
   }
 
  private:
+  /// Sets momentum_ = M v and xi_ to the fields ξ_i at the state.
   void set_symmetries(const S& system, const State<S>& state) {
     system.apply_mass(state.v, momentum_);
     for (std::size_t i = 0; i < xi_.size(); ++i)
       system.symmetry(static_cast<int>(i), state.q, state.v, xi_[i], unused_);
   }
 
+  /// Adds Σ α_i ξ_i to the velocity, such that the momenta increase by `lost`.
   void give_back(const S& system, const Eigen::VectorXd& lost, State<S>& state, Vector& v_rounding) {
     const Eigen::Index n = lost.size();
     Eigen::MatrixXd gram(n, n);

@@ -24,6 +24,7 @@ struct MultiplierHistory {
     for (auto& value : values) value = system.make_multiplier();
   }
 
+  /// Stores λ(t) = lambda, and drops the oldest value if the history is full.
   void record(double t, const typename S::Multiplier& lambda) {
     for (int i = n_values - 1; i > 0; --i) {
       std::swap(values[i], values[i - 1]);
@@ -59,10 +60,10 @@ struct MultiplierHistory {
   /// Sets `weights` to ℓ_i(t) for the latest n times. Returns false if Σ|ℓ_i| exceeds 16, or if two times are equal.
   ///
   /// If t is one interval after n equidistant times, Σ|ℓ_i| = 2ⁿ − 1 is at most 15 and permitted. Only the unequal
-  /// substeps of compositions reach the limit. The limit was measured for linear extrapolation on SL(3) with the steps
-  /// h = 0.2, 0.05, 0.01. With limits of 7 to 40 the numbers of iterations agree within 0.5 %. A limit of 3 needs up to
-  /// 2.5 % more iterations. A limit of 1 (no extrapolation) needs up to 5 % more in compositions and 16 % more in
-  /// RATTLE.
+  /// substeps of compositions reach the limit. The limit was measured for linear extrapolation in motions of a
+  /// pseudo-rigid body with the steps h = 0.2, 0.05, 0.01. With limits of 7 to 40 the numbers of iterations agree
+  /// within 0.5 %. A limit of 3 needs up to 2.5 % more iterations. A limit of 1 (no extrapolation) needs up to 5 % more
+  /// in compositions and 16 % more in RATTLE.
   bool lagrange(double t, int n, std::array<double, n_values>& weights) const {
     constexpr double most = 16;
     double sum = 0;

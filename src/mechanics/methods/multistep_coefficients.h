@@ -31,8 +31,8 @@ struct MultistepFormula {
   /// Formula for the differences d_n = q_n − q_{n−1}, the newest first:
   ///   d_{n+1} = Σ_i difference[i] d_{n−i} + h² Σ_i acceleration[i] a_{n−i},   i = 0 … k − 2.
   std::array<double, k - 1> difference{}, acceleration{};
-  /// Formula for the velocity from the last difference and the last k accelerations. It is exact if the motion is a
-  /// polynomial in time of degree at most k + 1:
+  /// Formula for the velocity from the last difference and the last k accelerations. The formula is exact if the motion
+  /// is a polynomial in time of degree at most k + 1:
   ///   v_n = d_n/h + h Σ_i velocity[i] a_{n−i},   i = 0 … k − 1.
   std::array<double, k> velocity{};
 };
@@ -68,7 +68,7 @@ constexpr std::array<long double, n> solve(std::array<std::array<long double, n>
 
 constexpr long double power(long double x, int n) { return n == 0 ? 1 : x * power(x, n - 1); }
 
-/// Returns the coefficients of ρ for the given a_i, the lowest power first.
+/// Returns the k + 1 coefficients of ρ for the given a_i, the lowest power first.
 template <int k>
 constexpr std::array<long double, k + 1> first_polynomial(const std::array<long double, k / 2 - 1>& a) {
   std::array<long double, k + 1> rho{1, -2, 1};
@@ -91,8 +91,8 @@ constexpr std::array<long double, k / 2> second_polynomial(const std::array<long
   return solve<m>(A, b);
 }
 
-/// Weights c_i of the accelerations a_{n−i} in the formula for the velocity. The difference v_n − d_n/h is an integral
-/// of the polynomial through the a_{n−i}. The formula is exact for a = (t − t_n)^s with h = 1:
+/// Returns the weights c_i of the accelerations a_{n−i} in the formula for the velocity. The difference v_n − d_n/h is
+/// an integral of the polynomial through the a_{n−i}. The formula is exact for a = (t − t_n)^s with h = 1:
 ///   Σ_i c_i (−i)^s = v_n − (q_n − q_{n−1}) = (−1)^s / ((s + 1)(s + 2)),   s = 0 … k − 1.
 template <int k>
 constexpr std::array<long double, k> velocity_weights() {
@@ -107,6 +107,8 @@ constexpr std::array<long double, k> velocity_weights() {
 
 }  // namespace detail
 
+/// Returns the formulas for the parameters a_i of ρ. The coefficients are computed in extended precision and then
+/// rounded.
 template <int k>
 constexpr MultistepFormula<k> multistep_formula(const std::array<long double, k / 2 - 1>& a) {
   const auto rho = detail::first_polynomial<k>(a);

@@ -1,6 +1,6 @@
 #pragma once
-/// The velocity at the end of a step of RATTLE (rattle.h). With the velocity v_half after the first half step, the step
-/// h, the mass M, the force f and the derivative G of the constraint, the velocity v satisfies
+/// The velocity at the end of a step of RATTLE (rattle.h). The mass is M, the force f and the derivative of the
+/// constraint G. With the velocity v_half after the first half step of a step h, the velocity v satisfies
 ///
 ///   v = v_half + (h/2) M⁻¹[f(q, v) + Gᵀμ],   G v = 0.
 ///
@@ -21,7 +21,8 @@
 namespace pseudorigid::mechanics {
 
 struct RattleVelocity {
-  /// v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v, until G v is below the tolerance or round-off. This completes the step of RATTLE.
+  /// v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v, until G v is below the tolerance or round-off. The projection completes the step of
+  /// RATTLE. Fails if it does not converge. Does nothing without constraints.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {
@@ -40,7 +41,7 @@ struct RattleVelocity {
     return {};
   }
 
-  /// Sets w.acceleration to M⁻¹f at the state, unless it is known.
+  /// Sets w.acceleration to M⁻¹f at the state, unless it is known. Fails if the force fails.
   template <ConstrainedSystem S>
   static Status ensure_acceleration(const S& system, const State<S>& state, RattleWorkspace<S>& w) {
     // After a step the time loop sets the time again, with another round-off. A checkpoint contains this second time,
@@ -54,7 +55,8 @@ struct RattleVelocity {
   }
 
   /// Sets v to the solution of v = w.settling.half + (h/2) M⁻¹[f(v) + Gᵀμ] with G v = 0. For damping, linear systems
-  /// replace the fixed-point iteration if the iteration is slow.
+  /// replace the fixed-point iteration if the iteration is slow. Fails if the force or a projection fails, or if no
+  /// iteration converges.
   template <ConstrainedSystem S>
   static Status settle_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (Damped<S>) {
@@ -75,8 +77,9 @@ struct RattleVelocity {
   }
 
  private:
-  /// Sets w.acceleration to f at the state. If the damping is linear, f(q, v) is the sum of f(q, 0), which is known
-  /// after the first call at q, and of the damping. The iterations for v then do not evaluate the other forces again.
+  /// Sets w.acceleration to f at the state, and fails if the force fails. If the damping is linear and no force depends
+  /// on time, f(q, v) is the sum of f(q, 0) and the damping. The vector f(q, 0) is kept from the first call at q, so
+  /// the iterations for v do not evaluate the other forces again.
   template <ConstrainedSystem S>
   static Status find_force(const S& system, const State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (Damped<S>) {
@@ -99,9 +102,9 @@ struct RattleVelocity {
     return system.force(state.t, state.q, state.v, w.system, w.acceleration);
   }
 
-  /// Solves the equation of `settle_velocity` if the force is damping. If it is linear in v, a second solve removes the
-  /// residual of the first. The system therefore computes the power of its forces at a v that is final up to this
-  /// residual.
+  /// Solves the equation of `settle_velocity` if the force is damping. If the damping is linear in v, a second solve
+  /// removes the residual of the first. The system therefore computes the power of its forces at a v that is final up
+  /// to this residual. Fails if the force, a projection or a linear system fails.
   template <Damped S>
   static Status solve_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     const typename S::Vector rounding_half = w.v_rounding;
@@ -121,7 +124,8 @@ struct RattleVelocity {
   /// Solves the equation of `settle_velocity` for damping that is not linear in v. The iteration starts from the
   /// velocity v_n before the step, for which the present v is the extrapolation 2 v_half − v_n. If a body sticks, v_n
   /// has the right size, but v_half and the extrapolation do not. The iteration ends if the residual is small enough,
-  /// or if the last correction was round-off.
+  /// or if the last correction was round-off. Fails if 100 corrections are not enough, or if the force, a projection or
+  /// a linear system fails.
   template <Damped S>
   static Status solve_velocity_by_newton(const S& system, double h, const typename S::Vector& rounding_half,
                                          State<S>& state, RattleWorkspace<S>& w) {
@@ -140,10 +144,10 @@ struct RattleVelocity {
     return Status::failure("the velocity that the friction leaves is not found; use a smaller step");
   }
 
-  /// Adds a correction αu to v, with the solution u of the linear system for the residual r at v. A convex function of
-  /// α has its minimum near this α. The negative derivative of this function is the slope uᵀM r. The factor α is 1 if
-  /// v + u is not far beyond the minimum, and is found by bisection otherwise. Sets w.damping.residual to r at the new
-  /// v, and `change` to the size of αu.
+  /// Adds a correction αu to v, with the solution u of the linear system for the residual r at v. The convex function
+  /// of the head of this file, as a function of α, has the derivative −uᵀM r. The factor α is 1 if v + u is not far
+  /// beyond the minimum, and is found by bisection otherwise. Sets w.damping.residual to r at the new v, and `change`
+  /// to the size of αu.
   template <Damped S>
   static Status search_along_correction(const S& system, double h, const typename S::Vector& rounding_half,
                                         State<S>& state, RattleWorkspace<S>& w, double& change) {
@@ -175,13 +179,15 @@ struct RattleVelocity {
     return {};
   }
 
-  /// Residual of v that is small enough: the part of the tolerance that projections may leave, or round-off.
+  /// Returns the size below which the residual of v is small enough. The size is a tenth of the constraint tolerance,
+  /// or the round-off of v if this is larger.
   template <ConstrainedSystem S>
   static double enough_for_velocity(const State<S>& state, const RattleWorkspace<S>& w) {
     return std::max(std::numeric_limits<double>::epsilon() * max_norm(state.v), w.constraint_tolerance / 10);
   }
 
-  /// Sets w.damping.residual to the projected residual of the equation of `settle_velocity` at v.
+  /// Sets w.damping.residual to the projected residual of the equation of `settle_velocity` at v. `rounding_half` is
+  /// the remainder of v_half. Fails if the force or the projection fails.
   template <Damped S>
   static Status find_residual(const S& system, double h, const typename S::Vector& rounding_half, State<S>& state,
                               RattleWorkspace<S>& w) {
@@ -199,7 +205,8 @@ struct RattleVelocity {
     return project_residual(system, state.q, enough_for_velocity(state, w), w.system, w.constraint, w.damping);
   }
 
-  /// Solves the linear system for the residual at v. On return, w.damping.solution is the correction of v.
+  /// Solves the linear system for the residual at v. On return, w.damping.solution is the correction of v. `enough` is
+  /// the permitted residual. Fails if solve_damping fails.
   template <Damped S>
   static Status solve_for_correction(const S& system, double h, double enough, const State<S>& state,
                                      RattleWorkspace<S>& w) {
@@ -210,7 +217,8 @@ struct RattleVelocity {
   }
 
   /// Solves the equation of `settle_velocity` by alternate evaluations of the force and projections, until v no longer
-  /// changes. If the force is damping and the iteration is slow, sets w.stiff and returns without a solution.
+  /// changes. If the force is damping and the iteration is slow, sets w.stiff and returns success without a solution.
+  /// Fails if the force or a projection fails, or if the iteration does not converge.
   template <ConstrainedSystem S>
   static Status iterate_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     auto& [half, before, free, reaction] = w.settling;

@@ -1,5 +1,6 @@
 #pragma once
-/// The memory of RATTLE between its steps: counters, temporaries, cached values and initial guesses (rattle.h).
+/// The workspace of RATTLE (rattle.h): counters, temporaries, cached values and initial guesses. rattle.h defines the
+/// symbols v_n, v_{n+1/2}, q_n and Λ.
 
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/core/constraint_newton.h"
@@ -9,6 +10,7 @@
 
 namespace pseudorigid::mechanics {
 
+/// Numbers of steps, substeps, force evaluations, corrections of q, projections of v, and iterations of Gram solvers.
 struct Counters {
   long n_steps = 0, n_substeps = 0, n_force = 0, n_position_iterations = 0, n_projections = 0, n_gram_iterations = 0;
 };
@@ -34,7 +36,7 @@ struct VelocityIteration {
         free(vector_if(keeps_reactions && velocity_dependent(system), system)),
         reaction(vector_if(keeps_reactions && velocity_dependent(system), system)) {}
 
-  typename S::Vector half;            // v_n, then v_{n+1/2}
+  typename S::Vector half;            // v_n in the first half step, v_{n+1/2} in the second
   typename S::Vector before;          // v_{n+1} of the previous iteration
   typename S::Vector free, reaction;  // v_{n+1} before the last projection; all reactions so far
 

@@ -51,7 +51,8 @@ namespace pseudorigid::mechanics {
 template <ConstrainedSystem S, int k, template <class> class Start>
 struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_slots = k - 1;
-  /// Largest number of multipliers from which the next one is extrapolated.
+  /// Largest number of multipliers from which the next multiplier is extrapolated, by a polynomial of this degree minus
+  /// 1.
   static constexpr int n_extrapolated = S::n_constraints == dynamic_constraints ? 5 : 6;
 
   explicit SymmetricMultistepWorkspace(const S& system)
@@ -66,7 +67,7 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   std::array<typename S::Vector, n_slots> d, a;
   std::array<typename S::Multiplier, n_extrapolated> multipliers;  // of the last steps, stored as a ring
   double h = 0;
-  int newest = 0;             // slot of d_n, with the index n of the state
+  int newest = 0;             // slot of d_n, the difference of the last step to q_n
   int n_known = 0;            // number of differences d in the history
   int newest_multiplier = 0;  // slot of λ_{n−1}
   int n_multipliers = 0;
@@ -117,7 +118,8 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Makes one step. The velocity is valid only after a call of `project_velocity`.
+  /// Makes one step. The velocity is valid only after a call of `project_velocity`. Fails if the force or the starting
+  /// method fails, or if the iteration for the constraint does not converge.
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     if (!same_step(h, w.h)) {
@@ -132,6 +134,8 @@ struct SymmetricMultistep {
     return {};
   }
 
+  /// Sets state.v to the projected velocity v_n. During the first k − 1 steps, the starting method makes its velocity
+  /// valid. Fails if the force or the projection fails.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, Workspace<S>& w) {
     if (w.n_known < w.n_slots) return w.start.project(system, state, w);
@@ -145,9 +149,11 @@ struct SymmetricMultistep {
   }
 
  private:
-  /// True if the step sizes differ only by the round-off of the sample times.
+  /// Returns true if the step sizes differ only by the round-off of the sample times.
   static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
 
+  /// Empties the history, so that the starting method makes the next k − 1 steps of size h. They start from the
+  /// projected state.
   template <class S>
   static Status restart(const S& system, double h, State<S>& state, Workspace<S>& w) {
     if (w.h != 0)
@@ -161,7 +167,7 @@ struct SymmetricMultistep {
   }
 
   /// Makes a step by the starting method. Stores the difference d of the step and the acceleration at the start of the
-  /// step.
+  /// step. Fails if the starting method fails.
   template <class S>
   static Status start_up(const S& system, State<S>& state, Workspace<S>& w) {
     if (Status status = w.start.acceleration(system, state, w, w.a[w.newest]); !status) return status;
@@ -181,9 +187,9 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Sets w.acceleration to M⁻¹f at the state. If the system computes f + Gᵀλ at little cost, sets w.acceleration to
-  /// M⁻¹(f + Gᵀλ) with the extrapolated λ. At the end of the start-up no λ is known and λ = 0, so a known M⁻¹f is
-  /// valid.
+  /// Sets w.acceleration to M⁻¹f at the state, and fails if the force fails. If the system computes f + Gᵀλ at little
+  /// cost, sets w.acceleration to M⁻¹(f + Gᵀλ) with the extrapolated λ. At the end of the start-up no λ is known and λ
+  /// = 0, so a known M⁻¹f is valid.
   template <class S>
   static Status ensure_predicted_acceleration(const S& system, const State<S>& state, Workspace<S>& w) {
     if constexpr (FindsForceWithReaction<S>) {
@@ -201,8 +207,9 @@ struct SymmetricMultistep {
   }
 
   /// Computes d_{n+1} and q_{n+1} with a_n from the extrapolated multiplier, and then corrects all three until
-  /// g(q_{n+1}) = 0. All calls are inlined, because calls kept the temporaries of small systems in memory. The accesses
-  /// to these temporaries took a sixth of the time of a step for a body on SL(3).
+  /// g(q_{n+1}) = 0. Fails if the iteration for the constraint does not converge or the result is not finite. All calls
+  /// are inlined, because calls kept the temporaries of small systems in memory. In a measurement, accesses to these
+  /// temporaries took a sixth of the time of a step of the pseudo-rigid body.
   template <class S>
   PSEUDORIGID_FLATTEN static Status make_step(const S& system, State<S>& state, Workspace<S>& w) {
     constexpr bool dense = VectorSpace<typename S::Vector>::dense;
@@ -244,9 +251,9 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Residual |g| below which the iteration ends after one more correction, without a check. For a fixed number of
-  /// constraints the Gram matrix is exact. An iteration of Newton then reduces the residual to its square times the
-  /// curvature of g. The factor 1e-4 permits curvatures up to 10⁴.
+  /// Returns the residual |g| below which the iteration ends after one more correction, without a check. For a fixed
+  /// number of constraints the Gram matrix is exact. An iteration of Newton then reduces the residual to its square
+  /// times the curvature of g. The factor 1e-4 permits curvatures up to 10⁴.
   template <class S>
   static double foregone(const S&, const Workspace<S>& w) {
     return S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * w.constraint_tolerance);
@@ -295,7 +302,7 @@ struct SymmetricMultistep {
     constexpr double weights[7][6]{
         {}, {1}, {2, -1}, {3, -3, 1}, {4, -6, 4, -1}, {5, -10, 10, -5, 1}, {6, -15, 20, -15, 6, -1}};
     constexpr int n = Workspace<S>::n_extrapolated;
-    if (w.n_multipliers == n)  // the usual case, in which the compiler knows the number of terms
+    if (w.n_multipliers == n)  // the usual case, with a constant number of terms, so that the compiler unrolls the sum
       sum_multipliers<S>(w, weights[n], n);
     else
       sum_multipliers<S>(w, weights[w.n_multipliers], w.n_multipliers);

@@ -20,7 +20,8 @@ struct SampleTimes {
   long n_samples = 1;
   double operator[](long k) const { return end * (static_cast<double>(k) / static_cast<double>(n_samples)); }
   double interval() const { return end / static_cast<double>(n_samples); }
-  /// Least number of equal steps that fill an interval and are not longer than `step` up to round-off.
+  /// Returns the least number of equal steps that fill an interval and are not longer than `step` up to round-off. The
+  /// number is at least 1.
   long steps_per_interval(double step) const {
     const double n = std::ceil(interval() / step * (1 - 1e-12));
     constexpr double most = 9e18;  // below the largest long; a run cannot make so many steps
@@ -85,7 +86,7 @@ requires(!Method::adaptive) RunResult
 }
 
 /// Makes the same run with a method that chooses the sizes of its steps. The steps do not end at the samples, so the
-/// state at a sample is interpolated. The last step ends at T.
+/// state at a sample is interpolated. The last step ends at T. cursor.step counts the steps since the last sample.
 template <class Method, class F, TimeLoopHooks<F, typename Method::template Workspace<F>> Hooks>
 requires(Method::adaptive) RunResult
     run_time_loop(const F& field, const SampleTimes& times, State<F>& state, Cursor& cursor,

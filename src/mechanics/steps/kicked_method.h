@@ -25,6 +25,8 @@ struct Kicked : Method {
     std::uint64_t n_kicks = 0;
   };
 
+  /// Makes a step of Method and then perturbs the state. If the step of Method fails, there is no perturbation, and the
+  /// failure is returned.
   template <SecondOrderField F>
   static Status step(const F& field, double t_limit, State<F>& state, Workspace<F>& w) {
     if (Status status = Method::step(field, t_limit, state, w); !status) return status;
@@ -36,8 +38,8 @@ struct Kicked : Method {
   }
 
  private:
-  /// The sign for kick k. It is the parity of the bits of k times the odd number next to 2⁶⁴/φ, with the golden ratio
-  /// φ. The signs are neither constant nor periodic.
+  /// Returns the sign of kick k. The sign is the parity of the bits of k times the odd number next to 2⁶⁴/φ, with the
+  /// golden ratio φ. This product makes the signs irregular.
   static double sign(std::uint64_t k) { return std::popcount(k * 0x9e3779b97f4a7c15u) % 2 == 0 ? 1 : -1; }
 };
 

@@ -31,12 +31,12 @@
 
 namespace pseudorigid::mechanics {
 
-/// The frequency ω, or in `status` the reason why ω could not be computed.
+/// The frequency ω. If `status` is a failure, ω could not be computed, and `omega` is not valid.
 struct [[nodiscard]] FrequencyReport {
   Status status;
   double omega = 0;
 };
-/// The damping rate γ, or in `status` the reason why γ could not be computed.
+/// The damping rate γ. If `status` is a failure, γ could not be computed, and `gamma` is not valid.
 struct [[nodiscard]] DampingReport {
   Status status;
   double gamma = 0;
@@ -60,8 +60,9 @@ struct MassPair {
   double norm() const { return std::sqrt(std::max(0.0, dot(u, w))); }
 };
 
-/// Fills x with pseudo-random numbers in [−1, 1), the same at every call, so that x has a component along every mode. A
-/// system with distributed vectors has its own function, whose numbers do not depend on the number of ranks.
+/// Fills x with pseudo-random numbers in [−1, 1), so that x has a component along every mode. The numbers are the same
+/// at every call, so that results are reproducible. A system with distributed vectors has its own function, whose
+/// numbers do not depend on the number of ranks.
 template <class S>
 void fill_irregular(const S& system, typename S::Vector& x) {
   if constexpr (requires { system.fill_irregular(x); }) return system.fill_irregular(x);
@@ -78,7 +79,8 @@ void fill_irregular(const S& system, typename S::Vector& x) {
 template <ConstrainedSystem S>
 class TangentOperator {
  public:
-  /// `scale` is the size of the vector that the differences change. A scale of 0 is replaced by 1.
+  /// `scale` is the size of the vector that the differences change. A scale of 0 is replaced by 1. The references must
+  /// stay valid as long as the object.
   TangentOperator(const S& system, const State<S>& state, typename S::Workspace& workspace, bool of_velocity,
                   double scale)
       : system_(system),
@@ -93,6 +95,8 @@ class TangentOperator {
         residual_(system.make_multiplier()),
         delta_(system.make_multiplier()) {}
 
+  /// Computes λ for K, and the force at the state for forward differences. `apply` needs both. Fails if the force or a
+  /// Gram solve fails.
   Status prepare() {
     if (!of_velocity_)
       if (Status status = multiplier_of_motion(system_, state_, workspace_, lambda_); !status) return status;
@@ -102,7 +106,8 @@ class TangentOperator {
 
   /// Sets result.w to K u and result.u to M⁻¹K u, and projects both. If `of_velocity` is true, C replaces K. If the
   /// force fails, the increment of the difference is divided by 10, up to five times. The force can fail for a body
-  /// that is thin compared with its length.
+  /// that is thin compared with its length. Fails if the force fails with the smallest increment, or if the Gram solve
+  /// fails.
   Status apply(const typename S::Vector& u, MassPair<S>& result) {
     Status status = difference(u, result.w);
     for (int n_smaller = 0; !status && n_smaller < 5; ++n_smaller) {
@@ -114,6 +119,8 @@ class TangentOperator {
     return project(result);
   }
 
+  /// Projects x.u onto the tangent space of the constraints, and changes x.w = M u accordingly. Fails if the Gram solve
+  /// fails.
   Status project(MassPair<S>& x) {
     if constexpr (!unconstrained<S>) {
       system_.constraint_rate(state_.q, x.u, residual_);
@@ -131,7 +138,8 @@ class TangentOperator {
 
  private:
   /// Computes w = K u, or w = C u if `of_velocity_` is true, by a difference of forces. If the damping is not linear in
-  /// the velocity, the system computes its tangent C, because a difference would need changes far below the slip speed.
+  /// the velocity, the system computes its tangent C. A difference would need changes far below the slip speed of
+  /// friction.
   Status difference(const typename S::Vector& u, typename S::Vector& w) {
     if constexpr (Damped<S>)
       if (of_velocity_ && !damping_is_linear(system_)) {
@@ -159,7 +167,7 @@ class TangentOperator {
     }
   }
 
-  /// Sets `force` to f + G(q)ᵀλ at `moved_`, or to f if `of_velocity_` is true.
+  /// Sets `force` to f + G(q)ᵀλ at `moved_`, or to f if `of_velocity_` is true. Fails if the force fails.
   Status evaluate(typename S::Vector& force) {
     if (Status status = system_.force(state_.t, moved_.q, moved_.v, workspace_, force); !status) return status;
     if constexpr (!unconstrained<S>)
@@ -180,16 +188,17 @@ class TangentOperator {
   typename S::Multiplier lambda_, residual_, delta_;
 };
 
-/// Largest eigenvalue of the Lanczos matrix with the diagonal `alpha` and the off-diagonal `beta`, and the residual
-/// |β_n s_n| of its eigenvector s. The operator has an eigenvalue that differs from this value by at most the residual.
+/// Largest eigenvalue of the Lanczos matrix T_n, and the residual of its eigenvector s. T_n is tridiagonal with the
+/// diagonal `alpha`. Its off-diagonal has all numbers of `beta` but the last, β_n. The residual is |β_n s_n|. The
+/// operator has an eigenvalue that differs from `value` by at most `residual`.
 struct RitzValue {
   double value = 0, residual = 0;
 };
 RitzValue largest_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta);
 
-/// Number of independent displacements tangent to the constraints, or the largest int for distributed vectors. Lanczos'
-/// iteration is complete after this number of steps. Further vectors would consist of round-off, which can grow without
-/// bound.
+/// Returns the number of independent displacements tangent to the constraints, or the largest int for distributed
+/// vectors. Lanczos' iteration is complete after this number of steps. Further vectors would consist of round-off,
+/// which can grow without bound.
 template <ConstrainedSystem S>
 int most_directions(const S& system) {
   if constexpr (VectorSpace<typename S::Vector>::dense) {

@@ -19,13 +19,15 @@
 
 namespace pseudorigid::mechanics {
 
+/// The conditions under which a method and a step are chosen. Times are in the unit of time of the system.
 struct StepRequest {
   double end = 0;        ///< end T of the run
   double window = 0;     ///< length w of the pilot runs
   double tolerance = 0;  ///< permitted error of the configuration over [0, T]
-  /// Largest permitted step of RATTLE (rattle_step_limit). The limits of other methods are proportional to it.
+  /// Largest permitted step of RATTLE (rattle_step_limit), to which the limits of other methods are proportional. The
+  /// limit is infinite if the system has no constrained form.
   double rattle_limit = 0;
-  double step_bound = HUGE_VAL;  ///< largest step that the user allows, with all its substeps
+  double step_bound = HUGE_VAL;  ///< largest length of a step with all its substeps that the user permits
   double interval = HUGE_VAL;    ///< time between samples, a bound for methods with fixed steps
   bool stiff = false;            ///< true if the damping would limit the step of all methods except RATTLE
   /// True if force evaluations are costly. The search then first tries shorter pilot runs. It omits methods that cannot
@@ -39,6 +41,7 @@ struct StepRequest {
 namespace detail {
 
 inline constexpr double error_safety = 0.5;  ///< fraction of the tolerance that the error estimate may use
+/// Largest number of samples in a pilot run.
 inline constexpr long max_pilot_samples = 32;
 /// Largest difference of two pilot runs, in the system's unit of length, that is assumed to follow the order of the
 /// method. Collisions and chaos cause larger differences.
@@ -51,8 +54,8 @@ inline constexpr long max_pilot_forces = 4'000'000;
 /// step changed by 4 %.
 inline constexpr double pilot_constraint = 5e-3;
 
-/// Result of a pilot run: the configurations (or energies) at the samples, the largest component of the velocity at the
-/// samples, and the number of force evaluations.
+/// Result of a pilot run. `q` has the configuration at each sample, or the kinetic and the potential energy. `speed` is
+/// the largest |v|_∞ at the samples, and `n_force` the number of force evaluations.
 struct PilotRun {
   Status status;
   double t = 0;  ///< time reached
@@ -75,6 +78,7 @@ struct FixedStepMethod {
   /// method is symplectic or the caller does not give the energies.
   std::function<PilotRun(double window, long n_samples, long n_steps)> energies{};
 };
+/// An adaptive method, with functions that make pilot runs of one system with a given local tolerance.
 struct AdaptiveMethod {
   MethodId id;
   std::function<PilotRun(double local_tolerance)> pilot;
@@ -111,14 +115,15 @@ struct PilotHooks {
   }
 };
 
-/// Returns the reason why a pilot run did not reach its end.
+/// Returns the failure of a pilot run that did not reach its end: the failure of the run, or its interruption.
 inline Status failure_of(RunResult result) {
   return Status::failure(result.outcome == Outcome::failed ? std::move(result.reason)
                                                            : "it takes too many steps to look ahead");
 }
 
-/// Makes a pilot run. `form` is the form of the system that the method integrates (field_of.h). The function calls
-/// `prepare(workspace)` before the first step.
+/// Makes a pilot run over `window` with n_samples samples and n_steps steps between samples. An adaptive method ignores
+/// n_steps. `form` is the form of the system that the method integrates (field_of.h). The function calls
+/// `prepare(workspace)` before the first step. A failure is in the status of the result.
 template <class Method, class Form, class QOf, class Prepare>
 PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& request, const QOf& Q_of, double window,
                    long n_samples, long n_steps, Prepare&& prepare) {
@@ -133,17 +138,17 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
   return std::move(hooks.run);
 }
 
-/// Longest step of a pilot run with perturbations: the limit of RATTLE, but at least the window divided by 4096. If the
-/// limit is not known, there is no bound. An adaptive step does not react to perturbations far below its tolerance.
-/// Without this bound, the steps of a body at rest would exceed the stability limit, and the method itself would
-/// amplify the perturbations.
+/// Returns the longest step of a pilot run with perturbations: the limit of RATTLE, but at least 1/4096 of the window.
+/// If `rattle_limit` is 0, it is not known and the result is infinite. An adaptive step does not react to perturbations
+/// far below its tolerance. Without this bound, the steps of a body at rest would exceed the stability limit, and the
+/// method itself would amplify the perturbations.
 inline double longest_kicked_step(const StepRequest& request) {
   constexpr double most_steps = 4096;
   if (request.rattle_limit == 0) return HUGE_VAL;  // not known
   return std::max(request.rattle_limit, pilot_window(request) / most_steps);
 }
 
-/// Cost of one step as a number of force evaluations.
+/// Returns the cost of one step as a number of force evaluations.
 template <class Method, class S>
 double forces_of_step(const S& system) {
   if constexpr (requires { Method::forces_of_step(system); })
@@ -152,7 +157,7 @@ double forces_of_step(const S& system) {
     return Method::n_stages;
 }
 
-/// Makes a FixedStepMethod, whose functions keep references to the arguments.
+/// Returns a FixedStepMethod, whose functions keep references to the arguments.
 template <class Method, class S, class QOf, class EnergiesOf>
 FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                   const QOf& Q_of, const EnergiesOf& energies_of) {
@@ -179,6 +184,7 @@ FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& 
     };
   return method;
 }
+/// Returns an AdaptiveMethod, whose functions keep references to the arguments.
 template <class Method, class S, class QOf>
 AdaptiveMethod adaptive_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                const QOf& Q_of) {
@@ -200,6 +206,7 @@ AdaptiveMethod adaptive_method(MethodId id, const S& system, const State<S>& ini
           }};
 }
 
+/// Returns the largest |q_a − q_b|_∞ over the samples that both runs have.
 inline double largest_difference(const PilotRun& a, const PilotRun& b) {
   double d = 0;
   for (std::size_t k = 0; k < std::min(a.q.size(), b.q.size()); ++k)
@@ -207,20 +214,23 @@ inline double largest_difference(const PilotRun& a, const PilotRun& b) {
   return d;
 }
 
-/// Error at the time `end` from the random walk of round-off over n_substeps substeps. Every substep rounds the
-/// velocity. If sums are compensated, only the increments of the velocity have round-off. The random walk is then
-/// smaller by the factor min(1, hω), with the size h of a substep and the largest frequency ω.
+/// Returns the error of the configuration at the time `end` from the random walk of round-off over n_substeps substeps.
+/// `speed` is the size |v|_∞ of the velocity. Every substep rounds the velocity. If sums are compensated, only the
+/// increments of the velocity have round-off. The random walk is then smaller by the factor min(1, hω), with the size h
+/// of a substep and the largest frequency ω.
 inline double round_off_walk(bool compensated, double speed, double end, double n_substeps, double h_omega) {
   const double part = compensated ? std::min(1.0, h_omega) : 1.0;
   return 0.5 * std::numeric_limits<double>::epsilon() * (1 + part * std::sqrt(n_substeps) * std::max(1.0, speed * end));
 }
 
-/// Result of the search for one method.
+/// Result of the search for one method. The verdict `dearer` means that the method would need too many force
+/// evaluations. The verdict `failed` has the reason in `reason`, a sentence.
 struct Trial {
   enum class Verdict { accepted, dearer, failed } verdict = Verdict::failed;
   MethodId method = id_of<Rattle>;
-  double limit = 0, step = 0;  ///< permitted and chosen step with all substeps; adaptive: bound of the step
+  double limit = 0, step = 0;  ///< permitted and chosen step with all substeps; adaptive: both are the bound
   double local_tolerance = 0;  ///< for adaptive methods only
+  /// Estimated error of the configuration over the run, and number of force evaluations of the run.
   double error = 0, n_forces_of_run = 0;
   bool at_round_off = false;
   bool set_by_energy = false;  ///< the energy error determines the step

@@ -8,7 +8,7 @@ namespace pseudorigid::mechanics::detail {
 namespace {
 
 constexpr int max_step_halvings = 12;
-/// Largest number of force evaluations in a run; more would take hours.
+/// Largest number of force evaluations in a run. With 100 ns for a force, such a run takes 3 hours.
 constexpr double max_run_forces = 1e11;
 
 /// Division of a window into n_samples intervals of n_steps steps, none longer than h. The constructor chooses the
@@ -28,7 +28,8 @@ struct Grid {
   }
 };
 
-/// True if the method has one force evaluation per step and an order above that of RATTLE.
+/// Returns true for a multistep method. Only these methods have one force evaluation per step and an order above that
+/// of RATTLE, which is 2.
 bool is_multistep(const FixedStepMethod& method) { return method.n_stages == 1 && method.order > 2; }
 
 /// Returns the change of the energy over the whole run, extrapolated from the pilot run, which covers the fraction
@@ -57,15 +58,17 @@ double change_of_energy(const PilotRun& run, double part) {
   return (change + drift) / (most - least);
 }
 
-/// True if the runs with steps h and h/2 fail at nearly the same time, many steps after the start. The motion then ends
-/// at this time, and a smaller step does not help. Steps beyond the stability limit would fail within the first few
-/// steps.
+/// Returns true if the runs with steps h and h/2 fail at nearly the same time, more than 8 steps h after the start. The
+/// motion then ends at this time, and a smaller step does not help. Steps beyond the stability limit would fail within
+/// the first few steps.
 bool motion_ends(const PilotRun& coarse, const PilotRun& fine, double h) {
   return !coarse.status && !fine.status && coarse.t > 8 * h && std::abs(coarse.t - fine.t) <= 0.2 * coarse.t;
 }
 
 }  // namespace
 
+/// Finds the step that meets the tolerance of the configuration (step_search.h), without regard to the energy. If the
+/// verdict is `failed`, the result has the reason.
 Trial StepSearch::meet_tolerance(const FixedStepMethod& method, double n_forces_to_beat) {
   Trial trial{.method = method.id, .limit = limit(method)};
   if (!(least_forces(method) <= max_run_forces)) {
@@ -99,6 +102,8 @@ Trial StepSearch::meet_tolerance(const FixedStepMethod& method, double n_forces_
   return trial;
 }
 
+/// Returns the length of the pilot runs. For a multistep method of order p the length is at least 4p steps, or the
+/// whole run if this is shorter.
 double StepSearch::window_of(const FixedStepMethod& method) const {
   constexpr double n_steps_per_order = 4;
   const double least = is_multistep(method) ? n_steps_per_order * method.order * limit(method) : 0;
@@ -106,16 +111,17 @@ double StepSearch::window_of(const FixedStepMethod& method) const {
 }
 
 /// Returns the number of force evaluations of the run if the difference d at h decreases according to the order. Large
-/// errors saturate, so the true number may be larger than this prediction. A method that the prediction excludes is
-/// therefore certainly too costly.
+/// errors saturate, so the true number may be larger than this prediction. A method that is too costly according to the
+/// prediction is therefore too costly in fact.
 double StepSearch::predicted_forces(const FixedStepMethod& method, double h, double d) const {
   const double e = d * std::max(1.0, request_.end / window_), target = allowed_error();
   return run_forces(method, h) * std::max(1.0, std::pow(e / target, 1 / method.order));
 }
 
-/// Estimates the error at the stability limit over a part of the window, and multiplies the estimate by its possible
-/// growth in the rest of the window. If the product is permitted, accepts the stability limit and returns true. Tries
-/// the longer part only if the estimate of the shorter part would be permitted with the smaller factor.
+/// Estimates the error at the stability limit over a part of the window. Multiplies the estimate by its possible growth
+/// in the rest of the window. If the product is permitted, accepts the stability limit and returns true. Tries the
+/// longer part only if the estimate of the shorter part would be permitted with the smaller factor. Returns false if no
+/// part is sufficient or if a pilot run fails.
 bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
   double error = 0;
   for (double part : {1.0 / 8, 1.0 / 2}) {
@@ -135,9 +141,10 @@ bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
   return false;
 }
 
-/// Shortens the step until the predicted change of the energy over the run is permitted (step_search.h).
+/// Shortens the step such that the predicted change of the energy over the run is permitted (step_search.h). Does
+/// nothing for methods other than multistep methods, for short runs, or if the pilot run fails.
 void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
-  // Both values were chosen after the measurements in step_search.h, and so was the power in change_of_energy().
+  // The two values and the power in change_of_energy() were chosen after the measurements in step_search.h.
   constexpr double part = 1.0 / 8, least_windows = 5;
   const double window = part * request_.end;
   if (!is_multistep(method) || !method.energies || window < least_windows * pilot_window(request_)) return;
@@ -145,7 +152,7 @@ void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
   const PilotRun run = method.energies(window, grid.n_samples, grid.n_steps);
   n_force_ += run.n_force;
   const double p = method.order, h = window / static_cast<double>(grid.n_samples * grid.n_steps);
-  if (!run.status || run.q.size() < 2) return;  // if the pilot run fails, the run itself shortens its step
+  if (!run.status || run.q.size() < 2) return;  // the step remains; the run itself shortens it if the run fails too
   const double change = change_of_energy(run, part) * std::pow(trial.step / h, p);
   if (change <= allowed_error()) return;
   const double shorter = std::pow(allowed_error() / change, 1 / p);
@@ -155,14 +162,16 @@ void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
   trial.set_by_energy = true;
 }
 
+/// Makes a pilot run and counts its force evaluations.
 PilotRun StepSearch::pilot(const FixedStepMethod& method, double window, long n_samples, long n_steps) {
   PilotRun run = method.pilot(window, n_samples, n_steps);
   n_force_ += run.n_force;
   return run;
 }
 
-/// Sets the step and returns true if the difference d at h is sufficient: its error estimate is at most the target or
-/// the round-off, or d is small and has decreased from d_before at 2h (0: unknown) according to the order.
+/// Sets the step and returns true if the difference d at h is sufficient. One sufficient condition is that the error
+/// estimate of d is at most the target or the round-off. The other condition is that d is small and has decreased
+/// according to the order from d_before, the difference at 2h. A d_before of 0 is not known.
 bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, double d, double d_before,
                         double speed) const {
   const double p = method.order;
@@ -185,6 +194,8 @@ bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, d
   return accept(method, trial, step, e * std::pow(step / h, p), round_off(method, speed, step));
 }
 
+/// Sets the trial to `accepted` with this step and returns true. The error is the sum of the truncation error and the
+/// round-off `walk`.
 bool StepSearch::accept(const FixedStepMethod& method, Trial& trial, double step, double truncation,
                         double walk) const {
   trial.verdict = Trial::Verdict::accepted;
@@ -195,6 +206,7 @@ bool StepSearch::accept(const FixedStepMethod& method, Trial& trial, double step
   return true;
 }
 
+/// Returns the error e₀ of round-off with the step h (step_search.h).
 double StepSearch::round_off(const FixedStepMethod& method, double speed, double h) const {
   // If the system has no constrained form, its frequency is not known and rattle_limit is infinite.
   const double h_omega = std::isfinite(request_.rattle_limit)

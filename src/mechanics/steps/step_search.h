@@ -11,8 +11,8 @@
 /// regular motions (Hairer, Lubich, Wanner, Geometric Numerical Integration, X.3). The window should contain several
 /// periods of the slowest important motion. On a chaotic motion only w = T is safe. In a test with 1500 short scenes,
 /// all runs met their tolerances. A release from the stretches 1.29, 1.29, 0.60, which is not in the test, had an error
-/// of 1.12 times its tolerance. This motion magnifies a change of the initial state 2000 times in the time 6.4 r/c,
-/// with the radius r and the speed c of shear waves.
+/// of 1.12 times its tolerance. This motion magnifies a change of the initial state 2000 times in the time 6.4 r/c.
+/// Here r is the radius, and c the speed of shear waves.
 ///
 /// The search starts at the stability limit and halves the step. It ends if e is at most the target or the error e₀ of
 /// round-off (below). It also ends if a difference of at most 0.1 falls at a halving by a factor of at least 2^p/√2.
@@ -27,7 +27,7 @@
 /// factor 23. If this product is too large, but 2.8 times the estimate is not, the search also tries w/2 with the
 /// factor 2.8. These factors were tested in releases, spins, tides and figures of equilibrium of the ball. Without a
 /// factor, the estimate was too small by a factor of 0.07 to 9 at w/8, and of 0.4 to 2.1 at w/2. A method of high order
-/// at its stability limit often passes this test. The pilot runs then cost only a fifth or a half as much.
+/// at its stability limit often passes this test. Its pilot runs then cost only a fifth or a half as much.
 ///
 /// A symmetric multistep method conserves a modified energy. For a mode of frequency ω and energy E_ω, the modified
 /// energy is
@@ -46,12 +46,12 @@
 ///   (D + 44 δ) (h'/h)^p ≤ target,
 ///
 /// because a change that grows like t^(3/2) is 44 δ at the end of the run. In small motions the energy oscillates, and
-/// δ is small. In 123 runs of releases and spins of the ball, the change at the end was 0.09 to 42 times D + 44 δ, with
-/// the median 0.9. The runs had stretches of 1.001 to 1.3 and lengths of 20 to 1000 r/c, with and without the
+/// δ is small. In 123 runs of releases and spins of the ball, the change at the end was 0.09 to 42 times D + 44 δ. The
+/// median was 0.9. The runs had stretches of 1.001 to 1.3 and lengths of 20 to 1000 r/c, with and without the
 /// constraint. The finite elements had degrees 2 to 4, and the polynomials had degrees 3 to 9. In 12 runs the change
 /// was more than 5 times D + 44 δ, because violent motions become more violent with time. In the worst case a
 /// compressible ball is compressed to a fifth. The power 3/2 was chosen after these measurements. The target and the
-/// reserve of the models (app/run/field_model.h) together permit a factor of 5. A larger excess comes from the
+/// reserve of the models (app/run/field_model.h) together permit a factor of 5. A larger excess results from the
 /// parasitic roots of the method, ±i for order 4, which resonate with sums of frequencies. Sums of two frequencies
 /// resonate from hω = 0.79 on, and sums of three from 0.52 on. The error of these resonances falls faster than h^p.
 ///
@@ -69,7 +69,8 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// The search for the step. `compensated` is true if sums of the system's vectors are compensated.
+/// The search for the step. `compensated` is true if sums of the system's vectors are compensated. The request must
+/// exist as long as the object.
 class StepSearch {
  public:
   StepSearch(const StepRequest& request, bool compensated)
@@ -84,13 +85,14 @@ class StepSearch {
     return trial;
   }
 
-  /// Number of force evaluations of the whole run with the largest permitted step. The method cannot need fewer.
+  /// Returns the number of force evaluations of the whole run with the largest permitted step. The method cannot need
+  /// fewer.
   double least_forces(const FixedStepMethod& method) const { return run_forces(method, limit(method)); }
   long n_force() const { return n_force_; }
 
  private:
   bool given_up() const { return request_.give_up && request_.give_up(); }
-  /// Target of the estimate e, a fraction of the tolerance.
+  /// Returns the target of the estimate e: the fraction error_safety of the tolerance.
   double allowed_error() const { return error_safety * request_.tolerance; }
   double limit(const FixedStepMethod& method) const {
     return std::min(request_.rattle_limit * (method.step_limit / Rattle::stability_limit),

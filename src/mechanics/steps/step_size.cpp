@@ -29,6 +29,8 @@ constexpr double worth_dear_pilots = 0.8;
 /// evaluation of an adaptive method.
 constexpr double price_of_invariants = 2;
 
+/// Returns the sentence for the log. It contains the chosen method, its step with the reason, its error and cost, and
+/// the costs of the other methods.
 std::string describe(const Trial& chosen, const StepRequest& request, const std::vector<Trial>& others) {
   std::ostringstream s;
   s.precision(3);
@@ -56,6 +58,7 @@ class MethodChoice {
  public:
   MethodChoice(bool compensated, const StepRequest& request) : compensated_(compensated), request_(request) {}
 
+  /// Searches for the local tolerance of each adaptive method. The table has one such method.
   void try_adaptive(const std::vector<AdaptiveMethod>& methods) {
     for (const AdaptiveMethod& method : methods) {
       trials_.push_back(search_tolerance(request_, compensated_, method, n_force_));
@@ -65,6 +68,8 @@ class MethodChoice {
     }
   }
 
+  /// Searches for the step of each method with fixed steps in the order of likely_forces, and keeps the cheapest
+  /// method.
   void try_fixed_steps(std::vector<FixedStepMethod> methods) {
     StepSearch search(request_, compensated_);
     std::stable_sort(methods.begin(), methods.end(), [&](const FixedStepMethod& a, const FixedStepMethod& b) {
@@ -85,6 +90,8 @@ class MethodChoice {
     n_force_ += search.n_force();
   }
 
+  /// Returns the adaptive method if its doubled cost is least, otherwise the best method with fixed steps. Without
+  /// both, the status is a failure.
   StepChoice result() {
     if (adaptive_ && (!best_ || adaptive_cost() < best_->n_forces_of_run)) best_ = adaptive_;
     StepChoice choice{.rattle_limit = request_.rattle_limit, .n_force = n_force_};
@@ -106,13 +113,13 @@ class MethodChoice {
   }
 
  private:
-  /// Cost by which the methods are ordered. The cost of a method of order 2 is doubled, since accuracy seldom permits a
-  /// step near its limit.
+  /// Returns the cost by which the methods are ordered. The cost of a method of order 2 is doubled, since accuracy
+  /// seldom permits a step near its limit.
   static double likely_forces(const StepSearch& search, const FixedStepMethod& method) {
     return search.least_forces(method) * (method.order == 2 ? 2 : 1);
   }
-  /// Cost of the adaptive method in the comparison; infinite if there is none, or if round-off prevents the method from
-  /// meeting the tolerance.
+  /// Returns the cost of the adaptive method in the comparison, with the factor price_of_invariants. The cost is
+  /// infinite if no adaptive method is accepted, or if round-off prevents it from meeting the tolerance.
   double adaptive_cost() const {
     return adaptive_ && !adaptive_->at_round_off ? price_of_invariants * adaptive_->n_forces_of_run : HUGE_VAL;
   }

@@ -1,18 +1,20 @@
 #pragma once
-/// Choice of the method and the step. The tolerance applies to the time error of the configuration over a run, in the
-/// maximum norm over the samples.
+/// Choice of the method and the step. If the entry Time/Method of a parameter file is auto, the program chooses the
+/// method. The tolerance applies to the time error of the configuration over a run, in the maximum norm over the
+/// samples.
 ///
-/// An adaptive method (tolerance_search.h) is tried first. It can follow motions of every kind, and its cost bounds the
-/// cost of the search among the other methods. An adaptive method does not conserve the invariants of the motion. It is
+/// An adaptive method (tolerance_search.h) is tried first. Its cost bounds the cost of the search among the other
+/// methods. If it fails, or if its estimated error is above 0.1, other methods are not tried. The motion then ends
+/// early or is too sensitive for every method. An adaptive method does not conserve the invariants of the motion. It is
 /// therefore chosen only if it needs less than half of the force evaluations of the other methods. This occurs on short
 /// runs, because the error of an adaptive method grows like T², and on motions with short violent phases.
 ///
 /// Then methods with fixed steps are tried (step_search.h), in the order of their least cost, which is the cost at the
 /// stability limit. For methods of order 2 this cost counts twice. A method is skipped if its least cost exceeds the
-/// cost of the best method so far, or 0.8 of this cost if force evaluations are costly. During the search for the step
-/// of a method, pilot runs predict the cost of the method. The search ends if this cost exceeds the cost of the best
-/// method so far. It also ends if this cost is four times the least cost of a later method. If force evaluations are
-/// cheap, only later methods of higher order count.
+/// cost of the best method so far. If force evaluations are costly, the bound is 0.8 of this cost. During the search
+/// for the step of a method, pilot runs predict the cost of the method. The search ends if this cost exceeds the cost
+/// of the best method so far. It also ends if this cost is four times the least cost of a later method. If force
+/// evaluations are cheap, only later methods of higher order count.
 
 #include <Eigen/Core>
 #include <optional>
@@ -34,24 +36,24 @@ struct [[nodiscard]] StepChoice {
   bool at_round_off = false;   ///< true if the tolerance is below the limit of double precision
   /// Time after which round-off grows beyond the tolerance; empty if no such time is known.
   std::optional<double> round_off_rules_from{};
-  double rattle_limit = 0;  ///< StepRequest::rattle_limit
+  double rattle_limit = 0;  ///< the value of StepRequest::rattle_limit
   long n_force = 0;         ///< number of force evaluations in all pilot runs
   std::string why{};        ///< the reason of the choice, one sentence for the log
 };
 
-/// |Q⁻¹Q̇|₂, the rate of an affine motion. It is an estimate of the rate at which the modes of vibration rotate and
-/// stretch.
+/// Returns |Q⁻¹Q̇|₂, the rate of an affine motion with the regular matrix Q. The modes of vibration rotate and stretch
+/// at about this rate.
 double affine_rate(const Eigen::Matrix3d& Q, const Eigen::Matrix3d& Qdot);
 
-/// Step at which RATTLE is stable with some reserve: safety · 2/(ω + rate). The frequency ω is the largest frequency of
-/// small motions about the present motion, and `rate` is the rate of the present motion.
+/// Returns the step at which RATTLE is stable with some reserve: safety · 2/(ω + rate). The frequency ω is the largest
+/// frequency of small motions about the present motion, and `rate` is the rate of the present motion.
 inline double rattle_step_limit(double omega, double rate, double safety = 0.8) {
   return safety * Rattle::stability_limit / (omega + rate);
 }
 
-/// Step at which RATTLE's iteration on a force that depends on the velocity converges well. With the largest damping
-/// rate γ and the step h, an iteration multiplies the error by hγ/2. At this step an iteration gains more than half a
-/// digit.
+/// Returns the step at which RATTLE's iteration on a force that depends on the velocity converges well. With the
+/// largest damping rate γ and the step h, an iteration multiplies the error by hγ/2. At this step an iteration gains
+/// more than half a digit.
 inline double damped_step_limit(double gamma, double safety = 0.8) { return safety * 0.5 / gamma; }
 
 /// True if Method = auto chooses the method only for systems that evaluate stages in lanes (stage_by_stage.h).
@@ -69,16 +71,16 @@ inline constexpr bool auto_considers = Method::chosen_by_auto &&
 
 namespace detail {
 
-/// Returns the best of the given methods and its step. `compensated` is true if sums of the system's vectors are
-/// compensated.
+/// Returns the best of the given methods and its step. The status is a failure if there is no method, or if no step of
+/// a method can be found. `compensated` is true if sums of the system's vectors are compensated.
 StepChoice choose_among(const std::vector<FixedStepMethod>& fixed, const std::vector<AdaptiveMethod>& adaptive,
                         bool compensated, const StepRequest& request);
 
-/// True for the requested method. Without a request, true for each method that Method = auto may choose and that
-/// accepts the system. If force evaluations are costly, an adaptive method is a candidate only for dissipative systems.
-/// Methods with fixed steps of high order do not accept these systems. A method that is for stages in lanes is a
-/// candidate only if the system evaluates its stages in lanes. If the system is stiff, RATTLE is the only candidate,
-/// because RATTLE solves a linear system for the velocity.
+/// Returns true for the requested method. Without a request, returns true for each method that Method = auto may choose
+/// and that accepts the system. If force evaluations are costly, an adaptive method is a candidate only for dissipative
+/// systems. Methods with fixed steps of high order do not accept these systems. A method that is for stages in lanes is
+/// a candidate only if the system evaluates its stages in lanes. If the system is stiff, RATTLE is the only candidate,
+/// because RATTLE solves a linear system for the velocity. Damping then does not limit its step.
 template <class Method, class S>
 bool is_candidate(const S& system, const StepRequest& request) {
   if (request.method) return *request.method == id_of<Method>;
@@ -96,7 +98,7 @@ bool is_candidate(const S& system, const StepRequest& request) {
 /// configuration Q_of(state), a matrix or vector of Eigen. `initial` is at t = 0. A failed pilot run with fixed steps
 /// is repeated with half the step. The function energies_of(state), if given, returns the kinetic and the potential
 /// energy. A multistep method may then change their sum by at most half the tolerance, relative to the energy of the
-/// motion.
+/// motion. The status of the result is a failure if no method fits or no step is found.
 template <class S, class QOf, class EnergiesOf = detail::NoEnergies>
 StepChoice choose_step(const S& system, const State<S>& initial, const StepRequest& request, const QOf& Q_of,
                        const EnergiesOf& energies_of = {}) {

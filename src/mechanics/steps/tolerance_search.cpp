@@ -8,15 +8,18 @@
 namespace pseudorigid::mechanics::detail {
 namespace {
 
+/// Returns |q|_∞ at the first sample, or 0 without samples.
 double size_of(const PilotRun& pilot) { return pilot.q.empty() ? 0 : max_norm<Eigen::VectorXd>(pilot.q.front()); }
 
-/// Distance of a pilot run from two pilot runs that are perturbed by round-off in opposite directions.
+/// Largest distance of a pilot run from two pilot runs that are perturbed by round-off in opposite directions.
 struct RoundOff {
   double difference = 0;
   bool magnified = false;               ///< the distance is much larger than that of a random walk
   std::optional<double> beyond_from{};  ///< time of the first sample at which the distance exceeds the bound
 };
 
+/// Makes the two perturbed pilot runs with the local tolerance `tau` and compares them with `pilot`. `bound` is the
+/// distance for `beyond_from`. Adds the number of their force evaluations to n_force.
 RoundOff round_off_of(const StepRequest& request, const AdaptiveMethod& method, double tau, const PilotRun& pilot,
                       double bound, long& n_force) {
   constexpr double much = 1000;
@@ -38,8 +41,8 @@ RoundOff round_off_of(const StepRequest& request, const AdaptiveMethod& method, 
   return found;
 }
 
-/// True if the body rests in the pilot run: all velocities are round-off, and all positions equal the initial ones up
-/// to round-off.
+/// Returns true if the body rests in the pilot run: all velocities are round-off, and all positions equal the initial
+/// ones up to round-off.
 bool rests(const PilotRun& pilot) {
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * std::max(1.0, size_of(pilot));
   return pilot.speed <= round_off && std::ranges::all_of(pilot.q, [&](const Eigen::VectorXd& q) {
