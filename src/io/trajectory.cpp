@@ -41,12 +41,12 @@ const Columns<ContinuumObservables>& body_columns() {
 }
 
 /// The suffixes of the names of the entries of a column in the header. They depend on the kind of the value. The kinds
-/// are scalar, vector, matrix, antisymmetric matrix, and least or largest value over points, in the order of
+/// are scalar, vector of three or four entries, matrix, antisymmetric matrix, and least or largest value over points, in the order of
 /// BodyColumn::value.
 template <class O>
 const std::vector<std::string>& suffixes(const BodyColumn<O>& column) {
   static const std::vector<std::string> of_kind[] = {
-      {""}, {"1", "2", "3"}, {"11", "12", "13", "21", "22", "23", "31", "32", "33"}, {"12", "13", "23"}, {""}};
+      {""}, {"1", "2", "3"}, {"1", "2", "3", "4"}, {"11", "12", "13", "21", "22", "23", "31", "32", "33"}, {"12", "13", "23"}, {""}};
   return of_kind[column.value.index()];
 }
 

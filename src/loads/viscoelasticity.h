@@ -21,7 +21,7 @@ struct Viscoelasticity {
   bool relaxed = false;               ///< true if the branches have no stress in the initial state
 
   /// Largest number of branches.
-  static constexpr std::size_t most_branches = 4;
+  static constexpr std::size_t most_branches = materials::most_branches;
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "materials/tensor.h"
@@ -41,6 +42,9 @@ struct MaxwellBranch {
   bool operator==(const MaxwellBranch&) const = default;
 };
 using MaxwellBranches = std::vector<MaxwellBranch>;
+inline constexpr std::size_t most_branches = 4;  ///< largest number of branches of a body
+/// An energy of each branch. Branches that a body does not have are 0.
+using BranchEnergies = std::array<double, most_branches>;
 
 /// A symmetric 3×3 matrix, stored as the entries 00, 01, 02, 11, 12, 22.
 template <class T>

@@ -68,11 +68,12 @@ struct BodyColumn {
   bool Quantities::*group;  ///< the group of Output/Quantities that contains the column
   scene::Unit unit;
   std::string_view documentation;
-  /// The value in internal units. It is a scalar, a vector (name1 … name3), a matrix (name11 … name33, row by row), or
+  /// The value in internal units. It is a scalar, a vector (name1 … name3 or name4), a matrix (name11 … name33, row by row), or
   /// an antisymmetric matrix (name12, name13, name23). It can also be the least or largest value over the points of the
   /// body.
   std::variant<double (*)(const Observables&), Eigen::Vector3d (*)(const Observables&),
-               Eigen::Matrix3d (*)(const Observables&), AntisymmetricEntries (*)(const Observables&), OverPoints>
+               Eigen::Vector4d (*)(const Observables&), Eigen::Matrix3d (*)(const Observables&),
+               AntisymmetricEntries (*)(const Observables&), OverPoints>
       value;
 };
 
@@ -131,6 +132,8 @@ struct BodyObservables {
   double kinetic = not_observed, elastic = not_observed, gravitational = not_observed, external = not_observed,
          dissipated = not_observed;
   double viscoelastic = not_observed;  ///< energy stored by viscoelastic branches, a part of `elastic`
+  /// Energy dissipated by each branch, a part of `dissipated`. Branches that the body does not have are 0.
+  Eigen::Vector4d dissipated_by_branches = Eigen::Vector4d::Constant(not_observed);
   Eigen::Vector3d angular_momentum = Eigen::Vector3d::Constant(not_observed);  ///< J about the centre of mass
   Eigen::Vector3d circulation = Eigen::Vector3d::Constant(not_observed);       ///< Z about the centre of mass
   double volume_ratio = not_observed;                                          ///< current volume / reference volume
@@ -168,6 +171,10 @@ inline constexpr BodyColumn<O> common_columns[] = {
      [](const O& o) { return o.external; }},
     {"dissipated", &Quantities::energies, "mass*length^2/time^2",
      "energy dissipated by viscosity, branches, drag and contact", [](const O& o) { return o.dissipated; }},
+    {"branch_dissipated", &Quantities::branches, "mass*length^2/time^2",
+     "parts of it by the viscoelastic branches, in the order of Material/Branch moduli; 0 for branches that the scene "
+     "does not have",
+     [](const O& o) { return o.dissipated_by_branches; }},
     {"energy", &Quantities::energies, "mass*length^2/time^2", "their sum", [](const O& o) { return o.energy(); }},
     {"J", &Quantities::momenta, "mass*length^2/time", "angular momentum about the centre of mass",
      [](const O& o) { return o.angular_momentum; }},

@@ -42,20 +42,22 @@ double branch_energy(const materials::MaxwellBranches& branches, int n, const do
   return energy.sum(n_lanes);
 }
 
-double relax_branches(const materials::MaxwellBranches& branches, double h, int n, const double* w, const double* F0,
-                      const double* F1, double* metrics) {
-  L lost = 0;
+materials::BranchEnergies relax_branches(const materials::MaxwellBranches& branches, double h, int n, const double* w,
+                                         const double* F0, const double* F1, double* metrics) {
+  std::array<L, materials::most_branches> lost{};
   for (int p = 0; p < n; p += n_lanes) {
     const Metric strain = materials::mean_strain(load(F0, n, p), load(F1, n, p));
     for (std::size_t b = 0; b < branches.size(); ++b) {
       Metric metric = load_metric(metrics, static_cast<int>(b), n, p);
       const double x = h / branches[b].relaxation_time;
-      lost += load(w + p) * (branches[b].modulus * materials::relax(strain, x, metric));
+      lost[b] += load(w + p) * (branches[b].modulus * materials::relax(strain, x, metric));
       for (int k = 0; k < Metric::n_entries; ++k)
         store(metric.a[k], metrics + static_cast<long>(Metric::n_entries * static_cast<int>(b) + k) * n + p);
     }
   }
-  return lost.sum(n_lanes);
+  materials::BranchEnergies sums{};
+  for (std::size_t b = 0; b < branches.size(); ++b) sums[b] = lost[b].sum(n_lanes);
+  return sums;
 }
 
 }  // namespace

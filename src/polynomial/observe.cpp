@@ -74,6 +74,7 @@ void observe_energies(const PolynomialBody& body, const BodyState& state, mechan
   o.gravitational = V.gravitational;
   o.external = V.external - body.given(state.v);
   o.dissipated = body.dissipated(state.v);
+  o.dissipated_by_branches = Eigen::Vector4d::Map(body.dissipated_by_branches(state.v).data());
 }
 
 /// Sets all requested observables except the multiplier. The deformation must be admissible.

@@ -79,7 +79,7 @@ class PolynomialBody {
   bool relaxes() const { return !constant_.branches.empty(); }
   /// Replaces the internal metrics in q by their values after the time h, for the mean strain of `before` and q.
   /// Returns the energy that the branches dissipate.
-  double relax(double h, const Vector& before, Vector& q) const;
+  void relax(double h, const Vector& before, Vector& q, Vector& v) const;
   /// The sums Σ μ_b C_b⁻¹ and Σ μ_b over the branches at a quadrature point.
   materials::BranchesAtPoint branches_at(const Vector& q, int point) const;
   /// Sets the internal metrics in q. If `relaxed` is true, they become Ĉ = J^{−2/3} FᵀF at q and the branches have no
@@ -136,6 +136,13 @@ class PolynomialBody {
   Eigen::Matrix3d second_moment(const Vector& q) const;
   void add_taken(double energy, Vector& v) const { v[space_->n_unknowns()] += energy; }
   double dissipated(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns()] : 0; }
+  /// The energy that each branch has dissipated.
+  materials::BranchEnergies dissipated_by_branches(const Vector& v) const {
+    materials::BranchEnergies energies{};
+    for (std::size_t b = 0; b < constant_.branches.list.size(); ++b)
+      energies[b] = v[first_branch_account() + static_cast<int>(b)];
+    return energies;
+  }
   double given(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns() + 1] : 0; }
 
   /// Fails if q is not an admissible deformation of this body. If det F is positive at all points, but the law does not
@@ -156,7 +163,12 @@ class PolynomialBody {
   [[gnu::cold, gnu::noinline]] mechanics::Status inadmissible(const Vector& q) const;
 
  private:
-  int n_accounts() const { return driven_ || constant_.dissipative() ? 2 : 0; }
+  /// Coordinates whose velocities are energies: the dissipated energy, the given energy, and the energy that each
+  /// branch has dissipated.
+  int n_accounts() const {
+    return driven_ || constant_.dissipative() ? 2 + static_cast<int>(constant_.branches.list.size()) : 0;
+  }
+  int first_branch_account() const { return space_->n_unknowns() + 2; }
   int first_of_orbit() const { return space_->n_unknowns() + n_accounts(); }
   int first_metric() const { return first_of_orbit() + 3 * orbit_.n(); }
   int n_metric_entries() const {

@@ -16,12 +16,13 @@
 ///   U, T_s         the interaction with companions and its quadratic potential (mechanics/core/orbit.h)
 ///   P_b            the stress of a branch (materials/maxwell_branch.h)
 ///
-/// As in dissipative_body.h, the velocities of two further coordinates s and s' are energies. D is the dissipated
-/// energy, and W is the energy that loads and moving planes have given. The columns of the vectors are
+/// As in dissipative_body.h, some velocities are energies. D is the dissipated energy, and D_b is the part of it that a
+/// branch has dissipated. W is the energy that loads and moving planes have given. The columns of the vectors are
 ///
-///   q = [Q | c | (s, s', 0) | s_1 s_2 | C_1 … C_4]    with two columns (C₀₀, C₀₁, C₀₂), (C₁₁, C₁₂, C₂₂) for a metric,
-///   v = [Q̇ | ċ | (D, W, 0) | ṡ_1 ṡ_2 | 0].
+///   q = [Q | c | e_1 e_2 | s_1 s_2 | C_1 … C_4],   v = [Q̇ | ċ | (D, W, D_1) (D_2, D_3, D_4) | ṡ_1 ṡ_2 | 0].
 ///
+/// The columns e_1 and e_2 are the integrals of the energies over time and have no meaning. A metric has the two columns
+/// (C₀₀, C₀₁, C₀₂) and (C₁₁, C₁₂, C₂₂).
 /// Columns that a body does not need are 0. Metrics have no mass and no velocity (mechanics/core/relaxation.h).
 
 #include <utility>
@@ -46,7 +47,7 @@ class LoadedBody {
   static constexpr int n_companions = mechanics::Orbit::most_companions,
                        n_branches = static_cast<int>(loads::Viscoelasticity::most_branches);
   /// The first columns of the parts of a vector.
-  static constexpr int at_center = 3, at_energies = 4, at_companions = 5, at_metrics = at_companions + n_companions,
+  static constexpr int at_center = 3, at_energies = 4, at_companions = 6, at_metrics = at_companions + n_companions,
                        n_columns = at_metrics + 2 * n_branches;
 
  public:
@@ -95,20 +96,22 @@ class LoadedBody {
     }
     f.template leftCols<3>() = F.on_Q;
     if (has_contact()) f.col(at_center) = F.on_center;
-    f.col(at_energies) << power.taken, power.given, 0;
+    f(0, at_energies) = power.taken;
+    f(1, at_energies) = power.given;
     return {};
   }
   /// Replaces the metrics in q by their values after the time h, for the mean strain of `before` and q. Returns the
   /// energy that the branches dissipate.
-  double relax(double h, const Vector& before, Vector& q) const {
+  void relax(double h, const Vector& before, Vector& q, Vector& v) const {
     const Metric strain = materials::mean_strain(materials::to_tensor(matrix(before)), materials::to_tensor(matrix(q)));
-    double lost = 0;
     for (std::size_t b = 0; b < branches().size(); ++b) {
       Metric metric = metric_of(q, b);
-      lost += branches()[b].modulus * materials::relax(strain, h / branches()[b].relaxation_time, metric);
+      const double lost = body_.reference().volume * branches()[b].modulus *
+                          materials::relax(strain, h / branches()[b].relaxation_time, metric);
       set_metric(metric, b, q);
+      add_taken(lost, v);
+      v.col(at_energies).data()[2 + b] += lost;
     }
-    return body_.reference().volume * lost;
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const {
     Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
@@ -173,6 +176,10 @@ class LoadedBody {
 
   void add_taken(double energy, Vector& v) const { v(0, at_energies) += energy; }
   double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, at_energies); }
+  /// The energy that each branch has dissipated.
+  Eigen::Vector4d dissipated_by_branches(const mechanics::VectorState<Vector>& state) const {
+    return Eigen::Vector4d::Map(state.v.col(at_energies).data() + 2);
+  }
   /// V_t − W: the energy of the loads that depend on time, minus the energy that these loads and moving planes have
   /// given. The result is 0 without such loads and planes.
   double driven_energy(const mechanics::VectorState<Vector>& state) const {

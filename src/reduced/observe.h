@@ -43,7 +43,10 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
       if (mechanics::time_dependent(system)) o.external += system.driven_energy(state);
     o.dissipated = system.dissipated(state);
     if constexpr (requires { system.energy_of_branches(state.q); })
-      if (mechanics::relaxes(system)) o.elastic += o.viscoelastic = system.energy_of_branches(state.q);
+      if (mechanics::relaxes(system)) {
+        o.elastic += o.viscoelastic = system.energy_of_branches(state.q);
+        o.dissipated_by_branches = system.dissipated_by_branches(state);
+      }
   }
   if constexpr (requires { system.contact(state.t, state.q); })
     if (system.has_contact()) o.contact.take(system.contact(state.t, state.q));

@@ -10,6 +10,16 @@
 #include "observables/whole_body.h"
 
 namespace pseudorigid::continuum {
+namespace {
+
+/// Number of energies that are integrated with the motion: the dissipated and the given one, and one of each branch.
+unsigned int n_accounts(const loads::Loads& loads) {
+  const loads::Forcing constant = loads::constant_forcing(loads);
+  if (!loads::depend_on_time(loads) && !constant.dissipative()) return 0;
+  return 2 + static_cast<unsigned int>(constant.branches.list.size());
+}
+
+}  // namespace
 
 BallBody::BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
                    const loads::Loads& loads, MPI_Comm communicator)
@@ -17,7 +27,7 @@ BallBody::BallBody(const Sector& sector, int degree, int n_refinements, const St
 
 BallBody::BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads,
                    std::optional<int> n_points, std::optional<int> contact_points)
-    : space_(std::move(mesh), degree, loads::depend_on_time(loads) || loads::constant_forcing(loads).dissipative(),
+    : space_(std::move(mesh), degree, n_accounts(loads),
              static_cast<unsigned int>(loads::constant_forcing(loads).companions.size())),
       limit_(materials::limit_of(stored.law)),
       is_fluid_(std::holds_alternative<materials::Fluid>(stored.law)),
@@ -129,8 +139,13 @@ void BallBody::add_to_account(double energy, unsigned int component, Vector& v) 
     v.local_element(*entry + component) += space_.mesh().sector().n_images() * energy;
 }
 
-double BallBody::relax(double h, const Vector& before, Vector& x) const {
-  return sum_over_ranks(kernels_->relax_branches(branches_.list, h, before, x), space_.communicator());
+void BallBody::relax(double h, const Vector& before, Vector& x, Vector& v) const {
+  const materials::BranchEnergies lost =
+      sum_over_ranks(kernels_->relax_branches(branches_.list, h, before, x), space_.communicator());
+  for (unsigned int b = 0; b < branches_.list.size(); ++b) {
+    add_taken(lost[b], v);
+    add_to_account(lost[b], first_branch_account + b, v);
+  }
 }
 
 double BallBody::energy_of_branches(const Vector& x) const {
@@ -141,6 +156,12 @@ double BallBody::energy_of_branches(const Vector& x) const {
 
 double BallBody::dissipated(const Vector& v) const { return account_entry(v, 0); }
 double BallBody::given(const Vector& v) const { return account_entry(v, 1); }
+
+materials::BranchEnergies BallBody::dissipated_by_branches(const Vector& v) const {
+  materials::BranchEnergies energies{};
+  for (unsigned int b = 0; b < branches_.list.size(); ++b) energies[b] = account_entry(v, first_branch_account + b);
+  return energies;
+}
 
 double BallBody::account_entry(const Vector& v, unsigned int component) const {
   const auto entry = space_.account();

@@ -6,12 +6,14 @@
 ///
 /// with the first Piola–Kirchhoff stress P and the basis functions φ of the displacements in (Q_k)³. P contains the
 /// stresses of viscoelastic branches (kernels/cell_branches.h). The mass M is lumped. With dissipation or loads that
-/// depend on time, the ball has one more node (BallSpace::account). Two coordinates s and s' of this node obey
+/// depend on time, the ball has one or two more nodes (BallSpace::account). The first coordinates s and s' of these nodes
+/// obey
 ///
 ///   s̈ = dissipated power,   s̈' = power that loads give by their change in time, and planes by their motion.
 ///
 /// Therefore ṡ and ṡ' are the dissipated and the given energy, and every method integrates these energies with its own
-/// order. Branches do not act on s̈: `relax` returns their dissipated energy. Companions in orbit
+/// order. Branches do not act on s̈: `relax` adds their dissipated energy to ṡ. The energy of each branch is the velocity
+/// of a further coordinate. Companions in orbit
 /// (mechanics/core/orbit.h) are further nodes. Their tide has the potential ½xᵀTx per mass. Node n with the mass m_n
 /// and the position x_n has the force −m_n T (x_n − x_c), with the centre of mass x_c. All quantities are in internal
 /// units. The system is the computed sector, and the observables are for the whole ball.
@@ -71,8 +73,8 @@ class BallBody {
   bool relaxes() const { return !branches_.empty(); }
   const materials::MaxwellBranches& branches() const { return branches_.list; }
   /// Replaces the internal metrics of x by their values after the time h, for the mean strain of the positions `before`
-  /// and x. Returns the energy that the sector has dissipated on all ranks. Collective.
-  double relax(double h, const Vector& before, Vector& x) const;
+  /// and x. Adds the energy that the branches dissipate to that in v. Collective.
+  void relax(double h, const Vector& before, Vector& x, Vector& v) const;
   /// Sets the internal metrics of x. If `relaxed` is true, they become Ĉ = J^{−2/3} FᵀF at x and the branches have no
   /// stress. Otherwise they become the identity, which belongs to the undeformed body.
   void start_branches(bool relaxed, Vector& x) const { kernels_->start_branches(branches_.list.size(), relaxed, x); }
@@ -103,6 +105,8 @@ class BallBody {
   /// the velocity v, or 0 without the node of the account. Collective.
   double dissipated(const Vector& v) const;
   double given(const Vector& v) const;
+  /// The energy that each branch has dissipated in the whole ball. Collective.
+  materials::BranchEnergies dissipated_by_branches(const Vector& v) const;
 
   const mechanics::Orbit& orbit() const { return orbit_; }
   /// The coordinates of the companions in a vector, one column for each companion. Collective.
@@ -165,6 +169,8 @@ class BallBody {
                                    Vector& f) const;
 
  private:
+  /// Place of the energy of the first branch after those of the dissipated and the given energy (BallSpace::account).
+  static constexpr unsigned int first_branch_account = 2;
   double account_entry(const Vector& v, unsigned int component) const;
   void add_companions(const Vector& x, Vector& f) const;
   void add_to_account(double energy, unsigned int component, Vector& v) const;

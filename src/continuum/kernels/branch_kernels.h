@@ -18,9 +18,10 @@ class BranchKernels {
   virtual void add_force(const Branches& branches, const double* metrics, const double* x, double* f) const = 0;
   /// The stored energy ∫ΣW_b dX at the position x.
   virtual double energy(const Branches& branches, const double* metrics, const double* x) const = 0;
-  /// Replaces the metrics by their values after the time h, for the mean strain of x0 and x1. Returns the lost energy.
-  virtual double relax(const Branches& branches, double h, const double* x0, const double* x1,
-                       double* metrics) const = 0;
+  /// Replaces the metrics by their values after the time h, for the mean strain of x0 and x1. Returns the energy that
+  /// each branch has lost.
+  virtual materials::BranchEnergies relax(const Branches& branches, double h, const double* x0, const double* x1,
+                                          double* metrics) const = 0;
   /// Sets the metrics of all branches to the isochoric strain Ĉ = J^{−2/3} FᵀF at x.
   virtual void set_to_strain(std::size_t n_branches, const double* x, double* metrics) const = 0;
 };

@@ -54,9 +54,10 @@ class CellBranches final : public BranchKernels {
     return sum;
   }
 
-  double relax(const Branches& branches, double h, const double* x0, const double* x1, double* metrics) const override {
+  materials::BranchEnergies relax(const Branches& branches, double h, const double* x0, const double* x1,
+                                  double* metrics) const override {
     auto& buffers = planes_.buffers();
-    double sum = 0;
+    materials::BranchEnergies sums{};
     for (std::size_t b = 0; b < planes_.n_batches(); ++b) {
       load_batch(x1, b);
       planes_.load_layers(x0, b, buffers.v);
@@ -65,15 +66,16 @@ class CellBranches final : public BranchKernels {
         planes_.deformation_gradients(q3, buffers.dv);
         planes_.plane_gradient(buffers.x, q3, buffers.H);
         planes_.deformation_gradients(q3, buffers.H);
-        L lost(0.0);
+        Losses lost{};
         for (int q = 0; q < plane; ++q) {
           const Metric strain = materials::mean_strain(Planes::load(buffers.dv, q), Planes::load(buffers.H, q));
-          lost += buffers.weights[q] * relax_point(branches, h, strain, b, q3 * plane + q, metrics);
+          relax_point(branches, h, strain, buffers.weights[q], b, q3 * plane + q, metrics, lost);
         }
-        sum += lost.sum(planes_.batches.batches[b].n_active);
+        for (std::size_t branch = 0; branch < branches.size(); ++branch)
+          sums[branch] += lost[branch].sum(planes_.batches.batches[b].n_active);
       }
     }
-    return sum;
+    return sums;
   }
 
   void set_to_strain(std::size_t n_branches, const double* x, double* metrics) const override {
@@ -87,6 +89,8 @@ class CellBranches final : public BranchKernels {
   }
 
  private:
+  using Losses = std::array<L, materials::most_branches>;
+
   void load_batch(const double* x, std::size_t b) const {
     auto& buffers = planes_.buffers();
     planes_.load_layers(x, b, buffers.x);
@@ -108,16 +112,16 @@ class CellBranches final : public BranchKernels {
     }
   }
 
-  /// Replaces the metrics of all branches at point q by their values after the time h, for the strain Ĉ. Returns the
-  /// lost energy per reference volume.
-  L relax_point(const Branches& branches, double h, const Metric& strain, std::size_t b, int q, double* metrics) const {
-    L lost(0.0);
+  /// Replaces the metrics of all branches at point q by their values after the time h, for the strain Ĉ. Adds the
+  /// energy that each branch loses per reference volume, times the weight, to `lost`.
+  void relax_point(const Branches& branches, double h, const Metric& strain, const L& weight, std::size_t b, int q,
+                   double* metrics, Losses& lost) const {
     for (std::size_t branch = 0; branch < branches.size(); ++branch) {
       Metric metric = load(metrics, branches.size(), branch, b, q);
-      lost += branches[branch].modulus * materials::relax(strain, h / branches[branch].relaxation_time, metric);
+      const double x = h / branches[branch].relaxation_time;
+      lost[branch] += weight * (branches[branch].modulus * materials::relax(strain, x, metric));
       store(metric, branches.size(), branch, b, q, metrics);
     }
-    return lost;
   }
 
   /// Place of the first entry of a metric in a list of metrics. In the last batch, lanes without a cell use the first

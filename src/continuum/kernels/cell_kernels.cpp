@@ -97,8 +97,8 @@ double CellKernels::branch_energy(const materials::MaxwellBranches& branches, co
   return local_->branches().energy(branches, x.metrics.data(), x.begin());
 }
 
-double CellKernels::relax_branches(const materials::MaxwellBranches& branches, double h, const Vector& x0,
-                                   Vector& x) const {
+materials::BranchEnergies CellKernels::relax_branches(const materials::MaxwellBranches& branches, double h,
+                                                      const Vector& x0, Vector& x) const {
   const GhostValues of_x0(x0), of_x(x);
   return local_->branches().relax(branches, h, x0.begin(), x.begin(), x.metrics.data());
 }

@@ -56,7 +56,8 @@ class CellKernels {
   double branch_energy(const materials::MaxwellBranches& branches, const Vector& x) const;
   /// Replaces the metrics of x by their values after the time h, for the mean strain of x0 and x. Returns the energy
   /// that the branches lose.
-  double relax_branches(const materials::MaxwellBranches& branches, double h, const Vector& x0, Vector& x) const;
+  materials::BranchEnergies relax_branches(const materials::MaxwellBranches& branches, double h, const Vector& x0,
+                                           Vector& x) const;
   /// Allocates the metrics of x. Sets them to Ĉ = J^{−2/3} FᵀF at x if `relaxed` is true, and to the identity
   /// otherwise.
   void start_branches(std::size_t n_branches, bool relaxed, Vector& x) const;

@@ -34,24 +34,29 @@ double derivative(const ReferenceCell& ref, const Value& value, const std::array
 
 }  // namespace
 
-BallSpace::BallSpace(BallMesh mesh, int degree, bool with_account, unsigned int n_companions)
-    : mesh_(std::move(mesh)), degree_(degree), reference_(degree), element_(degree), n_companions_(n_companions) {
-  number_nodes(with_account);
+BallSpace::BallSpace(BallMesh mesh, int degree, unsigned int n_accounts, unsigned int n_companions)
+    : mesh_(std::move(mesh)),
+      degree_(degree),
+      reference_(degree),
+      element_(degree),
+      n_accounts_(n_accounts),
+      n_companions_(n_companions) {
+  number_nodes();
   number_multipliers();
   place_nodes();
   lump_mass();
 }
 
-void BallSpace::number_nodes(bool with_account) {
+void BallSpace::number_nodes() {
   dof_handler_ = std::make_unique<dealii::DoFHandler<3>>(mesh_.triangulation());
   dof_handler_->distribute_dofs(element_);
   const dealii::IndexSet on_own_cells = dealii::DoFTools::extract_locally_active_dofs(*dof_handler_);
-  const unsigned int n_mesh = n_global_nodes(), n_all = n_mesh + (with_account ? 1 : 0) + n_companions_;
+  const unsigned int n_mesh = n_global_nodes(), n_all = n_mesh + n_account_nodes() + n_companions_;
   dealii::IndexSet own = components_of(dof_handler_->locally_owned_dofs(), n_all);
   if (dof_handler_->locally_owned_dofs().is_element(n_mesh - 1) && n_all > n_mesh) {
     const auto first = static_cast<unsigned int>(own.n_elements());
-    if (with_account) account_ = first;
-    if (n_companions_ > 0) companions_ = first + (with_account ? 3 : 0);
+    if (n_accounts_ > 0) account_ = first;
+    if (n_companions_ > 0) companions_ = first + 3 * n_account_nodes();
     own.add_range(3 * n_mesh, 3 * n_all);
   }
   partitioner_ =
@@ -123,7 +128,7 @@ void BallSpace::lump_mass() {
     inverse_mass_.local_element(i) = held || !has_mass ? 0 : 1 / mass_.local_element(i);
   }
   if (account_)
-    for (unsigned int c = 0; c < 2; ++c) inverse_mass_.local_element(*account_ + c) = 1;
+    for (unsigned int c = 0; c < n_accounts_; ++c) inverse_mass_.local_element(*account_ + c) = 1;
   if (companions_)
     for (unsigned int c = 0; c < 3 * n_companions_; ++c) inverse_mass_.local_element(*companions_ + c) = 1;
   inverse_mass_.update_ghost_values();

@@ -28,10 +28,10 @@ namespace pseudorigid::continuum {
 
 class BallSpace {
  public:
-  /// `degree` is k. `with_account` adds one node to the vectors that does not belong to the mesh. Two of its
-  /// coordinates are for the dissipated and the given energy (body/ball_body.h). After this node come `n_companions`
-  /// nodes for point masses (mechanics/core/orbit.h).
-  BallSpace(BallMesh mesh, int degree, bool with_account = false, unsigned int n_companions = 0);
+  /// `degree` is k. The vectors have further nodes, which do not belong to the mesh. The coordinates of the first of
+  /// them are for `n_accounts` energies (body/ball_body.h). After these nodes come `n_companions` nodes for point masses
+  /// (mechanics/core/orbit.h).
+  BallSpace(BallMesh mesh, int degree, unsigned int n_accounts = 0, unsigned int n_companions = 0);
 
   const BallMesh& mesh() const { return mesh_; }
   int degree() const { return degree_; }
@@ -43,7 +43,9 @@ class BallSpace {
   /// Number of nodes of the mesh that this rank owns.
   unsigned int n_nodes() const { return partitioner_->locally_owned_size() / 3 - n_additional(); }
   /// Number of nodes of this rank that do not belong to the mesh. They follow the nodes of the mesh.
-  unsigned int n_additional() const { return (account_ ? 1 : 0) + (companions_ ? n_companions_ : 0); }
+  unsigned int n_additional() const {
+    return (account_ ? n_account_nodes() : 0) + (companions_ ? n_companions_ : 0);
+  }
   /// Number of nodes of the mesh on all ranks, without the additional nodes.
   std::size_t n_global_nodes() const { return dof_handler_->n_dofs(); }
   /// Dimension of P_{k−1}, the space of the multiplier in one cell.
@@ -57,9 +59,9 @@ class BallSpace {
   const Vector& mass() const { return mass_; }              ///< m_n at each component of node n; 0 at additional nodes
   const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 if a symmetry plane fixes the component
   const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
-  /// Local index of the coordinate of the dissipated energy. The next index belongs to the coordinate of the given
-  /// energy. The inverse masses of both are 1. The result is empty if there is no node for them, and on ranks that do
-  /// not own this node.
+  /// Local index of the coordinate of the dissipated energy. The next indices belong to the coordinates of the given
+  /// energy and of the energies of branches. Their inverse masses are 1. The result is empty if there is no node for
+  /// them, and on ranks that do not own this node.
   std::optional<unsigned int> account() const { return account_; }
   /// Local index of the first coordinate of the first companion. The other coordinates of the companions follow, and
   /// all have the mass 1. The result is empty without companions, and on ranks that do not own these coordinates.
@@ -68,7 +70,8 @@ class BallSpace {
   Vector make_multiplier() const { return Vector(multiplier_partitioner_); }
 
  private:
-  void number_nodes(bool with_account);
+  unsigned int n_account_nodes() const { return (n_accounts_ + 2) / 3; }
+  void number_nodes();
   void number_multipliers();
   /// Sets X_. Throws std::logic_error if neighbouring cells place a shared node differently.
   void place_nodes();
@@ -80,7 +83,7 @@ class BallSpace {
   dealii::FE_Q<3> element_;
   std::unique_ptr<dealii::DoFHandler<3>> dof_handler_;
   std::vector<std::vector<unsigned int>> cell_nodes_;
-  unsigned int n_companions_;
+  unsigned int n_accounts_, n_companions_;
   std::optional<unsigned int> account_, companions_;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_, multiplier_partitioner_;
   Vector X_, mass_, inverse_mass_;

@@ -78,6 +78,7 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
     o.gravitational = ball.gravity() ? n_images * ball.gravity()->energy(state.q) : 0;
     if (ball.time_dependent()) o.external -= ball.given(state.v);
     o.dissipated = ball.dissipated(state.v);
+    if (ball.relaxes()) o.dissipated_by_branches = Eigen::Vector4d::Map(ball.dissipated_by_branches(state.v).data());
   }
   if (ball.orbit().n() > 0 && (request.orbit || request.energies))
     o.orbit = mechanics::observe_orbit(ball.orbit(), ball.companions(state.q), ball.companions(state.v),

@@ -17,10 +17,9 @@ template <class S>
 concept Relaxing = ConstrainedSystem<S> &&
     requires(const S s, double h, const typename S::Vector before, typename S::Vector q, typename S::Vector v) {
   { s.relaxes() } -> std::same_as<bool>;  // false if this system has no variables z
-  /// Replaces z in q by its value after the time h, for the mean strain of the positions `before` and q. Returns the
-  /// dissipated energy, which the method passes to `add_taken`.
-  { s.relax(h, before, q) } -> std::same_as<double>;
-  s.add_taken(0.0, v);  // (energy, v): adds `energy` to the entry of v that is the dissipated energy
+  /// Replaces z in q by its value after the time h, for the mean strain of the positions `before` and q. Adds the
+  /// energy that the flow dissipates to the entries of v that contain dissipated energies.
+  s.relax(h, before, q, v);
 };
 
 template <class S>

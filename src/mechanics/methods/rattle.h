@@ -75,14 +75,10 @@ struct Rattle {
     if (Status status = move_on_constraint(system, h, state, w); !status) return status;
     if constexpr (Orbiting<S>)
       if (has_companions(system)) drift_companions(system, h, w.q_start, state.q, state.v);
-    if constexpr (Relaxing<S>) {
-      const double taken = relaxes(system) ? system.relax(h, w.q_start, state.q) : 0;
-      Status status = kick_again(system, h, state, w);
-      system.add_taken(taken, state.v);
-      return status;
-    } else {
-      return kick_again(system, h, state, w);
-    }
+    if constexpr (Relaxing<S>)
+      if (relaxes(system)) system.relax(h, w.q_start, state.q, state.v);
+    return kick_again(system, h, state, w);
+  }
   }
 
   /// Completes the step of RATTLE by the projection of v (rattle_velocity.h). Fails if the projection does not
