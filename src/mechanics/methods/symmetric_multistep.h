@@ -51,8 +51,7 @@ namespace pseudorigid::mechanics {
 template <ConstrainedSystem S, int k, template <class> class Start>
 struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_slots = k - 1;
-  /// Largest number of multipliers from which the next multiplier is extrapolated, by a polynomial of this degree minus
-  /// 1.
+  /// Largest number of multipliers from which the next multiplier is extrapolated, by the polynomial through them.
   static constexpr int n_extrapolated = S::n_constraints == dynamic_constraints ? 5 : 6;
 
   explicit SymmetricMultistepWorkspace(const S& system)
