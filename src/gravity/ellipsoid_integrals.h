@@ -27,6 +27,7 @@
 
 namespace pseudorigid::gravity {
 
+/// The integrals d_i and t_k for i, k = 1, 2, 3.
 struct EllipsoidIntegrals {
   Eigen::Vector3d d, t;
 };

@@ -88,6 +88,7 @@ struct SurfaceDerivative {
 SurfaceDerivative surface_derivative(const SurfacePoints& targets, const PairSums& sums, const SurfaceTotals& totals,
                                      double strength, double rest_volume);
 
+/// Returns the sums over the targets and their time derivatives.
 Moving<SurfaceTotals> totals(const Moving<SurfacePoints>& targets, const Moving<PairSums>& sums);
 
 /// Returns the time derivative of surface_derivative: D²Ê applied to the rates of the points and of the area vectors.

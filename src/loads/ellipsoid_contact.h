@@ -144,6 +144,7 @@ class EllipsoidContact {
   const Eigen::Matrix3d& S_;
   Eigen::Matrix3d Q_;
   Eigen::Vector3d c_, direction_;
+  // h, G, δ and μ of the head of this file
   double h_, G_, deepest_, least_;
 };
 

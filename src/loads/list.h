@@ -87,6 +87,7 @@ void visit_entries(L& loads, Visit&& visit) {
   loads.for_each([&]<class One>(One& load) { std::remove_const_t<One>::visit_entries(load, visit); });
 }
 
+/// Returns true if at least one load is present, or if the loads rise.
 inline bool any_present(const Loads& loads) {
   bool any = false;
   loads.for_each([&](const auto& load) { any = any || present(load); });

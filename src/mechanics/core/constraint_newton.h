@@ -145,6 +145,7 @@ Status meet_constraint(const S& system, const char* what, double tolerance, cons
                        const typename S::Vector& q0, typename S::Workspace& system_workspace,
                        ConstraintTemporaries<S>& w, Evaluate&& evaluate, Apply&& apply, Noise&& noise,
                        double foregone = 0) {
+  // A residual that no longer halves is regarded as round-off up to 1000 tolerances of the system.
   ConvergenceMonitor monitor{tolerance, 1000 * system.constraint_tolerance()};
   for (;;) {
     if (Status status = evaluate(); !status) return status;

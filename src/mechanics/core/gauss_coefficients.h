@@ -81,6 +81,7 @@ constexpr Matrix make_square(const Matrix& a) {
 
 }  // namespace detail
 
+/// The nodes c_i, the weights b_j, and the coefficients a[i][j] = a_ij.
 inline constexpr OfStages c = detail::make_nodes();
 inline constexpr OfStages b = detail::make_weights(c);
 inline constexpr Matrix a = detail::make_integrals(c, b);

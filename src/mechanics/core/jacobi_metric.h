@@ -108,6 +108,7 @@ class JacobiLengthField {
     return {};
   }
 
+  /// Sets the start (x, dx) of the motion through (q, v), with s̃ = 0.
   void start(const ChartVector<C>& q, const ChartVector<C>& v, Vector& x, Vector& dx) const {
     x << q, 0;
     dx << v, 2 * mechanics::kinetic_energy(motion_.chart(), q, v);

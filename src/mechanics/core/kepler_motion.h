@@ -42,6 +42,7 @@ struct UniversalFunctions {
   }
 };
 
+/// The increments Δs and Δṡ.
 struct KeplerIncrements {
   Eigen::Vector3d s, sdot;
 };

@@ -65,6 +65,7 @@ inline constexpr double most_of_moderate = 0x1p20;
           Vector(Native(((quadrant + 1) & 2) != 0 ? -cosine : cosine))};
 }
 
+/// Returns the sine and the cosine in each lane, for any x.
 [[gnu::always_inline]] inline SineCosine sine_cosine(Lanes<native_lanes> x) {
   using Vector = Lanes<native_lanes>;
   if (!all_within(x, most_of_moderate)) [[unlikely]]

@@ -88,6 +88,7 @@ class ConstrainedLandscape {
   }
 
  private:
+  /// Sets f to the force at the time 0. Fails if the force fails or is not finite.
   Status force(const typename S::Vector& q, const typename S::Vector& v, Vector& f) const {
     auto value = system_.make_vector();
     auto workspace = workspace_;

@@ -26,6 +26,7 @@ struct ModeGroup {
   double omega;                    ///< mean ω of the copies
   double least, largest;           ///< least and largest ω of the copies
 
+  /// Returns true if all 2n + 1 copies are in the list.
   bool complete() const { return modes.size() == 2 * static_cast<std::size_t>(degree) + 1; }
 };
 

@@ -23,6 +23,7 @@ struct FixedPointMonitor {
     least = std::min(least, increment);
     return n_since_least >= 3 && increment <= limit;
   }
+  /// Discards all increments, because the caller has changed Φ. The number of iterations is kept.
   void start_again() {
     previous = least = HUGE_VAL;
     n_since_least = 0;

@@ -113,6 +113,7 @@ constexpr decltype(auto) with_method(MethodId id, Visitor&& visitor) {
   return std::forward<Visitor>(visitor)(Method{});
 }
 
+/// Returns the name of the method in parameter files.
 constexpr std::string_view method_name(MethodId id) {
   return with_method(id, []<class Method>(Method) { return std::string_view(Method::name); });
 }

@@ -51,8 +51,7 @@ namespace pseudorigid::mechanics {
 template <ConstrainedSystem S, int k, template <class> class Start>
 struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_slots = k - 1;
-  /// Largest number of multipliers from which the next multiplier is extrapolated, by a polynomial of this degree minus
-  /// 1.
+  /// Largest number of multipliers from which the next multiplier is extrapolated, by the polynomial through them.
   static constexpr int n_extrapolated = S::n_constraints == dynamic_constraints ? 5 : 6;
 
   explicit SymmetricMultistepWorkspace(const S& system)
@@ -307,6 +306,8 @@ struct SymmetricMultistep {
     else
       sum_multipliers<S>(w, weights[w.n_multipliers], w.n_multipliers);
   }
+  /// Sets w.multiplier to the sum of the last n multipliers with the weights. If n is 0, sets it to the latest entry of
+  /// the ring, which is then zero.
   template <class S>
   [[gnu::always_inline]] static void sum_multipliers(Workspace<S>& w, const double* weights, int n) {
     const auto before = [&w](int i) -> const typename S::Multiplier& {
@@ -318,6 +319,7 @@ struct SymmetricMultistep {
     scale(weights[0], w.multiplier);
     for (int i = 1; i < n; ++i) axpy(weights[i], before(i), w.multiplier);
   }
+  /// Stores w.multiplier as the latest entry of the ring.
   template <class S>
   static void record_multiplier(Workspace<S>& w) {
     constexpr int n = Workspace<S>::n_extrapolated;

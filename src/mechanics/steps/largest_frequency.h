@@ -194,6 +194,7 @@ class TangentOperator {
 struct RitzValue {
   double value = 0, residual = 0;
 };
+/// Returns this eigenvalue for n = alpha.size() steps of Lanczos; beta has the same size.
 RitzValue largest_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta);
 
 /// Returns the number of independent displacements tangent to the constraints, or the largest int for distributed

@@ -86,6 +86,7 @@ struct AdaptiveMethod {
   std::function<PilotRun(double local_tolerance, double part)> kicked_pilot;
 };
 
+/// Returns the length of the pilot runs, which is at most that of the run.
 inline double pilot_window(const StepRequest& request) { return std::min(request.window, request.end); }
 
 /// Hooks of the time loop that record a pilot run. The recorded configuration is Q_of(state). The run is interrupted if

@@ -94,10 +94,13 @@ class StepSearch {
   bool given_up() const { return request_.give_up && request_.give_up(); }
   /// Returns the target of the estimate e: the fraction error_safety of the tolerance.
   double allowed_error() const { return error_safety * request_.tolerance; }
+  /// Returns the largest permitted step: the stability limit, but at most the bound of the user and the time between
+  /// samples.
   double limit(const FixedStepMethod& method) const {
     return std::min(request_.rattle_limit * (method.step_limit / Rattle::stability_limit),
                     std::min(request_.step_bound, request_.interval));
   }
+  /// Returns the number of force evaluations of the whole run with the step h.
   double run_forces(const FixedStepMethod& method, double h) const {
     return std::ceil(request_.end / h) * method.n_stages;
   }
