@@ -70,7 +70,7 @@ def response(run, model, rheology, gamma, tau):
     start = time.perf_counter()
     table = run({"Time/Tolerance": 1e-6, **entries, **material, "Models": model, "Gravity/Constant": repr(3 * gamma / (4 * math.pi)), "Loads/Tidal frequency": FREQUENCY, "Loads/Rise time": RISE,
                  "Loads/Tidal amplitude": f"{SIZE}, 0, 0; 0, {-SIZE / 2}, 0; 0, 0, {-SIZE / 2}", "Time/Method": "rattle",
-                 "Time/End": end, "Output/Samples": 1500, "Output/Report": "false"}).table(f"{model}.csv")
+                 "Time/End": end, "Output/Samples": 20000, "Output/Report": "false"}).table(f"{model}.csv")
     seconds = time.perf_counter() - start
     t, strain = np.array(table["time"]), np.array(table["Q11"]) - 1
     late = t > RISE + period

@@ -131,6 +131,10 @@ class Viscoelastic(RefusedInputTest, RanksTest):
             for step in (0.01, 0.005):
                 table = self.run_model({**STRETCH, **TURNING, **BRANCHES, **FIXED, **settings, "Time/Step": step, "Time/End": 3}, model)
                 energy, dissipated = table.column("energy"), table.column("dissipated")
+                for parts in zip(dissipated, *(table.column(f"branch_dissipated{b}") for b in (1, 2, 3, 4))):
+                    self.assertAlmostEqual(parts[0], sum(parts[1:]), delta=1e-14, msg=model)
+                self.assertGreater(min(table.column("branch_dissipated1")[-1], table.column("branch_dissipated2")[-1]), 1e-4, model)
+                self.assertEqual(table.column("branch_dissipated3")[-1], 0)
                 drifts.append(spread(energy) / energy[0])
                 self.assertTrue(all(b > a for a, b in zip(dissipated, dissipated[1:])), model)
                 for i in (1, 2, 3):
@@ -146,7 +150,7 @@ class Viscoelastic(RefusedInputTest, RanksTest):
                      {"Body/Incompressible": "false", "Material/Lame lambda": 2}):
             entries = {**STRETCH, **TURNING, **BRANCHES, **FIXED, **more, "Polynomial/Degree": 1, "Time/Step": 0.005, "Time/End": 2}
             reduced, polynomial = (self.run_model(entries, model) for model in ("reduced", "polynomial"))
-            for name in ("Q11", "Q12", "Q23", "Qdot13", "J3", "elastic", "viscoelastic", "dissipated", "energy", "multiplier"):
+            for name in ("Q11", "Q12", "Q23", "Qdot13", "J3", "elastic", "viscoelastic", "dissipated", "branch_dissipated2", "energy", "multiplier"):
                 for a, b in zip(reduced.column(name), polynomial.column(name)):
                     self.assertAlmostEqual(a, b, delta=1e-11 * (1 + abs(a)), msg=f"{more} {name}")
 
@@ -213,7 +217,7 @@ class Viscoelastic(RefusedInputTest, RanksTest):
             self.run_done("run", "scene.prm", "--output", "parts")
             self.run_done("run", "scene.prm", "--output", "parts", "--resume", *overrides({"Time/End": 1, "Output/Samples": 10}))
             parts = self.table("parts", f"{model}.csv")
-            for name in ("Q11", "dissipated", "viscoelastic"):
+            for name in ("Q11", "dissipated", "branch_dissipated2", "viscoelastic"):
                 self.assertEqual(whole.column(name), parts.column(name), model)
 
     def test_two_ranks_are_one_and_resume_each_other(self):
@@ -225,7 +229,7 @@ class Viscoelastic(RefusedInputTest, RanksTest):
         self.run_done("run", "scene.prm", "--output", "parts", "--resume")
         one = self.table("one/continuum.csv")
         for other in ("two", "parts"):
-            for name in ("Q11", "Q33", "dissipated", "viscoelastic", "energy"):
+            for name in ("Q11", "Q33", "dissipated", "branch_dissipated1", "viscoelastic", "energy"):
                 for a, b in zip(one.column(name), self.table(f"{other}/continuum.csv").column(name)):
                     self.assertAlmostEqual(a, b, delta=1e-12, msg=f"{other} {name}")
 

@@ -79,7 +79,6 @@ struct Rattle {
       if (relaxes(system)) system.relax(h, w.q_start, state.q, state.v);
     return kick_again(system, h, state, w);
   }
-  }
 
   /// Completes the step of RATTLE by the projection of v (rattle_velocity.h). Fails if the projection does not
   /// converge.
