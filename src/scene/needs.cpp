@@ -37,7 +37,7 @@ void describe_error_estimate(const Scene& scene, Needs& needs) {
   const bool asked = !richest.discretized || scene.continuum.error_estimate == ErrorEstimate::automatic;
   needs.companion = needs.comparison && asked;
   sort_out(needs, needs.companion, fmt::format("discretisation error: estimated by a companion run ({})", *companion),
-           asked ? "discretisation error: no comparison to set it beside"
+           asked ? "discretisation error: a scene without a comparison does not need it"
                  : "discretisation error: Continuum/Error estimate is none; no companion run");
 }
 

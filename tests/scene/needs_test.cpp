@@ -175,7 +175,7 @@ TEST(DiscretizationErrorOfNeeds, IsACompanionWhereTheModelsAreComparedOnAGivenMe
   scene = test::ball_scene();
   scene.models = {"continuum"};
   EXPECT_FALSE(needs(scene).companion);
-  EXPECT_TRUE(mentions(needs(scene).skipped, "discretisation error: no comparison to set it beside"));
+  EXPECT_TRUE(mentions(needs(scene).skipped, "discretisation error: a scene without a comparison does not need it"));
 }
 
 TEST(QuadratureErrorOfNeeds, IsThatOfPolynomialBodiesWhoseMotionIsPrinted) {

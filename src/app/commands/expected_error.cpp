@@ -17,17 +17,17 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Bounds of the sweeps of docs/adequacy.md: the largest |ln stretch|, and half the largest norm of L in the inverse
-/// internal unit of time. `no_spin` is the largest relative asymmetry of L that counts as round-off.
+/// Bounds of the sweeps of docs/adequacy.md: the largest |ln stretch|, and half the largest norm of L in units of c/r,
+/// with the speed c of shear waves. `no_spin` is the largest relative asymmetry of L that counts as round-off.
 constexpr double largest_amplitude = 0.25, largest_rate = 0.75, no_spin = 1e-9;
 
 /// True if the initial state has no spin and is in the range of the sweeps of docs/adequacy.md. Without spin, the
-/// velocity gradient L = Q̇Q⁻¹ is symmetric.
-bool is_moderate(const scene::Scene& scene) {
+/// velocity gradient L = Q̇Q⁻¹ is symmetric. The speed c of shear waves is in internal units.
+bool is_moderate(const scene::Scene& scene, double c) {
   const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation);
   const Eigen::Matrix3d L = loads::to_eigen(scene.initial_state.velocity) * Q.inverse() * units_of(scene).time;
   const Eigen::Vector3d stretches = Eigen::JacobiSVD<Eigen::Matrix3d>(Q).singularValues();
-  return stretches.array().log().abs().maxCoeff() <= largest_amplitude && L.norm() <= 2 * largest_rate &&
+  return stretches.array().log().abs().maxCoeff() <= largest_amplitude && L.norm() <= 2 * largest_rate * c &&
          (L - L.transpose()).norm() <= no_spin * (1 + L.norm());
 }
 
@@ -52,10 +52,11 @@ std::string in_per_cent(double excess) {
 }  // namespace
 
 void describe_expected_error(const scene::Scene& scene, scene::Needs& needs) {
-  if (needs.system || scene.analysis != scene::Analysis::motion || !is_moderate(scene)) return;
+  if (needs.system || scene.analysis != scene::Analysis::motion) return;
+  const double c = std::sqrt(materials::moduli_at_rest(internal_law(scene), scene.body.incompressible).shear);
+  if (!is_moderate(scene, c)) return;
   const auto small = small_pulsation(scene);
   if (!small) return;
-  const double c = std::sqrt(materials::moduli_at_rest(internal_law(scene), scene.body.incompressible).shear);
   std::vector<std::string> errors{fmt::format("pseudo-rigid {}", in_per_cent(small->ratio() - 1))};
   for (const int N : {3, 5})
     if (const auto omega = pulsation_of_polynomial(scene, N))

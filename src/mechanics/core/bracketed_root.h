@@ -12,8 +12,8 @@
 namespace pseudorigid::mechanics {
 
 /// Returns a zero of f, or the last point after 200 evaluations inside the bracket. If f(a) = 0, the result is a, and
-/// otherwise if f(b) = 0, it is b. Returns an empty optional if f(a) · f(b) is not negative, or if f is not finite at a
-/// point inside the bracket. A jump across zero counts as a zero.
+/// otherwise if f(b) = 0, it is b. Returns an empty optional if f(a) and f(b) do not have opposite signs, or if f is
+/// not finite at a point inside the bracket. A jump across zero counts as a zero.
 template <class Function>
 std::optional<double> bracketed_root(const Function& f, double a, double b,
                                      double resolution = std::numeric_limits<double>::epsilon()) {
@@ -21,7 +21,7 @@ std::optional<double> bracketed_root(const Function& f, double a, double b,
   double fa = f(a), fb = f(b);
   if (fa == 0) return a;
   if (fb == 0) return b;
-  if (!(fa * fb < 0)) return std::nullopt;
+  if (!(fa < 0 && fb > 0) && !(fa > 0 && fb < 0)) return std::nullopt;
   double t = 0.5;
   for (int i = 0; i < max_evaluations; ++i) {
     const double x = a + t * (b - a), fx = f(x);
