@@ -13,7 +13,8 @@ struct CompanionMasses {
   std::vector<double> masses, positions, velocities;  ///< mass m_i, and three numbers each of r_i and ṙ_i, for each
                                                       ///< companion
   std::vector<double> semi_major_axes, eccentricities, inclinations, ascending_nodes, arguments_of_pericentre,
-      mean_anomalies;  ///< elements of Jacobi's R_i, in place of r_i and ṙ_i
+      mean_anomalies;           ///< elements of Jacobi's R_i, in place of r_i and ṙ_i
+  bool full_potential = false;  ///< true if finite elements use the whole potential, not only its second degree
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {
@@ -54,6 +55,10 @@ struct CompanionMasses {
               "Companions/Mean anomalies", "",
               "Mean anomalies at the start, 0 at the pericentre. A hyperbola with the eccentricity e has the mean "
               "anomaly e sinh H - H."});
+    visit(self.full_potential, scene::Boolean{},
+          scene::About{"Companions/Full potential", "",
+                       "true: the finite-element model has the whole potential of each companion, as a sum over its "
+                       "nodes. Other models have its second degree."});
   }
 
   static constexpr std::string_view no_equilibria = "no body is looked for in equilibrium with a companion";
@@ -70,6 +75,7 @@ struct CompanionMasses {
   /// scene/companions.h rejects scenes with such companions.
   Forcing forcing() const {
     Forcing sum;
+    sum.companions.full_potential = full_potential;
     const std::size_t n_orbits = has_elements() ? semi_major_axes.size() : positions.size() / 3;
     for (std::size_t i = 0; i < std::min(masses.size(), n_orbits); ++i) {
       mechanics::Companion companion{.mass = masses[i]};

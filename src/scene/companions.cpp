@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "scene/models.h"
 #include "scene/scene.h"
 
 namespace pseudorigid::scene {
@@ -13,7 +14,7 @@ namespace {
 
 constexpr const char *masses_path = "Companions/Masses", *positions_path = "Companions/Positions",
                      *velocities_path = "Companions/Velocities", *axes_path = "Companions/Semi-major axes",
-                     *eccentricities_path = "Companions/Eccentricities";
+                     *eccentricities_path = "Companions/Eccentricities", *full_path = "Companions/Full potential";
 
 /// An entry with orbital elements: its path, and one value for each companion.
 struct ElementsEntry {
@@ -95,6 +96,14 @@ std::optional<Refusal> refuses_loads(const Scene& scene) {
   return {};
 }
 
+/// Refuses the full potential in a scene without companions, and in a scene without a finite-element model.
+std::optional<Refusal> refuses_full_potential(const Scene& scene, const loads::CompanionMasses& load) {
+  if (!load.full_potential) return {};
+  if (load.masses.empty()) return Refusal{full_path, fmt::format("the scene has no companion; give {}", masses_path)};
+  if (!is_discretized(scene)) return Refusal{full_path, "the other models have degree 2 only; add continuum to Models"};
+  return {};
+}
+
 /// The largest distance of a point of the initial body from its centre, in the units of the user. It is the radius
 /// times the largest singular value of Q₀ diag(semi-axes), with the initial deformation Q₀.
 double reach(const Scene& scene) {
@@ -120,6 +129,7 @@ bool is_on_axis(const Eigen::Vector3d& r) {
 
 std::optional<Refusal> refuses_companions(const Scene& scene) {
   const auto& load = scene.loads.get<loads::CompanionMasses>();
+  if (auto refusal = refuses_full_potential(scene, load)) return refusal;
   if (load.masses.empty() && load.positions.empty() && load.velocities.empty() && !has_any_elements(load)) return {};
   if (auto refusal = refuses_rows(load)) return refusal;
   if (auto refusal = refuses_loads(scene)) return refusal;

@@ -43,6 +43,26 @@ class Companions(ProgramTest):
         self.constants(self.run_model({**TILTED, **SPINNING, "Continuum/Degree": 2, "Time/Method": "rattle", "Time/Step": 0.01, "Time/End": 2}, "continuum"),
                        1e-5, 1e-12)
 
+    def test_full_potential_of_elements(self):
+        """Energy and total J are constant, the motion of a far companion is that of degree 2, and two ranks are one rank."""
+        entries = {**TILTED, **SPINNING, "Companions/Full potential": "true", "Continuum/Degree": 2, "Time/Method": "rattle", "Time/Step": 0.01, "Time/End": 2}
+        near = self.run_model({**entries, "Companions/Positions": "3, 0, 0"}, "continuum", output="near")
+        self.constants(near, 1e-5, 1e-12)
+        for distance, bound in ((3, 1e-2), (12, 1e-4)):
+            full, quadratic = (self.run_model({**entries, "Companions/Positions": f"{distance}, 0, 0", "Companions/Full potential": word}, "continuum")
+                               for word in ("true", "false"))
+            difference = max(abs(a - b) for name in ("Q11", "Q12", "Q33") for a, b in zip(full.column(name), quadratic.column(name)))
+            self.assertLess(difference, bound, distance)
+            self.assertGreater(difference, 1e-9, distance)
+
+    def test_full_potential_is_refused_without_elements(self):
+        for entries, keyword in (({**MOON, "Models": "reduced"}, "continuum"), ({"Models": "continuum"}, "Companions/Masses")):
+            self.scene({**entries, "Companions/Full potential": "true"})
+            result = self.run_program("check", "scene.prm")
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("Companions/Full potential", result.stderr)
+            self.assertIn(keyword, result.stderr)
+
     def test_two_companions_with_dissipation(self):
         entries = {**MOON, **SPINNING, "Companions/Masses": "40; 5", "Companions/Positions": "8, 0, 0; 0, 50, 0", "Material/Viscosity": 1, "Time/End": 20}
         for model, degree in (("reduced", 1), ("polynomial", 2)):
@@ -287,12 +307,14 @@ class Companions(ProgramTest):
     @unittest.skipUnless(shutil.which("mpirun"), "mpirun is not installed")
     def test_two_ranks_equal_one(self):
         entries = {**TILTED, "Material/Viscosity": 0.1, "Continuum/Degree": 2, "Time/Method": "rattle", "Time/Step": 0.02, "Time/End": 1, "Output/Samples": 5}
-        one = self.run_model(entries, "continuum", output="one")
-        self.run_on_two_ranks("scene.prm", "two")
-        two = self.table("two", "continuum.csv")
-        for name in ("Q11", "Q12", "companion1", "companion2", "torque3", "total_J3", "energy", "dissipated"):
-            for a, b in zip(one.column(name), two.column(name)):
-                self.assertAlmostEqual(a, b, delta=1e-12 * (1 + abs(a)), msg=name)
+        for full in ("false", "true"):
+            one = self.run_model({**entries, "Companions/Full potential": full}, "continuum", output="one")
+            shutil.rmtree(self.scratch / "two", ignore_errors=True)
+            self.run_on_two_ranks("scene.prm", "two")
+            two = self.table("two", "continuum.csv")
+            for name in ("Q11", "Q12", "companion1", "companion2", "torque3", "total_J3", "energy", "dissipated"):
+                for a, b in zip(one.column(name), two.column(name)):
+                    self.assertAlmostEqual(a, b, delta=1e-12 * (1 + abs(a)), msg=f"{full} {name}")
 
     def run_on_two_ranks(self, scene, output):
         subprocess.run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2", self.program, "run", scene, "--output", output],

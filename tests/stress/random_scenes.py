@@ -205,6 +205,8 @@ def put_companions(rng, entries, radius, rate, density):
     n = rng.randint(1, 2)
     positions = [[radius * 10 ** rng.uniform(0.4, 2) * rng.choice((-1, 1)) * rng.uniform(0.3, 1) for _ in range(3)] for _ in range(n)]
     masses = [density * radius**3 * 10 ** rng.uniform(-3, 5) for _ in range(n)]
+    if rng.random() < 0.3:
+        entries["Companions/Full potential"] = "true"
     entries["Companions/Masses"] = "; ".join(map(repr, masses))
     if rng.random() < 0.4:
         return put_elements(rng, entries, radius, n)

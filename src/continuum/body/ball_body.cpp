@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "continuum/body/companion_sums.h"
 #include "continuum/parallel/ranks.h"
 #include "observables/whole_body.h"
 
@@ -191,6 +192,13 @@ Eigen::Matrix3d BallBody::second_moment(const Vector& x) const {
 /// Adds the forces of the companions on the ball, which have no resultant, and sets the forces on the companions.
 void BallBody::add_companions(const Vector& x, Vector& f) const {
   const mechanics::Orbit::Columns s = companions(x);
+  if (orbit_.full_potential()) {
+    const mechanics::Orbit::Columns r = orbit_.relative(s);
+    const Eigen::Vector3d center = mean(x);
+    const CompanionSums sums = companion_sums(orbit_, space_, x, center, r);
+    add_companion_forces(orbit_, space_, x, center, r, sums, mass(), f);
+    return set_companions(orbit_.force(r, sums.on_companions), f);
+  }
   const Eigen::Matrix3d T = orbit_.tide(s);
   const Eigen::Vector3d at_center = T * mean(x);
   const Vector& mass = space_.mass();

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "continuum/body/companion_sums.h"
 #include "continuum/parallel/ranks.h"
 #include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/principal_axes.h"
@@ -83,6 +84,12 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
   if (ball.orbit().n() > 0 && (request.orbit || request.energies))
     o.orbit = mechanics::observe_orbit(ball.orbit(), ball.companions(state.q), ball.companions(state.v),
                                        ball.nodal_moment(x, x), mechanics::axial_vector(ball.nodal_moment(x, v)));
+  if (ball.orbit().full_potential() && (request.orbit || request.energies)) {
+    const mechanics::Orbit::Columns r = ball.orbit().relative(ball.companions(state.q));
+    const CompanionSums sums = companion_sums(ball.orbit(), ball.space(), state.q, o.center, r);
+    o.orbit.interaction = sums.energy + ball.orbit().energy_of_companions(r);
+    o.orbit.torque = sums.torque;
+  }
   if (request.momenta) {
     o.angular_momentum = mechanics::axial_vector(ball.nodal_moment(x, v));
     o.circulation = mechanics::axial_vector(ball.whole_ball(to_eigen(sums.X_pulled_back)));

@@ -52,8 +52,12 @@ struct Companion {
 struct Companions : std::vector<Companion> {
   using std::vector<Companion>::vector;
 
+  /// True if a finite-element body uses the whole potential of the companions in place of its second degree.
+  bool full_potential = false;
+
   Companions& operator+=(const Companions& others) {
     insert(end(), others.begin(), others.end());
+    full_potential = full_potential || others.full_potential;
     return *this;
   }
 };
@@ -67,7 +71,10 @@ class Orbit {
 
   Orbit() = default;
   Orbit(const Companions& companions, double gravity_constant, double mass)
-      : G_(gravity_constant), mass_(mass), n_(static_cast<int>(companions.size())) {
+      : G_(gravity_constant),
+        mass_(mass),
+        n_(static_cast<int>(companions.size())),
+        full_potential_(companions.full_potential) {
     s_.resize(3, n_);
     sdot_.resize(3, n_);
     Columns R(3, n_), Rdot(3, n_);
@@ -105,6 +112,8 @@ class Orbit {
   /// G(M + m_1), which determines the orbit of the first companion about the body. There must be a companion.
   double gravity_of_pair() const { return G_ * (mass_ + masses_[0]); }
   double first_mass() const { return masses_[0]; }
+  double mass(int i) const { return masses_[i]; }
+  bool full_potential() const { return full_potential_; }
   /// The radius of a ball with the mass of the body and the density 1, which is the internal unit of density.
   double radius_of_ball() const { return std::cbrt(3 * mass_ / (4 * std::numbers::pi)); }
 
@@ -135,16 +144,27 @@ class Orbit {
       const double d = r.col(i).norm();
       const Eigen::Vector3d u = r.col(i) / d;
       sum -= G_ * masses_[i] / d * (mass_ + (3 * u.dot(S * u) - S.trace()) / (2 * d * d));
-      for (int j = 0; j < i; ++j) sum -= G_ * masses_[i] * masses_[j] / (r.col(i) - r.col(j)).norm();
     }
+    return sum + energy_of_companions(r);
+  }
+  /// Returns the energy of the companions with each other, for their positions r_i.
+  double energy_of_companions(const Columns& r) const {
+    double sum = 0;
+    for (int i = 0; i < n_; ++i)
+      for (int j = 0; j < i; ++j) sum -= G_ * masses_[i] * masses_[j] / (r.col(i) - r.col(j)).norm();
     return sum;
   }
   /// Returns the forces −∂U/∂s_k.
   Columns force(const Eigen::Matrix3d& S, const Columns& s) const {
     const Columns r = relative(s);
-    Columns on_r = Columns::Zero(3, n_);  // −∂U/∂r_i
+    Columns of_body(3, n_);
+    for (int i = 0; i < n_; ++i) of_body.col(i) = attraction(i, S, r.col(i));
+    return force(r, of_body);
+  }
+  /// Returns the forces on s_k, for the positions r_i and the forces of the body on the companions.
+  Columns force(const Columns& r, const Columns& of_body) const {
+    Columns on_r = of_body;  // −∂U/∂r_i
     for (int i = 0; i < n_; ++i) {
-      on_r.col(i) += attraction(i, S, r.col(i));
       for (int j = 0; j < i; ++j) {
         const Eigen::Vector3d apart = r.col(i) - r.col(j);
         const double d = apart.norm();
@@ -297,6 +317,7 @@ class Orbit {
 
   double G_ = 0, mass_ = 0;
   int n_ = 0;
+  bool full_potential_ = false;
   double masses_[most_companions] = {}, kepler_[most_companions] = {};  ///< m_k and k_k
   double weights_[most_companions][most_companions] = {};               ///< [k][i]: r_i = Σ_k weights_[k][i] s_k
   Columns s_, sdot_;
