@@ -29,8 +29,8 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "tests/support
 from program_test import scene_text  # noqa: E402
 
 FREQUENCY, SIZE, RISE = 0.01, 1e-4, 300.0
-MODELS = {"reduced": (12.5, {"Time/Step": 0.1}), "polynomial": (9.5, {"Polynomial/Degree": 3, "Time/Step": 0.1, "Time/Tolerance": 1e-9}),
-          "continuum": (9.5, {"Continuum/Degree": 3, "Continuum/Error estimate": "none"})}  # with the largest stable step
+MODELS = {"reduced": (12.5, {"Time/Step": 0.1}), "polynomial": (9.5, {"Polynomial/Degree": 3, "Polynomial/Gravity points": 10, "Time/Step": 0.1}),
+          "continuum": (9.5, {"Continuum/Degree": 3, "Continuum/Gravity points": 8, "Continuum/Error estimate": "none"})}  # with the largest stable step
 # Modulus of the law, viscosity over tau, and branches: modulus, time over tau.
 RHEOLOGIES = {"Kelvin-Voigt": (1, 1, ()), "Maxwell": (0, 0, ((1, 1),)), "standard linear solid": (1, 0, ((0.5, 1),)),
               "Burgers": (0, 0, ((1, 1), (0.3, 5)))}

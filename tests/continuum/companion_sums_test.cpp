@@ -94,7 +94,8 @@ TEST(CompanionSums, OfFarCompanionsAreOfDegreeTwo) {
     const Eigen::Matrix3d S = ball.second_moment(x);
     const double expected = orbit.energy(S, orbit.position()) - orbit.energy_of_companions(r);
     of_energy.push_back({1 / d, std::abs(sums.energy - expected)});
-    of_force.push_back({1 / d, (orbit.force(r, sums.on_companions) - orbit.force(S, orbit.position())).norm()});
+    of_force.push_back(
+        {1 / d, (orbit.force_on_coordinates(r, sums.on_companions) - orbit.force(S, orbit.position())).norm()});
   }
   EXPECT_NEAR(fit_order(of_energy).order, 5, 0.1);
   EXPECT_NEAR(fit_order(of_force).order, 6, 0.15);

@@ -197,7 +197,7 @@ void BallBody::add_companions(const Vector& x, Vector& f) const {
     const Eigen::Vector3d center = mean(x);
     const CompanionSums sums = companion_sums(orbit_, space_, x, center, r);
     add_companion_forces(orbit_, space_, x, center, r, sums, mass(), f);
-    return set_companions(orbit_.force(r, sums.on_companions), f);
+    return set_companions(orbit_.force_on_coordinates(r, sums.on_companions), f);
   }
   const Eigen::Matrix3d T = orbit_.tide(s);
   const Eigen::Vector3d at_center = T * mean(x);

@@ -157,14 +157,15 @@ class Orbit {
   /// Returns the forces −∂U/∂s_k.
   Columns force(const Eigen::Matrix3d& S, const Columns& s) const {
     const Columns r = relative(s);
-    Columns of_body(3, n_);
-    for (int i = 0; i < n_; ++i) of_body.col(i) = attraction(i, S, r.col(i));
-    return force(r, of_body);
+    Columns on_r = Columns::Zero(3, n_);
+    for (int i = 0; i < n_; ++i) on_r.col(i) = attraction(i, S, r.col(i));
+    return force_on_coordinates(r, on_r);
   }
   /// Returns the forces on s_k, for the positions r_i and the forces of the body on the companions.
-  Columns force(const Columns& r, const Columns& of_body) const {
-    Columns on_r = of_body;  // −∂U/∂r_i
+  Columns force_on_coordinates(const Columns& r, const Columns& of_body) const {
+    Columns on_r = Columns::Zero(3, n_);  // −∂U/∂r_i
     for (int i = 0; i < n_; ++i) {
+      on_r.col(i) += of_body.col(i);
       for (int j = 0; j < i; ++j) {
         const Eigen::Vector3d apart = r.col(i) - r.col(j);
         const double d = apart.norm();
