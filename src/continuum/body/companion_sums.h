@@ -17,7 +17,7 @@ namespace pseudorigid::continuum {
 /// Sums over the nodes of the whole ball.
 struct CompanionSums {
   double energy = 0;                        ///< U
-  mechanics::Orbit::Columns on_companions;  ///< F_i
+  mechanics::Orbit::Columns on_companions;  ///< F_i, one column for each companion
   Eigen::Vector3d torque{0, 0, 0};          ///< torque on the ball about its centre of mass
 };
 

@@ -9,8 +9,9 @@
 /// with x_p = ∂x/∂ξ_p, x_q = ∂x/∂ξ_q, and the quadrature weights w. Node n has the position x_n and the basis function
 /// φ_n. The sign is chosen such that N points outwards. The force is the exact derivative of the discrete Ê, so the
 /// total force and the total torque are zero. The sources are the Gauss points of all ranks. If only a sector is
-/// computed, the mirror images of these points are also sources. Each pair of points of this rank is computed once for
-/// both points. The density must be uniform, so the ball must be incompressible.
+/// computed, the mirror images of these points are also sources. For two points of this rank, the kernel of the
+/// interaction is computed once and used at both points. The density must be uniform, so the ball must be
+/// incompressible.
 
 #include <array>
 #include <vector>
@@ -63,9 +64,9 @@ class SurfaceGravityForces {
   /// Points of all ranks with their mirror images, from the points of this rank. For rates along u, s contains the
   /// signs s_c. Collective.
   gravity::SurfacePoints sources(const gravity::SurfacePoints& own, const Signs& s = {1, 1, 1}) const;
-  /// The sums over all sources, for the points of this rank. Collective.
+  /// The pair sums of gravity/surface_gravity.h over all sources, for each point of this rank. Collective.
   gravity::PairSums sums_at(const gravity::SurfacePoints& own) const;
-  /// The sums of the totals of all ranks. Collective.
+  /// Adds the totals of all ranks. Collective.
   gravity::SurfaceTotals over_ranks(const gravity::SurfaceTotals& own) const;
   /// f_n ← f_n − ∂E/∂x_n for every node n. `derivative` is the derivative of the function E with respect to points and
   /// area vectors. x contains the jets of the position.
@@ -74,7 +75,7 @@ class SurfaceGravityForces {
   double constant_;
   const BallSpace& space_;
   SurfaceInterpolation surface_;
-  double rest_volume_;  ///< V₀ of the computed sector
+  double rest_volume_;  ///< volume of the undeformed sector, from the same points of the surface
 };
 
 }  // namespace pseudorigid::continuum

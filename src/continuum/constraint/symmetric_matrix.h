@@ -14,7 +14,7 @@ class SymmetricMatrix {
   /// Uses the lower triangle of `matrix`, an n × n matrix stored by columns.
   SymmetricMatrix(const double* matrix, std::size_t n);
 
-  /// y = A x
+  /// y = A x for n numbers x and y in double precision. The product is computed in single precision.
   void multiply(const double* x, double* y) const;
   std::size_t memory() const { return entries_.size() * sizeof(float); }
 
@@ -25,7 +25,8 @@ class SymmetricMatrix {
  private:
   bool whole() const { return n_ <= n_whole; }
 
-  std::size_t n_ = 0, n_rows_ = 0;  // n_rows_: n, rounded up for the product; the added rows are zero
+  std::size_t n_ = 0, n_rows_ = 0;  // n_rows_: n, rounded up to a multiple of rows_together (kernels/cell_products.h);
+                                    // the added rows are zero
   std::vector<float> entries_;
   mutable std::vector<float> x_, y_;
 };

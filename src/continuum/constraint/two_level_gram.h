@@ -1,6 +1,6 @@
 #pragma once
 /// A preconditioner B ≈ S⁻¹ of the Gram operator S = G M⁻¹Gᵀ for meshes of any size on any number of ranks. The number
-/// of iterations depends little on mesh size and degree. The preconditioner is
+/// of iterations depends little on mesh size, and grows slowly with the degree. The preconditioner is
 ///
 ///   B = Σ_cells R_cᵀ S_cc⁻¹ R_c + P K⁻¹ Pᵀ.
 ///

@@ -1,9 +1,9 @@
 #pragma once
 /// Batches of cells of the ball, with one cell in each lane of a SIMD vector, and the data that the kernels read. These
 /// data are the node numbers, the weights and positions of the Gauss points for the constraint, and the basis ψ of
-/// P_{k−1}. The basis is orthonormal in L²: ψ = L⁻¹ m with the vector m of the monomials and the Cholesky factor L of
-/// ∫m ⊗ m = LLᵀ. If the last batch has fewer cells than lanes, its other lanes repeat its first cell. Results of these
-/// lanes are not used.
+/// P_{k−1} for elements of degree k. The basis is orthonormal in L²: ψ = L⁻¹ m with the vector m of the monomials and
+/// the Cholesky factor L of ∫m ⊗ m = LLᵀ. If the last batch has fewer cells than lanes, its other lanes repeat its
+/// first cell. Results of these lanes are not used.
 
 #include <algorithm>
 #include <array>
@@ -50,7 +50,7 @@ class CellBatches {
   const PressurePoint* pressure_points(std::size_t batch) const { return &pressure_points_[batch * n_points]; }
   const L* basis(std::size_t batch) const { return &basis_[batch * n_packed]; }
 
-  /// Loads u[c][node] of the batch from the vector x.
+  /// Sets u[c][node] to component c of the vector x at the nodes of the batch.
   void gather(const double* x, std::size_t batch, L (*u)[n_nodes]) const {
     const auto* offsets = &offsets_[batch * n_nodes];
     for (int i = 0; i < n_nodes; ++i) L::load_triples(x, offsets[i].data(), u[0][i], u[1][i], u[2][i]);

@@ -21,7 +21,7 @@ class PointLaw {
   using L = Lanes<n_lanes>;
   virtual ~PointLaw() = default;
 
-  /// Allocates memory for exactly this number of points.
+  /// Allocates memory for exactly n_points points, the points of all batches together.
   virtual void reserve_points(std::size_t n_points) = 0;
   /// Adds the next points, from their Jacobians ∂X/∂ξ and weights on the reference cell.
   virtual void add_points(const L* jacobians, const double* unit_weights, int n_points) = 0;

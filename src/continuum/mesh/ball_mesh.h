@@ -19,11 +19,11 @@
 ///
 ///   ξ ← (exp(βξ) − 1)/(exp β − 1),   β/(exp β − 1) = g.
 ///
-/// The end with small cells, ξ = 0, is at the sphere or at this plane. The coordinates agree on the common faces of
-/// neighbouring cells. Only the ball and its sectors can have a grading.
+/// In this formula ξ is 0 at the end with small cells, which is on the sphere or on this plane. The coordinates agree
+/// on the common faces of neighbouring cells. Only the ball and its sectors can have a grading.
 ///
-/// With several ranks, p4est distributes the cells over the ranks. Every rank stores its own cells and their
-/// neighbours.
+/// With several ranks, p4est distributes the cells over the ranks. Every rank then stores the coarse mesh, its own
+/// cells and the neighbours of its own cells.
 
 #include <deal.II/grid/tria.h>
 

@@ -8,7 +8,7 @@
 ///
 /// Tides of even n are even at all three planes of the octant, and tides of odd n are odd. No rigid motion has these
 /// parities. The mesh breaks the symmetry between the harmonics of one degree. The result is the mean over these
-/// harmonics. The difference between the largest and the smallest number is an error of the mesh.
+/// harmonics. The difference between the largest and the smallest number shows the size of the error of the mesh.
 
 #include <vector>
 

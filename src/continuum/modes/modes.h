@@ -42,9 +42,10 @@ struct ModesReport {
   int n_eigenpairs = 0;     ///< number of eigenpairs found, including rigid motions
 };
 
-/// Computes the lowest n_frequencies in ascending order. `give_up` may be empty. It is called before each factorisation
-/// and each run of the iteration. Fails if `give_up` returns true, if the ball at rest is not stable under the law, or
-/// if an iteration does not converge. Also fails if the mesh is too coarse for so many frequencies.
+/// Computes the lowest n_frequencies in ascending order, and adds the counts to `report`. The function `give_up` may be
+/// empty. `ball_modes` calls it before each factorisation and each run of the iteration. Fails if `give_up` returns
+/// true, if the ball at rest is not stable under the law, or if an iteration does not converge. Also fails if the mesh
+/// is too coarse for so many frequencies.
 mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std::vector<BallFrequency>& frequencies,
                              ModesReport& report, const std::function<bool()>& give_up = {});
 
