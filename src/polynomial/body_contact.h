@@ -7,10 +7,9 @@
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ q_a φ_a,   −∂V/∂q_a = Σ w k d n φ_a.
 ///
 /// Damping and friction are sums over the same points. A body of degree 1 has the closed form of the pseudo-rigid body
-/// (loads/ellipsoid_contact.h), and its friction (loads/ellipsoid_friction.h). For higher degrees, the
-/// sum converges to this form on affine motions as n_points increases. The force is not computed if a lower bound of
-/// n·x shows that the body does not reach any plane. With X = S ξ (polynomial_space.h) and the affine part c + A X of
-/// x, the bound is
+/// (loads/ellipsoid_contact.h), and its friction (loads/ellipsoid_friction.h). For higher degrees, the sum converges to
+/// this form on affine motions as n_points increases. The force is not computed if a lower bound of n·x shows that the
+/// body does not reach any plane. With X = S ξ (polynomial_space.h) and the affine part c + A X of x, the bound is
 ///
 ///   n·x ≥ n·c − |SAᵀn| − Σ_ia |n_i q_ia| max|φ_a|,   a over the functions of degree 2 and higher,
 ///

@@ -97,6 +97,7 @@ class PointTables {
     std::array<std::vector<double>, 2> radial;           ///< [level][radius][group]: R′ and R/r, or R
     std::array<std::vector<double>, 3> angular;          ///< Y_lm and derivatives: [group][direction], padded
     std::array<std::vector<double>, 3> from_directions;  ///< the numbers of `angular` as [direction][group]
+    /// Numbers of groups, of groups with padding up to a multiple of `point_block`, and of levels.
     int n_groups = 0, n_filled = 0, n_levels = 0;
     std::array<std::vector<double>, 3> rows;  ///< [field]: [function][point]; empty if direct sums are not cheaper
     int linear = -1, linear_field = 0;  ///< indices of the linear function and of the nonzero component of its gradient

@@ -77,8 +77,8 @@ class PolynomialBody {
   bool has_contact() const { return !constant_.planes.empty(); }
   bool damping_is_linear() const { return !constant_.planes.rough(); }
   bool relaxes() const { return !constant_.branches.empty(); }
-  /// Replaces the internal metrics in q by their values after the time h, for the mean strain of `before` and q.
-  /// Returns the energy that the branches dissipate.
+  /// Replaces the internal metrics in q by their values after the time h, for the mean strain of `before` and q. Adds
+  /// the energy that the branches dissipate to the dissipated energies in v, in total and for each branch.
   void relax(double h, const Vector& before, Vector& q, Vector& v) const;
   /// The sums Σ μ_b C_b⁻¹ and Σ μ_b over the branches at a quadrature point.
   materials::BranchesAtPoint branches_at(const Vector& q, int point) const;
@@ -125,7 +125,7 @@ class PolynomialBody {
   /// Coefficients of x = c + A X, or of a velocity of this form.
   Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
   const mechanics::Orbit& orbit() const { return orbit_; }
-  /// The coordinates of the companions in a vector.
+  /// The coordinates s_k of the companions (mechanics/core/orbit.h) in a vector, one column for each companion.
   mechanics::Orbit::Columns companions(const Vector& q) const {
     return Eigen::Map<const Eigen::Matrix3Xd>(q.data() + first_of_orbit(), 3, orbit_.n());
   }
@@ -134,6 +134,7 @@ class PolynomialBody {
   }
   /// ∫ρ(x − x_c)(x − x_c)ᵀ with the centre of mass x_c.
   Eigen::Matrix3d second_moment(const Vector& q) const;
+  /// Adds to the dissipated energy in v. The body must have the coordinates of the energies (n_accounts() > 0).
   void add_taken(double energy, Vector& v) const { v[space_->n_unknowns()] += energy; }
   double dissipated(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns()] : 0; }
   /// The energy that each branch has dissipated.
@@ -156,15 +157,15 @@ class PolynomialBody {
 
  protected:
   /// Sets f to all forces without the reactions. If `held_at` is not null and there are planes, springs on the whole
-  /// surface replace the contact. They pull each point of the surface towards its position in the configuration
+  /// surface replace the contact. The springs pull each point of the surface towards its position for the coefficients
   /// `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the
-  /// stiffness with contact. Fails if q is not an admissible deformation.
+  /// stiffness with contact, which the search for a stable step needs. Fails if q is not an admissible deformation.
   mechanics::Status applied_force(double t, const Vector& q, const Vector& v, const Vector* held_at, Vector& f) const;
   [[gnu::cold, gnu::noinline]] mechanics::Status inadmissible(const Vector& q) const;
 
  private:
-  /// Coordinates whose velocities are energies: the dissipated energy, the given energy, and the energy that each
-  /// branch has dissipated.
+  /// Number of coordinates whose velocities are energies: the dissipated energy, the given energy, and the energy that
+  /// each branch has dissipated. The number is 0 without dissipation and without loads that depend on time.
   int n_accounts() const {
     return driven_ || constant_.dissipative() ? 2 + static_cast<int>(constant_.branches.list.size()) : 0;
   }

@@ -47,7 +47,7 @@ SurfaceRows surface_rows(const PolynomialSpace& space, int max_degree);
 
 /// Sets `problem`. The space of `body` must be that of the whole ball, without symmetry planes. `body` must not have
 /// self-gravity, because the function adds it, with Newton's constant `gravity_constant` in units with ρ = r = 1. Fails
-/// if the body is not in equilibrium at rest.
+/// if the body is not in equilibrium at rest, or if the forces or the multiplier at rest cannot be computed.
 mechanics::Status make_rest_problem(const IncompressibleBody& body, const Turns& turns, double gravity_constant,
                                     RestProblem& problem);
 mechanics::Status make_rest_problem(const CompressibleBody& body, const Turns& turns, double gravity_constant,
