@@ -20,8 +20,8 @@ using Numbers9 = std::array<double, 9>;
 struct BodyOfStages {
   materials::AnyLaw law{materials::Fluid{}};
   bool incompressible = true;
-  bool isotropic = true;  ///< true if E₀ ∝ Id
-  double volume = 1, inverse_m_bar = 1;
+  bool isotropic = true;                 ///< true if E₀ ∝ Id
+  double volume = 1, inverse_m_bar = 1;  ///< Vol and 1/m̄, with m̄ = ⅓ tr E₀
   Numbers9 E0{}, E0_inverse{};
 
   bool loaded = false;          ///< true if self-gravity, T, P̄ or the pressure is not 0
@@ -35,7 +35,7 @@ struct BodyOfStages {
 /// Further parameters of a body whose energy is not constant (dissipative_body.h).
 struct AccountsOfStages {
   double viscosity = 0, drag = 0;
-  bool driven = false;
+  bool driven = false;  ///< true if a load depends on time
   /// T, P̄ and the pressure of the loads that depend on time, at the eight stages. `driving_rate` has the derivatives
   /// of these quantities with respect to time.
   struct Driving {

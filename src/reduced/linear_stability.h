@@ -42,7 +42,8 @@ inline Eigen::Matrix3d unflat(const Eigen::VectorXd& h) { return h.reshaped(3, 3
 /// GL⁺(3).
 Eigen::MatrixXd tangent_space(const SteadyMotion& m, bool incompressible);
 
-/// Directions of the rotations of space and of the reference ball, in the basis T.
+/// Directions H and rates Ḣ of the rotations of space and of the reference ball, in the basis T: three columns for each
+/// group.
 mechanics::SymmetryDirections turns(const SteadyMotion& m, const Eigen::MatrixXd& T);
 
 }  // namespace detail

@@ -23,7 +23,8 @@ namespace pseudorigid::reduced {
 using PlaneVector = Eigen::Matrix<double, 8, 1>;
 using PlaneMatrix = Eigen::Matrix<double, 8, 8>;
 
-/// The coordinates u of a motion with diagonal A and with ω and Λ in the plane of axes 2 and 3.
+/// `plane_coordinates` returns the coordinates u of a motion with diagonal A > 0 and with ω and Λ in the plane of axes
+/// 2 and 3. `motion_of` is the inverse map.
 inline PlaneVector plane_coordinates(const SteadyMotion& m) {
   PlaneVector u;
   u << m.A.diagonal().array().log().matrix(), m.omega.tail<2>(), m.Lambda.tail<2>(), m.lambda;
