@@ -41,7 +41,7 @@ class BodyContact {
   /// f ← f + damping force + friction at the velocity v. Returns the dissipated and the given power of these forces.
   loads::ContactPower add_dissipation(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                       Eigen::VectorXd& f) const;
-  /// f ← f − C u for the damping and the friction at the velocity v (mechanics/core/damping.h).
+  /// f ← f − C u. C is the linearisation `kind` of damping and friction at the velocity v (mechanics/core/damping.h).
   void add_damping(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& u,
                    mechanics::Linearization kind, Eigen::VectorXd& f) const;
   /// f ← f − ∂/∂u of ½k∮|u|² for a displacement u, with k = Planes::stiffness_of_all(). This is the force of springs
@@ -63,7 +63,7 @@ class BodyContact {
   void add_at(Field& field, std::size_t place, const Eigen::Vector3d& value) const;
   /// The contacts of the computed sector at the positions x of its points, one contact for each plane.
   std::vector<loads::PlaneContact> of_points(const loads::Planes& planes, const Field& x) const;
-  /// Calls visit(plane, place, w d) for the points with d > 0.
+  /// Calls visit(plane, place, w, d) for the points with d > 0. `place` is the index of the point in the tables.
   template <class Visit>
   void for_touching_points(const loads::Planes& planes, const Field& x, Visit&& visit) const;
   /// f ← f + damping force at the velocity u. Returns the powers of this force.

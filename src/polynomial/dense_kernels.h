@@ -92,8 +92,8 @@ struct DenseKernels {
   /// Returns the sum of w W_b over the points and the branches.
   double (*branch_energy)(const materials::MaxwellBranches& branches, int n, const double* w, const double* metrics,
                           const double* F);
-  /// Replaces the metrics by their values after the time h, for the mean strain of F0 and F1. Returns the energy
-  /// that each branch has lost, weighted by w.
+  /// Replaces the metrics by their values after the time h, for the mean strain of F0 and F1. Returns the energy that
+  /// each branch has lost, summed over the points with the weights w.
   materials::BranchEnergies (*relax_branches)(const materials::MaxwellBranches& branches, double h, int n,
                                               const double* w, const double* F0, const double* F1, double* metrics);
 

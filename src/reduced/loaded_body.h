@@ -128,7 +128,8 @@ class LoadedBody {
     f.template leftCols<3>() = F;
     f.col(at_center) *= body_.reference().mass;
   }
-  /// f ← f − C u, with the linearisation C of the damping force at a state (mechanics/core/damping.h).
+  /// f ← f − C u. C is the linearisation `kind` of viscosity, drag, damping and friction at `state`
+  /// (mechanics/core/damping.h).
   void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization kind,
                    Vector& f) const {
     const Eigen::Matrix3d Q = matrix(state.q), U = matrix(u);

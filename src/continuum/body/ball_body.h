@@ -155,7 +155,8 @@ class BallBody {
   /// message names the limit and the place of the least reserve. Otherwise it names the place of the least det F.
   /// Collective.
   mechanics::Status judge(double least, const Vector& x) const;
-  /// Fills x with fixed irregular numbers in (−1, 1), which do not depend on the number of ranks.
+  /// Fills x with fixed irregular numbers in [−1, 1], the start of the search for the largest frequency
+  /// (mechanics/steps/largest_frequency.h). They do not depend on the number of ranks, except for round-off of 1e-12.
   void fill_irregular(Vector& x) const;
   /// Σ_n m_n a_n b_nᵀ over the nodes n of the whole ball, with the nodal masses m_n. Collective.
   Eigen::Matrix3d nodal_moment(const Vector& a, const Vector& b) const;

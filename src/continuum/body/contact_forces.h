@@ -39,7 +39,8 @@ class ContactForces {
   /// f ← f + damping force and friction of the planes (loads/plane.h). Returns the powers that these forces dissipate
   /// and give, for the computed sector on all ranks. Collective.
   loads::ContactPower add_dissipation(double t, const Vector& x, const Vector& v, Vector& f) const;
-  /// f ← f − C u with the operator C of damping and friction at the velocity v (mechanics/core/damping.h). Collective.
+  /// f ← f − C u. C is the linearisation `kind` of damping and friction at the velocity v (mechanics/core/damping.h).
+  /// Collective.
   void add_damping(double t, const Vector& x, const Vector& v, const Vector& u, mechanics::Linearization kind,
                    Vector& f) const;
   /// f ← f − ∂/∂x of ½k∮|x − x₀|², with k = Planes::stiffness_of_all(). This is the force of springs that pull each

@@ -58,7 +58,7 @@ class ElasticBall : public BallBody {
   mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace& workspace, Vector& f) const {
     return applied_force(t, x, v, workspace.held_at, f);
   }
-  /// All forces with the reactions Gᵀλ, at lower cost than the two parts separately. Fails in the same case.
+  /// All forces with the reactions Gᵀλ, at lower cost than the two parts separately. Fails if BallBody::judge fails.
   /// Collective.
   mechanics::Status force_with_reaction(double t, const Vector& x, const Vector& v, const Multiplier& lambda,
                                         Workspace& workspace, Vector& f) const {

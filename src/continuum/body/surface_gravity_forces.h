@@ -59,7 +59,8 @@ class SurfaceGravityForces {
   /// computes the derivatives of these points and area vectors along u, from the jets of x and u.
   gravity::SurfacePoints own_points(const Jets& x) const;
   gravity::SurfacePoints own_rates(const Jets& x, const Jets& u) const;
-  /// Points with their mirror images under the reflections of the sector. For rates along u, s contains the signs s_c.
+  /// Points with their mirror images under the reflections of the sector. Each entry of `points` contains a point and
+  /// its area vector. For rates along u, s contains the signs s_c.
   gravity::SurfacePoints with_images(const std::vector<std::array<double, 6>>& points, const Signs& s) const;
   /// Points of all ranks with their mirror images, from the points of this rank. For rates along u, s contains the
   /// signs s_c. Collective.

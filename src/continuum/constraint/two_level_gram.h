@@ -6,10 +6,11 @@
 ///
 /// R_c restricts the multipliers to one cell c, and S_cc is the block of S of this cell. The N_i ∈ Q_m are continuous
 /// functions that vanish on the free surface. For elements of degree k, m = 1 if k ≤ 4, and otherwise m = 2. P is the
-/// L²-projection of the N_i onto the multipliers. S is the weak form of −div(ρ⁻¹ grad) in current coordinates with
-/// λ = 0 on the free surface. Therefore K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX. The matrices of the cells have single
-/// precision. A decrease of the residual by a factor of 10⁴ takes 7–10 iterations for k = 2. It takes 14–19 iterations
-/// for k = 4, and 16–21 for k = 6. These numbers are for an octant with one to three refinements, at rest and sheared.
+/// L²-projection of the N_i onto the multipliers. S is the weak form of −div(ρ⁻¹ grad) in current coordinates with λ =
+/// 0 on the free surface. Therefore K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX with F = ∂x/∂X. The matrices of the cells have
+/// single precision. A decrease of the residual by a factor of 10⁴ takes 7–10 iterations for k = 2. It takes 14–19
+/// iterations for k = 4, and 16–21 for k = 6. These numbers are for an octant with one to three refinements, at rest
+/// and sheared.
 ///
 /// K⁻¹ is a KSP solver of PETSc with the options' prefix gram_coarse_. By default it is one V-cycle of the algebraic
 /// multigrid of PETSc (GAMG).

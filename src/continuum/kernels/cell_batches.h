@@ -40,7 +40,7 @@ class CellBatches {
     const auto& w = cells.reference.point_weights;
     for (int q = 0; q < n_points; ++q) unit_weights[q] = w[q % n] * w[q / n % n] * w[q / n / n];
     const std::size_t n_batches = (cells.nodes.size() + n_lanes - 1) / n_lanes;
-    pressure_points_.reserve(n_batches * n_points);  // the exact number of entries
+    pressure_points_.reserve(n_batches * n_points);  // the exact number, so that no memory is unused
     offsets_.reserve(n_batches * n_nodes);
     basis_.reserve(n_batches * n_packed);
     batches.reserve(n_batches);

@@ -32,7 +32,7 @@ struct BallFrequency {
   int degree;
   int overtone;      ///< 0 for the fundamental
   int multiplicity;  ///< number of modes, 2·degree + 1
-  double share;      ///< least share of the class in the squared surface displacement of a mode
+  double share;      ///< share of the class in the squared surface displacement, the least over the modes
   Parity parity;     ///< parity of the shape
   Vector shape;      ///< displacement of one of the modes on the octant; the largest nodal displacement is 1
 };

@@ -62,7 +62,7 @@ struct RestProblem {
   double weight_of_density;                 ///< product ρg of density and gravity at the surface
   double penalty;                           ///< penalty γ of the augmented Lagrangian
   std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell, with the springs of self-gravity
-  std::vector<Eigen::MatrixXd> constraint;  ///< G of each cell
+  std::vector<Eigen::MatrixXd> constraint;  ///< G of each cell; empty for a compressible body
   std::vector<int> n_cells_at_node;         ///< number of cells that contain each node
 
  private:

@@ -25,7 +25,7 @@ mechanics::PointBlocks nodal_blocks(const BallSpace& space);
 std::vector<double> nodal_positions(const BallSpace& space);
 
 /// Sets `fields` at the points of `nodal_blocks`. `law` must be the law of the ball. Fails if the multiplier of the
-/// motion cannot be computed, or if det F ≤ 0 at a node of this rank. Collective.
+/// motion cannot be computed, or if det F is not positive and finite at a node of this rank. Collective.
 mechanics::Status nodal_fields(const ElasticBall& ball, const materials::AnyLaw& law,
                                const mechanics::State<ElasticBall>& state, ElasticBall::Workspace& workspace,
                                mechanics::BodyFields& fields);
