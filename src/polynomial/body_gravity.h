@@ -68,7 +68,7 @@ class BodyGravity {
   PointTables tables_;
   std::vector<std::size_t> places_;  ///< indices of the points in the tables, which also have padding
   std::vector<double> weights_;      ///< quadrature weights, with the sign of the orientation of each image
-  double rest_volume_;               ///< volume of the undeformed body in the computed sector, from the same points
+  double rest_volume_;               ///< volume of the undeformed computed sector, from the same points
 };
 
 }  // namespace pseudorigid::polynomial

@@ -38,7 +38,7 @@ class GramMatrix {
 
   const PolynomialSpace* space_;
   std::vector<double> weighted_pressures_;        ///< w ψ at the quadrature points, [function][point]
-  std::array<std::vector<double>, 8> gradients_;  ///< gradients for each parity, [k][point of the octant][function]
+  std::array<std::vector<double>, 8> gradients_;  ///< ∂φ_a/∂X_k for each parity: [k][point of the octant][function]
 };
 
 class GramSolver {

@@ -95,8 +95,8 @@ class PolynomialBody {
   double potential_energy(const Vector& q) const;
   /// The parts of the potential energy at the time t. The deformation q must be admissible.
   PotentialEnergies potential_energies(double t, const Vector& q) const;
-  /// Number of axes about which rotations of space are symmetries, because these rotations keep the symmetry planes.
-  /// The number is 0 if a load depends on direction or time.
+  /// Number of axes about which rotations of space are symmetries. The rotations must keep the symmetry planes of the
+  /// sector. The number is 0 if a load depends on direction or time.
   int n_symmetries() const { return static_cast<int>(turns_.size()); }
   /// Sets dq = ê×x and dv = ê×ẋ as coefficients, for the axis ê of symmetry i.
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
@@ -122,7 +122,7 @@ class PolynomialBody {
   double volumetric_stiffness() const { return volumetric_stiffness_; }
   const loads::Forcing& constant_forcing() const { return constant_; }
 
-  /// Coefficients of x = c + A X, or of a velocity of this form.
+  /// Coefficients of x = c + A X, or of a velocity of this form. All other entries are 0.
   Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
   const mechanics::Orbit& orbit() const { return orbit_; }
   /// The coordinates s_k of the companions (mechanics/core/orbit.h) in a vector, one column for each companion.
@@ -137,7 +137,7 @@ class PolynomialBody {
   /// Adds to the dissipated energy in v. The body must have the coordinates of the energies (n_accounts() > 0).
   void add_taken(double energy, Vector& v) const { v[space_->n_unknowns()] += energy; }
   double dissipated(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns()] : 0; }
-  /// The energy that each branch has dissipated.
+  /// The energy that each branch has dissipated in the whole body, from the velocity v.
   materials::BranchEnergies dissipated_by_branches(const Vector& v) const {
     materials::BranchEnergies energies{};
     for (std::size_t b = 0; b < constant_.branches.list.size(); ++b)

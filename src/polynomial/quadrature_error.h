@@ -39,7 +39,7 @@ struct QuadratureRequest {
   double end = 0;                   ///< T, measured from the state
   double stable_step = 0;           ///< stability limit of RATTLE; 0 if it is not known
   double tolerance = 1e-6;          ///< tolerance of Q
-  bool adds_points = false;         ///< true: adds points until e is at most half of the tolerance
+  bool adds_points = false;         ///< true if points are added to make e at most half of the tolerance
   std::function<bool()> give_up{};  ///< called after every step of a pilot run; true ends the pilot run
 };
 

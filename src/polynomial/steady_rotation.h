@@ -35,7 +35,7 @@ enum class Figure { spheroid, ellipsoid };
 
 /// The parameter of a figure in its family: Ω², ln(a₂/a₁) or ln(a₃/a₁), with the affine part A = diag(a) of x.
 enum class FigureParameter { spin_squared, log_ratio_21, log_ratio_31 };
-/// The condition that a parameter of the figure has a value.
+/// The condition that `parameter` has the value `value` in the figure.
 struct FigureCondition {
   FigureParameter parameter;
   double value;
@@ -53,7 +53,7 @@ class SteadyRotations {
   /// `setup.reflect` is not used. Loads other than gravity and pressure are not used.
   SteadyRotations(const BodySetup& setup, bool incompressible, Figure figure);
 
-  /// The affine figure x = A X, with A = diag(a).
+  /// The affine figure x = A X with A = diag(a), λ = 0 and this Ω². It need not satisfy the equations.
   SteadyRotation affine(const Eigen::Vector3d& a, double spin_squared) const;
 
   /// Moves `rotation` to the figure near it that satisfies the condition. Fails if Newton's iteration does not

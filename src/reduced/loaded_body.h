@@ -178,7 +178,7 @@ class LoadedBody {
 
   void add_taken(double energy, Vector& v) const { v(0, at_energies) += energy; }
   double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, at_energies); }
-  /// The energy that each branch has dissipated.
+  /// The energies D_b that the branches have dissipated.
   Eigen::Vector4d dissipated_by_branches(const mechanics::VectorState<Vector>& state) const {
     return Eigen::Vector4d::Map(state.v.col(at_energies).data() + 2);
   }

@@ -27,7 +27,7 @@
 
 namespace pseudorigid::reduced {
 
-/// The terms of the potential energy.
+/// The terms of V(Q): stored energy, self-gravity, and energy of the loads.
 struct PotentialEnergies {
   double elastic = 0, gravitational = 0, external = 0;
   double total() const { return elastic + gravitational + external; }

@@ -147,7 +147,7 @@ class PseudoRigidBody {
       f -= lambda * inverse_transposed * v.transpose() * inverse_transposed;
     }
   }
-  /// The division in the head of this file. It does not fail.
+  /// Sets lambda by the division in the head of this file. Does nothing on GL⁺(3). Does not fail.
   mechanics::SolveReport solve_gram(const Vector& Q1, const Vector& Q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     if constexpr (incompressible) {

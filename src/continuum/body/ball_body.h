@@ -183,7 +183,7 @@ class BallBody {
   LeastPlace of_all_ranks(LeastPlace of_this_one) const;
 
   BallSpace space_;
-  std::string_view limit_;  ///< the reason for which the law does not admit some F; empty if it admits all
+  std::string_view limit_;  ///< name of the limit of the law for messages; empty for a law without limits
   bool is_fluid_;
   std::unique_ptr<CellKernels> kernels_;
   LoadForces loads_;

@@ -34,7 +34,7 @@ class SurfaceGravityForces {
   /// a face.
   SurfaceGravityForces(double gravity_constant, const BallSpace& space, int n_points);
 
-  /// The gravitational constant G.
+  /// The gravitational constant G in internal units.
   double constant() const { return constant_; }
 
   /// f ← f − ∂Ê/∂x. Collective.

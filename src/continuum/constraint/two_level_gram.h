@@ -56,14 +56,15 @@ class TwoLevelGram final : public GramPreconditioner {
   int coarse_degree_;
   dealii::FE_Q<3> element_;
   dealii::DoFHandler<3> dof_handler_;
-  unsigned int n_functions_;                                                  ///< number of the N_i of a cell
-  std::vector<std::vector<dealii::types::global_dof_index>> cell_functions_;  ///< N_i of each cell, global numbers
-  std::vector<unsigned int> local_functions_;                                 ///< N_i of all cells, local numbers
-  std::vector<bool> on_surface_;                                              ///< [local number]: true on the surface
-  std::vector<Eigen::MatrixXd> tables_;  ///< N_i and ∂N_i/∂ξ_d at the nodes of a cell, [node, i]
-  std::size_t n_rows_;                   ///< number of rows of the matrices of a cell: multipliers and padding
-  std::vector<float> projections_;       ///< P, one matrix per cell: [j + n_rows · i] for ψ_j and N_i
-  std::vector<float> inverse_blocks_;    ///< S_cc⁻¹, one matrix per cell: [i + n_rows · j]
+  unsigned int n_functions_;  ///< number of the N_i of a cell
+  std::vector<std::vector<dealii::types::global_dof_index>>
+      cell_functions_;                         ///< global numbers of the N_i of each cell
+  std::vector<unsigned int> local_functions_;  ///< local numbers of the N_i, cell by cell
+  std::vector<bool> on_surface_;               ///< [local number]: true if the node is on the surface
+  std::vector<Eigen::MatrixXd> tables_;        ///< N_i and the three ∂N_i/∂ξ_d at the nodes of a cell: (node, i)
+  std::size_t n_rows_;                         ///< number of rows of the matrices of a cell: multipliers and padding
+  std::vector<float> projections_;             ///< P, one matrix per cell: [j + n_rows · i] for ψ_j and N_i
+  std::vector<float> inverse_blocks_;          ///< S_cc⁻¹, one matrix per cell: [i + n_rows · j]
   std::unique_ptr<dealii::PETScWrappers::MPI::SparseMatrix> K_;  ///< constructed after the start of PETSc
   KSP coarse_solver_ = nullptr;
   PetscBool applies_preconditioner_ = PETSC_FALSE;  ///< true if the solver only applies its preconditioner

@@ -61,7 +61,8 @@ CoarseCell image(const CoarseCell& cell, const std::array<bool, 3>& mirrored) {
   return result;
 }
 
-/// The images of the octant in the sector. Images share the vertices on their common faces.
+/// The coarse mesh of a sector, which consists of images of the octant. Images share the vertices on their common
+/// faces.
 CoarseMesh sector_of_ball(const Sector& sector) {
   CoarseMesh mesh;
   std::map<Corner, unsigned int> numbers;

@@ -25,9 +25,9 @@ struct ReferenceCell {
   int n;                                       ///< number of nodes and of Gauss points per direction: degree + 1
   std::vector<double> nodes, node_weights;     ///< nodes and weights of the Gauss–Lobatto rule
   std::vector<double> points, point_weights;   ///< points and weights of the Gauss rule
-  std::vector<double> interpolate;             ///< row-major [q][i]: nodes → points
-  std::vector<double> differentiate;           ///< row-major [q][p]: values at points → derivative at points
-  std::vector<double> differentiate_at_nodes;  ///< row-major [i][j]: values at nodes → derivative at nodes
+  std::vector<double> interpolate;             ///< ℓ_i(ξ_q), row-major [q][i]
+  std::vector<double> differentiate;           ///< ℓ̂_p'(ξ_q), row-major [q][p]
+  std::vector<double> differentiate_at_nodes;  ///< ℓ_j' at node i, row-major [i][j]
 };
 
 }  // namespace pseudorigid::continuum
