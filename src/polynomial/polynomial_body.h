@@ -146,9 +146,8 @@ class PolynomialBody {
   }
   double given(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns() + 1] : 0; }
 
-  /// Fails if q is not an admissible deformation of this body. If det F is positive at all points, but the law does not
-  /// admit F at a point, the reason is the limit of the law. Otherwise the reason contains the least det F and its
-  /// place.
+  /// Fails if q is not an admissible deformation of this body. If the law has a limit and det F is positive at all
+  /// points, the reason is this limit. Otherwise the reason contains the least det F and its place.
   mechanics::Status admissible(const Vector& q) const;
   /// The least det F over the quadrature points as text, such as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
   std::string least_jacobian_in_words(const Vector& q) const;

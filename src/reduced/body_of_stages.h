@@ -1,6 +1,6 @@
 #pragma once
-/// Parameters of a pseudo-rigid body as plain numbers, for the kernels that evaluate the body at the eight stages of a
-/// Gauss step at once (gauss_body_kernels.h). Matrices are stored by columns, as in Eigen.
+/// Parameters of a pseudo-rigid body as plain numbers, for the kernels of gauss_body_kernels.h. These kernels evaluate
+/// the body at the eight stages of a Gauss step at once. Matrices are stored by columns, as in Eigen.
 
 #include <array>
 #include <cstddef>

@@ -15,8 +15,8 @@
 ///
 /// with (…)^ for the matrix of the cross product. The rates on N are 0, ±i|ω| and ±i|Λ|, and contain no information on
 /// the motion. The remainder is the space of fixed momenta J and Z modulo the group that keeps J and Z. Its dimension
-/// is 8 for a generic motion. The dimension is 10 for a sphere at rest and for a spheroid that rotates about its axis,
-/// because some combinations of rotations do not move these bodies.
+/// is 8 for a generic motion. The dimension is 10 for a sphere at rest and for a spheroid that rotates about its axis.
+/// Some combinations of rotations do not move these bodies.
 
 #include <Eigen/Core>
 #include <utility>

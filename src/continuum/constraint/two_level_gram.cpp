@@ -172,7 +172,7 @@ void TwoLevelGram::make_coarse_solver() {
 }
 
 /// Computes K at the positions x. For Lagrange functions of nodes on the free surface, the rows and columns of K are 0
-/// except for a positive diagonal, so that K is regular.
+/// except for a positive diagonal. K is therefore regular.
 void TwoLevelGram::assemble_coarse_matrix(const Vector& x) {
   const unsigned int n_nodes = space_.nodes_per_cell();
   MatrixXd gradients(3 * n_nodes, n_functions_), K_cell(n_functions_, n_functions_);

@@ -1,9 +1,9 @@
 #pragma once
 /// Batches of cells of the ball, with one cell in each lane of a SIMD vector, and the data that the kernels read. These
-/// data are the node numbers, the weights and positions of the Gauss points for the constraint, and the basis ψ of
-/// P_{k−1} for elements of degree k. The basis is orthonormal in L²: ψ = L⁻¹ m with the vector m of the monomials and
-/// the Cholesky factor L of ∫m ⊗ m = LLᵀ. If the last batch has fewer cells than lanes, its other lanes repeat its
-/// first cell. Results of these lanes are not used.
+/// data are the node numbers, and the weights and positions of the Gauss points for the constraint. For elements of
+/// degree k, the data also contain the basis ψ of P_{k−1}, which is orthonormal in L². With the vector m of the
+/// monomials and the Cholesky factor L of ∫m ⊗ m = LLᵀ, the basis is ψ = L⁻¹ m. If the last batch has fewer cells than
+/// lanes, its other lanes repeat its first cell. Results of these lanes are not used.
 
 #include <algorithm>
 #include <array>
@@ -154,7 +154,7 @@ class CellBatches {
       for (int c = 0; c < 3; ++c) point->position[c] = (point->position[c] - batch.center[c]) / batch.scale;
   }
 
-  /// Computes L⁻¹, with the Cholesky factor L of the Gram matrix of the monomials, and appends its lower triangle to
+  /// Computes L⁻¹, with the Cholesky factor L of the Gram matrix of the monomials. Appends the lower triangle of L⁻¹ to
   /// the basis, row by row.
   void orthonormalize(std::size_t index) {
     std::vector<L> gram(n_pressure * n_pressure, L(0.0)), monomials(n_pressure),

@@ -1,7 +1,7 @@
 #pragma once
-/// Operations on one batch of cells, for one plane of points after the other (sum_factorization.h). The operations
-/// compute H = ∂x/∂ξ at the points from values at the nodes, and the sums Σ_q T : ∂φ/∂ξ from T at the points. The
-/// planes of a batch must be processed in ascending order.
+/// Operations on one batch of cells, for one plane of points after the other (sum_factorization.h). From values at the
+/// nodes, the operations compute H = ∂x/∂ξ at the points. From a tensor T at the points, they compute the sums Σ_q T :
+/// ∂φ/∂ξ for the basis functions φ. The planes of a batch must be processed in ascending order.
 
 #include <memory>
 

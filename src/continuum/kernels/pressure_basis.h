@@ -1,8 +1,8 @@
 #pragma once
 /// Polynomials of total degree ≤ m in one cell, as functions of the local coordinates (x, y, z) = (X − X_c)/h_c. X is
-/// the reference position, X_c is the centre of mass of the cell, and h_c is half the edge of a cube with the volume of
+/// the reference position, and X_c is the centre of mass of the cell. h_c is half the edge of a cube with the volume of
 /// the cell. The coordinates are therefore of order 1. The monomials x^a y^b z^c with a + b + c ≤ m are ordered by a,
-/// then b, then c; c is the fastest index.
+/// then by b, then by c.
 
 namespace pseudorigid::continuum {
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The finite-element spaces of the ball: positions x_h ∈ (Q_k)³ on Gauss–Lobatto nodes, geometry of degree k on the
-/// same nodes, and the lumped (diagonal) mass
+/// The finite-element spaces of the ball. Positions x_h ∈ (Q_k)³ have Gauss–Lobatto nodes, and the geometry has degree
+/// k on the same nodes. The lumped (diagonal) mass is
 ///
 ///   m_n = Σ_cells ρ w_n det(∂X/∂ξ)(ξ_n),   ρ = 1 in internal units.
 ///
