@@ -99,7 +99,7 @@ class PointTables {
     std::array<std::vector<double>, 3> from_directions;  ///< the numbers of `angular` as [direction][group]
     /// Numbers of groups, of groups with padding up to a multiple of `point_block`, and of levels.
     int n_groups = 0, n_filled = 0, n_levels = 0;
-    std::array<std::vector<double>, 3> rows;  ///< [field]: [function][point]; empty if direct sums are not cheaper
+    std::array<std::vector<double>, 3> rows;  ///< [field]: [function][point], for direct sums; empty with factored sums
     /// Index of the linear function in the block, or −1 without one, and index of the nonzero component of its
     /// gradient.
     int linear = -1, linear_field = 0;
@@ -115,8 +115,8 @@ class PointTables {
                   Factors& factors) const;
   void set_angular(const Groups& groups, const PointGrid& grid, Factors& factors) const;
   void set_frames(const Eigen::Vector3d& semi_axes, const PointGrid& grid);
-  /// Index in Factors::radial for a term. It is 1 for the terms with R/r, which the gradient has along e_θ and e_φ,
-  /// otherwise 0.
+  /// Index in Factors::radial for a term. The index is 1 for the terms with R/r, which the gradient has along e_θ and
+  /// e_φ. Otherwise it is 0.
   int radial_of(int term) const { return fields_ == Fields::gradient && term > 0 ? 1 : 0; }
   bool is_constant() const { return fields_ == Fields::gradient && degree_ == 1; }
   void evaluate_octant(const Factors& factors, const double* c, double* const* y) const;

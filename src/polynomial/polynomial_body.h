@@ -164,7 +164,7 @@ class PolynomialBody {
 
  private:
   /// Number of coordinates whose velocities are energies: the dissipated energy, the given energy, and the energy that
-  /// each branch has dissipated. The number is 0 without dissipation and without loads that depend on time.
+  /// each branch has dissipated. The number is 0 without dissipation, loads that depend on time and moving planes.
   int n_accounts() const {
     return driven_ || constant_.dissipative() ? 2 + static_cast<int>(constant_.branches.list.size()) : 0;
   }

@@ -56,8 +56,8 @@ void solve_stages_of_body(const BodyOfStages& body, BodyEntries entries, const A
 /// Cost of an iteration on the eight stages in units of one force evaluation (mechanics/core/stage_by_stage.h).
 double cost_of_iteration(const BodyOfStages& body, BodyEntries entries);
 
-/// True if the self-gravity of the body in the deformation Q can be computed in lanes, or is 0. For very flat or long
-/// bodies, only the computation in principal axes is accurate.
+/// True if the lanes can compute the self-gravity of the body in the deformation Q accurately, or if it is 0. For very
+/// flat or long bodies, only the computation in principal axes is accurate.
 bool takes_gravity_in_lanes(const BodyOfStages& body, const Eigen::Matrix3d& Q);
 
 /// The entries of M by columns.

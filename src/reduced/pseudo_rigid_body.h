@@ -160,8 +160,8 @@ class PseudoRigidBody {
     }
     return {};
   }
-  /// Round-off of ln det Q. For large axis ratios the round-off is larger, and iterations detect it with
-  /// ConvergenceMonitor (mechanics/core/constraint_newton.h).
+  /// |g| and |GQ̇| count as zero up to this value, the round-off of ln det Q. For large axis ratios the round-off is
+  /// larger, and iterations detect it with ConvergenceMonitor (mechanics/core/constraint_newton.h).
   double constraint_tolerance() const { return 4e-16; }
 
   Vector make_vector() const { return Vector::Zero(); }

@@ -168,8 +168,8 @@ class BallBody {
   /// the stiffness with contact, which the search for a stable step needs. Fails if `judge` fails. Collective.
   mechanics::Status applied_force(double t, const Vector& x, const Vector& v, const Vector* held_at, Vector& f) const;
   /// Adds loads, branches, gravity, companions and contact to f, which already contains the force of the elastic
-  /// stress. `least` is the value that the kernel returned for this force. Fails if `judge` fails for this value.
-  /// Collective.
+  /// stress. `least` is the value that the kernel returned for this force, and `held_at` is that of applied_force.
+  /// Fails if `judge` fails for `least`. Collective.
   mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, const Vector* held_at,
                                    Vector& f) const;
 

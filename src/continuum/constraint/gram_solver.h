@@ -29,8 +29,8 @@ class GramSolver {
   GramSolver(GramSolver&&) noexcept;
 
   /// Computes λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. If the iteration does
-  /// not converge, it is repeated once with a preconditioner at q₁. Fails if this also does not converge, if S is
-  /// singular, or if r is not finite. Collective.
+  /// not converge, it is repeated once with a preconditioner at q₁. Fails if the second iteration does not converge
+  /// either, if the preconditioner cannot be computed, or if r is not finite. Collective.
   mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda);
 
   /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ, with the stored energy W + U of kernels/stored_energy.h and the basis functions φ.

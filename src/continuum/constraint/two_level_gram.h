@@ -65,7 +65,7 @@ class TwoLevelGram final : public GramPreconditioner {
   std::size_t n_rows_;                         ///< number of rows of the matrices of a cell: multipliers and padding
   std::vector<float> projections_;             ///< P, one matrix per cell: [j + n_rows · i] for ψ_j and N_i
   std::vector<float> inverse_blocks_;          ///< S_cc⁻¹, one matrix per cell: [i + n_rows · j]
-  std::unique_ptr<dealii::PETScWrappers::MPI::SparseMatrix> K_;  ///< constructed after the start of PETSc
+  std::unique_ptr<dealii::PETScWrappers::MPI::SparseMatrix> K_;  ///< matrix K; constructed after the start of PETSc
   KSP coarse_solver_ = nullptr;
   PetscBool applies_preconditioner_ = PETSC_FALSE;  ///< true if the solver only applies its preconditioner
   Vec coarse_in_ = nullptr, coarse_out_ = nullptr;

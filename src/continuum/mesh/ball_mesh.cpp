@@ -163,8 +163,8 @@ void mark_boundary(dealii::Triangulation<3>& coarse, const Sector& sector) {
     }
 }
 
-/// Number of the coarse cell that contains a cell, in the order in which the mesh was created. The CellId of deal.II is
-/// not used, because p4est changes the order of the coarse cells in it.
+/// Number of the coarse cell that contains a cell, in the order in which the mesh was created. The CellId of deal.II
+/// has another number for this cell if p4est has changed the order of the coarse cells.
 int coarse_index(dealii::Triangulation<3>::cell_iterator cell) {
   while (cell->level() > 0) cell = cell->parent();
   return cell->index();

@@ -61,8 +61,8 @@ class BallSpace {
   const Vector& inverse_mass() const { return inverse_mass_; }
   const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
   /// Local index of the coordinate of the dissipated energy. The next indices belong to the coordinates of the given
-  /// energy and of the energies of branches. Their inverse masses are 1. The result is empty if there is no node for
-  /// them, and on ranks that do not own this node.
+  /// energy and of the energies of branches. The inverse masses of all these coordinates are 1. The result is empty if
+  /// there are no such coordinates, and on ranks that do not own them.
   std::optional<unsigned int> account() const { return account_; }
   /// Local index of the first coordinate of the first companion. The other coordinates of the companions follow, and
   /// the inverse masses of all are 1. The result is empty without companions, and on ranks that do not own these

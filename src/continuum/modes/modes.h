@@ -26,7 +26,7 @@ namespace pseudorigid::continuum {
 /// and grows at the rate −ω.
 struct BallFrequency {
   double omega;  ///< mean over the 2n + 1 modes
-  /// Least and largest ω of the modes. They differ, because the mesh breaks the symmetry of the sphere.
+  /// Least and largest ω of the modes. The two values differ, because the mesh breaks the symmetry of the sphere.
   double least, largest;
   ModeKind kind;
   int degree;
