@@ -7,7 +7,7 @@
 /// preconditioner is the Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an earlier position q_f. Products with S are
 /// computed without a matrix.
 ///
-/// S_f is computed at the present position q₀ and factored in the first call, and again in two cases. In the first
+/// The first call computes and factors S_f at its position q₀. Later calls do this again in two cases. In the first
 /// case, an iteration does not converge. In the second case, the iterations that a new factor could have saved have
 /// cost more than a factorisation. Therefore the cost is at most about twice the optimum.
 

@@ -9,10 +9,10 @@
 ///
 ///   ρg Σ_nm (1 − 3/(2n + 1)) (∮(u·e) Y_nm dS)²,   n ≥ 1,   g = (4/3)πGρr     (continuum/modes/parity_sector.h).
 ///
-/// e is the outward normal, and G in the formula for g is Newton's constant. This problem does not use the quadrature
-/// of gravity during a motion (body_gravity.h). If γ = ρgr/μ is large, the error of that quadrature in the highest
-/// harmonics exceeds the elastic stiffness. This error mixed kinds of modes from γ = 400 on for N = 3, and from 4000 on
-/// for N = 8.
+/// e is the outward normal, the Y_nm are the orthonormal spherical harmonics, and G in the formula for g is Newton's
+/// constant. This problem does not use the quadrature of gravity during a motion (body_gravity.h). If γ = ρgr/μ is
+/// large, the error of that quadrature in the highest harmonics exceeds the elastic stiffness. This error mixed kinds
+/// of modes from γ = 400 on for N = 3, and from 4000 on for N = 8.
 
 #include <Eigen/Core>
 #include <array>
