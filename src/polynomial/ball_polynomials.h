@@ -30,7 +30,7 @@ struct BallPolynomial {
   }
 };
 
-/// The indices of the basis of P_N, in the order of increasing n, decreasing l and increasing m.
+/// The indices n, l, m of the basis of P_N, ordered by increasing n, then by decreasing l, then by increasing m.
 std::vector<BallPolynomial> ball_polynomials(int N);
 
 /// A value and its gradient with respect to ξ.

@@ -89,14 +89,15 @@ loads::Contact BodyContact::contact(double t, const Eigen::VectorXd& q) const {
 }
 
 /// Adds the generalised force of a force field at the points to f. The tables have the functions of the whole body, and
-/// the points are in the computed sector. Therefore `by_point` is multiplied by the number of copies of the sector. Its
-/// values are then not defined.
+/// the points are in the computed sector. Therefore the function multiplies `by_point` by the number of copies of the
+/// sector. After the call, the values in `by_point` are not defined.
 void BodyContact::spread(Field& by_point, Eigen::VectorXd& f) const {
   for (double& value : by_point) value *= space_->n_mirrors();
   tables_.add_transposed(space_->blocks(), 3, by_point.data(), f.data());
 }
 
-/// Adds the generalised force of an affine force to f. The coefficients of x = c + A X are c √Vol and A_ij √E₀_j.
+/// Adds the generalised force of an affine force to f. The coefficients of x = c + A X are c √Vol and A_ij √E₀_j, with
+/// the diagonal entries E₀_j of the inertia.
 void BodyContact::spread(const loads::AffineForce& force, Eigen::VectorXd& f) const {
   Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(space_->n_unknowns());
   space_->set_affine(force.on_Q * space_->inertia().cwiseInverse().asDiagonal(), force.on_center / space_->volume(),

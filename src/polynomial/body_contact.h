@@ -7,10 +7,9 @@
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ q_a φ_a,   −∂V/∂q_a = Σ w k d n φ_a.
 ///
 /// Damping and friction are sums over the same points. A body of degree 1 has the closed form of the pseudo-rigid body
-/// (loads/ellipsoid_contact.h), and its friction (loads/ellipsoid_friction.h). For higher degrees, the
-/// sum converges to this form on affine motions as n_points increases. The force is not computed if a lower bound of
-/// n·x shows that the body does not reach any plane. With X = S ξ (polynomial_space.h) and the affine part c + A X of
-/// x, the bound is
+/// (loads/ellipsoid_contact.h), and its friction (loads/ellipsoid_friction.h). For higher degrees, the sum converges to
+/// this form on affine motions as n_points increases. The force is not computed if a lower bound of n·x shows that the
+/// body does not reach any plane. With X = S ξ (polynomial_space.h) and the affine part c + A X of x, the bound is
 ///
 ///   n·x ≥ n·c − |SAᵀn| − Σ_ia |n_i q_ia| max|φ_a|,   a over the functions of degree 2 and higher,
 ///
@@ -42,7 +41,7 @@ class BodyContact {
   /// f ← f + damping force + friction at the velocity v. Returns the dissipated and the given power of these forces.
   loads::ContactPower add_dissipation(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                                       Eigen::VectorXd& f) const;
-  /// f ← f − C u for the damping and the friction at the velocity v (mechanics/core/damping.h).
+  /// f ← f − C u. C is the linearisation `kind` of damping and friction at the velocity v (mechanics/core/damping.h).
   void add_damping(double t, const Eigen::VectorXd& q, const Eigen::VectorXd& v, const Eigen::VectorXd& u,
                    mechanics::Linearization kind, Eigen::VectorXd& f) const;
   /// f ← f − ∂/∂u of ½k∮|u|² for a displacement u, with k = Planes::stiffness_of_all(). This is the force of springs
@@ -64,7 +63,7 @@ class BodyContact {
   void add_at(Field& field, std::size_t place, const Eigen::Vector3d& value) const;
   /// The contacts of the computed sector at the positions x of its points, one contact for each plane.
   std::vector<loads::PlaneContact> of_points(const loads::Planes& planes, const Field& x) const;
-  /// Calls visit(plane, place, w d) for the points with d > 0.
+  /// Calls visit(plane, place, w, d) for the points with d > 0. `place` is the index of the point in the tables.
   template <class Visit>
   void for_touching_points(const loads::Planes& planes, const Field& x, Visit&& visit) const;
   /// f ← f + damping force at the velocity u. Returns the powers of this force.

@@ -43,7 +43,8 @@ class BodyGravity {
 
  private:
   using Field = std::array<std::vector<double>, 3>;
-  /// Position and derivatives along the tangents at the surface points of the computed sector, [field][component].
+  /// Position and derivatives along e_θ and e_φ at the surface points of the computed sector:
+  /// [field][component][point].
   using SurfaceJets = std::array<Field, 3>;
 
   bool is_affine() const { return space_->degree() == 1; }
@@ -67,7 +68,7 @@ class BodyGravity {
   PointTables tables_;
   std::vector<std::size_t> places_;  ///< indices of the points in the tables, which also have padding
   std::vector<double> weights_;      ///< quadrature weights, with the sign of the orientation of each image
-  double rest_volume_;
+  double rest_volume_;               ///< volume of the undeformed computed sector, from the same points
 };
 
 }  // namespace pseudorigid::polynomial

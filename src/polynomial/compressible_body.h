@@ -10,7 +10,8 @@ namespace pseudorigid::polynomial {
 class CompressibleBody : public PolynomialBody, public mechanics::Unconstrained {
  public:
   struct Workspace : mechanics::Unconstrained::Workspace {
-    /// Configuration of the springs that replace the contact (PolynomialBody::applied_force), or null for contact.
+    /// If not null, springs replace the contact (PolynomialBody::applied_force), and these are the coefficients of the
+    /// position at which the springs have no force. Null means contact with the planes.
     const Vector* held_at = nullptr;
   };
   using PolynomialBody::PolynomialBody;

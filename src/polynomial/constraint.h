@@ -1,7 +1,7 @@
 #pragma once
-/// The constraint of incompressible polynomial bodies and its derivatives. The pressures have the basis ψ_b, and the
-/// positions have the basis φ_a. With the velocity v, the multiplier λ = Σλ_bψ_b, the unit vectors e_i, the deformation
-/// gradient F and J = det F, the formulas are
+/// The constraint of incompressible polynomial bodies and its derivatives. The pressures have the L²-orthonormal basis
+/// ψ_b, and the positions have the basis φ_a (polynomial_space.h). With the velocity v, the multiplier λ = Σλ_bψ_b, the
+/// unit vectors e_i, the deformation gradient F and J = det F, the formulas are
 ///
 ///   g_b(q) = ∫ψ_b ln J dX,   (G v)_b = ∫ψ_b F⁻ᵀ:∇v dX,   D²g_b(v, v) = −∫ψ_b tr((F⁻¹∇v)²) dX,
 ///   (Gᵀλ)_ia = ∫λ F⁻ᵀ:∇(φ_a e_i) dX,   rate of Gᵀλ along v: −∫λ F⁻ᵀ∇vᵀF⁻ᵀ:∇(φ_a e_i) dX.

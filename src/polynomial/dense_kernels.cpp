@@ -51,7 +51,7 @@ struct Product {
   bool add;
 };
 
-/// Computes C for n_rows rows of A and n_vectors SIMD vectors of columns.
+/// Computes n_rows rows and n_vectors SIMD vectors of columns of C, from the entry (row, column) on.
 template <int n_rows, int n_vectors>
 [[gnu::always_inline]] inline void multiply_block(const Product& of, int row, int column) {
   double* C = of.C + static_cast<long>(row) * of.width + column;

@@ -55,8 +55,8 @@ struct DenseKernels {
   /// In the following functions, w[p] is the quadrature weight of point p of n points. The entry (i, j) of a 3×3 tensor
   /// at this point is stored at (3i + j) n + p.
 
-  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/8)(J − 1/J)². Returns the least value of
-  /// det F over the points, or of the reserve of the law if it is less (materials/law_limits.h).
+  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/8)(J − 1/J)². Returns the least of det F
+  /// over the points. For a law with limits, returns the least of det F and of the reserve (materials/law_limits.h).
   double (*stress)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, double* T);
   /// T ← w DP(F)[H] + w D²U(F)[H]
   void (*stress_rate)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F,
@@ -92,10 +92,10 @@ struct DenseKernels {
   /// Returns the sum of w W_b over the points and the branches.
   double (*branch_energy)(const materials::MaxwellBranches& branches, int n, const double* w, const double* metrics,
                           const double* F);
-  /// Replaces the metrics by their values after the time h, for the mean strain of F0 and F1. Returns the energy
-  /// that each branch has lost, weighted by w.
-  materials::BranchEnergies (*relax_branches)(const materials::MaxwellBranches& branches, double h, int n, const double* w,
-                           const double* F0, const double* F1, double* metrics);
+  /// Replaces the metrics by their values after the time h, for the mean strain of F0 and F1. Returns the energy that
+  /// each branch has lost, summed over the points with the weights w.
+  materials::BranchEnergies (*relax_branches)(const materials::MaxwellBranches& branches, double h, int n,
+                                              const double* w, const double* F0, const double* F1, double* metrics);
 
   /// A Walsh–Hadamard transform over the mirror images of points. `slots` has one slot of `length` numbers for each set
   /// of reflections. The bits of the index of a slot are the reflections of the set. The slot y_m becomes the sum Σ_c

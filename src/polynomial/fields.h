@@ -3,12 +3,12 @@
 ///
 ///   F = ∂x/∂X,   σ = (P(F) − (λ − ρ(φ − φ̄)) F⁻ᵀ)Fᵀ / det F
 ///
-/// σ is the Cauchy stress. P is the stress of the law without volumetric stabilisation and viscosity, and λ is the
-/// multiplier of the motion (0 without constraint). With self-gravity, φ is the potential, and the constant φ̄ follows
-/// from ρφ̄V = (5/3)Ê with the volume V. The force of Ê acts on the surface, and gravity acts in the interior
-/// (gravity/surface_gravity.h). Therefore λ contains ρ(φ − φ̄) in addition to the Kirchhoff pressure. Without
-/// self-gravity, this term is 0. The points may also be outside the computed sector, because the polynomials are known
-/// in the whole body. All quantities are in internal units.
+/// σ is the Cauchy stress. P is the stress of the law and of the viscoelastic branches, without volumetric
+/// stabilisation and viscosity. λ is the multiplier of the motion, or 0 without constraint. With self-gravity, φ is the
+/// potential. The constant φ̄ follows from ρφ̄V = (5/3)Ê with the volume V and the energy Ê of self-gravity. The force
+/// of Ê acts on the surface, and gravity acts in the interior (gravity/surface_gravity.h). Therefore λ contains ρ(φ −
+/// φ̄) in addition to the Kirchhoff pressure. Without self-gravity, this term is 0. The points may also be outside the
+/// computed sector, because the polynomials are known in the whole body. All quantities are in internal units.
 
 #include <Eigen/Core>
 #include <vector>

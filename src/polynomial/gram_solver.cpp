@@ -143,7 +143,7 @@ double GramSolver::iteration_cost() const {
   for (const Block& block : space_->pressure_blocks()) of_tables += space_->pressures().n_multiplications(block);
   return 2 * of_tables + n * n + 60.0 * space_->n_points();
 }
-/// Number of operations of a factorisation.
+/// Number of operations to compute S_f and its Cholesky factor.
 double GramSolver::factorization_cost() const {
   const double n = space_->n_pressures(), n_unknowns = space_->n_unknowns();
   return n_unknowns * space_->n_points() * (n + 9) + n * n * (n_unknowns + n / 3);

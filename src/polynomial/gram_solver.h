@@ -7,7 +7,7 @@
 /// preconditioner is the Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an earlier position q_f. Products with S are
 /// computed without a matrix.
 ///
-/// S_f is computed at the present position q₀ and factored in the first call, and again in two cases. In the first
+/// The first call computes and factors S_f at its position q₀. Later calls do this again in two cases. In the first
 /// case, an iteration does not converge. In the second case, the iterations that a new factor could have saved have
 /// cost more than a factorisation. Therefore the cost is at most about twice the optimum.
 
@@ -38,7 +38,7 @@ class GramMatrix {
 
   const PolynomialSpace* space_;
   std::vector<double> weighted_pressures_;        ///< w ψ at the quadrature points, [function][point]
-  std::array<std::vector<double>, 8> gradients_;  ///< gradients for each parity, [k][point of the octant][function]
+  std::array<std::vector<double>, 8> gradients_;  ///< ∂φ_a/∂X_k for each parity: [k][point of the octant][function]
 };
 
 class GramSolver {
@@ -46,15 +46,15 @@ class GramSolver {
   explicit GramSolver(const PolynomialSpace& space);
 
   /// Computes λ with |r − Sλ| ≤ max(10⁻⁴ |r|, `enough`) in the Euclidean norm. Fails if the matrix cannot be factored,
-  /// or if the iteration does not converge with a factor at q₀. In both cases S is almost singular, or its entries are
-  /// not finite.
+  /// or if the iteration does not converge with a factor at q₀. In both cases S is almost singular, or S or r is not
+  /// finite.
   mechanics::SolveReport solve(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0, const Eigen::VectorXd& r,
                                double enough, Eigen::VectorXd& lambda);
 
   long n_factorizations() const { return n_factorizations_; }
 
-  /// Visits the memory on which later solves depend: the position of the factor, and the cost of the iterations since
-  /// its factorisation.
+  /// Visits the memory on which later solves depend, for checkpoints: the position of the factor, and the cost of the
+  /// iterations since the factorisation.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     visit(position_);
@@ -65,8 +65,8 @@ class GramSolver {
  private:
   /// Computes the factor at q. Returns false if the matrix is not positive definite.
   bool factor(const Eigen::VectorXd& q);
-  /// Makes sure that there is a factor, and computes it at q₀ if there is none or if iterations have cost too much.
-  /// Returns false if the matrix is not positive definite.
+  /// Ensures that factor_ is the factor at position_. Moves position_ to q₀ if position_ is not set, or if iterations
+  /// have cost more than a factorisation. Returns false if the matrix is not positive definite.
   bool ensure_factor(const Eigen::VectorXd& q0);
   /// Solves S λ = r with the present factor. Returns false if the iteration does not converge.
   bool iterate(ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,
@@ -76,9 +76,9 @@ class GramSolver {
 
   const PolynomialSpace* space_;
   GramMatrix matrix_;
-  Eigen::VectorXd position_;     ///< position at which S_f is, or will be, factored
-  bool is_known_ = false;        ///< true if position_ is set
-  double spent_ = 0;             ///< cost of iterations since the factorisation
+  Eigen::VectorXd position_;  ///< position at which S_f is, or will be, factored
+  bool is_known_ = false;     ///< true if position_ is set
+  double spent_ = 0;          ///< cost of the iterations since the factorisation, without the first one of each solve
   Eigen::VectorXd factored_at_;  ///< position at which factor_ was computed; empty if there is no factor
   Eigen::MatrixXd S_;
   Eigen::LLT<Eigen::MatrixXd> factor_;

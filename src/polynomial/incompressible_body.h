@@ -3,9 +3,10 @@
 ///
 ///   q̈ = f + Gᵀλ,   g_b(q) = ∫ψ_b ln J dX = 0,   ψ_b ∈ P_{N−1}               (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// with the basis ψ_b of the multipliers, J = det F and G = Dg. The multiplier λ = Σλ_bψ_b is the Kirchhoff pressure
-/// Jp, with the pressure p of the body. The constraint balances a pressure on the surface, so this load is not a force
-/// of the system. The divergence maps (P_N)³ onto P_{N−1}. Therefore small motions have zero divergence at every point.
+/// with the L²-orthonormal basis ψ_b of the multipliers, J = det F and G = Dg. The multiplier λ = Σλ_bψ_b is the
+/// Kirchhoff pressure Jp, with the pressure p of the body. The constraint balances a pressure on the surface, so this
+/// load is not a force of the system. The divergence maps (P_N)³ onto P_{N−1}. Therefore small motions have zero
+/// divergence at every point.
 
 #include <cmath>
 
@@ -24,7 +25,8 @@ class IncompressibleBody : public PolynomialBody {
     /// Euclidean norm of the residual that is sufficient for the caller of solve_gram. The caller bounds the maximum
     /// norm, which is at most the Euclidean norm. If 0, only the relative bound of GramSolver::solve applies.
     double residual_sought = 0;
-    /// Configuration of the springs that replace the contact (PolynomialBody::applied_force), or null for contact.
+    /// If not null, springs replace the contact (PolynomialBody::applied_force), and these are the coefficients of the
+    /// position at which the springs have no force. Null means contact with the planes.
     const Vector* held_at = nullptr;
 
     template <class Visit>
@@ -71,7 +73,7 @@ class IncompressibleBody : public PolynomialBody {
   Multiplier make_multiplier() const { return Multiplier::Zero(space().n_pressures()); }
   Workspace make_workspace() const { return {GramSolver(space()), 0}; }
 
-  /// (1/m̄) ∫p dV of the pressure p, with m̄ = tr E₀/3 and E₀ = ∫ρXXᵀ dX. With self-gravity, λ contains ρ(φ − φ̄) in
+  /// (1/m̄) ∫Jp dX for the pressure p, with m̄ = tr E₀/3 and E₀ = ∫ρXXᵀ dX. With self-gravity, λ contains ρ(φ − φ̄) in
   /// addition to the Kirchhoff pressure (fields.h). The integral Ê/3 of this term is subtracted from ∫λ dX, as in the
   /// finite-element model.
   double mean_multiplier(const Vector& q, const Multiplier& lambda) const {

@@ -15,7 +15,7 @@ namespace {
 Parity parity_of_tide(int n, int m) { return BallPolynomial{n, n, m}.parity(); }
 
 /// Static responses u = B (BᵀKB)⁻¹ Bᵀ f to a force f. K is the stiffness, and the columns of B are the motions of a
-/// parity.
+/// parity. The responses are valid only if is_stable() is true.
 class RestResponse {
  public:
   RestResponse(const RestProblem& problem, Parity parity)

@@ -5,8 +5,8 @@
 ///   surface, three patches per octant: ξ = p/|p|,  p = (1, tan πs/4, tan πt/4) and its cyclic permutations
 ///   plane, an inner and an outer patch per quarter: ξ = r (cos πs/2, sin πs/2),  r = t/2 and (1 + t)/2
 ///
-/// with s, t = 0, 1/m, …, 1 and the matrix S of the semi-axes. Each point of the computed sector has one row. The rest
-/// of the body follows by reflection. All positions are in internal units.
+/// with s, t = 0, 1/m, …, 1 and the matrix S of the semi-axes. Each point of a patch in the computed sector has one
+/// row. The rest of the body follows by reflection. All positions are in internal units.
 
 #include <Eigen/Core>
 #include <array>
@@ -24,7 +24,7 @@ class MaterialFaces {
   static constexpr auto columns = mechanics::shape_columns;
   static constexpr std::size_t first_length = mechanics::first_length_of_shapes;
 
-  /// A row with these columns for each point, at the position with the coefficients q.
+  /// A row with the entries `columns` for each point of each patch, at the position with the coefficients q.
   std::vector<std::vector<double>> rows(const Eigen::VectorXd& q) const;
 
  private:

@@ -11,8 +11,9 @@ namespace pseudorigid::polynomial {
 
 using BodyState = mechanics::VectorState<Eigen::VectorXd>;
 
-/// Sets the observables that `request` contains. The state, the mean of F, the volume ratio and the contact are set in
-/// any case. Fails if the deformation is not admissible, or if the multiplier is requested and cannot be computed.
+/// Sets the observables that `request` contains. Always sets the centre of mass, its velocity, Q_M and its time
+/// derivative, the mean of F, the volume ratio and the contact. Fails if the deformation is not admissible, or if the
+/// multiplier is requested and cannot be computed.
 mechanics::Status observe(const IncompressibleBody& body, const BodyState& state,
                           IncompressibleBody::Workspace& workspace, const mechanics::ObservableRequest& request,
                           mechanics::ContinuumObservables& observables);

@@ -93,13 +93,16 @@ class PointTables {
  private:
   /// Tables of one parity. A group is a pair (l, m), and level s has the functions with n = l + 2s.
   struct Factors {
-    std::vector<int> places;                             ///< [coefficient of a block]: its index in [level][group]
-    std::array<std::vector<double>, 2> radial;           ///< [level][radius][group]: R′ and R/r, or R
-    std::array<std::vector<double>, 3> angular;          ///< Y_lm and derivatives: [group][direction], padded
+    std::vector<int> places;                     ///< [coefficient of a block]: its index in [level][group]
+    std::array<std::vector<double>, 2> radial;   ///< R′ and R/r for gradients, otherwise R: [level][radius][group]
+    std::array<std::vector<double>, 3> angular;  ///< Y_lm and derivatives: [group][direction], padded
     std::array<std::vector<double>, 3> from_directions;  ///< the numbers of `angular` as [direction][group]
+    /// Numbers of groups, of groups with padding up to a multiple of `point_block`, and of levels.
     int n_groups = 0, n_filled = 0, n_levels = 0;
-    std::array<std::vector<double>, 3> rows;  ///< [field]: [function][point]; empty if direct sums are not cheaper
-    int linear = -1, linear_field = 0;  ///< indices of the linear function and of the nonzero component of its gradient
+    std::array<std::vector<double>, 3> rows;  ///< [field]: [function][point], for direct sums; empty with factored sums
+    /// Index of the linear function in the block, or −1 without one, and index of the nonzero component of its
+    /// gradient.
+    int linear = -1, linear_field = 0;
     double linear_gradient = 0;
 
     std::size_t size() const { return static_cast<std::size_t>(n_levels) * n_filled; }
@@ -112,8 +115,8 @@ class PointTables {
                   Factors& factors) const;
   void set_angular(const Groups& groups, const PointGrid& grid, Factors& factors) const;
   void set_frames(const Eigen::Vector3d& semi_axes, const PointGrid& grid);
-  /// Index in Factors::radial for a term. It is 1 for the terms with R/r, which the gradient has along e_θ and e_φ,
-  /// otherwise 0.
+  /// Index in Factors::radial for a term. The index is 1 for the terms with R/r, which the gradient has along e_θ and
+  /// e_φ. Otherwise it is 0.
   int radial_of(int term) const { return fields_ == Fields::gradient && term > 0 ? 1 : 0; }
   bool is_constant() const { return fields_ == Fields::gradient && degree_ == 1; }
   void evaluate_octant(const Factors& factors, const double* c, double* const* y) const;

@@ -77,8 +77,8 @@ class PolynomialBody {
   bool has_contact() const { return !constant_.planes.empty(); }
   bool damping_is_linear() const { return !constant_.planes.rough(); }
   bool relaxes() const { return !constant_.branches.empty(); }
-  /// Replaces the internal metrics in q by their values after the time h, for the mean strain of `before` and q.
-  /// Returns the energy that the branches dissipate.
+  /// Replaces the internal metrics in q by their values after the time h, for the mean strain of `before` and q. Adds
+  /// the energy that the branches dissipate to the dissipated energies in v, in total and for each branch.
   void relax(double h, const Vector& before, Vector& q, Vector& v) const;
   /// The sums Σ μ_b C_b⁻¹ and Σ μ_b over the branches at a quadrature point.
   materials::BranchesAtPoint branches_at(const Vector& q, int point) const;
@@ -95,8 +95,8 @@ class PolynomialBody {
   double potential_energy(const Vector& q) const;
   /// The parts of the potential energy at the time t. The deformation q must be admissible.
   PotentialEnergies potential_energies(double t, const Vector& q) const;
-  /// Number of axes about which rotations of space are symmetries, because these rotations keep the symmetry planes.
-  /// The number is 0 if a load depends on direction or time.
+  /// Number of axes about which rotations of space are symmetries. The rotations must keep the symmetry planes of the
+  /// sector. The number is 0 if a load depends on direction or time.
   int n_symmetries() const { return static_cast<int>(turns_.size()); }
   /// Sets dq = ê×x and dv = ê×ẋ as coefficients, for the axis ê of symmetry i.
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
@@ -122,10 +122,10 @@ class PolynomialBody {
   double volumetric_stiffness() const { return volumetric_stiffness_; }
   const loads::Forcing& constant_forcing() const { return constant_; }
 
-  /// Coefficients of x = c + A X, or of a velocity of this form.
+  /// Coefficients of x = c + A X, or of a velocity of this form. All other entries are 0.
   Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
   const mechanics::Orbit& orbit() const { return orbit_; }
-  /// The coordinates of the companions in a vector.
+  /// The coordinates s_k of the companions (mechanics/core/orbit.h) in a vector, one column for each companion.
   mechanics::Orbit::Columns companions(const Vector& q) const {
     return Eigen::Map<const Eigen::Matrix3Xd>(q.data() + first_of_orbit(), 3, orbit_.n());
   }
@@ -134,9 +134,10 @@ class PolynomialBody {
   }
   /// ∫ρ(x − x_c)(x − x_c)ᵀ with the centre of mass x_c.
   Eigen::Matrix3d second_moment(const Vector& q) const;
+  /// Adds to the dissipated energy in v. The body must have the coordinates of the energies (n_accounts() > 0).
   void add_taken(double energy, Vector& v) const { v[space_->n_unknowns()] += energy; }
   double dissipated(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns()] : 0; }
-  /// The energy that each branch has dissipated.
+  /// The energy that each branch has dissipated in the whole body, from the velocity v.
   materials::BranchEnergies dissipated_by_branches(const Vector& v) const {
     materials::BranchEnergies energies{};
     for (std::size_t b = 0; b < constant_.branches.list.size(); ++b)
@@ -145,9 +146,8 @@ class PolynomialBody {
   }
   double given(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns() + 1] : 0; }
 
-  /// Fails if q is not an admissible deformation of this body. If det F is positive at all points, but the law does not
-  /// admit F at a point, the reason is the limit of the law. Otherwise the reason contains the least det F and its
-  /// place.
+  /// Fails if q is not an admissible deformation of this body. If the law has a limit and det F is positive at all
+  /// points, the reason is this limit. Otherwise the reason contains the least det F and its place.
   mechanics::Status admissible(const Vector& q) const;
   /// The least det F over the quadrature points as text, such as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
   std::string least_jacobian_in_words(const Vector& q) const;
@@ -156,15 +156,15 @@ class PolynomialBody {
 
  protected:
   /// Sets f to all forces without the reactions. If `held_at` is not null and there are planes, springs on the whole
-  /// surface replace the contact. They pull each point of the surface towards its position in the configuration
+  /// surface replace the contact. The springs pull each point of the surface towards its position for the coefficients
   /// `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the
-  /// stiffness with contact. Fails if q is not an admissible deformation.
+  /// stiffness with contact, which the search for a stable step needs. Fails if q is not an admissible deformation.
   mechanics::Status applied_force(double t, const Vector& q, const Vector& v, const Vector* held_at, Vector& f) const;
   [[gnu::cold, gnu::noinline]] mechanics::Status inadmissible(const Vector& q) const;
 
  private:
-  /// Coordinates whose velocities are energies: the dissipated energy, the given energy, and the energy that each
-  /// branch has dissipated.
+  /// Number of coordinates whose velocities are energies: the dissipated energy, the given energy, and the energy that
+  /// each branch has dissipated. The number is 0 without dissipation, loads that depend on time and moving planes.
   int n_accounts() const {
     return driven_ || constant_.dissipative() ? 2 + static_cast<int>(constant_.branches.list.size()) : 0;
   }

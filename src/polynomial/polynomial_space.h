@@ -9,8 +9,8 @@
 /// symmetry plane of the motion, x_i is odd in ξ_i. The other components and λ are then even in ξ_i, and the spaces
 /// omit all other functions. All integrals are over the whole body.
 ///
-/// The coefficients of a position are ordered by component and then by parity. All quantities are in internal units,
-/// with ρ = 1.
+/// The coefficients of a position are ordered by component, then by parity, and then by the index of the function in
+/// ball_polynomials(N). All quantities are in internal units, with ρ = 1.
 
 #include <Eigen/Core>
 #include <array>

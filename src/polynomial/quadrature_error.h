@@ -3,7 +3,8 @@
 /// motion of a body depends on the quadrature rule. Two pilot runs with different rules cover a window w of a run of
 /// length T. The pilot runs use RATTLE with the same long steps, so that the errors of the steps cancel. One estimate
 /// is for the rule in the volume. With self-gravity, a second estimate is for the rule on the surface, and the error is
-/// the sum of both. With the results Q and Q' of the two runs at the times t_k, an estimate is
+/// the sum of both. With the results Q and Q' of the two runs at the times t_k, and the largest absolute value |…| of
+/// the entries, an estimate is
 ///
 ///   e = 6 max_k |Q(t_k) − Q'(t_k)| (T/w)^(3/2).
 ///
@@ -39,7 +40,7 @@ struct QuadratureRequest {
   double end = 0;                   ///< T, measured from the state
   double stable_step = 0;           ///< stability limit of RATTLE; 0 if it is not known
   double tolerance = 1e-6;          ///< tolerance of Q
-  bool adds_points = false;         ///< true: adds points until e is at most half of the tolerance
+  bool adds_points = false;         ///< true if points are added to make e at most half of the tolerance
   std::function<bool()> give_up{};  ///< called after every step of a pilot run; true ends the pilot run
 };
 

@@ -30,8 +30,8 @@ struct RestFrequency {
   Eigen::VectorXd shape;  ///< coefficients of one of the modes on the whole body, of norm 1
 };
 
-/// Computes the lowest `number` frequencies in ascending order. `setup.reflect` is not used. Fails if the body is not
-/// in equilibrium at rest, or if the modes cannot be grouped into complete frequencies.
+/// Computes the lowest `number` frequencies in ascending order. `setup.reflect` is not used. Fails if make_rest_problem
+/// (rest_problem.h) fails, or if the modes cannot be grouped into complete frequencies.
 mechanics::Status rest_frequencies(BodySetup setup, bool incompressible, std::size_t number,
                                    std::vector<RestFrequency>& frequencies);
 

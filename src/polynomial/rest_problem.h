@@ -9,10 +9,10 @@
 ///
 ///   ρg Σ_nm (1 − 3/(2n + 1)) (∮(u·e) Y_nm dS)²,   n ≥ 1,   g = (4/3)πGρr     (continuum/modes/parity_sector.h).
 ///
-/// e is the outward normal, and G in the formula for g is Newton's constant. This problem does not use the quadrature
-/// of gravity during a motion (body_gravity.h). If γ = ρgr/μ is large, the error of that quadrature in the highest
-/// harmonics exceeds the elastic stiffness. This error mixed kinds of modes from γ = 400 on for N = 3, and from 4000 on
-/// for N = 8.
+/// e is the outward normal, the Y_nm are the orthonormal spherical harmonics, and G in the formula for g is Newton's
+/// constant. This problem does not use the quadrature of gravity during a motion (body_gravity.h). If γ = ρgr/μ is
+/// large, the error of that quadrature in the highest harmonics exceeds the elastic stiffness. This error mixed kinds
+/// of modes from γ = 400 on for N = 3, and from 4000 on for N = 8.
 
 #include <Eigen/Core>
 #include <array>
@@ -47,7 +47,7 @@ SurfaceRows surface_rows(const PolynomialSpace& space, int max_degree);
 
 /// Sets `problem`. The space of `body` must be that of the whole ball, without symmetry planes. `body` must not have
 /// self-gravity, because the function adds it, with Newton's constant `gravity_constant` in units with ρ = r = 1. Fails
-/// if the body is not in equilibrium at rest.
+/// if the body is not in equilibrium at rest, or if the forces or the multiplier at rest cannot be computed.
 mechanics::Status make_rest_problem(const IncompressibleBody& body, const Turns& turns, double gravity_constant,
                                     RestProblem& problem);
 mechanics::Status make_rest_problem(const CompressibleBody& body, const Turns& turns, double gravity_constant,

@@ -22,7 +22,8 @@ RotationFinder::RotationFinder(const BodySetup& setup, bool incompressible, Fami
       rotations_(setup, incompressible, family_.figure),
       spectrum_(setup, incompressible, family_.figure) {}
 
-/// Finds the figure with this parameter if no other figure is known yet. Fails if there is no such figure.
+/// Finds the figure with this parameter if no other figure is known yet. Fails if the function `nearby` of the family
+/// fails, or if no figure is found.
 mechanics::Status RotationFinder::first(double parameter, SteadyRotation& rotation) const {
   const FigureCondition condition = family_.condition(parameter);
   if (family_.figure == Figure::ellipsoid) {

@@ -30,7 +30,7 @@
 
 namespace pseudorigid::polynomial {
 
-/// A class of small motions.
+/// A class of small motions, which are not coupled to the motions of other classes.
 struct MotionClass {
   bool odd_in_z;  ///< true if the motions are odd under x₃ ↦ −x₃
   int m;          ///< azimuthal number on a spheroid; on an ellipsoid 0 if even under the half turn, otherwise 1

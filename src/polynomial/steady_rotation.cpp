@@ -60,7 +60,7 @@ Eigen::MatrixXd figure_pressures(const PolynomialSpace& space, Figure figure, in
   return V;
 }
 
-/// The axis whose ratio to the first axis is the parameter.
+/// Index, 1 or 2, of the axis whose ratio to axis 0 is the parameter. The parameter must be a ratio of axes.
 int other_axis(FigureParameter parameter) { return parameter == FigureParameter::log_ratio_21 ? 1 : 2; }
 
 double largest(const Eigen::VectorXd& x) { return x.size() == 0 ? 0 : x.lpNorm<Eigen::Infinity>(); }

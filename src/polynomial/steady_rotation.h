@@ -35,6 +35,7 @@ enum class Figure { spheroid, ellipsoid };
 
 /// The parameter of a figure in its family: Ω², ln(a₂/a₁) or ln(a₃/a₁), with the affine part A = diag(a) of x.
 enum class FigureParameter { spin_squared, log_ratio_21, log_ratio_31 };
+/// The condition that `parameter` has the value `value` in the figure.
 struct FigureCondition {
   FigureParameter parameter;
   double value;
@@ -52,7 +53,7 @@ class SteadyRotations {
   /// `setup.reflect` is not used. Loads other than gravity and pressure are not used.
   SteadyRotations(const BodySetup& setup, bool incompressible, Figure figure);
 
-  /// The affine figure x = A X, with A = diag(a).
+  /// The affine figure x = A X with A = diag(a), λ = 0 and this Ω². It need not satisfy the equations.
   SteadyRotation affine(const Eigen::Vector3d& a, double spin_squared) const;
 
   /// Moves `rotation` to the figure near it that satisfies the condition. Fails if Newton's iteration does not
@@ -60,7 +61,8 @@ class SteadyRotations {
   mechanics::Status solve(const FigureCondition& condition, SteadyRotation& rotation) const;
   /// Moves `rotation`, a known figure with the parameter `from`, along the family to the figure with `condition`. A
   /// step is halved if Newton's iteration fails or does not stay close to the prediction. After a step that succeeds,
-  /// the next step is doubled up to a bound. Fails if the family ends or turns back before `condition`.
+  /// the next step is doubled up to a bound. Fails if a step becomes shorter than 1/512 of the way, for example because
+  /// the family ends or turns back before `condition`. `rotation` is then the last figure found.
   mechanics::Status follow(double from, const FigureCondition& condition, SteadyRotation& rotation) const;
   /// Derivative of Ω² with respect to the parameter along the family; NaN if the force fails.
   double slope(const FigureCondition& condition, const SteadyRotation& rotation) const;

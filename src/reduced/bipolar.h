@@ -8,8 +8,8 @@
 ///   Ω*_ij = −(a_j u_ij + a_i u_ji)/(a_j² − a_i²),   Λ*_ij = −(a_i u_ij + a_j u_ji)/(a_j² − a_i²).
 ///
 /// The equation of motion in these frames is (5.120) of pseudo_rigid_body.h, multiplied by T from the left and by Sᵀ
-/// from the right. The result is equation (5.121) of Oliva, corrected (docs/oliva.md). Divided by m̄ = ⅓ tr E₀, and
-/// with N = SE₀Sᵀ/m̄ (Id for the ball), it is
+/// from the right. The result is equation (5.121) of Oliva, corrected (docs/oliva.md). Let V be the potential energy,
+/// m̄ = ⅓ tr E₀, λ the multiplier per m̄, and N = SE₀Sᵀ/m̄ (Id for the ball). Divided by m̄, the equation is
 ///
 ///   (u̇ − Ω*u + uΛ*) N + T ∂V/∂Q Sᵀ/m̄ − λA⁻¹ = 0.
 ///
@@ -37,8 +37,8 @@ struct Bipolar {
 
 struct BipolarRates {
   Eigen::Matrix3d Omega, Lambda;  ///< the rates Ω* and Λ* of the frames
-  Eigen::Vector3d a_rate;
-  Eigen::Matrix3d u;
+  Eigen::Vector3d a_rate;         ///< the diagonal of Ȧ
+  Eigen::Matrix3d u;              ///< T Q̇ Sᵀ
 };
 
 namespace detail {

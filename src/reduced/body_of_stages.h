@@ -1,6 +1,6 @@
 #pragma once
-/// Parameters of a pseudo-rigid body as plain numbers, for the kernels that evaluate the body at the eight stages of a
-/// Gauss step at once (gauss_body_kernels.h). Matrices are stored by columns, as in Eigen.
+/// Parameters of a pseudo-rigid body as plain numbers, for the kernels of gauss_body_kernels.h. These kernels evaluate
+/// the body at the eight stages of a Gauss step at once. Matrices are stored by columns, as in Eigen.
 
 #include <array>
 #include <cstddef>
@@ -20,8 +20,8 @@ using Numbers9 = std::array<double, 9>;
 struct BodyOfStages {
   materials::AnyLaw law{materials::Fluid{}};
   bool incompressible = true;
-  bool isotropic = true;  ///< true if E₀ ∝ Id
-  double volume = 1, inverse_m_bar = 1;
+  bool isotropic = true;                 ///< true if E₀ ∝ Id
+  double volume = 1, inverse_m_bar = 1;  ///< Vol and 1/m̄, with m̄ = ⅓ tr E₀
   Numbers9 E0{}, E0_inverse{};
 
   bool loaded = false;          ///< true if self-gravity, T, P̄ or the pressure is not 0
@@ -35,7 +35,7 @@ struct BodyOfStages {
 /// Further parameters of a body whose energy is not constant (dissipative_body.h).
 struct AccountsOfStages {
   double viscosity = 0, drag = 0;
-  bool driven = false;
+  bool driven = false;  ///< true if a load depends on time
   /// T, P̄ and the pressure of the loads that depend on time, at the eight stages. `driving_rate` has the derivatives
   /// of these quantities with respect to time.
   struct Driving {
@@ -56,8 +56,8 @@ void solve_stages_of_body(const BodyOfStages& body, BodyEntries entries, const A
 /// Cost of an iteration on the eight stages in units of one force evaluation (mechanics/core/stage_by_stage.h).
 double cost_of_iteration(const BodyOfStages& body, BodyEntries entries);
 
-/// True if the self-gravity of the body in the deformation Q can be computed in lanes, or is 0. For very flat or long
-/// bodies, only the computation in principal axes is accurate.
+/// True if the lanes can compute the self-gravity of the body in the deformation Q accurately, or if it is 0. For very
+/// flat or long bodies, only the computation in principal axes is accurate.
 bool takes_gravity_in_lanes(const BodyOfStages& body, const Eigen::Matrix3d& Q);
 
 /// The entries of M by columns.

@@ -35,7 +35,7 @@ struct CenterOfMass {
   /// the largest number at a late time. The result is then not finite.
   Motion at(double t) const;
 
-  /// Energies per mass.
+  /// The kinetic energy per mass, and the potential energy per mass of the loads that do not depend on time.
   static double kinetic(const Motion& m) { return 0.5 * m.v.squaredNorm(); }
   double potential(const Motion& m) const { return 0.5 * m.x.dot(quadratic * m.x) - acceleration.dot(m.x); }
   /// Energy per mass of the loads that depend on time, minus the energy that these loads have given.

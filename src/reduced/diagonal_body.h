@@ -6,8 +6,8 @@
 ///
 ///   Λ = [Σ (ȧ_i/a_i)² + Σ ∂V/∂a_i /(a_i e_i)] / Σ 1/(a_i² e_i).
 ///
-/// Each load must be diagonal by itself. If only the sum of the loads is diagonal at the start, the loads may rotate
-/// the body later. The caller checks this condition (scene/sector.h).
+/// On GL⁺(3) there is no constraint, and Λ = 0. Each load must be diagonal by itself. If only the sum of the loads is
+/// diagonal at the start, the loads may rotate the body later. The caller checks this condition (scene/sector.h).
 ///
 /// This form has three coordinates instead of nine, and self-gravity needs no eigenvalue problem for the axes.
 

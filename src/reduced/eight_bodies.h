@@ -69,7 +69,7 @@ struct EightMatrices {
 
 [[gnu::always_inline]] inline BodyLanes absolute(BodyLanes a) { return a.v < 0.0 ? -a.v : a.v; }
 
-/// Returns ln J for J > 0, as materials::log_near_one does. The series is used if J is near 1 in all lanes.
+/// Returns ln J for J > 0, as materials::log_near_one does. The series is used if |J − 1| ≤ 2⁻¹¹ in all lanes.
 [[gnu::always_inline]] inline BodyLanes log_near_one(BodyLanes J) {
   const BodyLanes delta = J - 1.0;
   if (!(greatest(absolute(delta)) <= 0x1p-11)) return log(J);

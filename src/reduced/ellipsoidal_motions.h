@@ -12,9 +12,9 @@
 ///
 ///   ω² + Λ² = E₂₁:∂²V[E₂₁],   2ωΛ = E₁₂:∂²V[E₂₁] + λ/(a₁a₂),   λ = a₃V₃.
 ///
-/// These equations do not divide by a difference of axes. For the neo-Hookean law the two right-hand sides are
-/// κ = 5μ/(ρr²) and κ/(a₁a₂)³. For a fluid they are the right-hand sides of Riemann, with the symbols A_i, A_ij and
-/// B_ij of Chandrasekhar,
+/// These equations do not divide by a difference of axes. For the neo-Hookean law with the shear modulus μ, the two
+/// right-hand sides are κ = 5μ/(ρr²) and κ/(a₁a₂)³. The reference ball has the density ρ and the radius r. For a fluid
+/// they are the right-hand sides of Riemann, with the symbols A_i, A_ij and B_ij of Chandrasekhar,
 ///
 ///   2πGρB₁₂,   2πGρ(a₃²A₃ − a₁²a₂²A₁₂)/(a₁a₂).
 ///

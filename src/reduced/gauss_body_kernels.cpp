@@ -51,7 +51,7 @@ template <class Function>
   return entry_by_entry([&](StageLanes a, StageLanes b) { return a + s * b; }, A, B);
 }
 
-/// Returns numbers that are positive in the lanes in which the law and J admit Q.
+/// Returns numbers that are positive in the lanes in which J > 0 and the law admits Q.
 template <class Law>
 [[gnu::always_inline]] inline StageLanes reserve_of(const Law& law, const Tensor& Q, StageLanes J) {
   if constexpr (materials::is_limited<Law>)

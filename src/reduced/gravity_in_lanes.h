@@ -1,8 +1,8 @@
 #pragma once
 /// Self-gravity of the homogeneous ellipsoid F B (B the unit ball) over any scalar type, in particular SIMD lanes. All
 /// lanes must take the same branch. The algorithm therefore uses neither principal axes nor branches for a single lane.
-/// The corresponding algorithm for a single body is in gravity/ellipsoid_gravity.h. With the potential V(F), the mass M
-/// and k = (3/5) G M²,
+/// The corresponding algorithm for a single body is in gravity/ellipsoid_gravity.h. With the potential V(F), the mass
+/// M, the gravitational constant G and k = (3/5) G M²,
 ///
 ///   ∂V/∂F = (k/3) D F,   D = (3/2) ∫₀^∞ (C + s)⁻¹ det(C + s)^(−1/2) ds,   C = FFᵀ.
 ///

@@ -15,8 +15,8 @@
 ///
 /// with (…)^ for the matrix of the cross product. The rates on N are 0, ±i|ω| and ±i|Λ|, and contain no information on
 /// the motion. The remainder is the space of fixed momenta J and Z modulo the group that keeps J and Z. Its dimension
-/// is 8 for a generic motion. The dimension is 10 for a sphere at rest and for a spheroid that rotates about its axis,
-/// because some combinations of rotations do not move these bodies.
+/// is 8 for a generic motion. The dimension is 10 for a sphere at rest and for a spheroid that rotates about its axis.
+/// Some combinations of rotations do not move these bodies.
 
 #include <Eigen/Core>
 #include <utility>
@@ -42,7 +42,8 @@ inline Eigen::Matrix3d unflat(const Eigen::VectorXd& h) { return h.reshaped(3, 3
 /// GL⁺(3).
 Eigen::MatrixXd tangent_space(const SteadyMotion& m, bool incompressible);
 
-/// Directions of the rotations of space and of the reference ball, in the basis T.
+/// Directions H and rates Ḣ of the rotations of space and of the reference ball, in the basis T: three columns for each
+/// group.
 mechanics::SymmetryDirections turns(const SteadyMotion& m, const Eigen::MatrixXd& T);
 
 }  // namespace detail

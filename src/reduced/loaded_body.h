@@ -11,7 +11,7 @@
 ///
 ///   V_c(Q, c, t)   the energy of contact with rigid planes, which couples the centre of mass c to Q (plane_forces.h)
 ///   R              Rayleigh's function of viscosity, drag (dissipation.h), damping of planes and friction
-///   b, T           the acceleration and the tide on c. Without planes, c moves by itself (center_of_mass.h)
+///   b, T           the acceleration and the quadratic potential on c; c without planes: center_of_mass.h
 ///   V_t(Q, c, t)   the energy of the loads that depend on time
 ///   U, T_s         the interaction with companions and its quadratic potential (mechanics/core/orbit.h)
 ///   P_b            the stress of a branch (materials/maxwell_branch.h)
@@ -21,9 +21,9 @@
 ///
 ///   q = [Q | c | e_1 e_2 | s_1 s_2 | C_1 … C_4],   v = [Q̇ | ċ | (D, W, D_1) (D_2, D_3, D_4) | ṡ_1 ṡ_2 | 0].
 ///
-/// The columns e_1 and e_2 are the integrals of the energies over time and have no meaning. A metric has the two columns
-/// (C₀₀, C₀₁, C₀₂) and (C₁₁, C₁₂, C₂₂).
-/// Columns that a body does not need are 0. Metrics have no mass and no velocity (mechanics/core/relaxation.h).
+/// The columns e_1 and e_2 contain the integrals of the energies over time, which are not used. A metric has the two
+/// columns (C₀₀, C₀₁, C₀₂) and (C₁₁, C₁₂, C₂₂). Columns that a body does not need are 0. Metrics have no mass and no
+/// velocity (mechanics/core/relaxation.h).
 
 #include <utility>
 
@@ -56,8 +56,9 @@ class LoadedBody {
   struct Workspace {
     typename Body::Workspace body{};
     /// If this pointer is not null, springs on the whole surface replace the pressure, the damping and the friction of
-    /// contact. They pull each point of the surface towards its position in the configuration `*held_at`, with the
-    /// stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the stiffness with contact.
+    /// contact. The springs pull each point of the surface towards its position for the coordinates `*held_at`, with
+    /// the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the stiffness with
+    /// contact, which the search for a stable step needs.
     const Vector* held_at = nullptr;
   };
   static constexpr int n_constraints = Body::n_constraints;
@@ -100,8 +101,8 @@ class LoadedBody {
     f(1, at_energies) = power.given;
     return {};
   }
-  /// Replaces the metrics in q by their values after the time h, for the mean strain of `before` and q. Returns the
-  /// energy that the branches dissipate.
+  /// Replaces the metrics in q by their values after the time h, for the mean strain of `before` and q. Adds the energy
+  /// that the branches dissipate to D and to the D_b in v.
   void relax(double h, const Vector& before, Vector& q, Vector& v) const {
     const Metric strain = materials::mean_strain(materials::to_tensor(matrix(before)), materials::to_tensor(matrix(q)));
     for (std::size_t b = 0; b < branches().size(); ++b) {
@@ -127,7 +128,8 @@ class LoadedBody {
     f.template leftCols<3>() = F;
     f.col(at_center) *= body_.reference().mass;
   }
-  /// f ← f − C u, with the linearisation C of the damping force at a state (mechanics/core/damping.h).
+  /// f ← f − C u. C is the linearisation `kind` of viscosity, drag, damping and friction at `state`
+  /// (mechanics/core/damping.h).
   void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization kind,
                    Vector& f) const {
     const Eigen::Matrix3d Q = matrix(state.q), U = matrix(u);
@@ -176,7 +178,7 @@ class LoadedBody {
 
   void add_taken(double energy, Vector& v) const { v(0, at_energies) += energy; }
   double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, at_energies); }
-  /// The energy that each branch has dissipated.
+  /// The energies D_b that the branches have dissipated.
   Eigen::Vector4d dissipated_by_branches(const mechanics::VectorState<Vector>& state) const {
     return Eigen::Vector4d::Map(state.v.col(at_energies).data() + 2);
   }
@@ -206,7 +208,7 @@ class LoadedBody {
     state.v.template leftCols<4>() << motion.v, velocity;
     return state;
   }
-  /// The same state with the companions and the branches at their start. Without planes c is not a coordinate, and
+  /// Like state_of, but with the companions and the branches at their start. Without planes c is not a coordinate, and
   /// `position` and `velocity` are not used.
   mechanics::VectorState<Vector> start(const mechanics::VectorState<Eigen::Matrix3d>& motion,
                                        const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) const {
@@ -243,7 +245,7 @@ class LoadedBody {
     return A;
   }
   /// Sets the force on c to that of the loads that do not depend on time. Then adds the pressure of contact, or the
-  /// springs that replace it. Returns the power that moving planes give.
+  /// springs that replace it. Returns the power that moving planes give, or 0 with springs.
   loads::ContactPower add_contact(double t, const Vector& q, const Workspace& w, loads::AffineForce& F) const {
     const Eigen::Vector3d c = center(q);
     F.on_center = body_.reference().mass * (constant_.acceleration - constant_.quadratic * c);
@@ -251,8 +253,8 @@ class LoadedBody {
     planes_.add_springs(matrix(q) - matrix(*w.held_at), c - center(*w.held_at), F);
     return {};
   }
-  /// Adds viscosity, drag, the damping of planes and, without springs, friction. Returns the dissipated and the given
-  /// power.
+  /// Adds viscosity and drag. Without springs, also adds the damping of planes and friction. Returns the dissipated and
+  /// the given power.
   loads::ContactPower add_dissipation(double t, const Vector& q, const Vector& v, const Workspace& w,
                                       loads::AffineForce& F) const {
     const Eigen::Matrix3d Q = matrix(q), Qdot = matrix(v);

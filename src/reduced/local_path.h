@@ -17,8 +17,8 @@ template <class System>
 mechanics::Status local_path(const System& system, const mechanics::State<System>& state, double h,
                              LocalPath<System>& path) {
   using Vector = typename System::Vector;
-  // Number of steps between two states. Their errors are of the order (h/8)⁴, and those of the differences of the order
-  // h⁸.
+  // Number of steps between two states. The errors of the states are of the order (h/8)⁴. The errors of the differences
+  // along the path are of the order h⁸.
   constexpr int n_substeps = 8;
   const mechanics::ExplicitMultiplier<System> field(system);
   auto w = field.make_workspace();

@@ -20,9 +20,10 @@
 
 namespace pseudorigid::reduced {
 
-/// Sets Q, Q̇, det Q and the contact, if there is any, and the quantities of `o` that `request` contains. The bipolar
-/// observables are set by observe_bipolar. `System` is a PseudoRigidBody or one of its other forms. Fails if `request`
-/// contains the multiplier, the pressure or bipolar observables, and the multiplier cannot be computed.
+/// Sets Q, Q̇, det Q, and the quantities of `o` that `request` contains. Also sets the contact if there are planes, and
+/// the orbit if there are companions. The bipolar observables are set by observe_bipolar. `System` is a PseudoRigidBody
+/// or one of its other forms. Fails if `request` contains the multiplier, the pressure or bipolar observables, and the
+/// multiplier cannot be computed.
 template <class System>
 mechanics::Status observe(const System& system, const mechanics::State<System>& state,
                           typename System::Workspace& workspace, const mechanics::ObservableRequest& request,

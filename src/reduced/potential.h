@@ -4,9 +4,10 @@
 ///   V(Q) = Vol·W(Q) − k R_F(a₁², a₂², a₃²) + V_e(Q)
 ///          stored      self-gravity          of the loads, external_potential.h
 ///
-/// with the stored energy W per reference volume Vol, Carlson's integral R_F and k = (3/5) G M². The reference body is
-/// the image of the unit ball under the linear map S (reference_body.h). The deformed body is then an ellipsoid, and
-/// its semi-axes a_i are the singular values of F = QS. A term that the scene does not have is skipped.
+/// with the stored energy W per reference volume Vol, Carlson's integral R_F, and k = (3/5) G M² for the gravitational
+/// constant G and the mass M. The reference body is the image of the unit ball under the linear map S
+/// (reference_body.h). The deformed body is then an ellipsoid, and its semi-axes a_i are the singular values of F = QS.
+/// A term that the scene does not have is skipped.
 ///
 /// The functions `energy` and `stress` of a Tensor give V and ∂V/∂Q per reference volume, like a material law. With the
 /// stress P = ∂W/∂Q of the law, and with the self-gravity V_g as a function of F, the derivative is
@@ -27,7 +28,7 @@
 
 namespace pseudorigid::reduced {
 
-/// The terms of the potential energy.
+/// The terms of V(Q): stored energy, self-gravity, and energy of the loads.
 struct PotentialEnergies {
   double elastic = 0, gravitational = 0, external = 0;
   double total() const { return elastic + gravitational + external; }

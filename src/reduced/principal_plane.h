@@ -1,6 +1,6 @@
 #pragma once
-/// Steady motions as zeros of a function of eight numbers. By Riemann's theorem (ellipsoidal_motions.h) every steady
-/// motion can be rotated such that A is diagonal and ω and Λ lie in the plane of axes 2 and 3. With the residual R of
+/// Steady motions as zeros of a function of eight numbers. By Riemann's theorem (ellipsoidal_motions.h), rotations can
+/// make A diagonal in every steady motion, with ω and Λ in the plane of axes 2 and 3. With the residual R of
 /// steady_motion.h, the unknowns u and the function F are
 ///
 ///   u = (ln a₁, ln a₂, ln a₃, ω₂, ω₃, Λ₂, Λ₃, λ),
@@ -23,7 +23,8 @@ namespace pseudorigid::reduced {
 using PlaneVector = Eigen::Matrix<double, 8, 1>;
 using PlaneMatrix = Eigen::Matrix<double, 8, 8>;
 
-/// The coordinates u of a motion with diagonal A and with ω and Λ in the plane of axes 2 and 3.
+/// `plane_coordinates` returns the coordinates u of a motion with diagonal A > 0 and with ω and Λ in the plane of axes
+/// 2 and 3. `motion_of` is the inverse map.
 inline PlaneVector plane_coordinates(const SteadyMotion& m) {
   PlaneVector u;
   u << m.A.diagonal().array().log().matrix(), m.omega.tail<2>(), m.Lambda.tail<2>(), m.lambda;

@@ -38,6 +38,7 @@ class PseudoRigidBody {
 
  public:
   using Vector = Eigen::Matrix3d;
+  /// True if the kernels of body_of_stages.h can evaluate this body.
   static constexpr bool knows_stages = has_parts || is_known_law;
   using Multiplier = std::conditional_t<incompressible, double, mechanics::NoMultiplier>;
   struct Workspace {};
@@ -61,7 +62,7 @@ class PseudoRigidBody {
   /// Computes Q̈ of (5.120) with its multiplier, from J = det Q and one cofactor matrix C = cof Q = J Q⁻ᵀ:
   ///   Q̈ = −A + Λ Q⁻ᵀE₀⁻¹,   A = ∂V E₀⁻¹,   Λ = [tr((Q⁻¹Q̇)²) + tr(Q⁻¹A)] / tr(Q⁻¹Q⁻ᵀE₀⁻¹)
   ///      = −A + s C E₀⁻¹,    s = Λ/J = [tr((CᵀQ̇)²) + J C:A] / (J C:CE₀⁻¹)
-  /// Fails if Q is not admissible, or if Λ is not finite.
+  /// On GL⁺(3), Q̈ = −A. Fails if Q is not admissible, or if Λ is not finite.
   mechanics::Status acceleration(double, const Vector& Q, const Vector& Qdot, Workspace&, Vector& a) const {
     if (isotropic_)
       return accelerate(Q, Qdot, a, [this](double s, const Tensor& X) { return (s * inverse_m_bar_) * X; });
@@ -97,7 +98,7 @@ class PseudoRigidBody {
   }
   void apply_mass(const Vector& v, Vector& f) const { f = v * E0_; }
 
-  /// g = ln det Q. Fails if det Q is not positive and finite.
+  /// Sets g = ln det Q; on GL⁺(3) there is no g. Fails if det Q is not positive and finite.
   mechanics::Status constraint(const Vector& Q, Multiplier& g) const {
     const double J = materials::determinant(materials::to_tensor(Q));
     if (!has_volume(J)) return without_volume(J);
@@ -146,7 +147,7 @@ class PseudoRigidBody {
       f -= lambda * inverse_transposed * v.transpose() * inverse_transposed;
     }
   }
-  /// The division in the head of this file. It does not fail.
+  /// Sets lambda by the division in the head of this file. Does nothing on GL⁺(3). Does not fail.
   mechanics::SolveReport solve_gram(const Vector& Q1, const Vector& Q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     if constexpr (incompressible) {
@@ -159,8 +160,8 @@ class PseudoRigidBody {
     }
     return {};
   }
-  /// Round-off of ln det Q. For large axis ratios the round-off is larger, and iterations detect it with
-  /// ConvergenceMonitor (mechanics/core/constraint_newton.h).
+  /// |g| and |GQ̇| count as zero up to this value, the round-off of ln det Q. For large axis ratios the round-off is
+  /// larger, and iterations detect it with ConvergenceMonitor (mechanics/core/constraint_newton.h).
   double constraint_tolerance() const { return 4e-16; }
 
   Vector make_vector() const { return Vector::Zero(); }

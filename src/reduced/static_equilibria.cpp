@@ -121,7 +121,7 @@ double StaticLandscape::outward_slope(double s, const Eigen::VectorXd& direction
 bool StaticLandscape::rises_at(double s) const {
   constexpr int n_descents = 64, n_steps = 60;
   std::mt19937_64 generator(1);
-  const auto irregular = [&] {  // random numbers in (−1, 1), the same on every machine
+  const auto irregular = [&] {  // random numbers in [−1, 1), the same on every machine
     return Eigen::VectorXd(
         Eigen::VectorXd::NullaryExpr(11, [&] { return 2 * static_cast<double>(generator() >> 11) * 0x1p-53 - 1; }));
   };

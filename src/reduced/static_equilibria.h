@@ -35,15 +35,18 @@ class StaticLandscape {
   int n_coordinates() const { return 9; }
   int n_constraints() const { return incompressible_ ? 1 : 0; }
   Vector periods() const { return Vector::Zero(9); }
-  /// Sets dV = ∂V/∂Q. Fails if Q is not admissible or if a derivative is not finite.
   double potential(const Vector& q) const { return potential_.energy(matrix(q)); }
-  /// Sets g = ln det Q, or an empty g on GL⁺(3). Fails if det Q is not positive and finite.
+  /// Sets dV = ∂V/∂Q. Fails if Q is not admissible or if a derivative is not finite.
   mechanics::Status gradient(const Vector& q, Vector& dV) const;
+  /// Sets g = ln det Q, or an empty g on GL⁺(3). Fails if det Q is not positive and finite.
   mechanics::Status constraint(const Vector& q, Vector& g) const;
-  /// Sets H to the second derivative of V − Λ ln det Q, with Λ = 0 on GL⁺(3). Fails in the same cases as `gradient`.
+  /// Sets G to the row Q⁻ᵀ, the derivative of ln det Q, or to a matrix without rows on GL⁺(3).
   void constraint_gradient(const Vector& q, Matrix& G) const;
+  /// Sets H to the second derivative of V − Λ ln det Q, with Λ = 0 on GL⁺(3). Fails in the same cases as `gradient`.
   mechanics::Status hessian(const Vector& q, const Vector& lambda, Matrix& H) const;
+  /// Sets M to the matrix of the metric ⟨H, H⟩.
   void mass(const Vector& q, Matrix& M) const;
+  /// Sets C to the matrix of the damping at rest. Does not fail.
   mechanics::Status damping(const Vector& q, Matrix& C) const;
 
   static Eigen::Matrix3d matrix(const Vector& q) { return q.reshaped(3, 3); }

@@ -1,8 +1,8 @@
 #pragma once
-/// Curves of steady motions. The six equations of principal_plane.h and one condition c(u) = value (Λ₃ = 0, a
-/// circulation, an axis ratio, …) for the eight unknowns u define a curve. Let DF be the derivative of these seven
-/// equations. The tangent t of the curve satisfies DF t = 0, |t| = 1. A fold of a quantity q is a point of the curve
-/// with ∇q·t = 0. The derivatives are exact.
+/// Curves of steady motions. The six equations of principal_plane.h and one condition c(u) = value define a curve in
+/// the space of the eight unknowns u. Examples of the condition are Λ₃ = 0, a circulation, or an axis ratio. Let DF be
+/// the derivative of these seven equations. The tangent t of the curve satisfies DF t = 0, |t| = 1. A fold of a
+/// quantity q is a point of the curve with ∇q·t = 0. The derivatives are exact.
 
 #include "reduced/principal_plane.h"
 

@@ -95,7 +95,7 @@ inline Eigen::Matrix3d steady_acceleration(const Eigen::Vector3d& omega, const E
 
 }  // namespace detail
 
-/// The residual R per m̄.
+/// The residual R in the head of this file, for the body and the motion m.
 template <SmoothPotential V>
 Eigen::Matrix3d steady_residual(const IsotropicBody<V>& body, const SteadyMotion& m) {
   return detail::steady_acceleration(m.omega, m.Lambda, m.A) + body.gradient(m.A) -

@@ -13,7 +13,9 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Number of energies that are integrated with the motion: the dissipated and the given one, and one of each branch.
+/// Number of energies that are integrated with the motion. It is 0 without dissipation, loads that depend on time and
+/// moving planes. Otherwise the energies are the dissipated one, the given one, and one dissipated energy for each
+/// branch.
 unsigned int n_accounts(const loads::Loads& loads) {
   const loads::Forcing constant = loads::constant_forcing(loads);
   if (!loads::depend_on_time(loads) && !constant.dissipative()) return 0;

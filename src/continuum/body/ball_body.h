@@ -5,18 +5,19 @@
 ///   M ẍ = −∫P:∇φ + loads   [+ Gᵀλ,   elastic_ball.h]                       (generalized Newton law, Oliva 5.3–5.4)
 ///
 /// with the first Piola–Kirchhoff stress P and the basis functions φ of the displacements in (Q_k)³. P contains the
-/// stresses of viscoelastic branches (kernels/cell_branches.h). The mass M is lumped. With dissipation or loads that
-/// depend on time, the ball has one or two more nodes (BallSpace::account). The first coordinates s and s' of these nodes
-/// obey
+/// stresses of viscoelastic branches (kernels/cell_branches.h). The mass M is lumped. With dissipation, loads that
+/// depend on time or moving planes, the ball has one or two additional nodes (BallSpace::account). Their first two
+/// coordinates s and s' obey
 ///
 ///   s̈ = dissipated power,   s̈' = power that loads give by their change in time, and planes by their motion.
 ///
 /// Therefore ṡ and ṡ' are the dissipated and the given energy, and every method integrates these energies with its own
-/// order. Branches do not act on s̈: `relax` adds their dissipated energy to ṡ. The energy of each branch is the velocity
-/// of a further coordinate. Companions in orbit
-/// (mechanics/core/orbit.h) are further nodes. Their tide has the potential ½xᵀTx per mass. Node n with the mass m_n
-/// and the position x_n has the force −m_n T (x_n − x_c), with the centre of mass x_c. All quantities are in internal
-/// units. The system is the computed sector, and the observables are for the whole ball.
+/// order. Branches do not act on s̈: `relax` adds their dissipated energy to ṡ. The energy that each branch has
+/// dissipated is the velocity of a further coordinate. Companions in orbit (mechanics/core/orbit.h) are further nodes.
+/// Their tide has the potential ½(x − x_c)ᵀT(x − x_c) per mass, with the centre of mass x_c. Node n with the mass m_n
+/// and the position x_n then has the force −m_n T (x_n − x_c). As an option, the forces without expansion
+/// (companion_sums.h) replace this force. All quantities are in internal units. The system is the computed sector, and
+/// the observables are for the whole ball.
 
 #include <Eigen/Core>
 #include <functional>
@@ -58,7 +59,8 @@ class BallBody {
 
   /// a = M⁻¹f, with 0 for components that a symmetry plane fixes. f and a may be the same vector.
   void apply_inverse_mass(const Vector& f, Vector& a) const;
-  /// f = M v, with the mass 1 for the coordinates of the account and of the companions. Fixed components get 0.
+  /// f = M v, with the mass 1 for the coordinates of the account and of the companions. Components without an inverse
+  /// mass, which are fixed or not used, get 0.
   void apply_mass(const Vector& v, Vector& f) const;
   /// f ← f − C u for viscosity, drag, and the damping and friction of contacts. C is the linearisation `kind` of the
   /// damping force at `state` (mechanics/core/damping.h). Collective.
@@ -73,7 +75,8 @@ class BallBody {
   bool relaxes() const { return !branches_.empty(); }
   const materials::MaxwellBranches& branches() const { return branches_.list; }
   /// Replaces the internal metrics of x by their values after the time h, for the mean strain of the positions `before`
-  /// and x. Adds the energy that the branches dissipate to that in v. Collective.
+  /// and x. Adds the energy that the branches dissipate to the dissipated energies in v, in total and for each branch.
+  /// Collective.
   void relax(double h, const Vector& before, Vector& x, Vector& v) const;
   /// Sets the internal metrics of x. If `relaxed` is true, they become Ĉ = J^{−2/3} FᵀF at x and the branches have no
   /// stress. Otherwise they become the identity, which belongs to the undeformed body.
@@ -109,7 +112,8 @@ class BallBody {
   materials::BranchEnergies dissipated_by_branches(const Vector& v) const;
 
   const mechanics::Orbit& orbit() const { return orbit_; }
-  /// The coordinates of the companions in a vector, one column for each companion. Collective.
+  /// The coordinates s_k of the companions (mechanics/core/orbit.h) in a vector, one column for each companion.
+  /// Collective.
   mechanics::Orbit::Columns companions(const Vector& x) const;
   void set_companions(const mechanics::Orbit::Columns& s, Vector& x) const;
   /// Σ m_n (x_n − x_c)(x_n − x_c)ᵀ over the nodes of the whole ball. Collective.
@@ -151,25 +155,27 @@ class BallBody {
   /// message names the limit and the place of the least reserve. Otherwise it names the place of the least det F.
   /// Collective.
   mechanics::Status judge(double least, const Vector& x) const;
-  /// Fills x with fixed irregular numbers in (−1, 1), which do not depend on the number of ranks.
+  /// Fills x with fixed irregular numbers in [−1, 1], the start of the search for the largest frequency
+  /// (mechanics/steps/largest_frequency.h). They do not depend on the number of ranks, except for round-off of 1e-12.
   void fill_irregular(Vector& x) const;
   /// Σ_n m_n a_n b_nᵀ over the nodes n of the whole ball, with the nodal masses m_n. Collective.
   Eigen::Matrix3d nodal_moment(const Vector& a, const Vector& b) const;
 
  protected:
   /// Sets f to all forces without the reactions. If `held_at` is not null and there are planes, springs on the whole
-  /// surface replace the contact. The springs pull each point of the surface towards its position in the configuration
-  /// `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the
-  /// stiffness with contact. Fails if `judge` fails. Collective.
+  /// surface replace the contact. The springs pull each point of the surface towards its position at the nodal
+  /// positions `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for
+  /// the stiffness with contact, which the search for a stable step needs. Fails if `judge` fails. Collective.
   mechanics::Status applied_force(double t, const Vector& x, const Vector& v, const Vector* held_at, Vector& f) const;
   /// Adds loads, branches, gravity, companions and contact to f, which already contains the force of the elastic
-  /// stress. `least` is the value that the kernel returned for this force. Fails if `judge` fails for this value.
-  /// Collective.
+  /// stress. `least` is the value that the kernel returned for this force, and `held_at` is that of applied_force.
+  /// Fails if `judge` fails for `least`. Collective.
   mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, const Vector* held_at,
                                    Vector& f) const;
 
  private:
-  /// Place of the energy of the first branch after those of the dissipated and the given energy (BallSpace::account).
+  /// Index of the first branch among the coordinates of the account. Index 0 is the dissipated energy, and index 1 is
+  /// the given energy.
   static constexpr unsigned int first_branch_account = 2;
   double account_entry(const Vector& v, unsigned int component) const;
   void add_companions(const Vector& x, Vector& f) const;
@@ -177,7 +183,7 @@ class BallBody {
   LeastPlace of_all_ranks(LeastPlace of_this_one) const;
 
   BallSpace space_;
-  std::string_view limit_;  ///< the reason for which the law does not admit some F; empty if it admits all
+  std::string_view limit_;  ///< name of the limit of the law for messages; empty for a law without limits
   bool is_fluid_;
   std::unique_ptr<CellKernels> kernels_;
   LoadForces loads_;

@@ -14,7 +14,7 @@ Vector integrated_gradients(const BallSpace& space, const CellKernels& kernels) 
   return gradients;
 }
 
-/// The nodal field with the value A a_n at node n, with the value a_n of `a`.
+/// The nodal field with the value A a_n at node n. a_n is the value of `a` at this node.
 Vector at_nodes(const Eigen::Matrix3d& A, const Vector& a) {
   Vector result = a;
   for (unsigned int i = 0; i < a.locally_owned_size(); i += 3)

@@ -12,9 +12,9 @@
 ///
 /// Node n has the mass m_n, the position x_n and the basis function φ_n. The other symbols are those of
 /// loads/forcing.h. Viscosity and drag dissipate the power ∫2ηJ d:d dX + c Σ m_n |ẋ_n|². A load that depends on time
-/// gives the power ∂V/∂t. Both powers act as forces on the node BallSpace::account, which has the mass 1. The velocity
-/// (D, W, 0) of this node therefore contains the dissipated energy D and the given energy W. All quantities are in
-/// internal units.
+/// gives the power ∂V/∂t. Both powers act as forces on the first two coordinates of BallSpace::account, which have the
+/// mass 1. Their velocities are therefore the dissipated energy and the given energy (ball_body.h). All quantities are
+/// in internal units.
 
 #include <Eigen/Core>
 #include <optional>
@@ -36,8 +36,9 @@ class LoadForces {
   bool rough() const { return constant_.planes.rough(); }
   bool time_dependent() const { return driven_; }
 
-  /// f ← f + the forces of the loads at the time t. If there is a node BallSpace::account, sets the force on it to the
-  /// dissipated and the given power of the whole ball. Collective.
+  /// f ← f + the forces of the loads at the time t. If there is a node BallSpace::account, sets its first two forces to
+  /// two powers of the whole ball. The first is the power that viscosity and drag dissipate. The second is the power
+  /// that loads give by their change in time. Collective.
   void add(double t, const Vector& x, const Vector& v, Vector& f) const;
   /// f ← f + viscous force and drag. Returns the power that these forces dissipate in the cells and at the own nodes of
   /// this rank. Collective.

@@ -16,7 +16,7 @@ void for_each_node(const BallSpace& space, const Vector& x, const Eigen::Vector3
   }
 }
 
-/// The products of signs that map the sector to its images.
+/// The signs ±1 of the coordinates in each image of the sector. The first image is the sector itself.
 std::vector<Eigen::Vector3d> signs_of_images(const Sector& sector) {
   std::vector<Eigen::Vector3d> signs{Eigen::Vector3d::Ones()};
   for (int c = 0; c < 3; ++c)

@@ -14,7 +14,8 @@ namespace pseudorigid::continuum {
 class CompressibleBall : public BallBody, public mechanics::Unconstrained {
  public:
   struct Workspace : mechanics::Unconstrained::Workspace {
-    /// Configuration of the springs that replace the contact (BallBody::applied_force), or null for contact.
+    /// If not null, springs replace the contact (BallBody::applied_force), and these are the nodal positions at which
+    /// the springs have no force. Null means contact with the planes.
     const Vector* held_at = nullptr;
   };
   using BallBody::BallBody;

@@ -39,11 +39,12 @@ class ContactForces {
   /// f ← f + damping force and friction of the planes (loads/plane.h). Returns the powers that these forces dissipate
   /// and give, for the computed sector on all ranks. Collective.
   loads::ContactPower add_dissipation(double t, const Vector& x, const Vector& v, Vector& f) const;
-  /// f ← f − C u with the operator C of damping and friction at the velocity v (mechanics/core/damping.h). Collective.
+  /// f ← f − C u. C is the linearisation `kind` of damping and friction at the velocity v (mechanics/core/damping.h).
+  /// Collective.
   void add_damping(double t, const Vector& x, const Vector& v, const Vector& u, mechanics::Linearization kind,
                    Vector& f) const;
   /// f ← f − ∂/∂x of ½k∮|x − x₀|², with k = Planes::stiffness_of_all(). This is the force of springs that pull each
-  /// point of the surface to its position in the configuration x₀. Collective.
+  /// point of the surface to its position at the nodal positions x₀. Collective.
   void add_holding(const Vector& x, const Vector& x0, Vector& f) const;
   /// Contact of the whole ball with the planes at the time t, for the observables. Collective.
   loads::Contact contact(double t, const Vector& x) const;
@@ -72,8 +73,8 @@ class ContactForces {
   /// points of the face.
   template <class Visit>
   void for_touching_faces(const loads::Plane& plane, const Vector& x, Visit&& visit) const;
-  /// f ← f + damping force at the velocity u, for planes that are evaluated at one time (Planes::at). Returns the
-  /// powers of this force on this rank.
+  /// f ← f + damping force at the velocity u, for planes that are evaluated at one time (Planes::at or
+  /// Planes::stopped_at). Returns the powers of this force on this rank.
   loads::ContactPower add_plane_damping(const loads::Planes& planes, const Vector& x, const Vector& u, Vector& f) const;
   /// Adds forces of friction to f. traction_on(plane, face) returns a function for the points of the face. Its
   /// arguments are the index of a point and the product w k d at this point. Its result is the force of the point,

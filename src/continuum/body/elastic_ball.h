@@ -4,11 +4,12 @@
 ///   M ẍ = −∫P:∇φ + loads + Gᵀλ,   g_j = ∫ψ_j ln J dX = 0                   (generalized Newton law, Oliva 5.3–5.4)
 ///
 /// with the first Piola–Kirchhoff stress P, the basis functions φ of the displacements in (Q_k)³, J = det F and G = Dg.
-/// The functions ψ_j are the basis of the multipliers λ_h = Σ λ_j ψ_j. A multiplier is a polynomial in P_{k−1} on each
-/// cell and may jump between cells. The field λ_h is the Kirchhoff pressure Jp, with the pressure p of the body. The
-/// constraint balances a uniform pressure on the surface, so this load is not a force of the system. The constraint
-/// uses ln J instead of J − 1. Therefore the second variation of the constraint along a displacement u does not contain
-/// the square of div u. The discrete motion also does not change if a multiple of ln J is added to the stored energy W.
+/// The functions ψ_j are an L²-orthonormal basis of the multipliers λ_h = Σ λ_j ψ_j. A multiplier is a polynomial in
+/// P_{k−1} on each cell and may jump between cells. The field λ_h is the Kirchhoff pressure Jp, with the pressure p of
+/// the body. The constraint balances a uniform pressure on the surface, so this load is not a force of the system. The
+/// constraint uses ln J instead of J − 1. Therefore the second variation of the constraint along a displacement u does
+/// not contain the square of div u. The discrete motion also does not change if a multiple of ln J is added to the
+/// stored energy W.
 
 #include <cmath>
 #include <optional>
@@ -28,7 +29,8 @@ class ElasticBall : public BallBody {
     /// Euclidean norm of the residual that is sufficient for the caller of solve_gram. If 0, only the relative bound of
     /// GramSolver::solve applies.
     double residual_sought = 0;
-    /// Configuration of the springs that replace the contact (BallBody::applied_force), or null for contact.
+    /// If not null, springs replace the contact (BallBody::applied_force), and these are the nodal positions at which
+    /// the springs have no force. Null means contact with the planes.
     const Vector* held_at = nullptr;
 
     template <class Visit>
@@ -56,7 +58,7 @@ class ElasticBall : public BallBody {
   mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace& workspace, Vector& f) const {
     return applied_force(t, x, v, workspace.held_at, f);
   }
-  /// All forces with the reactions Gᵀλ, at lower cost than the two parts separately. Fails in the same case.
+  /// All forces with the reactions Gᵀλ, at lower cost than the two parts separately. Fails if BallBody::judge fails.
   /// Collective.
   mechanics::Status force_with_reaction(double t, const Vector& x, const Vector& v, const Multiplier& lambda,
                                         Workspace& workspace, Vector& f) const {

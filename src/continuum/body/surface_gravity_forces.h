@@ -9,8 +9,9 @@
 /// with x_p = ∂x/∂ξ_p, x_q = ∂x/∂ξ_q, and the quadrature weights w. Node n has the position x_n and the basis function
 /// φ_n. The sign is chosen such that N points outwards. The force is the exact derivative of the discrete Ê, so the
 /// total force and the total torque are zero. The sources are the Gauss points of all ranks. If only a sector is
-/// computed, the mirror images of these points are also sources. Each pair of points of this rank is computed once for
-/// both points. The density must be uniform, so the ball must be incompressible.
+/// computed, the mirror images of these points are also sources. For two points of this rank, the kernel of the
+/// interaction is computed once and used at both points. The density must be uniform, so the ball must be
+/// incompressible.
 
 #include <array>
 #include <vector>
@@ -33,7 +34,7 @@ class SurfaceGravityForces {
   /// a face.
   SurfaceGravityForces(double gravity_constant, const BallSpace& space, int n_points);
 
-  /// The gravitational constant G.
+  /// The gravitational constant G in internal units.
   double constant() const { return constant_; }
 
   /// f ← f − ∂Ê/∂x. Collective.
@@ -58,14 +59,15 @@ class SurfaceGravityForces {
   /// computes the derivatives of these points and area vectors along u, from the jets of x and u.
   gravity::SurfacePoints own_points(const Jets& x) const;
   gravity::SurfacePoints own_rates(const Jets& x, const Jets& u) const;
-  /// Points with their mirror images under the reflections of the sector. For rates along u, s contains the signs s_c.
+  /// Points with their mirror images under the reflections of the sector. Each entry of `points` contains a point and
+  /// its area vector. For rates along u, s contains the signs s_c.
   gravity::SurfacePoints with_images(const std::vector<std::array<double, 6>>& points, const Signs& s) const;
   /// Points of all ranks with their mirror images, from the points of this rank. For rates along u, s contains the
   /// signs s_c. Collective.
   gravity::SurfacePoints sources(const gravity::SurfacePoints& own, const Signs& s = {1, 1, 1}) const;
-  /// The sums over all sources, for the points of this rank. Collective.
+  /// The pair sums of gravity/surface_gravity.h over all sources, for each point of this rank. Collective.
   gravity::PairSums sums_at(const gravity::SurfacePoints& own) const;
-  /// The sums of the totals of all ranks. Collective.
+  /// Adds the totals of all ranks. Collective.
   gravity::SurfaceTotals over_ranks(const gravity::SurfaceTotals& own) const;
   /// f_n ← f_n − ∂E/∂x_n for every node n. `derivative` is the derivative of the function E with respect to points and
   /// area vectors. x contains the jets of the position.
@@ -74,7 +76,7 @@ class SurfaceGravityForces {
   double constant_;
   const BallSpace& space_;
   SurfaceInterpolation surface_;
-  double rest_volume_;  ///< V₀ of the computed sector
+  double rest_volume_;  ///< volume of the undeformed sector, from the same points of the surface
 };
 
 }  // namespace pseudorigid::continuum

@@ -37,8 +37,8 @@ class DenseGram final : public GramPreconditioner {
     std::vector<unsigned int> in_a, in_b;
   };
 
-  /// G M^{-1/2}, one block for each cell. A row belongs to a multiplier function, and a column to a component of a node
-  /// of the cell.
+  /// G M^{-1/2} at the positions x, one block for each cell. A row belongs to a multiplier function, and a column to a
+  /// component of a node of the cell.
   std::vector<Block> scaled_constraint_rows(const Vector& x) const;
 
   const BallSpace* space_;

@@ -12,12 +12,13 @@ class GramPreconditioner {
  public:
   virtual ~GramPreconditioner() = default;
 
-  /// Computes the preconditioner for the positions x, before the first call of `apply`. Fails if the Gram operator is
-  /// singular at x. Collective.
+  /// Computes the preconditioner for the positions x, before the first call of `apply`. Fails if a matrix of the
+  /// preconditioner at x cannot be factorised, for example because the Gram operator is singular. After a failure,
+  /// `apply` must not be called. Collective.
   virtual mechanics::Status renew(const Vector& x) = 0;
   /// result ≈ S⁻¹ r, a symmetric positive definite approximation. Collective.
   virtual void apply(Vector& result, const Vector& r) const = 0;
-  /// Cost of `renew`; the unit is one iteration of a solve with S.
+  /// Time of `renew`; the unit is the time of one iteration of a solve with S.
   virtual double renewal_cost() const = 0;
   /// Memory on this rank in bytes.
   virtual std::size_t memory() const = 0;

@@ -113,8 +113,8 @@ class GramSolver::Impl {
   }
 
   /// The precision of the tangents. For small problems the tangent stays in the cache and also gives the reactions, in
-  /// double precision. For large problems only the iterations use the tangent, and the constraint checks the result of
-  /// the iterations. Single precision then halves the memory to read.
+  /// double precision. For large problems only the iterations use the tangent, and the methods check the constraint
+  /// after each solve. Single precision then halves the memory to read.
   static Precision precision_of(GramMethod method) {
     return method == GramMethod::dense ? Precision::double_precision : Precision::single_precision;
   }

@@ -1,10 +1,11 @@
 #pragma once
 /// Solves G(q₁) M⁻¹ G(q₀)ᵀ λ = r for the ball without assembling the matrix, by conjugate residuals
 /// (mechanics/core/conjugate_residuals.h). G is the derivative of the constraint, M is the mass, and q₀ and q₁ are
-/// positions. The preconditioner approximates the symmetric Gram operator S = G M⁻¹ Gᵀ at earlier positions. Small
-/// problems in one process use the inverse of S (dense_gram.h), and other problems use two levels (two_level_gram.h).
-/// As the positions move away from those of the preconditioner, solves need more iterations. The preconditioner is
-/// renewed when the additional iterations have cost more than a renewal.
+/// positions. The entries of λ are the coefficients of the Kirchhoff pressure in an L²-orthonormal basis
+/// (kernels/cell_kernels.h). The preconditioner approximates the symmetric Gram operator S = G M⁻¹ Gᵀ at earlier
+/// positions. Small problems in one process use the inverse of S (dense_gram.h), and other problems use two levels
+/// (two_level_gram.h). As the positions move away from those of the preconditioner, solves need more iterations. The
+/// preconditioner is renewed when the additional iterations have cost more than a renewal.
 
 #include <memory>
 
@@ -28,13 +29,14 @@ class GramSolver {
   GramSolver(GramSolver&&) noexcept;
 
   /// Computes λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. If the iteration does
-  /// not converge, it is repeated once with a preconditioner at q₁. Fails if this also does not converge, if S is
-  /// singular, or if r is not finite. Collective.
+  /// not converge, it is repeated once with a preconditioner at q₁. Fails if the second iteration does not converge
+  /// either, if the preconditioner cannot be computed, or if r is not finite. Collective.
   mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda);
 
   /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ, with the stored energy W + U of kernels/stored_energy.h and the basis functions φ.
-  /// Like CellKernels::force, returns the least of J and of the law's reserve. With the dense preconditioner, it also
-  /// stores the tangent of the constraint at x for a later solve at x.
+  /// Like CellKernels::force, returns the least of J and of the law's reserve on this rank. If this value is not
+  /// positive, f is not valid. With the dense preconditioner, it also stores the tangent of the constraint at x for a
+  /// later solve at x.
   double force_with_reaction(const Vector& x, const Vector& lambda, Vector& f);
   /// f ← f + G(x)ᵀλ. With the dense preconditioner, it reuses or stores the tangent of the constraint at x.
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f);
@@ -42,9 +44,9 @@ class GramSolver {
   /// The part of the solver's memory on which later solves depend, for checkpoints. The residuals depend on the
   /// preconditioner. A resumed run therefore needs this memory to repeat the uninterrupted run.
   struct History {
-    Vector renewed_at;  ///< positions of the preconditioner
-    /// n_iterations_fresh: iterations of the first solve after a renewal, −1 before this solve. n_iterations_lost: the
-    /// sum over all later solves of the iterations beyond this number.
+    Vector renewed_at;  ///< positions at which the preconditioner was last computed
+    /// `n_iterations_fresh` is the number of iterations of the first converged solve after a renewal, or −1 before this
+    /// solve. `n_iterations_lost` is the sum, over all later converged solves, of the iterations beyond this number.
     int n_iterations_fresh = -1, n_iterations_lost = 0;
     bool stale = true;  ///< true if the next solve must compute or renew the preconditioner
   };
@@ -58,7 +60,8 @@ class GramSolver {
     visit(stale);
   }
 
-  /// Counts since the construction of the solver.
+  /// Counts since the construction of the solver. n_iterations_at_most is the largest number of iterations of one
+  /// solve.
   struct Statistics {
     long n_solves = 0, n_iterations = 0, n_iterations_at_most = 0, n_renewals = 0;
     std::size_t memory = 0;  ///< memory of the preconditioner on this rank in bytes

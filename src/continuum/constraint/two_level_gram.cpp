@@ -124,7 +124,8 @@ void TwoLevelGram::number_functions() {
 }
 
 /// Computes P_ji = ∫ψ_j N_i dX by Gauss–Lobatto quadrature at the nodes, with the orthonormal basis ψ_j of the
-/// multipliers. P_ji = 0 if N_i does not vanish on the surface.
+/// multipliers. Sets P_ji to 0 for the Lagrange functions of nodes on the free surface, because they are not coarse
+/// functions.
 void TwoLevelGram::project_functions() {
   tables_ = tables_at_nodes(space_.reference_cell(), ReferenceCell(coarse_degree_).nodes);
   const unsigned int n_pressure = space_.n_pressure(), n_nodes = space_.nodes_per_cell();
@@ -170,8 +171,8 @@ void TwoLevelGram::make_coarse_solver() {
   PetscObjectTypeCompare(reinterpret_cast<PetscObject>(coarse_solver_), KSPPREONLY, &applies_preconditioner_);
 }
 
-/// Computes K at the positions x. The rows and columns of K for functions that do not vanish on the surface are 0
-/// except for the diagonal.
+/// Computes K at the positions x. For Lagrange functions of nodes on the free surface, the rows and columns of K are 0
+/// except for a positive diagonal. K is therefore regular.
 void TwoLevelGram::assemble_coarse_matrix(const Vector& x) {
   const unsigned int n_nodes = space_.nodes_per_cell();
   MatrixXd gradients(3 * n_nodes, n_functions_), K_cell(n_functions_, n_functions_);
@@ -203,7 +204,7 @@ void TwoLevelGram::assemble_coarse_matrix(const Vector& x) {
   K_->compress(dealii::VectorOperation::add);
 }
 
-/// Computes S_cc⁻¹ of all cells at the positions x. Returns false if a block is not positive definite.
+/// Computes S_cc⁻¹ of all cells at the positions x. Returns false if a block of this rank is not positive definite.
 bool TwoLevelGram::invert_blocks(const Vector& x) {
   const Eigen::Index n = space_.n_pressure(), n_columns = 3 * space_.nodes_per_cell();
   inverse_blocks_.assign(space_.n_cells() * n_rows_ * space_.n_pressure(), 0);

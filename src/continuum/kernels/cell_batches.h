@@ -1,9 +1,9 @@
 #pragma once
 /// Batches of cells of the ball, with one cell in each lane of a SIMD vector, and the data that the kernels read. These
-/// data are the node numbers, the weights and positions of the Gauss points for the constraint, and the basis ψ of
-/// P_{k−1}. The basis is orthonormal in L²: ψ = L⁻¹ m with the vector m of the monomials and the Cholesky factor L of
-/// ∫m ⊗ m = LLᵀ. If the last batch has fewer cells than lanes, its other lanes repeat its first cell. Results of these
-/// lanes are not used.
+/// data are the node numbers, and the weights and positions of the Gauss points for the constraint. For elements of
+/// degree k, the data also contain the basis ψ of P_{k−1}, which is orthonormal in L². With the vector m of the
+/// monomials and the Cholesky factor L of ∫m ⊗ m = LLᵀ, the basis is ψ = L⁻¹ m. If the last batch has fewer cells than
+/// lanes, its other lanes repeat its first cell. Results of these lanes are not used.
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ class CellBatches {
     const auto& w = cells.reference.point_weights;
     for (int q = 0; q < n_points; ++q) unit_weights[q] = w[q % n] * w[q / n % n] * w[q / n / n];
     const std::size_t n_batches = (cells.nodes.size() + n_lanes - 1) / n_lanes;
-    pressure_points_.reserve(n_batches * n_points);  // the exact number of entries
+    pressure_points_.reserve(n_batches * n_points);  // the exact number, so that no memory is unused
     offsets_.reserve(n_batches * n_nodes);
     basis_.reserve(n_batches * n_packed);
     batches.reserve(n_batches);
@@ -50,7 +50,7 @@ class CellBatches {
   const PressurePoint* pressure_points(std::size_t batch) const { return &pressure_points_[batch * n_points]; }
   const L* basis(std::size_t batch) const { return &basis_[batch * n_packed]; }
 
-  /// Loads u[c][node] of the batch from the vector x.
+  /// Sets u[c][node] to component c of the vector x at the nodes of the batch.
   void gather(const double* x, std::size_t batch, L (*u)[n_nodes]) const {
     const auto* offsets = &offsets_[batch * n_nodes];
     for (int i = 0; i < n_nodes; ++i) L::load_triples(x, offsets[i].data(), u[0][i], u[1][i], u[2][i]);
@@ -154,7 +154,7 @@ class CellBatches {
       for (int c = 0; c < 3; ++c) point->position[c] = (point->position[c] - batch.center[c]) / batch.scale;
   }
 
-  /// Computes L⁻¹, with the Cholesky factor L of the Gram matrix of the monomials, and appends its lower triangle to
+  /// Computes L⁻¹, with the Cholesky factor L of the Gram matrix of the monomials. Appends the lower triangle of L⁻¹ to
   /// the basis, row by row.
   void orthonormalize(std::size_t index) {
     std::vector<L> gram(n_pressure * n_pressure, L(0.0)), monomials(n_pressure),

@@ -46,16 +46,16 @@ class CellKernels {
   void constraint_rate(const ConstraintTangent& at_x, const Vector& v, Vector& r) const;
   void add_reaction(const ConstraintTangent& at_x, const Vector& lambda, Vector& f) const;
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f) const;
-  /// f ← f + viscous force; returns the power that this force dissipates.
+  /// f ← f + viscous force. Returns the power that this force dissipates on this rank.
   double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const;
 
   /// f ← f − ∫ΣP_b:∇φ with the stresses P_b of viscoelastic branches at the internal metrics x.metrics
   /// (materials/maxwell_branch.h).
   void add_branch_force(const materials::MaxwellBranches& branches, const Vector& x, Vector& f) const;
-  /// The energy ∫ΣW_b dX that the branches store.
+  /// The energy ∫ΣW_b dX that the branches store on this rank, with the stored energies W_b of the branches.
   double branch_energy(const materials::MaxwellBranches& branches, const Vector& x) const;
-  /// Replaces the metrics of x by their values after the time h, for the mean strain of x0 and x. Returns the energy
-  /// that the branches lose.
+  /// Replaces the metrics of x by their values after the time h, at a constant strain: the mean strain of x0 and x.
+  /// Returns the energy that each branch loses on this rank.
   materials::BranchEnergies relax_branches(const materials::MaxwellBranches& branches, double h, const Vector& x0,
                                            Vector& x) const;
   /// Allocates the metrics of x. Sets them to Ĉ = J^{−2/3} FᵀF at x if `relaxed` is true, and to the identity

@@ -1,7 +1,8 @@
 #pragma once
 /// The kernels of local_kernels.h for one degree. The law is evaluated through point_law.h. The operations at the
 /// points are done plane by plane (sum_factorization.h). Some kernels prefetch the geometry of later points and the
-/// positions of the next batch. Let H = ∂x/∂ξ, and let w be weights that contain det ∂X/∂ξ. In reference coordinates,
+/// positions of the next batch. Let H = ∂x/∂ξ, and let w be the quadrature weights times det ∂X/∂ξ. In reference
+/// coordinates, with a stress P, a pressure λ, a velocity v and the basis functions φ,
 ///
 ///   F = H (∂X/∂ξ)⁻¹,   ∫ P : ∇φ = Σ_q w P (∂X/∂ξ)⁻ᵀ : ∂φ/∂ξ,
 ///   ∫ λ F⁻ᵀ : ∇φ = Σ_q w λ H⁻ᵀ : ∂φ/∂ξ,   tr(F⁻¹∇v) = H⁻ᵀ : ∂v/∂ξ,   J = det H / det ∂X/∂ξ.

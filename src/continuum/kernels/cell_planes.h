@@ -1,7 +1,7 @@
 #pragma once
-/// Operations on one batch of cells, for one plane of points after the other (sum_factorization.h). The operations
-/// compute H = ∂x/∂ξ at the points from values at the nodes, and the sums Σ_q T : ∂φ/∂ξ from T at the points. The
-/// planes of a batch must be processed in ascending order.
+/// Operations on one batch of cells, for one plane of points after the other (sum_factorization.h). From values at the
+/// nodes, the operations compute H = ∂x/∂ξ at the points. From a tensor T at the points, they compute the sums Σ_q T :
+/// ∂φ/∂ξ for the basis functions φ. The planes of a batch must be processed in ascending order.
 
 #include <memory>
 
@@ -22,7 +22,8 @@ class CellPlanes {
   using Nodal = L[3][n_nodes];  ///< a vector at every node of a cell
   using Field = L[9][plane];    ///< a tensor at every point of a plane: [3·row + column][point]
 
-  /// Workspace for the nodal values and the fields of one batch.
+  /// Workspace of one batch. X, x, v and `result` contain layers of nodal values. `values`, dX, H, dv and `weights`
+  /// contain numbers at the points of one plane. `multiplier` contains the multipliers of the cells.
   struct Buffers {
     Nodal X, x, v, result;
     L values[3][plane];
@@ -87,7 +88,8 @@ class CellPlanes {
     for (int c = 0; c < 3; ++c) batches.factorization.distribute_layers(buffers_->result[c]);
   }
 
-  /// Stores ∫ψ_j s of the batch in g, computed from the moments ∫(monomial) s.
+  /// Stores the integrals ∫ψ_j s over the cells of the batch in g, computed from the moments ∫(monomial) s of a
+  /// function s.
   void store_moments(const L* moments, std::size_t b, double* g) const {
     L values[n_pressure];
     batches.from_moments(moments, b, values);

@@ -17,8 +17,8 @@ void add_rows(const float* A, std::size_t distance, std::size_t n_columns, const
   for (std::size_t l = 0; l < n; ++l) y[l] = sums[l];
 }
 
-/// Calls add_rows<n_rows> for a number of rows that is known only at run time. It is a multiple of rows_together and at
-/// most n.
+/// Calls add_rows<n_rows> for a number n_rows that is known only at run time. n_rows must be a multiple of
+/// rows_together and at most n.
 template <std::size_t n>
 void add_up_to(std::size_t n_rows, const float* A, std::size_t distance, std::size_t n_columns, const float* x,
                float* y) {

@@ -8,6 +8,7 @@
 
 namespace pseudorigid::continuum {
 
+/// Number of rows that the products treat together, one in each lane of a SIMD vector.
 inline constexpr std::size_t rows_together = 8;
 
 /// y ← y + A x

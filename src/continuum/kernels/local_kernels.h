@@ -38,7 +38,7 @@ struct CellIntegrals {
   double least = std::numeric_limits<double>::infinity();  ///< least value of J and of the law's reserve
 };
 
-/// A function that is called as `use(cell, values)` for each cell.
+/// A function that is called as `use(cell, values)` for each cell. The values are valid only during the call.
 using UseRows = std::function<void(unsigned int, std::span<const double>)>;
 
 /// A function of F. The entries of F are given row by row.

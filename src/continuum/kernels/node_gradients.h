@@ -1,6 +1,7 @@
 #pragma once
-/// Nodal values of one cell and their derivatives at the nodes, for set-up and pictures. The steps of a run use the
-/// kernels instead.
+/// Nodal values of one cell and their derivatives at the nodes. Functions that are called rarely use them: the
+/// preconditioner at each renewal, the surface stretch, and the pictures. Forces and constraints use the faster
+/// kernels.
 
 #include <Eigen/Core>
 
@@ -8,7 +9,8 @@
 
 namespace pseudorigid::continuum {
 
-/// Nodal values of a cell, one column for each node. The ghost nodes of the cell must be up to date.
+/// Nodal values of a cell, one column for each node, with the first local direction as the fastest index. The ghost
+/// nodes of the cell must be up to date.
 inline Eigen::Matrix3Xd nodal_values(const BallSpace& space, const Vector& x, unsigned int cell) {
   const auto& nodes = space.cell_nodes(cell);
   Eigen::Matrix3Xd values(3, nodes.size());
@@ -17,7 +19,7 @@ inline Eigen::Matrix3Xd nodal_values(const BallSpace& space, const Vector& x, un
   return values;
 }
 
-/// ∂x/∂ξ at node i of a cell, computed from the nodal values.
+/// ∂x/∂ξ at node i of a cell, with one column for each direction ξ_d. x contains the nodal values of the cell.
 inline Eigen::Matrix3d reference_gradient(const ReferenceCell& ref, const Eigen::Matrix3Xd& x, int i) {
   Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
   for (int d = 0, stride = 1; d < 3; ++d, stride *= ref.n) {

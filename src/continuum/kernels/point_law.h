@@ -1,8 +1,8 @@
 #pragma once
 /// The part of the kernels that depends on the law: the operations at the quadrature points of a batch of cells. One
 /// source file contains all laws and does not depend on the degree. The source files of the degrees do not depend on
-/// the laws. The class PointLaw stores the geometry that the stress needs (stress_points.h). The numbers of the points
-/// run through all batches.
+/// the laws. The class PointLaw stores the geometry that the stress needs (stress_points.h). The points of all batches
+/// are numbered one after the other.
 ///
 /// A tensor at n_points points has 9 · n_points numbers, with the entry (i, j) of point q at (3i + j) n_points + q.
 /// SIMD vectors are passed only in memory.
@@ -21,7 +21,7 @@ class PointLaw {
   using L = Lanes<n_lanes>;
   virtual ~PointLaw() = default;
 
-  /// Allocates memory for exactly this number of points.
+  /// Allocates memory for exactly n_points points, the points of all batches together.
   virtual void reserve_points(std::size_t n_points) = 0;
   /// Adds the next points, from their Jacobians ∂X/∂ξ and weights on the reference cell.
   virtual void add_points(const L* jacobians, const double* unit_weights, int n_points) = 0;

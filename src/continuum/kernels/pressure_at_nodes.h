@@ -1,11 +1,12 @@
 #pragma once
-/// The basis ψ_j of the multiplier (degree k − 1 on each cell) at the nodes X_i of the displacements. Pictures show λ_h
-/// at these nodes. The preconditioner of the Gram operator uses these nodes as quadrature points to project its coarse
-/// functions onto ψ_j:
+/// The basis ψ_j of the multiplier at the nodes X_i of the displacements. For displacements of degree k, the ψ_j are
+/// polynomials of total degree k − 1 on each cell. Pictures show λ_h at these nodes. The preconditioner of the Gram
+/// operator uses these nodes as quadrature points to project its coarse functions onto ψ_j:
 ///
 ///   λ_h(X_i) = Σ_j λ_j ψ_j(X_i),   ψ(X) = L⁻¹ monomials((X − X_c)/h_c)
 ///
-/// with the centre X_c and the size h_c of the cell, and L the Cholesky factor of the Gram matrix of the monomials.
+/// with the Cholesky factor L of the Gram matrix of the monomials (pressure_basis.h). X_c is the centre of mass of the
+/// cell, and h_c is half the edge of a cube with the volume of the cell.
 
 #include <cstddef>
 #include <memory>

@@ -1,6 +1,8 @@
 #pragma once
-/// Polynomials of total degree ≤ m in one cell, in the local coordinates (x, y, z) = (X − X_c)/h_c of the reference
-/// position X. The monomials x^a y^b z^c, a + b + c ≤ m, are ordered by a, then b, then c.
+/// Polynomials of total degree ≤ m in one cell, as functions of the local coordinates (x, y, z) = (X − X_c)/h_c. X is
+/// the reference position, and X_c is the centre of mass of the cell. h_c is half the edge of a cube with the volume of
+/// the cell. The coordinates are therefore of order 1. The monomials x^a y^b z^c with a + b + c ≤ m are ordered by a,
+/// then by b, then by c.
 
 namespace pseudorigid::continuum {
 
@@ -8,7 +10,7 @@ template <int m>
 struct PressureMonomials {
   static constexpr int size = (m + 1) * (m + 2) * (m + 3) / 6;
 
-  /// Σ coefficient · monomial, by nested Horner schemes.
+  /// Returns Σ coefficient · monomial at (x, y, z), by nested Horner schemes.
   template <class L>
   static L evaluate(const L* coefficients, L x, L y, L z) {
     int index = size;
@@ -28,7 +30,7 @@ struct PressureMonomials {
     return in_x;
   }
 
-  /// moments += weight · monomials.
+  /// Adds weight · monomial at (x, y, z) to the entry of each monomial in `moments`.
   template <class L>
   static void add_moments(L weight, L x, L y, L z, L* moments) {
     int index = 0;

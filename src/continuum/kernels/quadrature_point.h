@@ -13,12 +13,12 @@ using mechanics::Lanes;
 using mechanics::lesser;
 using mechanics::native_lanes;
 
-/// Number of lanes for a body with few cells, such as an octant with four cells. In wider vectors the other lanes would
-/// only repeat cells. This constant is not inline, because its value depends on the instruction set of each source
-/// file.
+/// Number of lanes if a process has at most this number of cells, such as an octant with four cells. In wider vectors
+/// the other lanes would only repeat cells. This constant is not inline, because its value depends on the instruction
+/// set of each source file.
 constexpr int few_lanes = native_lanes > 4 ? 4 : native_lanes;
 
-/// Geometry for ∫λ_h F⁻ᵀ:∇φ and similar integrals.
+/// The geometry of a point that the integrals of the constraint need, such as the reaction ∫λ_h F⁻ᵀ:∇φ.
 template <int n_lanes>
 struct PressurePoint {
   using L = Lanes<n_lanes>;

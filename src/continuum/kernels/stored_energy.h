@@ -8,9 +8,9 @@
 /// and 0.32. With the energy (κ/4)(J² − 1 − ln J²) of the same stiffness at J = 1, it was 0.11 and 0.07.
 ///
 /// U and its first derivative are 0 if J = 1, so that U does not change an exact incompressible motion. In discrete
-/// motions, J ≠ 1 at some points. The second variation of the multiplier's term can then be negative, and the term κ
-/// (div u)² of U counteracts it. A body needs U under self-gravity, in strong motions, and always if it is a fluid
-/// (W = 0).
+/// motions, J ≠ 1 at some points. The second variation of the multiplier's term ∫λ_h ln J dX along a displacement u can
+/// then be negative. The second variation of U, about κ (div u)² for J ≈ 1, counteracts it. A body needs U under
+/// self-gravity, in strong motions, and always if it is a fluid (W = 0).
 
 #include <concepts>
 

@@ -27,7 +27,7 @@ template <class L>
   return (0.25 * kappa) * (J - inverse * inverse * inverse);
 }
 
-/// Geometry and stress for any law.
+/// Geometry and stress for any law. The geometry is the ten numbers of (∂X/∂ξ)⁻¹ and w.
 template <class L>
 struct AnyStressPoint {
   using Tensor = materials::Tensor<L>;

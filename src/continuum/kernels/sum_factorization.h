@@ -1,7 +1,7 @@
 #pragma once
 /// Sum factorisation on one batch of cells. It maps values u at the n³ nodes to reference gradients at the n³ Gauss
-/// points, and has the transposed map. The first direction is the fastest index. With the one-dimensional interpolation
-/// I to the points and differentiation D at the points,
+/// points, and has the transposed map. The first direction is the fastest index, and factor d of a product ⊗ acts on
+/// direction d. With the one-dimensional interpolation I to the points and differentiation D at the points,
 ///
 ///   u ← (I⊗I⊗1) u   layer by layer,   then for each plane ξ₃ = const of n² points
 ///   v = (1⊗1⊗I) u,   ∂₁v = (D⊗1) v,   ∂₂v = (1⊗D) v,   ∂₃v = (1⊗1⊗DI) u

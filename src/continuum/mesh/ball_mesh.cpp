@@ -61,7 +61,8 @@ CoarseCell image(const CoarseCell& cell, const std::array<bool, 3>& mirrored) {
   return result;
 }
 
-/// The images of the octant in the sector. Images share the vertices on their common faces.
+/// The coarse mesh of a sector, which consists of images of the octant. Images share the vertices on their common
+/// faces.
 CoarseMesh sector_of_ball(const Sector& sector) {
   CoarseMesh mesh;
   std::map<Corner, unsigned int> numbers;
@@ -162,8 +163,8 @@ void mark_boundary(dealii::Triangulation<3>& coarse, const Sector& sector) {
     }
 }
 
-/// Number of the coarse cell that contains a cell, in the order in which the mesh was created. In meshes of p4est, the
-/// CellId of deal.II contains another number.
+/// Number of the coarse cell that contains a cell, in the order in which the mesh was created. The CellId of deal.II
+/// has another number for this cell if p4est has changed the order of the coarse cells.
 int coarse_index(dealii::Triangulation<3>::cell_iterator cell) {
   while (cell->level() > 0) cell = cell->parent();
   return cell->index();

@@ -9,9 +9,9 @@
 ///   X(ξ) = Σ_{i inside} N_i(ξ) V_i + s(ξ) Y/|Y|,   s = Σ_{i on sphere} N_i(ξ),
 ///   Y_d = tan(π/4 y_d),   y = Σ_{i on sphere} N_i(ξ) V_i/|V_i|_∞ / s     (equiangular coordinates of the sphere)
 ///
-/// On a face on the sphere s = 1, so that its image is exactly spherical. On a symmetry plane, the zero coordinates of
-/// the vertices give a coordinate that is exactly zero. Other sectors are reflections of the octant, so that all
-/// sectors have the same discretisation.
+/// If s = 0, the second term is absent. On a face on the sphere s = 1, so that its image is exactly spherical. On a
+/// symmetry plane, the zero coordinates of the vertices give a coordinate that is exactly zero. Other sectors are
+/// reflections of the octant, so that all sectors have the same discretisation.
 ///
 /// A grading reduces the size of cells at the two poles ±e_p of an axis by a factor g < 1. The grading changes local
 /// coordinates ξ of the coarse cells before the transfinite map. The changed coordinates run outwards, or along the
@@ -19,11 +19,11 @@
 ///
 ///   ξ ← (exp(βξ) − 1)/(exp β − 1),   β/(exp β − 1) = g.
 ///
-/// The end with small cells, ξ = 0, is at the sphere or at this plane. The coordinates agree on the common faces of
-/// neighbouring cells. Only the ball and its sectors can have a grading.
+/// In this formula ξ is 0 at the end with small cells, which is on the sphere or on this plane. The coordinates agree
+/// on the common faces of neighbouring cells. Only the ball and its sectors can have a grading.
 ///
-/// With several ranks, p4est distributes the cells over the ranks. Every rank stores its own cells and their
-/// neighbours.
+/// With several ranks, p4est distributes the cells over the ranks. Every rank then stores the coarse mesh, its own
+/// cells and the neighbours of its own cells.
 
 #include <deal.II/grid/tria.h>
 

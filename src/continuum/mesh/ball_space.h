@@ -1,6 +1,6 @@
 #pragma once
-/// The finite-element spaces of the ball: positions x_h ∈ (Q_k)³ on Gauss–Lobatto nodes, geometry of degree k on the
-/// same nodes, and the lumped (diagonal) mass
+/// The finite-element spaces of the ball. Positions x_h ∈ (Q_k)³ have Gauss–Lobatto nodes, and the geometry has degree
+/// k on the same nodes. The lumped (diagonal) mass is
 ///
 ///   m_n = Σ_cells ρ w_n det(∂X/∂ξ)(ξ_n),   ρ = 1 in internal units.
 ///
@@ -28,9 +28,9 @@ namespace pseudorigid::continuum {
 
 class BallSpace {
  public:
-  /// `degree` is k. The vectors have further nodes, which do not belong to the mesh. The coordinates of the first of
-  /// them are for `n_accounts` energies (body/ball_body.h). After these nodes come `n_companions` nodes for point masses
-  /// (mechanics/core/orbit.h).
+  /// `degree` is k. After the nodes of the mesh, vectors have additional nodes, all on one rank. The coordinates of the
+  /// first ⌈n_accounts/3⌉ additional nodes are `n_accounts` energies (body/ball_body.h). The other `n_companions`
+  /// additional nodes are point masses (mechanics/core/orbit.h).
   BallSpace(BallMesh mesh, int degree, unsigned int n_accounts = 0, unsigned int n_companions = 0);
 
   const BallMesh& mesh() const { return mesh_; }
@@ -42,10 +42,9 @@ class BallSpace {
   unsigned int nodes_per_cell() const { return static_cast<unsigned int>(reference_.n * reference_.n * reference_.n); }
   /// Number of nodes of the mesh that this rank owns.
   unsigned int n_nodes() const { return partitioner_->locally_owned_size() / 3 - n_additional(); }
-  /// Number of nodes of this rank that do not belong to the mesh. They follow the nodes of the mesh.
-  unsigned int n_additional() const {
-    return (account_ ? n_account_nodes() : 0) + (companions_ ? n_companions_ : 0);
-  }
+  /// Number of additional nodes of this rank, which follow its nodes of the mesh. One rank has all of them; the number
+  /// is 0 on the other ranks.
+  unsigned int n_additional() const { return (account_ ? n_account_nodes() : 0) + (companions_ ? n_companions_ : 0); }
   /// Number of nodes of the mesh on all ranks, without the additional nodes.
   std::size_t n_global_nodes() const { return dof_handler_->n_dofs(); }
   /// Dimension of P_{k−1}, the space of the multiplier in one cell.
@@ -57,14 +56,17 @@ class BallSpace {
   const std::vector<std::vector<unsigned int>>& cells() const { return cell_nodes_; }
   const Vector& reference_positions() const { return X_; }  ///< X with ghost nodes; 0 at additional nodes
   const Vector& mass() const { return mass_; }              ///< m_n at each component of node n; 0 at additional nodes
-  const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 if a symmetry plane fixes the component
+  /// 1/m_n at each component of node n, or 0 if a symmetry plane fixes the component. At additional nodes the entry is
+  /// 1 if the coordinate is used, and otherwise 0.
+  const Vector& inverse_mass() const { return inverse_mass_; }
   const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
   /// Local index of the coordinate of the dissipated energy. The next indices belong to the coordinates of the given
-  /// energy and of the energies of branches. Their inverse masses are 1. The result is empty if there is no node for
-  /// them, and on ranks that do not own this node.
+  /// energy and of the energies of branches. The inverse masses of all these coordinates are 1. The result is empty if
+  /// there are no such coordinates, and on ranks that do not own them.
   std::optional<unsigned int> account() const { return account_; }
   /// Local index of the first coordinate of the first companion. The other coordinates of the companions follow, and
-  /// all have the mass 1. The result is empty without companions, and on ranks that do not own these coordinates.
+  /// the inverse masses of all are 1. The result is empty without companions, and on ranks that do not own these
+  /// coordinates.
   std::optional<unsigned int> companions() const { return companions_; }
   Vector make_vector() const { return Vector(partitioner_); }
   Vector make_multiplier() const { return Vector(multiplier_partitioner_); }
@@ -73,7 +75,8 @@ class BallSpace {
   unsigned int n_account_nodes() const { return (n_accounts_ + 2) / 3; }
   void number_nodes();
   void number_multipliers();
-  /// Sets X_. Throws std::logic_error if neighbouring cells place a shared node differently.
+  /// Sets X_. Throws std::logic_error if the positions of a shared node in two cells of this rank differ by more than
+  /// 1e-13.
   void place_nodes();
   void lump_mass();
 

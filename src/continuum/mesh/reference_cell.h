@@ -1,6 +1,7 @@
 #pragma once
-/// One-dimensional tables of the reference cell [0,1]. The tables are the Gauss–Lobatto nodes (displacement, lumped
-/// mass), the Gauss points (force, constraint), and three matrices. Two of the matrices are
+/// One-dimensional tables of the reference cell [0,1]: two quadrature rules and three matrices. The Gauss–Lobatto rule
+/// gives the nodes of the displacements and the lumped mass. The Gauss rule gives the points at which forces and
+/// constraint are integrated. Two of the matrices are
 ///
 ///   interpolate[q][i] = ℓ_i(ξ_q),   differentiate[q][p] = ℓ̂_p'(ξ_q),
 ///
@@ -13,7 +14,8 @@
 
 namespace pseudorigid::continuum {
 
-/// The value at y of the Lagrange polynomial that is 1 at x[i] and 0 at the other x[j], and its derivative at y.
+/// `lagrange` returns the value at y of the Lagrange polynomial that is 1 at x[i] and 0 at the other x[j].
+/// `lagrange_derivative` returns the derivative of this polynomial at y. The x[j] must be distinct.
 double lagrange(const std::vector<double>& x, std::size_t i, double y);
 double lagrange_derivative(const std::vector<double>& x, std::size_t i, double y);
 
@@ -23,9 +25,9 @@ struct ReferenceCell {
   int n;                                       ///< number of nodes and of Gauss points per direction: degree + 1
   std::vector<double> nodes, node_weights;     ///< nodes and weights of the Gauss–Lobatto rule
   std::vector<double> points, point_weights;   ///< points and weights of the Gauss rule
-  std::vector<double> interpolate;             ///< row-major [q][i]: nodes → points
-  std::vector<double> differentiate;           ///< row-major [q][p]: values at points → derivative at points
-  std::vector<double> differentiate_at_nodes;  ///< row-major [i][j]: values at nodes → derivative at nodes
+  std::vector<double> interpolate;             ///< ℓ_i(ξ_q), row-major [q][i]
+  std::vector<double> differentiate;           ///< ℓ̂_p'(ξ_q), row-major [q][p]
+  std::vector<double> differentiate_at_nodes;  ///< ℓ_j' at node i, row-major [i][j]
 };
 
 }  // namespace pseudorigid::continuum

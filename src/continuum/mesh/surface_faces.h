@@ -45,8 +45,8 @@ std::vector<int> nodes_of(const CellFace& face, int n);
 
 /// A Gauss point of a face, with the functions of its nodes.
 struct FacePoint {
-  /// The coefficients of one node for a nodal function u. At the point, u = Σ value u_node. The derivatives are ∂u/∂ξ_p
-  /// = Σ by_p u_node and ∂u/∂ξ_q = Σ by_q u_node.
+  /// The coefficients of one node for a nodal function u, with the number `node` of the node on this rank. At the
+  /// point, the value is Σ value u_node, and the derivatives by ξ_p and ξ_q are Σ by_p u_node and Σ by_q u_node.
   struct Node {
     unsigned int node;
     double value, by_p, by_q;
@@ -64,7 +64,8 @@ struct FacePoint {
   Jet jet(const Vector& u) const;
 };
 
-/// The points of the Gauss rule on a face of a cell of this rank, with n_points points in each direction.
+/// The points of the Gauss rule on a face of a cell of this rank, with n_points points in each direction. The index
+/// along q is the fastest.
 std::vector<FacePoint> quadrature_on(const BallSpace& space, const CellFace& face, int n_points);
 
 }  // namespace pseudorigid::continuum

@@ -18,7 +18,8 @@ namespace pseudorigid::continuum {
 
 class SurfaceInterpolation {
  public:
-  using Field = std::array<std::vector<double>, 3>;  ///< [component][point]
+  /// [component][point]. The points are ordered by face, then by their index along q; the index along p is the fastest.
+  using Field = std::array<std::vector<double>, 3>;
   /// Values and derivatives of a nodal function u at the points. The struct can also contain the derivatives of a
   /// function E(u, ∂u/∂ξ_p, ∂u/∂ξ_q) by its three arguments, in the same order.
   struct Jets {

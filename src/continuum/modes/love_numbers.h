@@ -1,14 +1,15 @@
 #pragma once
 /// Love numbers (gravity/love_numbers.h) of the finite-element ball with the density ρ and the gravity g at its
-/// surface. The tide V = Y_nm does the work f·w = ρ∮V (w·e) dS on a displacement w, with the outward normal e. The
-/// static response u and the Love numbers satisfy, with the operators of parity_sector.h and s = 0,
+/// surface. The tide V = Y_nm, an orthonormal spherical harmonic, does the work f·w = ρ∮V (w·e) dS on a displacement w.
+/// The outward normal is e. The static response u and the Love numbers satisfy, with the operators of parity_sector.h
+/// and s = 0,
 ///
 ///   (K + K_g) u − Gᵀλ = f,   G u = 0,
 ///   h_n = g ∮(u·e) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS,    e = X/|X|.
 ///
 /// Tides of even n are even at all three planes of the octant, and tides of odd n are odd. No rigid motion has these
 /// parities. The mesh breaks the symmetry between the harmonics of one degree. The result is the mean over these
-/// harmonics. The difference between the largest and the smallest number is an error of the mesh.
+/// harmonics. The difference between the largest and the smallest number shows the size of the error of the mesh.
 
 #include <vector>
 

@@ -26,13 +26,13 @@ namespace pseudorigid::continuum {
 /// and grows at the rate −ω.
 struct BallFrequency {
   double omega;  ///< mean over the 2n + 1 modes
-  /// Least and largest ω of the modes. They differ, because the mesh breaks the symmetry of the sphere.
+  /// Least and largest ω of the modes. The two values differ, because the mesh breaks the symmetry of the sphere.
   double least, largest;
   ModeKind kind;
   int degree;
   int overtone;      ///< 0 for the fundamental
   int multiplicity;  ///< number of modes, 2·degree + 1
-  double share;      ///< least share of the class in the squared surface displacement of a mode
+  double share;      ///< share of the class in the squared surface displacement, the least over the modes
   Parity parity;     ///< parity of the shape
   Vector shape;      ///< displacement of one of the modes on the octant; the largest nodal displacement is 1
 };
@@ -42,9 +42,10 @@ struct ModesReport {
   int n_eigenpairs = 0;     ///< number of eigenpairs found, including rigid motions
 };
 
-/// Computes the lowest n_frequencies in ascending order. `give_up` may be empty. It is called before each factorisation
-/// and each run of the iteration. Fails if `give_up` returns true, if the ball at rest is not stable under the law, or
-/// if an iteration does not converge. Also fails if the mesh is too coarse for so many frequencies.
+/// Computes the lowest n_frequencies in ascending order, and adds the counts to `report`. The function `give_up` may be
+/// empty. `ball_modes` calls it before each factorisation and each run of the iteration. Fails if `give_up` returns
+/// true, if the ball at rest is not stable under the law, or if an iteration does not converge. Also fails if the mesh
+/// is too coarse for so many frequencies.
 mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std::vector<BallFrequency>& frequencies,
                              ModesReport& report, const std::function<bool()>& give_up = {});
 

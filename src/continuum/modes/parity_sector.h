@@ -28,12 +28,13 @@
 ///
 ///   uᵀK_g u = ρg [∮(u·e)² dS − Σ_nm c_n (∮(u·e) Y_nm dS)²],   g = (4/3)πGρr,   c_0 = 1, c_n = 3/(2n + 1) for n > 0.
 ///
-/// e is the outward normal, and G in the formula for g is Newton's constant. The first term is a spring at each point,
-/// and K in B contains these springs. The second term is an attraction of the harmonics that the mesh resolves.
-/// Harmonics of higher degree n would soften the springs of the surface by a fraction of at most 3/(2n + 1). The
-/// equation (K + K_g + s M) u − Gᵀλ = f is solved by conjugate gradients with T of this B as the preconditioner. About
-/// ten iterations are sufficient for every mesh and strength of gravity. The surface integrals of a motion
-/// (gravity/surface_gravity.h) have larger errors: 1e-6 to 1e-5 in the Love number l of a tide.
+/// e is the outward normal, the Y_nm are the orthonormal spherical harmonics, and G in the formula for g is Newton's
+/// constant. The first term is a spring at each point, and K in B contains these springs. The second term is an
+/// attraction of the harmonics that the mesh resolves. Harmonics of higher degree n would soften the springs of the
+/// surface by a fraction of at most 3/(2n + 1). The equation (K + K_g + s M) u − Gᵀλ = f is solved by conjugate
+/// gradients with T of this B as the preconditioner. About ten iterations are sufficient for every mesh and strength of
+/// gravity. The surface integrals of a motion (gravity/surface_gravity.h) have larger errors: 1e-6 to 1e-5 in the Love
+/// number l of a tide.
 
 #include <Eigen/Core>
 #include <memory>
@@ -62,7 +63,7 @@ struct RestProblem {
   double weight_of_density;                 ///< product ρg of density and gravity at the surface
   double penalty;                           ///< penalty γ of the augmented Lagrangian
   std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell, with the springs of self-gravity
-  std::vector<Eigen::MatrixXd> constraint;  ///< G of each cell
+  std::vector<Eigen::MatrixXd> constraint;  ///< G of each cell; empty for a compressible body
   std::vector<int> n_cells_at_node;         ///< number of cells that contain each node
 
  private:

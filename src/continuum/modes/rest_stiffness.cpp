@@ -11,7 +11,7 @@ Eigen::MatrixXd table(const std::vector<double>& row_major, int n) {
   return Eigen::Map<const RowMajor>(row_major.data(), n, n);
 }
 
-/// The six pairs of components i ≤ k.
+/// The components i and k of the six pairs i ≤ k.
 constexpr int pair_first[] = {0, 0, 0, 1, 1, 2}, pair_second[] = {0, 1, 2, 1, 2, 2};
 
 }  // namespace

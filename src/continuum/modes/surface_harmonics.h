@@ -42,7 +42,8 @@ class SurfaceHarmonics {
 
   int max_degree() const { return max_degree_; }
 
-  /// Returns the kind and the degree with the largest share in the surface displacement of u, and this share.
+  /// Returns the kind and the degree with the largest share in the squared surface displacement of u, and this share.
+  /// The share is 0 if u is 0 on the surface.
   ModeClass classify(const Vector& u) const;
 
   /// The indices of the fields Y_nm e of degree n. For n > 0, the field ∇Y_nm/√N of the same harmonic has the next

@@ -64,7 +64,7 @@ double mean_potential(const BallBody& ball, const Vector& position) {
 }
 
 /// Appends the fields at the nodes of a cell to `fields`, except the potential, which must already be set. If
-/// `multiplier` is null, λ_h is 0. Fails if det F ≤ 0 at a node.
+/// `multiplier` is null, λ_h is 0. Fails if det F is not positive and finite at a node.
 mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
                            const Vector* multiplier, double mean_potential, unsigned int cell,
                            mechanics::BodyFields& fields) {
@@ -88,8 +88,8 @@ mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, c
   return {};
 }
 
-/// Sets `fields` at the points of `nodal_blocks`. `multiplier` is null for a ball without constraint. Fails if det F ≤
-/// 0 at a node of this rank.
+/// Sets `fields` at the points of `nodal_blocks`. `multiplier` is null for a ball without constraint. Fails if det F is
+/// not positive and finite at a node of this rank. Collective.
 mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
                              const Vector* multiplier, mechanics::BodyFields& fields) {
   fields = {};

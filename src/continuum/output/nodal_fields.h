@@ -4,10 +4,11 @@
 ///
 ///   F = (∂x/∂ξ)(∂X/∂ξ)⁻¹,   σ = (P(F) − (λ_h − ρ(φ − φ̄)) F⁻ᵀ)Fᵀ / det F
 ///
-/// P is the stress of the law without volumetric stabilisation and viscosity. λ_h is the multiplier of the motion, or 0
-/// without constraint. With self-gravity, φ is the potential, and the constant φ̄ follows from ρφ̄V = (5/3)Ê with the
-/// volume V. The term with φ removes the gauge of Ê from the pressure (gravity/surface_gravity.h), and is 0 without
-/// self-gravity. All fields have internal units (entries/units.h).
+/// P is the stress of the law and of the viscoelastic branches, without volumetric stabilisation and viscosity. λ_h is
+/// the multiplier of the motion, or 0 without constraint. With self-gravity, φ is the potential. The constant φ̄
+/// follows from ρφ̄V = (5/3)Ê with the volume V and the energy Ê of self-gravity. The term with φ removes the gauge of
+/// Ê from the pressure (gravity/surface_gravity.h), and is 0 without self-gravity. All fields have internal units
+/// (entries/units.h).
 
 #include <vector>
 
@@ -25,7 +26,7 @@ mechanics::PointBlocks nodal_blocks(const BallSpace& space);
 std::vector<double> nodal_positions(const BallSpace& space);
 
 /// Sets `fields` at the points of `nodal_blocks`. `law` must be the law of the ball. Fails if the multiplier of the
-/// motion cannot be computed, or if det F ≤ 0 at a node of this rank. Collective.
+/// motion cannot be computed, or if det F is not positive and finite at a node of this rank. Collective.
 mechanics::Status nodal_fields(const ElasticBall& ball, const materials::AnyLaw& law,
                                const mechanics::State<ElasticBall>& state, ElasticBall::Workspace& workspace,
                                mechanics::BodyFields& fields);

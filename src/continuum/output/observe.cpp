@@ -42,9 +42,9 @@ Eigen::Matrix3d to_eigen(const CellIntegrals::Matrix& t) {
   return m;
 }
 
-/// Returns (1/m̄)∫p dV for the pressure p, with m̄ = ⅓ tr E₀. The scalar product of the reaction of λ_h with x is
-/// ∫λ_h F⁻ᵀ:∇x dV = 3∫λ_h dV. With the potential φ of self-gravity, p = λ_h − ρ(φ − φ̄) (nodal_fields.h). Here
-/// ρφ̄V = (5/3)Ê and ∫ρφ dV = 2Ê, with the energy Ê of gravity/surface_gravity.h.
+/// Returns (1/m̄)∫Jp dX for the pressure p, with m̄ = ⅓ tr E₀. The scalar product of the reaction of λ_h with x is ∫λ_h
+/// F⁻ᵀ:∇x dX = 3∫λ_h dX. With the potential φ of self-gravity, Jp = λ_h − ρ(φ − φ̄) (nodal_fields.h). Here ρφ̄V =
+/// (5/3)Ê and ∫ρφ dX = 2Ê, with the energy Ê of gravity/surface_gravity.h.
 double mean_multiplier(const ElasticBall& ball, const Vector& x, const Vector& lambda) {
   Vector reaction = ball.make_vector();
   ball.add_reaction(x, lambda, reaction);

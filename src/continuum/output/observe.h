@@ -1,7 +1,7 @@
 #pragma once
 /// Observables of the whole finite-element ball at one state (the columns of continuum.csv), in internal units. The
-/// mass moment Q_M, the angular momentum J, the circulation Z and the non-affine quantities are relative to the centre
-/// of mass.
+/// mass moment Q_M (BallBody::mass_moment), the angular momentum J, the circulation Z and the non-affine quantities are
+/// relative to the centre of mass.
 
 #include "continuum/body/compressible_ball.h"
 #include "continuum/body/elastic_ball.h"

@@ -21,13 +21,14 @@ class RankOrder {
   /// ranks.
   std::vector<double> collect_field(std::span<const double> own) const { return collect(own, fields_); }
   std::vector<double> collect_multiplier(std::span<const double> own) const { return collect(own, multipliers_); }
-  /// Copies the entries of this rank from the whole vector. Throws std::invalid_argument if the size is wrong.
+  /// Copies the entries of this rank from the whole vector. Throws std::invalid_argument if the size of `whole` is
+  /// wrong.
   void take_field(std::span<const double> whole, std::span<double> own) const { take(whole, own, fields_); }
   void take_multiplier(std::span<const double> whole, std::span<double> own) const { take(whole, own, multipliers_); }
 
-  /// The same for a position with its internal metrics, which follow the coordinates cell by cell. `position_size` is
-  /// the number of entries of the whole list. `take_position` throws std::invalid_argument if the size is wrong. All
-  /// three functions are collective.
+  /// The functions for a position also collect or copy its internal metrics, which follow the coordinates cell by cell.
+  /// `position_size` is the number of entries of the whole list. `take_position` throws std::invalid_argument if the
+  /// size of `whole` is wrong. All three functions are collective.
   std::vector<double> collect_position(const Vector& x) const;
   void take_position(std::span<const double> whole, Vector& x) const;
   std::size_t position_size(const Vector& x) const { return fields_.n_entries + order_of_metrics(x).n_entries; }
@@ -37,7 +38,7 @@ class RankOrder {
 
  private:
   struct Order {
-    std::size_t n_entries = 0, block = 1;            ///< number of entries of the whole vector and of a block
+    std::size_t n_entries = 0, block = 1;            ///< entries of the whole vector, and of one node or cell
     std::vector<std::size_t> own;                    ///< place of each block of this rank in the whole vector
     std::vector<std::vector<std::size_t>> of_ranks;  ///< the lists `own` of all ranks, on rank 0
   };

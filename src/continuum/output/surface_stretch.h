@@ -5,8 +5,8 @@
 ///
 ///   det(c − λ² C₀) = 0,   C₀_αβ = ∂_αX·∂_βX,   c_αβ = ∂_αx·∂_βx.
 ///
-/// The stretch along the normal is λ_n = 1/(λ₁λ₂), because the volume is constant, and because the normal of a surface
-/// without shear traction is a principal direction. The measure is the ratio
+/// The normal of a surface without shear traction is a principal direction. Because the volume is constant, the stretch
+/// along the normal is λ_n = 1/(λ₁λ₂). The measure is the ratio
 ///
 ///   λ₁/λ_n = λ₁²λ₂.
 ///

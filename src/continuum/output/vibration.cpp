@@ -26,8 +26,8 @@ Eigen::Matrix3Xd at_nodes(const Vector& u) {
   return values;
 }
 
-/// The values of the basis functions of a cell at Gauss points, and their derivatives. A column has the functions of a
-/// point, with the first direction as the fastest index.
+/// The values and derivatives of the basis functions of a cell at Gauss points, and the weights of the points. A row
+/// belongs to a function, and a column to a point. In both, the first direction is the fastest index.
 struct CellRule {
   explicit CellRule(const ReferenceCell& ref) {
     const dealii::QGauss<1> rule(static_cast<unsigned int>(ref.n + n_more_points));

@@ -69,8 +69,8 @@ struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
     else
       for (double& value : x) value *= a;
   }
-  /// The largest |x_i| on all ranks. NaN counts as infinite, because the norm of deal.II, linfty_norm, ignores NaN.
-  /// Collective.
+  /// The largest |x_i| on all ranks. NaN counts as infinite, so that the caller detects it; linfty_norm of deal.II
+  /// would ignore NaN. Collective.
   static double max_norm(const Vector& x) {
     double norm = 0;
     for (const double value : x)
