@@ -25,7 +25,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns the observables for the coordinates s of the companions and their rates sdot. There must be a companion.
+/// Returns the observables for the coordinates s of the companions and their rates sdot. S and J are those of the body.
+/// There must be a companion.
 inline OrbitObservables observe_orbit(const Orbit& orbit, const Orbit::Columns& s, const Orbit::Columns& sdot,
                                       const Eigen::Matrix3d& S, const Eigen::Vector3d& J) {
   OrbitObservables o;

@@ -38,7 +38,8 @@ class ChartField {
 
   explicit ChartField(C chart) : chart_(std::move(chart)) {}
 
-  /// Sets a = q̈ of the motion through (q, v). Fails if the metric is not positive definite or the force is not finite.
+  /// Sets a = q̈ of the motion through (q, v). Fails if the metric is not positive definite, or if the force or a
+  /// derivative of the metric is not finite.
   Status acceleration(double t, const Vector& q, const Vector& v, Workspace&, Vector& a) const {
     const MetricJet<C> jet = metric_jet(chart_, q);
     const Vector rhs = force(t, q, v, jet.g) - christoffel_of_first_kind(jet, v, v);

@@ -187,7 +187,8 @@ Status meet_position_constraint(const S& system, double tolerance, const typenam
 }
 
 /// Solves g(q + q_rounding) = 0 if the system supports it (`resolves_rounding` in constrained_system.h), otherwise g(q)
-/// = 0. q_rounding is the remainder of the compensated sum of q. `apply` adds w.reaction to q.
+/// = 0. q_rounding is the remainder of the compensated sum of q. `apply` adds w.reaction to q. Fails in the same cases
+/// as the overload above.
 template <ConstrainedSystem S, class Apply>
 Status meet_position_constraint(const S& system, double tolerance, const typename S::Vector& q,
                                 const typename S::Vector& q_rounding, const typename S::Vector& q0,

@@ -56,7 +56,7 @@ struct DormandPrince8Workspace {
 
   typename F::Workspace system;
   double tolerance;
-  double h = 0;                    // length of the next step; 0: not yet chosen
+  double h = 0;                    // length of the next step, negative backwards in time; 0: not yet chosen
   double h_max = HUGE_VAL;         // bound of the length of a step
   double t_start = 0, h_last = 0;  // start and length of the last step
   Vector q_start, v_start, q_end, v_end;
@@ -99,6 +99,7 @@ struct DormandPrince8 {
   template <class F>
   static constexpr bool fits = SecondOrderField<F>;
 
+  /// Returns a failure for systems with internal variables (relaxation.h).
   template <SecondOrderField F>
   static Status accepts(const F& field) {
     if (relaxes(field)) return refuses_relaxation();
