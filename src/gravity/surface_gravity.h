@@ -1,7 +1,8 @@
 #pragma once
 /// Self-gravity of a body of uniform density ρ, computed from its surface alone. For two points x and y of the surface,
-/// let d = x − y. Let N be the outward area vector, N dξdη = n dS, with the unit normal n, the area dS and coordinates
-/// ξ, η of the surface. G is the gravitational constant. Because ∂_i∂_j(d_i d_j/|d|) = 6/|d|, the energy is
+/// let d = x − y. Let N be the outward area vector, N dξdη = n dS. Here n is the unit normal, dS the area element, and
+/// ξ, η are coordinates of the surface. G is the gravitational constant. Because ∂_i∂_j(d_i d_j/|d|) = 6/|d|, the
+/// energy is
 ///
 ///   E = −½Gρ² ∫∫ dV dV/|d| = (Gρ²/12) ∮∮ (d·N_x)(d·N_y)/|d|.
 ///

@@ -5,10 +5,10 @@
 ///
 ///   energy V = Σ w k d²/2,   force along n  N = Σ w p,   area Σ w,   moments Σ w p x and Σ w p |x − (n·x) n|².
 ///
-/// Let s be the distance of a point from the line along n through the centre of pressure, and ⟨s²⟩ the mean of s²
-/// weighted with the pressure. The pressure radius is √(5⟨s²⟩/2). For the pressure of Hertz, p₀√(1 − s²/a²), ⟨s²⟩ is
-/// 2a²/5, and the pressure radius is the radius a of the contact. Points near the edge have a small pressure, so the
-/// pressure radius is more accurate than the area.
+/// Let s be the distance of a point from the line along n through the centre of pressure. The mean of s², weighted with
+/// the pressure, is ⟨s²⟩. The pressure radius is √(5⟨s²⟩/2). For the pressure of Hertz, p₀√(1 − s²/a²), ⟨s²⟩ is 2a²/5,
+/// and the pressure radius is the radius a of the contact. Points near the edge have a small pressure, so the pressure
+/// radius is more accurate than the area.
 ///
 /// A plane that moves with the speed ż₀ along n gives the power N ż₀ to the body. In this power, N includes the damping
 /// force.

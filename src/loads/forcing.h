@@ -96,9 +96,9 @@ struct Forcing {
   }
 
   /// Returns the potential energy of the loads other than self-gravity, contact, companions and branches. The arguments
-  /// are the moments ∫ρ x xᵀ dX and ∫ρ x dX of the body, the integral ∫F dX and the current volume V. They must be in
-  /// the units of the forcing. If the members are the time derivatives of a forcing, the result is the power that the
-  /// body receives from the change of the forcing.
+  /// are the moments ∫ρ x xᵀ dX and ∫ρ x dX of the body, the integral ∫F dX and the current volume V. The arguments
+  /// must have the units of the forcing. If the members are the time derivatives of a forcing, the result is the power
+  /// that the body receives from the change of the forcing.
   double potential(const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const {
     const double energy = 0.5 * quadratic.cwiseProduct(second_moment).sum() - acceleration.dot(first_moment) -

@@ -40,8 +40,8 @@ struct OverPoints {
   double (*value)(const Eigen::Matrix3d& F);
 };
 
-/// Quantities that the output requests. Other quantities are not computed. `over_points` has the requested columns of
-/// the type OverPoints.
+/// Quantities that the output requests. Models may leave out the other quantities. `over_points` has the requested
+/// columns of the type OverPoints.
 struct ObservableRequest : Quantities {
   std::vector<OverPoints> over_points{};
 };

@@ -1,6 +1,6 @@
 #pragma once
-/// The groups of observables, which are also the groups of columns in the CSV files. A quantity that is not requested
-/// is not evaluated. A new group needs a member of Quantities and a line of quantity_groups.
+/// The groups of observables, which are also the groups of columns in the CSV files. Models evaluate a costly quantity
+/// only if its group is requested. A new group needs a member of Quantities and a line of quantity_groups.
 
 #include <cstddef>
 #include <iterator>

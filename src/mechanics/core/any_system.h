@@ -4,8 +4,8 @@
 /// template parameter n is 0 for a system without constraints. For all other systems n is dynamic_constraints, and only
 /// the concrete system has the number of its constraints.
 ///
-/// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). This cost is noticeable
-/// if a force takes only some nanoseconds. The models of the ball therefore use their own types.
+/// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). The cost of the call is
+/// noticeable if a force takes only some nanoseconds. The models of the ball therefore use their own types.
 ///
 /// The concrete type of a constrained system computes the acceleration and the projection (explicit_multiplier.h). Some
 /// systems have energies and symmetries (conservative_system.h). The type AnySystem is the same for systems with and

@@ -46,9 +46,9 @@ class ChartField {
     return apply_inverse_mass(jet.g, rhs, a);
   }
 
-  /// Members for stages in lanes (stage_by_stage.h). They call the free functions `solve_stages_in_lanes_of(chart,
-  /// stages)` and `cost_of_iteration_of(chart)`. Each member exists if its free function is defined for the type of the
-  /// chart.
+  /// Members for stages in lanes (stage_by_stage.h). These members call the free functions
+  /// `solve_stages_in_lanes_of(chart, stages)` and `cost_of_iteration_of(chart)`. Each member exists if its free
+  /// function is defined for the type of the chart.
   bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const C& c) {
     solve_stages_in_lanes_of(c, stages);
   }

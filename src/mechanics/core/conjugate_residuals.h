@@ -1,8 +1,8 @@
 #pragma once
 /// The generalized conjugate residual method (Eisenstat, Elman, Schultz 1983), truncated as Orthomin, for A x = r₀ with
 /// a nearly symmetric matrix A. The preconditioner M acts on the right, so the residuals r_k belong to A x = r₀ without
-/// preconditioner. Iteration k uses w = A M⁻¹ r_k and sums over the last m indices j < k. It makes y_k of length 1, so
-/// |…| is the length of the numerator. z_k is the same combination of M⁻¹ r_k and the z_j:
+/// preconditioner. Iteration k uses w = A M⁻¹ r_k and sums over the last m indices j < k. The iteration makes y_k of
+/// length 1, so |…| is the length of the numerator. z_k is the same combination of M⁻¹ r_k and the z_j:
 ///
 ///   y_k = (w − Σ (y_j·w) y_j)/|…|,   z_k with A z_k = y_k, by the same combination,
 ///   x ← x + (y_k·r_k) z_k,   r_{k+1} = r_k − (y_k·r_k) y_k,   |r_{k+1}|² = |r_k|² − (y_k·r_k)².

@@ -270,8 +270,8 @@ inline constexpr int n_groups_without_low = (velocity_low + native_lanes - 1) / 
 
 /// Computes s.sums, which contain the increments of q and v in the step. Sets s.tail to the largest |Legendre
 /// coefficient| of order 6 or 7, divided by the larger of s.scale and `noise`. Sets s.converged to true if all
-/// increments are finite, otherwise to false. The maximum in s.tail does not show a NaN, because std::max may ignore
-/// it.
+/// increments are finite, otherwise to false. The maximum in s.tail does not show a NaN, because std::max may ignore a
+/// NaN.
 template <class Vector = StageLanes>
 [[gnu::noinline]] void finish_stages(GaussStages& s, double noise) {
   const int n = s.n;
@@ -288,8 +288,8 @@ template <class Vector = StageLanes>
   s.converged = std::isfinite(size);
 }
 
-/// Runs the iteration for a field in lanes. Sets s.converged to true after success, and to false if the iteration is
-/// stuck, if a stage is not admissible, or if an increment is not finite.
+/// Runs the iteration for a field in lanes. After success s.converged is true. It is false if the iteration is stuck,
+/// if a stage is not admissible, or if an increment is not finite.
 template <class Field>
 void iterate_in_lanes(const Field& field, GaussStages& s) {
   constexpr int n = Field::n;
@@ -333,8 +333,8 @@ void iterate_in_lanes(const Field& field, GaussStages& s) {
   finish_stages(s, monitor.noise());
 }
 
-/// Runs the iteration for a field that is evaluated by a virtual function. Sets s.converged to true after success, and
-/// to false if the iteration is stuck, if the field fails, or if an increment is not finite.
+/// Runs the iteration for a field that is evaluated by a virtual function. After success s.converged is true. It is
+/// false if the iteration is stuck, if the field fails, or if an increment is not finite.
 inline void iterate_by_calls(const GaussField& field, GaussStages& s) {
   const StageStarts start{s.scratch, s.scratch + s.n};
   OfStages *const q = start.v + s.n, *const v = q + s.n, *const a = v + s.n;

@@ -14,8 +14,9 @@
 ///
 /// Thus `tolerance` bounds the estimated local error of one step, relative to 1 + |q| and 1 + |v|. The global error is
 /// proportional to the tolerance, with a factor that depends on the motion. The size of the next step is h · min(6,
-/// max(1/3, 0.9 (tolerance/error)^{1/8})). A trial with error > tolerance is rejected. The next trial has 0.2 to 0.9 of
-/// its size. After a rejection, the next accepted trial does not increase the size.
+/// max(1/3, 0.9 (tolerance/error)^{1/8})). If a step was shortened to end at a given time, the next size is at least
+/// the size before the shortening. A trial with error > tolerance is rejected. The next trial has 0.2 to 0.9 of its
+/// size. After a rejection, the next accepted trial does not increase the size.
 ///
 /// If the force fails or is not finite in a trial, the next trial has a quarter of the size. If the size falls below
 /// the round-off of the time, the step fails. The increments of q and v are summed with compensation (vector_space.h).

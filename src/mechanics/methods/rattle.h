@@ -29,8 +29,8 @@
 /// The coordinates of companions move along Kepler orbits in place of straight lines (orbiting_system.h). The step then
 /// resolves only the forces that disturb the orbits.
 ///
-/// Internal variables z (relaxation.h) relax for the time h between the two half steps, for the mean of the strains at
-/// q_n and q_{n+1}. This splitting is symmetric and of order 2, and needs no further force.
+/// Internal variables z (relaxation.h) relax for the time h between the two half steps. The strain is then the mean of
+/// the strains at q_n and q_{n+1}. This splitting is symmetric and of order 2, and needs no further force.
 ///
 /// The increments of q and v are small compared with q and v, and are summed with compensation (vector_space.h). If the
 /// system supports it (`resolves_rounding`), the constraint is solved for the sum q + q_rounding.

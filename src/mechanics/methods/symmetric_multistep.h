@@ -157,8 +157,8 @@ struct SymmetricMultistep {
   /// Returns true if the step sizes differ only by the round-off of the sample times.
   static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
 
-  /// Empties the history, so that the starting method makes the next k − 1 steps of size h. They start from the
-  /// projected state.
+  /// Empties the history, so that the starting method makes the next k − 1 steps of size h. The first of these steps
+  /// starts from the projected state.
   template <class S>
   static Status restart(const S& system, double h, State<S>& state, Workspace<S>& w) {
     if (w.h != 0)
@@ -268,7 +268,7 @@ struct SymmetricMultistep {
   template <class S>
   static void sum_history(Workspace<S>& w, typename S::Vector& sum) {
     const auto slot = [&](int i) { return w.newest >= i ? w.newest - i : w.newest - i + w.n_slots; };
-    if constexpr (VectorSpace<typename S::Vector>::dense) {  // newest terms last, because they may not be ready
+    if constexpr (VectorSpace<typename S::Vector>::dense) {  // newest terms last, because they are computed last
       sum = w.d[slot(w.n_slots - 1)];
       scale(formula.difference[w.n_slots - 1], sum);
       axpy(w.h * w.h * formula.acceleration[w.n_slots - 1], w.a[slot(w.n_slots - 1)], sum);

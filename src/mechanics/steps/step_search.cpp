@@ -152,7 +152,7 @@ void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
   const PilotRun run = method.energies(window, grid.n_samples, grid.n_steps);
   n_force_ += run.n_force;
   const double p = method.order, h = window / static_cast<double>(grid.n_samples * grid.n_steps);
-  if (!run.status || run.q.size() < 2) return;  // the step remains; the run itself shortens it if the run fails too
+  if (!run.status || run.q.size() < 2) return;  // without energies, the step is not shortened
   const double change = change_of_energy(run, part) * std::pow(trial.step / h, p);
   if (change <= allowed_error()) return;
   const double shorter = std::pow(allowed_error() / change, 1 / p);
@@ -189,7 +189,7 @@ bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, d
   }
   const double exponent = e > target ? p : std::max(p, fall);  // a faster decrease than the order may not continue
   const double h_accuracy = h * (e > target ? std::exp2(-0.25) : 1.0) * std::pow(target / e, 1 / exponent);
-  const double h_round_off = h * std::pow(walk / e, 1 / (p + 0.5));  // e (h'/h)^p = walk (h/h')^½
+  const double h_round_off = h * std::pow(walk / e, 1 / (p + 0.5));  // from e (h'/h)^p = walk (h/h')^½
   const double step = std::min(std::max(h_accuracy, h_round_off), trial.limit);
   return accept(method, trial, step, e * std::pow(step / h, p), round_off(method, speed, step));
 }
