@@ -290,7 +290,8 @@ inline constexpr BodyColumn<O> common_columns[] = {
 
 /// Observables of the pseudo-rigid body only.
 struct ReducedObservables : BodyObservables {
-  double central_pressure = not_observed;  ///< p_c of the pressure p_c(1 − |S⁻¹X|²), which balances det Q = 1
+  double central_pressure = not_observed;  ///< p_c of the pressure p_c(1 − |ξ|²), the reaction to
+                                           ///< det Q = 1; |ξ| = 1 is the surface
   Eigen::Vector3d axes =
       Eigen::Vector3d::Constant(not_observed);  ///< a_i of Q = TᵀAS, continued along the path, times r
   /// Rotations T and S of the bipolar decomposition Q = TᵀAS.

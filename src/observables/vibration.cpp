@@ -13,7 +13,7 @@ namespace pseudorigid::mechanics {
 namespace {
 
 constexpr int n_functions = SpheroidalMotions::n_powers;
-constexpr Eigen::Index n_scalars = 1 + 9 + 9;  // kinetic energy, ∫ρ x xᵀ and ∫ρ x vᵀ before the products with modes
+constexpr Eigen::Index n_scalars = 1 + 9 + 9;  // kinetic energy, ∫ρ x xᵀ, ∫ρ x vᵀ; the products follow in sums()
 
 }  // namespace
 

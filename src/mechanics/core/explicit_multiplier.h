@@ -10,8 +10,8 @@
 ///
 /// A system may have its own faster members `acceleration(t, q, v, w, a)` and `project(q, v, w)`. The field then calls
 /// these members. If the number of constraints is known at compile time, Gram solves are direct. Other Gram solves may
-/// be inexact. They are repeated until the residual of the acceleration is within the constraint tolerance, or no
-/// longer halves, or at most 30 times.
+/// be inexact. Such a solve is repeated until the residual of the acceleration is within the constraint tolerance or no
+/// longer halves, at most 30 times.
 
 #include <cmath>
 

@@ -67,7 +67,7 @@ inline double hyperbolic_anomaly(double mean, double e) {
                                  [e](double H) { return std::pair(e * std::sinh(H) - H, e * std::cosh(H) - 1); });
 }
 
-/// Returns the relative position and velocity for the elements `o` and g = G(M + m). They are not finite for a
+/// Returns the relative position and velocity for the elements `o` and g = G(M + m). The results are not finite for a
 /// parabola, which has a = 0.
 inline OrbitalMotion motion_of(const KeplerElements& o, double g) {
   const double e = o.eccentricity, size = std::abs(o.semi_major_axis), rate = std::sqrt(g / size) / size;

@@ -1,7 +1,7 @@
 #pragma once
-/// The explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince for q̈ = a(t, q, q̇). It has error estimates
-/// of orders 5 and 3 and dense output of order 7. It is described in Hairer, Nørsett, Wanner, Solving Ordinary
-/// Differential Equations I, II.5, II.6 and II.10. The stages store only accelerations A_j, because q̇ = v. The
+/// The explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince for q̈ = a(t, q, q̇). The method has error
+/// estimates of orders 5 and 3 and dense output of order 7. It is described in Hairer, Nørsett, Wanner, Solving
+/// Ordinary Differential Equations I, II.5, II.6 and II.10. The stages store only accelerations A_j, because q̇ = v. The
 /// coefficients are in dormand_prince_8_tableau.h:
 ///
 ///   A_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j

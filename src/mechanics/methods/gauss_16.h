@@ -119,8 +119,8 @@ struct Gauss16 {
   static constexpr bool for_stages_in_lanes = true;
   static constexpr bool symplectic = false, symmetric = true;
   static constexpr bool adaptive = false, chosen_by_auto = true;
-  /// Largest hω for which the stages need at most a dozen iterations. The iteration converges for hω < 11, the inverse
-  /// of the spectral radius of A.
+  /// Largest hω for which the stages need at most a dozen iterations, with the frequency ω of an oscillation. The
+  /// iteration converges for hω < 11, the inverse of the spectral radius of A.
   static constexpr double stability_limit = 4;
 
   template <class S>

@@ -234,7 +234,7 @@ struct SymmetricMultistep {
     sum_history<S>(w, increment);
     add(1.0, increment, state.q, w.q_rounding);
     if constexpr (!unconstrained<S>) {
-      const double per_shift = 1 / (w.h * w.h * formula.acceleration[0]);  // multiplier per displacement of q_{n+1}
+      const double per_shift = 1 / (w.h * w.h * formula.acceleration[0]);  // converts δ to a change of λ_n
       const auto apply = [&] {
         add(1.0, w.constraint.reaction, state.q, w.q_rounding);
         axpy(1.0, w.constraint.reaction, increment);

@@ -229,7 +229,7 @@ inline double round_off_walk(bool compensated, double speed, double end, double 
 struct Trial {
   enum class Verdict { accepted, dearer, failed } verdict = Verdict::failed;
   MethodId method = id_of<Rattle>;
-  double limit = 0, step = 0;  ///< permitted and chosen step with all substeps; adaptive: both are the bound
+  double limit = 0, step = 0;  ///< permitted and chosen step; adaptive: StepRequest::step_bound
   double local_tolerance = 0;  ///< for adaptive methods only
   /// Estimated error of the configuration over the run, and number of force evaluations of the run.
   double error = 0, n_forces_of_run = 0;

@@ -142,7 +142,8 @@ bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
 }
 
 /// Shortens the step such that the predicted change of the energy over the run is permitted (step_search.h). Does
-/// nothing for methods other than multistep methods, for short runs, or if the pilot run fails.
+/// nothing for methods other than multistep methods, for short runs, if the caller does not give the energies, or if
+/// the pilot run fails.
 void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
   // The two values and the power in change_of_energy() were chosen after the measurements in step_search.h.
   constexpr double part = 1.0 / 8, least_windows = 5;

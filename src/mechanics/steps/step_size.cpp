@@ -129,7 +129,7 @@ class MethodChoice {
   const StepRequest& request_;
   std::vector<Trial> trials_;
   std::optional<Trial> best_, adaptive_;
-  bool hopeless_ = false;  // the motion ends within the window, or is too sensitive for every method
+  bool hopeless_ = false;  // no more methods are tried: the motion ends early or is too sensitive
   long n_force_ = 0;
 };
 

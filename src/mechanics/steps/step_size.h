@@ -35,7 +35,7 @@ struct [[nodiscard]] StepChoice {
   double step = 0;             ///< upper bound of the step, which contains all its substeps
   double local_tolerance = 0;  ///< for adaptive methods only
   double error = 0;            ///< estimated error of the configuration over the run
-  bool at_round_off = false;   ///< true if the tolerance is below the limit of double precision
+  bool at_round_off = false;   ///< true if round-off prevents the method from meeting the tolerance
   /// Time after which round-off grows beyond the tolerance; empty if no such time is known.
   std::optional<double> round_off_rules_from{};
   double rattle_limit = 0;  ///< the value of StepRequest::rattle_limit
