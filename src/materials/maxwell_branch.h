@@ -43,7 +43,7 @@ struct MaxwellBranch {
 };
 using MaxwellBranches = std::vector<MaxwellBranch>;
 inline constexpr std::size_t most_branches = 4;  ///< largest number of branches of a body
-/// An energy of each branch. Branches that a body does not have are 0.
+/// One energy for each branch, in the order of the branches. The entries of branches that a body does not have are 0.
 using BranchEnergies = std::array<double, most_branches>;
 
 /// A symmetric 3×3 matrix, stored as the entries 00, 01, 02, 11, 12, 22.

@@ -222,8 +222,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// A += a [f(q) + G(q)ᵀλ − D²g(q)(v, ·)ᵀμ], B += a G(q)ᵀμ. With a = 1, the pair (−A, B) is ∇F without the term M v.
-  /// Fails if the force fails.
+  /// A += a [f(q) + G(q)ᵀλ − D²g(q)(v, ·)ᵀμ], B += a G(q)ᵀμ. With a = 1, and A = B = 0 before the call, the pair (−A,
+  /// B) is ∇F without the term M v. Fails if the force fails.
   template <ConservativeSystem S>
   static Status add_gradient(const S& system, double a, double t, const typename S::Vector& q,
                              const typename S::Vector& v, EnergyMomentumWorkspace<S>& w, typename S::Vector& A,

@@ -102,8 +102,8 @@ Trial StepSearch::meet_tolerance(const FixedStepMethod& method, double n_forces_
   return trial;
 }
 
-/// Returns the length of the pilot runs. For a multistep method of order p the length is at least 4p steps, or the
-/// whole run if this is shorter.
+/// Returns the length of the pilot runs. For a multistep method of order p the length is at least 4p steps of the
+/// largest permitted size, or the whole run if this is shorter.
 double StepSearch::window_of(const FixedStepMethod& method) const {
   constexpr double n_steps_per_order = 4;
   const double least = is_multistep(method) ? n_steps_per_order * method.order * limit(method) : 0;

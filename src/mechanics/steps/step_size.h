@@ -97,10 +97,11 @@ bool is_candidate(const S& system, const StepRequest& request) {
 }  // namespace detail
 
 /// Chooses the cheapest method and its step, or the step of the requested method. The tolerance applies to the
-/// configuration Q_of(state), a matrix or vector of Eigen. `initial` is at t = 0. A failed pilot run with fixed steps
-/// is repeated with half the step. The function energies_of(state), if given, returns the kinetic and the potential
-/// energy. A multistep method may then change their sum by at most half the tolerance, relative to the energy of the
-/// motion. The status of the result is a failure if no method fits or no step is found.
+/// configuration Q_of(state), a matrix or vector of Eigen. `initial` is at t = 0. If a pilot run with fixed steps
+/// fails, it is repeated with half the step, unless the motion itself ends. The function energies_of(state), if given,
+/// returns the kinetic and the potential energy. A multistep method may then change their sum by at most half the
+/// tolerance, relative to the energy of the motion. The status of the result is a failure if no method fits or no step
+/// is found.
 template <class S, class QOf, class EnergiesOf = detail::NoEnergies>
 StepChoice choose_step(const S& system, const State<S>& initial, const StepRequest& request, const QOf& Q_of,
                        const EnergiesOf& energies_of = {}) {
