@@ -8,8 +8,8 @@
 ///   per mass       b − T x − c ẋ              energy ½ xᵀTx − b·x per mass; the drag dissipates c|ẋ|²
 ///   on the surface the nominal stress P̄ − p cof F, which is a dead traction P̄N per reference area and the follower
 ///                  pressure −p n per current area; energy −P̄:∫F dX + p V
-///   inside         the objective viscosity σ = 2ηd with the symmetric part d of the velocity gradient, and self-gravity
-///                  with the constant G
+///   inside         the objective viscosity σ = 2ηd with the symmetric part d of the velocity gradient, and
+///                  self-gravity with the constant G
 ///   branches       viscoelastic branches with internal strains (materials/maxwell_branch.h)
 ///   at planes      the pressure and the friction of contact with rigid planes (plane.h)
 ///   companions     point masses in orbit, with the quadratic potential of their tides (mechanics/core/orbit.h)
