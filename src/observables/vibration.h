@@ -13,8 +13,8 @@
 ///   E_n = ½ Σ_mk ⟨φ_k, u̇⟩² + ω_k² ⟨φ_k, u⟩²,     ⟨a, b⟩ = ∫ρ a·b dV.
 ///
 /// f = r^n gives the gradient of a harmonic polynomial, so that affine motions have degree 2. The low frequencies are
-/// those of the sphere (sphere_frequencies.h). Toroidal motions, higher degrees, changes of the volume and finite
-/// strains are in the energy of vibration, but not in its parts.
+/// those of the sphere (analysis/sphere_frequencies.h). Toroidal motions, higher degrees, changes of the volume and
+/// finite strains are in the energy of vibration, but not in its parts.
 
 #include <Eigen/Core>
 #include <array>

@@ -25,7 +25,7 @@ struct StepRequest {
   double window = 0;     ///< length w of the pilot runs
   double tolerance = 0;  ///< permitted error of the configuration over [0, T]
   /// Largest permitted step of RATTLE (rattle_step_limit), to which the limits of other methods are proportional. The
-  /// limit is infinite if the system has no constrained form.
+  /// limit is infinite if the system has no constrained form, and 0 if it is not known.
   double rattle_limit = 0;
   double step_bound = HUGE_VAL;  ///< largest length of a step with all its substeps that the user permits
   double interval = HUGE_VAL;    ///< time between samples, a bound for methods with fixed steps
