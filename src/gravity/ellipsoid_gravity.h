@@ -14,7 +14,7 @@
 ///
 /// The formulas do not divide by differences of the axes, so the axes may coincide. The force is computed from the
 /// products d_i A_i with the rows A_i of A, and not from (U diag(d) Uᵀ) F. Both are equal in exact arithmetic. For a
-/// flat body, the products d_i A_i have relative errors of the round-off ε, and the other form has relative errors of
+/// flat body, the products d_i A_i have relative errors of the round-off ε. The other form has relative errors of
 /// cond(F)·ε. The torque and the circulation are accurate for the same reason. V is homogeneous of degree −1. Very
 /// large or small F are therefore scaled by a power of two to avoid overflow of squares. This scaling has no rounding
 /// errors.

@@ -82,7 +82,7 @@ double series(double E2, double E3) {
 template <bool with_t = true>
 EllipsoidIntegrals ellipsoid_integrals(const Eigen::Vector3d& a) {
   using Eigen::Array3d;
-  constexpr int max_duplications = 20;  // a ratio of 10³⁰⁰ needs 14
+  constexpr int max_duplications = 20;  // a ratio 10³⁰⁰ of the arguments needs 14
   const auto others = [](const Array3d& y) { return Array3d(y[1] * y[2], y[2] * y[0], y[0] * y[1]); };
   Array3d r = a, x = r * r, d = Array3d::Zero(), t = Array3d::Zero();
   double weight = 3;  // 3·2ⁿ after n duplications

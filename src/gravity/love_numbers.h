@@ -16,7 +16,7 @@
 /// attraction and pressure is −(2/3)(n − 1) times the work of the tide. The load Love numbers have this factor
 /// (Farrell, Rev. Geophys. 10, 1972):
 ///
-///   h'_n = −(2/3)(n − 1) h_n,    and likewise l'_n, k'_n.
+///   h'_n = −(2/3)(n − 1) h_n,    the same factor for l'_n and k'_n.
 ///
 /// The exact numbers are, with γ = ρgr/μ (Thomson 1863; Munk and MacDonald, The Rotation of the Earth, 5.6),
 ///

@@ -46,7 +46,7 @@ struct Block {
 /// point and of its area vector.
 template <class S, class Point, class Area>
 void add_pairs(Block<S>& block, std::size_t n, const Point& point, const Area& area) {
-  Block<S> s = block;  // in registers
+  Block<S> s = block;  // a local copy, which the compiler keeps in registers
   for (std::size_t j = 0; j < n; ++j) {
     const decltype(area(0, j)) N[3] = {area(0, j), area(1, j), area(2, j)};
     const S d[3] = {s.x[0] - point(0, j), s.x[1] - point(1, j), s.x[2] - point(2, j)};
@@ -64,7 +64,9 @@ void add_pairs(Block<S>& block, std::size_t n, const Point& point, const Area& a
 }
 
 L lanes_from(const std::vector<double>& values, std::size_t first) {
-  return L::of([&](int l) { return values[std::min(first + l, values.size() - 1)]; });  // repeats the last value
+  return L::of([&](int l) {
+    return values[std::min(first + l, values.size() - 1)];
+  });  // lanes after the last value repeat this value
 }
 
 void store(const L& lanes, std::vector<double>& values, std::size_t first) {

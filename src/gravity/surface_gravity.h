@@ -1,7 +1,8 @@
 #pragma once
 /// Self-gravity of a body of uniform density ρ, computed from its surface alone. For two points x and y of the surface,
-/// let d = x − y. Let N be the outward area vectors, N dξdη = n dS. G is the gravitational constant. Because
-/// ∂_i∂_j(d_i d_j/|d|) = 6/|d|, the energy is
+/// let d = x − y. Let N be the outward area vector, N dξdη = n dS. Here n is the unit normal, dS the area element, and
+/// ξ, η are coordinates of the surface. G is the gravitational constant. Because ∂_i∂_j(d_i d_j/|d|) = 6/|d|, the
+/// energy is
 ///
 ///   E = −½Gρ² ∫∫ dV dV/|d| = (Gρ²/12) ∮∮ (d·N_x)(d·N_y)/|d|.
 ///
@@ -17,7 +18,8 @@
 ///   ∂Ê/∂x_i = (V₀/V)^{5/3} (Gρ²/6) g_i − (5Ê/9V) N_i,    g_i = Σ_j (N_i b + a N_j)/|d| − a b d/|d|³,
 ///   ∂Ê/∂N_i = (V₀/V)^{5/3} (Gρ²/6) h_i − (5Ê/9V) x_i,    h_i = Σ_j d b/|d|,        a = d·N_i, b = d·N_j,
 ///
-/// The energy is Ê = (V₀/V)^{5/3} (Gρ²/12) Σ_i e_i with e_i = Σ_j ab/|d| = N_i·h_i.
+/// Here d = x_i − x_j, and the area vectors N_i include the quadrature weights. The energy is Ê = (V₀/V)^{5/3} (Gρ²/12)
+/// Σ_i e_i with e_i = Σ_j ab/|d| = N_i·h_i.
 ///
 /// If the sources are also the targets, each pair is computed once. The terms of y at x then also give the terms of x
 /// at y. If only a sector of the body is computed, the sources are the points of the sector and their mirror images.
@@ -65,8 +67,8 @@ Moving<PairSums> sum_pairs(const Moving<SurfacePoints>& targets, const Moving<Su
 /// Returns the enclosed volume V = ⅓ Σ x·N.
 double enclosed_volume(const SurfacePoints& points);
 
-/// Sums over the targets. If the targets are distributed over several processes, add the totals of all processes before
-/// use.
+/// Sums over the targets. If the targets are distributed over several processes, the caller must add the totals of all
+/// processes.
 struct SurfaceTotals {
   double pairs = 0;   ///< Σ_i e_i
   double volume = 0;  ///< V

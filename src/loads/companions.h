@@ -1,6 +1,6 @@
 #pragma once
-/// Point masses in orbit about the body (mechanics/core/orbit.h). They act on the body by their tides, and the body
-/// acts on them by its gravity.
+/// Point masses in orbit about the body (mechanics/core/orbit.h). The companions act on the body by their tides. The
+/// body and the companions act on each companion by their gravity.
 
 #include <algorithm>
 #include <optional>

@@ -5,10 +5,10 @@
 ///
 ///   energy V = Σ w k d²/2,   force along n  N = Σ w p,   area Σ w,   moments Σ w p x and Σ w p |x − (n·x) n|².
 ///
-/// Let s be the distance from the normal through the centre of pressure, and ⟨s²⟩ the mean of s² weighted with the
-/// pressure. The pressure radius is √(5⟨s²⟩/2). For the pressure of Hertz, p₀√(1 − s²/a²), ⟨s²⟩ is 2a²/5, and the
-/// pressure radius is the radius a of the contact. Points near the edge have a small pressure, so the pressure radius
-/// is more accurate than the area.
+/// Let s be the distance of a point from the line along n through the centre of pressure. The mean of s², weighted with
+/// the pressure, is ⟨s²⟩. The pressure radius is √(5⟨s²⟩/2). For the pressure of Hertz, p₀√(1 − s²/a²), ⟨s²⟩ is 2a²/5,
+/// and the pressure radius is the radius a of the contact. Points near the edge have a small pressure, so the pressure
+/// radius is more accurate than the area.
 ///
 /// A plane that moves with the speed ż₀ along n gives the power N ż₀ to the body. In this power, N includes the damping
 /// force.
@@ -36,8 +36,7 @@ struct PlaneContact {
   double height = std::numeric_limits<double>::infinity();  ///< least n·x − z₀
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< integral of the pressure times the position, ∫p x dA
 
-  /// Adds a point with the position x and the quadrature weight w = `weight`. A point that does not touch the plane
-  /// changes only `height`.
+  /// Adds a point with the position x and the quadrature weight w = `weight`. A point with d ≤ 0 changes only `height`.
   void add(const Plane& plane, const Eigen::Vector3d& x, double weight) {
     const double above = plane.height(x);
     height = std::min(height, above);
@@ -49,7 +48,8 @@ struct PlaneContact {
     moment += pressure * x;
     spread += pressure * (x - plane.normal.dot(x) * plane.normal).squaredNorm();
   }
-  /// Adds the contact of the mirror image of another part. `signs` has −1 for each reflected coordinate, otherwise 1.
+  /// Adds the mirror image of another contact, for example of a sector of the body. `signs` has −1 for each reflected
+  /// coordinate, otherwise 1. By default no coordinate is reflected.
   void add(const PlaneContact& other, const Eigen::Vector3d& signs = Eigen::Vector3d::Ones()) {
     energy += other.energy;
     force += other.force;
@@ -60,8 +60,8 @@ struct PlaneContact {
   }
 };
 
-/// Powers of all planes at one time. Damping and friction dissipate `taken`, and the motion of the planes gives `given`
-/// to the body.
+/// Powers of all planes at one time. `taken` is the power that damping and friction dissipate. `given` is the power
+/// that the motion of the planes gives to the body.
 struct ContactPower {
   double taken = 0, given = 0;
 

@@ -29,7 +29,8 @@
 
 namespace pseudorigid::loads {
 
-/// Forces on Q and c, or rates of these forces.
+/// Generalised forces on Q and c, or the rates of these forces. With the force F at the points x = c + Q X, they are ΣF
+/// Xᵀ and ΣF.
 struct AffineForce {
   Eigen::Matrix3d on_Q = Eigen::Matrix3d::Zero();
   Eigen::Vector3d on_center = Eigen::Vector3d::Zero();

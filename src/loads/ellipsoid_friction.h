@@ -33,7 +33,7 @@ class EllipsoidFriction {
   EllipsoidFriction(const EllipsoidContact& contact, const Eigen::Matrix3d& Qdot, const Eigen::Vector3d& cdot)
       : contact_(contact), Qdot_(Qdot), cdot_(cdot) {}
 
-  /// Adds the friction to f. Returns the power that it dissipates.
+  /// Adds the friction to f. Returns the power that the friction dissipates.
   double add_force(AffineForce& f) const {
     double power = 0;
     for_each_point([&](const Eigen::Vector3d& X, double pressure) {
@@ -60,7 +60,7 @@ class EllipsoidFriction {
   }
 
   /// Calls visit(X, p) for the points X = S ξ with the products p of k d and the weights. Does nothing without contact
-  /// and without friction.
+  /// or without friction.
   template <class Visit>
   void for_each_point(Visit&& visit) const {
     const Plane& plane = contact_.plane();

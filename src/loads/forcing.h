@@ -1,12 +1,15 @@
 #pragma once
-/// All loads on an elastic body, as numbers, vectors and matrices. Each load (list.h) sets some members. Forces per
-/// mass are affine in x and ẋ, and surface tractions derive from stresses without divergence. Therefore all models of
-/// the body can represent the loads. On motions x = x_c + QX, the work of the loads is the same in all models:
+/// All loads on an elastic body, as numbers, vectors and matrices. Each load (list.h) sets some members. External
+/// forces per mass are affine in x and ẋ, and surface tractions derive from stresses without divergence. All models of
+/// the body can represent such loads. On motions x = x_c + QX, the work of the loads is therefore the same in all
+/// models, up to the quadrature of surface integrals. The full potential of companions is an exception, because only
+/// finite-element bodies have it:
 ///
 ///   per mass       b − T x − c ẋ              energy ½ xᵀTx − b·x per mass; the drag dissipates c|ẋ|²
 ///   on the surface the nominal stress P̄ − p cof F, which is a dead traction P̄N per reference area and the follower
 ///                  pressure −p n per current area; energy −P̄:∫F dX + p V
-///   inside         the objective viscosity σ = 2ηd, and self-gravity with the constant G
+///   inside         the objective viscosity σ = 2ηd with the symmetric part d of the velocity gradient, and
+///                  self-gravity with the constant G
 ///   branches       viscoelastic branches with internal strains (materials/maxwell_branch.h)
 ///   at planes      the pressure and the friction of contact with rigid planes (plane.h)
 ///   companions     point masses in orbit, with the quadratic potential of their tides (mechanics/core/orbit.h)
@@ -94,9 +97,9 @@ struct Forcing {
   }
 
   /// Returns the potential energy of the loads other than self-gravity, contact, companions and branches. The arguments
-  /// are the moments ∫ρ x xᵀ dX and ∫ρ x dX of the body, the integral ∫F dX and the current volume V. If the members
-  /// are the time derivatives of a forcing, the result is the power that the body receives from the change of the
-  /// forcing.
+  /// are the moments ∫ρ x xᵀ dX and ∫ρ x dX of the body, the integral ∫F dX and the current volume V. The arguments
+  /// must have the units of the forcing. If the members are the time derivatives of a forcing, the result is the power
+  /// that the body receives from the change of the forcing.
   double potential(const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const {
     const double energy = 0.5 * quadratic.cwiseProduct(second_moment).sum() - acceleration.dot(first_moment) -

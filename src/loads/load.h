@@ -37,7 +37,7 @@ namespace pseudorigid::loads {
 /// Properties of the body that a load needs for its line in the output of `pseudorigid check`.
 struct BodyFacts {
   bool incompressible;
-  double volume_by_inertia;  ///< volume/m̄ with m̄ = ⅓ ∫ρ|X|² dX; converts a pressure to a multiplier
+  double volume_by_inertia;  ///< volume/m̄, with m̄ = ⅓ ∫ρ|X|² dX; converts a pressure to a multiplier per m̄
 };
 
 /// A visitor that ignores the entries, used to check the interface.

@@ -74,7 +74,7 @@ struct Planes : std::vector<Plane> {
     insert(end(), others.begin(), others.end());
     return *this;
   }
-  /// damped(), rough() and moving() return true if a plane has damping, has friction, or moves.
+  /// damped() returns true if at least one plane has damping, rough() if one has friction, and moving() if one moves.
   bool damped() const {
     return std::any_of(begin(), end(), [](const Plane& plane) { return plane.damping != 0; });
   }

@@ -1,8 +1,10 @@
 #pragma once
 /// A follower pressure: the traction −p n per current area with the current normal n, and the energy p V with the
 /// current volume V. In a body of constant volume the constraint balances the pressure, and the motion does not change.
-/// The pressure inside the body is then larger by p everywhere. The multiplier of the constraint is larger by the
-/// constant p V/m̄, with m̄ = tr E₀/3 and E₀ = ∫ρ X Xᵀ dX. The column `multiplier` does not contain this constant.
+/// The program therefore omits the load. The true pressure inside the body is larger than the computed pressure by p
+/// everywhere. The column `multiplier` contains the multiplier of the constraint divided by m̄ = tr E₀/3, with E₀ = ∫ρ X
+/// Xᵀ dX (observables/body_observables.h). With the load, this quotient would be larger by the constant p V/m̄, which
+/// the log contains.
 
 #include <cstdio>
 

@@ -49,8 +49,8 @@ struct CiarletGeymonat {
     return entrywise([&](const T& f, const T& c) { return by.of_F * f + by.of_cofactor * c; }, F, cof);
   }
 
-  /// Returns the coefficients μ of F and s(J) of cof F in the stress. If J is 1 up to round-off, s(1) is returned
-  /// (settled_at_one).
+  /// Returns the coefficients μ of F and s(J) of cof F in the stress. If T is double and J is 1 up to round-off, s(1)
+  /// is returned (settled_at_one).
   template <class T>
   [[gnu::always_inline]] StressCoefficients<T> stress_coefficients(const T& det_F) const {
     const T J = settled_at_one(det_F);

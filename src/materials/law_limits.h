@@ -7,8 +7,8 @@
 ///     static constexpr std::string_view limit;                  the reason for the user, one clause
 ///
 /// The surface of an incompressible body may wrinkle (continuum/output/surface_stretch.h). A law may declare the ratio
-/// λ₁/λ_n at which a half-space wrinkles. λ₁ is the smaller stretch within the surface, and λ_n is the stretch along
-/// its normal:
+/// λ₁/λ_n at which a half-space wrinkles. Here λ₁ is the smaller stretch within the surface, and λ_n the stretch along
+/// the normal:
 ///
 ///     static constexpr double surface_limit;
 

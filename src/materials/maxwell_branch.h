@@ -43,7 +43,7 @@ struct MaxwellBranch {
 };
 using MaxwellBranches = std::vector<MaxwellBranch>;
 inline constexpr std::size_t most_branches = 4;  ///< largest number of branches of a body
-/// An energy of each branch. Branches that a body does not have are 0.
+/// One energy for each branch, in the order of the branches. The entries of branches that a body does not have are 0.
 using BranchEnergies = std::array<double, most_branches>;
 
 /// A symmetric 3×3 matrix, stored as the entries 00, 01, 02, 11, 12, 22.
@@ -265,7 +265,7 @@ class ShortFlow {
 /// Returns w after the time x = t/τ_b. Uses FlowLine in each lane if ShortFlow is not correct in all lanes.
 template <class T>
 T share_of_flow(const T& alpha, const T& beta, double x) {
-  constexpr double forever = 60;  // e^{−60} is 0 in double precision
+  constexpr double forever = 60;  // 1 − e^{−60} is 1 in double precision
   ShortFlow<T> flow(alpha, beta, std::min(x, forever));
   if (flow.one_panel()) return flow.share();
   return in_each_lane(alpha, [&](double of_lane, int l) { return FlowLine(of_lane, lane(beta, l)).share(x); });

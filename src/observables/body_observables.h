@@ -4,9 +4,10 @@
 /// its name, group, unit, meaning and computation. Headers, rows, units and documentation are generated from these
 /// columns (io/trajectory.h).
 ///
-///   K = ½ ∫ρ|ẋ|² dV,   J = ∫ρ (x−x_c)×(ẋ−ẋ_c) dV,   Z = ∫ρ X×(Fᵀẋ) dV
+///   K = ½ ∫ρ|ẋ|² dV,   J = ∫ρ (x−x_c)×(ẋ−ẋ_c) dV,   Z = ∫ρ X×(Fᵀ(ẋ−ẋ_c)) dV
 ///
-/// with the centre of mass x_c and its velocity ẋ_c. E₀ = ∫ρ X Xᵀ dV is the second moment at rest, and m̄ = tr E₀/3.
+/// are the kinetic energy, the angular momentum and the circulation, with F = ∂x/∂X, the centre of mass x_c and its
+/// velocity ẋ_c. E₀ = ∫ρ X Xᵀ dV is the second moment at rest, and m̄ = tr E₀/3.
 /// For the pseudo-rigid ball, J_i = m̄ ε_ijk Q_jA Q̇_kA and Z_A = m̄ ε_ABC (QᵀQ̇)_CB. A rigid rotation with angular
 /// velocity ω at Q = Id has J = Z = 2m̄ω. Motions that are not affine have the mass moment Q_M = (∫ρ (x − x_c) Xᵀ dV)
 /// E₀⁻¹ in place of Q. All observables are in internal units (entries/units.h).
@@ -39,8 +40,8 @@ struct OverPoints {
   double (*value)(const Eigen::Matrix3d& F);
 };
 
-/// Quantities that the output requests. Other quantities are not computed. `over_points` has the requested columns of
-/// the type OverPoints.
+/// Quantities that the output requests. Models may leave out the other quantities. `over_points` has the requested
+/// columns of the type OverPoints.
 struct ObservableRequest : Quantities {
   std::vector<OverPoints> over_points{};
 };
@@ -68,9 +69,9 @@ struct BodyColumn {
   bool Quantities::*group;  ///< the group of Output/Quantities that contains the column
   scene::Unit unit;
   std::string_view documentation;
-  /// The value in internal units. It is a scalar, a vector (name1 … name3 or name4), a matrix (name11 … name33, row by row), or
-  /// an antisymmetric matrix (name12, name13, name23). It can also be the least or largest value over the points of the
-  /// body.
+  /// The value in internal units. It is a scalar, a vector (name1 … name3 or name4), a matrix (name11 … name33, row by
+  /// row), or an antisymmetric matrix (name12, name13, name23). It can also be the least or largest value over the
+  /// points of the body.
   std::variant<double (*)(const Observables&), Eigen::Vector3d (*)(const Observables&),
                Eigen::Vector4d (*)(const Observables&), Eigen::Matrix3d (*)(const Observables&),
                AntisymmetricEntries (*)(const Observables&), OverPoints>
@@ -78,8 +79,8 @@ struct BodyColumn {
 };
 
 /// Contact with rigid planes. The members from `energy` to `point` are for the current state (loads/contact.h), and are
-/// 0 if the body does not touch a plane. The other members summarise the run so far (app/run/contact_watch.h). They are
-/// the beginning of the first contact, the end of the last contact, the largest force and the coefficient of
+/// 0 if no point of the body touches a plane. The other members summarise the run so far (app/run/contact_watch.h).
+/// They are the beginning of the first contact, the end of the last contact, the largest force and the coefficient of
 /// restitution. Before the first contact they are 0.
 struct ContactObservables {
   double energy = 0, force = 0, penetration = 0, radius = 0, pressure_radius = 0;
@@ -112,7 +113,8 @@ struct VibrationObservables {
 };
 
 /// The motion of the companions (mechanics/core/orbit.h), set by observables/orbit.h, which defines the members.
-/// Without companions, the energies are 0 and the other members are NaN.
+/// Without companions, the energies are 0 and the other members are NaN. If finite elements use the full potential of
+/// the companions, `interaction` and `torque` are those of this potential.
 struct OrbitObservables {
   double kinetic = 0;                                                                       ///< ½ Σ μ_k |Ṙ_k|²
   double interaction = 0;                                                                   ///< U
@@ -137,8 +139,9 @@ struct BodyObservables {
   Eigen::Vector3d angular_momentum = Eigen::Vector3d::Constant(not_observed);  ///< J about the centre of mass
   Eigen::Vector3d circulation = Eigen::Vector3d::Constant(not_observed);       ///< Z about the centre of mass
   double volume_ratio = not_observed;                                          ///< current volume / reference volume
-  double multiplier = not_observed;  ///< λ of Oliva (5.120) per m̄; for non-affine motions (1/m̄)∫p dV with the
-                                     ///< Kirchhoff pressure p
+  /// The multiplier Λ of ln det Q = 0, divided by m̄, which is λ of Oliva (5.120). For non-affine motions it is (1/m̄)∫p
+  /// dV with the Kirchhoff pressure p. For compressible bodies it is 0.
+  double multiplier = not_observed;
   /// a₁ ≥ a₂ ≥ a₃, the singular values of Q S with the reference shape S. For a ball, S = r Id.
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Constant(not_observed);
   std::vector<double> over_points{};  ///< one value for each entry of ObservableRequest::over_points
@@ -287,7 +290,8 @@ inline constexpr BodyColumn<O> common_columns[] = {
 
 /// Observables of the pseudo-rigid body only.
 struct ReducedObservables : BodyObservables {
-  double central_pressure = not_observed;  ///< p_c of p = p_c(1 − |X|²/r²), the reaction to det Q = 1
+  double central_pressure = not_observed;  ///< p_c of the pressure p_c(1 − |ξ|²), the reaction to
+                                           ///< det Q = 1; |ξ| = 1 is the surface
   Eigen::Vector3d axes =
       Eigen::Vector3d::Constant(not_observed);  ///< a_i of Q = TᵀAS, continued along the path, times r
   /// Rotations T and S of the bipolar decomposition Q = TᵀAS.
@@ -321,12 +325,12 @@ inline constexpr BodyColumn<ReducedObservables> reduced_columns[] = {
 /// Observables that only bodies with non-affine motions have.
 struct ContinuumObservables : BodyObservables {
   Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean deformation gradient F̄ = ∫F dV / Vol
-  double nonaffine_kinetic_fraction = not_observed;             ///< η_K = K_nonaffine / K, with 0/0 = 0
-  double nonaffine_displacement = not_observed;                 ///< e_x = |x − Q_M X| / |x|, norms weighted with ρ
-  double volumetric = not_observed;        ///< energy of the volumetric stabilisation, a part of `elastic`
-  double min_jacobian = not_observed;      ///< least det F over the quadrature points
-  double volume_error = not_observed;      ///< (∫(ln det F)² dV / Vol)^½
-  double max_volume_error = not_observed;  ///< largest |ln det F| over the quadrature points
+  double nonaffine_kinetic_fraction = not_observed;             ///< η_K = K_nonaffine / K about x_c, with 0/0 = 0
+  double nonaffine_displacement = not_observed;  ///< e_x = |y − Q_M X| / |y|, y = x − x_c, ρ-weighted
+  double volumetric = not_observed;              ///< energy of the volumetric stabilisation, a part of `elastic`
+  double min_jacobian = not_observed;            ///< least det F over the quadrature points
+  double volume_error = not_observed;            ///< (∫(ln det F)² dV / Vol)^½
+  double max_volume_error = not_observed;        ///< largest |ln det F| over the quadrature points
 };
 
 inline constexpr BodyColumn<ContinuumObservables> continuum_columns[] = {

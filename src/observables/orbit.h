@@ -3,11 +3,11 @@
 /// and the velocity v relative to the body. The body has the second moment S and the angular momentum J about its
 /// centre. The elements are those of the Kepler orbit of two point masses with r and v (mechanics/core/kepler.h).
 ///
-/// With n̂ along r × v and t̂ = n̂ × r̂, the lag of the bulge is the angle ½ atan2(2 r̂ᵀS t̂, r̂ᵀS r̂ − t̂ᵀS t̂). The spin ω is
-/// that of a rigid body, (tr S Id − S) ω = J, and the obliquity is its angle to n̂.
+/// Let n̂ be the unit vector along r × v, r̂ that along r, and t̂ = n̂ × r̂. The lag of the bulge is ½ atan2(2 r̂ᵀS t̂, r̂ᵀS r̂
+/// − t̂ᵀS t̂). The spin ω is that of a rigid body, (tr S Id − S) ω = J, and the obliquity is its angle to n̂.
 ///
-/// The tide of the companion has the potential ½xᵀTx with t̂ᵀT t̂ − r̂ᵀT r̂ = 3Gm/|r|³ in the plane of the orbit. This
-/// tide gives a ball of the radius R with the Love number k₂ the second moment −(k₂R⁵/(3G)) T, up to a multiple of Id.
+/// The tide of the companion has the potential ½xᵀTx with t̂ᵀT t̂ − r̂ᵀT r̂ = 3Gm/|r|³ in the plane of the orbit. By this
+/// tide, a ball of the radius R with the Love number k₂ has the second moment −(k₂R⁵/(3G)) T, up to a multiple of Id.
 /// The numbers
 ///
 ///   k₂ = (|r|³/(m R⁵)) |q|,   q = r̂ᵀS r̂ − t̂ᵀS t̂ + 2i r̂ᵀS t̂,   1/Q = |Im q|/|q| = |sin(2 lag)|,
@@ -25,7 +25,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns the observables for the coordinates s of the companions and their rates sdot. There must be a companion.
+/// Returns the observables for the coordinates s of the companions and their rates sdot. S and J are those of the body.
+/// There must be a companion.
 inline OrbitObservables observe_orbit(const Orbit& orbit, const Orbit::Columns& s, const Orbit::Columns& sdot,
                                       const Eigen::Matrix3d& S, const Eigen::Vector3d& J) {
   OrbitObservables o;

@@ -1,6 +1,6 @@
 #pragma once
-/// The groups of observables, which are also the groups of columns in the CSV files. A quantity that is not requested
-/// is not evaluated. A new group needs a member of Quantities and a line of quantity_groups.
+/// The groups of observables, which are also the groups of columns in the CSV files. Models evaluate a costly quantity
+/// only if its group is requested. A new group needs a member of Quantities and a line of quantity_groups.
 
 #include <cstddef>
 #include <iterator>
@@ -11,7 +11,7 @@ namespace pseudorigid::mechanics {
 /// A member is true if its group is requested. The initial values are the defaults.
 struct Quantities {
   bool state = true, energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
-  bool orbit = true;  ///< written if the scene has companions
+  bool orbit = true;  ///< written only if the scene has companions
   bool pressure = false, bipolar = false, stretches = false, vibration = false;
   /// A group without a word in parameter files, for models with non-affine motions. The group is written if the
   /// energies are requested and the volumetric stabilisation is on.

@@ -13,12 +13,12 @@ namespace pseudorigid::mechanics {
 namespace {
 
 constexpr int n_functions = SpheroidalMotions::n_powers;
-constexpr Eigen::Index n_scalars = 1 + 9 + 9;  // kinetic energy, ∫ρ x xᵀ and ∫ρ x vᵀ before the products with modes
+constexpr Eigen::Index n_scalars = 1 + 9 + 9;  // kinetic energy, ∫ρ x xᵀ, ∫ρ x vᵀ; the products follow in sums()
 
 }  // namespace
 
-/// With f = r^{p + 1}, a motion is (U Y, V r∇Y) with U = N r^p, V = (p + 2) r^p and N = n(n + 1). The square of its
-/// strain, integrated over a sphere, gives the elastic energy of small strains with the density
+/// With f = r^{p + 1}, a motion has the radial part U Y and the tangential part V r∇Y. Here U = N r^p, V = (p + 2) r^p
+/// and N = n(n + 1). For small strains and the shear modulus 1, its elastic energy is ½∫₀¹ k dr with k =
 ///
 ///   2 U'² r² + N (r V' − V + U)² + 2N(N − 1) V² − 4N U V + 4U².
 SpheroidalModes::SpheroidalModes(int n) {

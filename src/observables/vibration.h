@@ -1,6 +1,7 @@
 #pragma once
-/// The energy of vibration of an incompressible elastic ball, and its parts of the degrees n = 2 … 8. With the centre
-/// of mass x_c, the momentum J and the moment of inertia I of the current body, the energy of vibration is
+/// The energy of vibration of an incompressible elastic ball, and its parts of the degrees n = 2 … 8. The body has the
+/// mass M, the centre of mass x_c and the kinetic energy K. About x_c it has the angular momentum J and, in its current
+/// shape, the moment of inertia I. The energy of vibration is
 ///
 ///   K − ½ M|ẋ_c|² − ½ J·I⁻¹J + the elastic energy.
 ///
@@ -12,8 +13,8 @@
 ///   E_n = ½ Σ_mk ⟨φ_k, u̇⟩² + ω_k² ⟨φ_k, u⟩²,     ⟨a, b⟩ = ∫ρ a·b dV.
 ///
 /// f = r^n gives the gradient of a harmonic polynomial, so that affine motions have degree 2. The low frequencies are
-/// those of the sphere (sphere_frequencies.h). Toroidal motions, higher degrees, changes of the volume and finite
-/// strains are in the energy of vibration, but not in its parts.
+/// those of the sphere (analysis/sphere_frequencies.h). Toroidal motions, higher degrees, changes of the volume and
+/// finite strains are in the energy of vibration, but not in its parts.
 
 #include <Eigen/Core>
 #include <array>

@@ -1,15 +1,15 @@
 #pragma once
 /// One type for any system in constrained form. With this type the compiler compiles each method once and not once per
 /// system. The corresponding type for second-order fields, which adaptive methods integrate, is in any_field.h. The
-/// template parameter n is 0 for a system without constraints. For all other systems it is dynamic_constraints, and
-/// only the concrete system has their number.
+/// template parameter n is 0 for a system without constraints. For all other systems n is dynamic_constraints, and only
+/// the concrete system has the number of its constraints.
 ///
-/// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). This cost is noticeable
-/// if a force takes only some nanoseconds. The models of the ball therefore use their own types.
+/// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). The cost of the call is
+/// noticeable if a force takes only some nanoseconds. The models of the ball therefore use their own types.
 ///
 /// The concrete type of a constrained system computes the acceleration and the projection (explicit_multiplier.h). Some
-/// systems have energies and symmetries (conservative_system.h). The type AnySystem is the same with and without them,
-/// so `fits` in field_of.h tests `is_conservative()` at run time.
+/// systems have energies and symmetries (conservative_system.h). The type AnySystem is the same for systems with and
+/// without energies, so `fits` in field_of.h tests `is_conservative()` at run time.
 
 #include <memory>
 #include <type_traits>
@@ -137,8 +137,9 @@ class HeldSystem final : public SystemInterface {
 
 }  // namespace detail
 
-/// Any system with n constraints, without its energies. The class has the members of a ConstrainedSystem. If n is not
-/// 0, it also has `acceleration` and `project` of the second-order field.
+/// Any system without its energies. It has no constraints if n is 0, and any number of constraints if n is
+/// dynamic_constraints. The class has the members of a ConstrainedSystem. If n is not 0, it also has `acceleration` and
+/// `project` of the second-order field.
 template <int n>
 class AnyConstrainedSystem {
   static_assert(n == 0 || n == dynamic_constraints);
@@ -222,8 +223,8 @@ class AnyConstrainedSystem {
   Vector zero_, no_reaction_;
 };
 
-/// Any system with n constraints. If the system is not conservative, its energies are 0, it has no symmetries, and the
-/// output vectors do not change.
+/// Any system, with n as in AnyConstrainedSystem. If the system is not conservative, its energies are 0 and it has no
+/// symmetries. The functions apply_mass, add_reaction_rate and symmetry then leave their output vectors unchanged.
 template <int n>
 class AnySystem : public AnyConstrainedSystem<n> {
  public:

@@ -12,8 +12,8 @@
 namespace pseudorigid::mechanics {
 
 /// Returns a zero of f, or the last point after 200 evaluations inside the bracket. If f(a) = 0, the result is a, and
-/// otherwise if f(b) = 0, it is b. Returns an empty optional if f(a) and f(b) do not have opposite signs, or if f is
-/// not finite at a point inside the bracket. A jump across zero counts as a zero.
+/// otherwise if f(b) = 0, it is b. The result is empty if f(a) and f(b) do not have opposite signs. It is also empty if
+/// f is not finite at a point inside the bracket. A jump across zero counts as a zero.
 template <class Function>
 std::optional<double> bracketed_root(const Function& f, double a, double b,
                                      double resolution = std::numeric_limits<double>::epsilon()) {

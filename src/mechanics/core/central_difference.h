@@ -3,8 +3,8 @@
 ///
 ///   F′(0) ≈ Σ_{k=1..4} c_k [F(kh) − F(−kh)]/h,   c = (4/5, −1/5, 4/105, −1/280).
 ///
-/// If h is 1/100 of the scale on which F changes, truncation and round-off cause relative errors of at most about
-/// 10⁻¹³.
+/// Let h be 1/100 of the scale l on which F changes. Truncation and round-off then cause errors of at most about 10⁻¹³
+/// |F|/l.
 
 #include <array>
 

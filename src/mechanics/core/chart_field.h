@@ -16,8 +16,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns F_l − Γ_l,ij q̇ⁱq̇ʲ without the external force. The result therefore does not depend on time. The function
-/// also sets g to the metric at q.
+/// Returns F_l − Γ_l,ij q̇ⁱq̇ʲ for each l, with the force F without its external part F_ext. The result therefore does
+/// not depend on time. The function also sets g to the metric at q.
 template <class T, Chart C>
 Coordinates<T, C::dimension> covariant_force(const C& chart, const Coordinates<T, C::dimension>& q,
                                              const Coordinates<T, C::dimension>& v,
@@ -38,16 +38,17 @@ class ChartField {
 
   explicit ChartField(C chart) : chart_(std::move(chart)) {}
 
-  /// Sets a = q̈ of the motion through (q, v). Fails if the metric is not positive definite or the force is not finite.
+  /// Sets a = q̈ of the motion through (q, v). Fails if the metric is not positive definite, or if the force or a
+  /// derivative of the metric is not finite.
   Status acceleration(double t, const Vector& q, const Vector& v, Workspace&, Vector& a) const {
     const MetricJet<C> jet = metric_jet(chart_, q);
     const Vector rhs = force(t, q, v, jet.g) - christoffel_of_first_kind(jet, v, v);
     return apply_inverse_mass(jet.g, rhs, a);
   }
 
-  /// Members for stages in lanes (stage_by_stage.h). They call the free functions `solve_stages_in_lanes_of(chart,
-  /// stages)` and `cost_of_iteration_of(chart)`. Each member exists if its free function is defined for the type of the
-  /// chart.
+  /// Members for stages in lanes (stage_by_stage.h). These members call the free functions
+  /// `solve_stages_in_lanes_of(chart, stages)` and `cost_of_iteration_of(chart)`. Each member exists if its free
+  /// function is defined for the type of the chart.
   bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const C& c) {
     solve_stages_in_lanes_of(c, stages);
   }

@@ -1,8 +1,8 @@
 #pragma once
 /// The generalized conjugate residual method (Eisenstat, Elman, Schultz 1983), truncated as Orthomin, for A x = r₀ with
 /// a nearly symmetric matrix A. The preconditioner M acts on the right, so the residuals r_k belong to A x = r₀ without
-/// preconditioner. Iteration k uses w = A M⁻¹ r_k and sums over the last m indices j < k. It makes y_k of length 1, so
-/// |…| is the length of the numerator. z_k is the same combination of M⁻¹ r_k and the z_j:
+/// preconditioner. Iteration k uses w = A M⁻¹ r_k and sums over the last m indices j < k. The iteration makes y_k of
+/// length 1, so |…| is the length of the numerator. z_k is the same combination of M⁻¹ r_k and the z_j:
 ///
 ///   y_k = (w − Σ (y_j·w) y_j)/|…|,   z_k with A z_k = y_k, by the same combination,
 ///   x ← x + (y_k·r_k) z_k,   r_{k+1} = r_k − (y_k·r_k) y_k,   |r_{k+1}|² = |r_k|² − (y_k·r_k)².
@@ -37,8 +37,9 @@ class ConjugateResiduals {
 
   /// Solves A x = r from the guess x = 0, and sets r to the remaining residual. The iteration ends if |r| is at most
   /// `tolerance`, after `max_iterations`, or if a new direction is round-off or not finite. In all cases x is the last
-  /// iterate. If it has not converged after n_with_few iterations, the method restarts with more vectors. `multiply(z,
-  /// y)` sets y ← A z, and `precondition(r, z)` sets z ← M⁻¹ r. `norm` is the Euclidean norm of the initial r.
+  /// iterate. If |r| is still above `tolerance` after n_with_few iterations, the method restarts with more vectors.
+  /// `multiply(z, y)` sets y ← A z, and `precondition(r, z)` sets z ← M⁻¹ r. `norm` is the Euclidean norm of the
+  /// initial r.
   template <class Multiply, class Precondition>
   Result solve(Multiply&& multiply, Precondition&& precondition, double norm, double tolerance, int max_iterations,
                Vector& r, Vector& x) {
@@ -70,10 +71,10 @@ class ConjugateResiduals {
     return result;
   }
 
-  /// Number m of vectors y_j in the sums. With m = 1, the Gram systems of elements of degree 6 do not converge. In
-  /// measurements with 1100 … 410,000 unknowns, the numbers of iterations with m = 2 … 6 and with all vectors agreed
-  /// within 2 %. For the largest system, the scalar products with all vectors took a tenth of the time of a step. Six
-  /// vectors leave a reserve.
+  /// Number m of vectors y_j in the sums. With m = 1, the iteration does not converge for the Gram systems of finite
+  /// elements of degree 6. In measurements with 1100 … 410,000 unknowns, the numbers of iterations with m = 2 … 6 and
+  /// with all vectors agreed within 2 %. For the largest system, the scalar products with all vectors took a tenth of
+  /// the time of a step. Six vectors leave a reserve.
   static constexpr int n_kept = 6;
   /// If n_with_few iterations are not enough, M is not close to A. The method then restarts from the last iterate with
   /// m = n_kept_if_slow.

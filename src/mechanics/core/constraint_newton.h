@@ -186,8 +186,9 @@ Status meet_position_constraint(const S& system, double tolerance, const typenam
       apply, [&] { return noise_of_constraint(system, q); }, foregone);
 }
 
-/// Solves g(q + q_rounding) = 0 if the system supports it (`resolves_rounding` in constrained_system.h), otherwise g(q)
-/// = 0. q_rounding is the remainder of the compensated sum of q. `apply` adds w.reaction to q.
+/// Solves g(q + q_rounding) = 0 if the system has this constraint (`resolves_rounding` in constrained_system.h),
+/// otherwise g(q) = 0. q_rounding is the remainder of the compensated sum of q. `apply` adds w.reaction to q. Fails in
+/// the same cases as the overload above.
 template <ConstrainedSystem S, class Apply>
 Status meet_position_constraint(const S& system, double tolerance, const typename S::Vector& q,
                                 const typename S::Vector& q_rounding, const typename S::Vector& q0,

@@ -11,15 +11,15 @@
 ///   (M + s C) u + G(q)ᵀμ = M r,   G(q) u = 0,
 ///
 /// with the symmetric and positive semidefinite operator C = ∂²R/∂v² at v. A force that is linear in v has one operator
-/// C(q), and v + u is exact. For other forces, such as friction, u is the correction of Newton's method. The residual
-/// is then the negative derivative of the convex function ½(v − v_half)ᵀM (v − v_half) + sR, up to forces that do not
-/// depend on v. The function add_damping also computes the operator S of the secant, F(v) = F(0) − S v.
+/// C(q), and v + u is exact. For other forces, such as friction, u is the correction of Newton's method. Let Ψ(v) = ½(v
+/// − v_half)ᵀM (v − v_half) + sR be a convex function. M r is then −∂Ψ/∂v, up to forces that do not depend on v. The
+/// function add_damping also computes the operator S of the secant, F(v) = F(0) − S v.
 ///
 /// On ker G the equation is P(1 + s M⁻¹C) u = P r with the projection P = 1 − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G. The operator on the
 /// left is symmetric and positive in the inner product ⟨x, y⟩ = xᵀM y, so conjugate gradients solve the equation. The
 /// eigenvalues of the operator are between 1 and 1 + sγ, with the largest damping rate γ. From the lower bound, the
-/// error of u is at most the residual. From the upper bound, the number of iterations grows like √(sγ). The implicit
-/// step is stable for every γ.
+/// error of u is at most the residual, both in the norm √(xᵀM x). From the upper bound, the number of iterations grows
+/// like √(sγ). The implicit step is stable for every γ.
 
 #include <algorithm>
 #include <limits>

@@ -10,8 +10,8 @@
 ///
 /// A system may have its own faster members `acceleration(t, q, v, w, a)` and `project(q, v, w)`. The field then calls
 /// these members. If the number of constraints is known at compile time, Gram solves are direct. Other Gram solves may
-/// be inexact. They are repeated until the residual of the acceleration is within the constraint tolerance, or no
-/// longer halves, or at most 30 times.
+/// be inexact. Such a solve is repeated until the residual of the acceleration is within the constraint tolerance or no
+/// longer halves, at most 30 times.
 
 #include <cmath>
 
@@ -51,6 +51,7 @@ Status add_reaction_of_motion(const S& system, const typename S::Vector& q, cons
 
 }  // namespace detail
 
+/// The second-order field of a constrained system. The system must exist as long as the field.
 template <ConstrainedSystem S>
 class ExplicitMultiplier {
  public:
@@ -111,8 +112,8 @@ class ExplicitMultiplier {
   }
   { return system_.solve_stages(stages, w.system); }
 
-  /// Moves q and v until both constraints hold up to the tolerance of the system or round-off. Fails if one of the
-  /// iterations does not converge. Does nothing without constraints.
+  /// Moves q and v until both constraints hold up to the tolerance of the system or round-off. Fails if a constraint or
+  /// a Gram solve fails, or if one of the iterations does not converge. Does nothing without constraints.
   Status project(Vector& q, Vector& v, Workspace& w) const {
     if constexpr (requires { system_.project(q, v, w.system); }) {
       return system_.project(q, v, w.system);

@@ -8,20 +8,21 @@
 ///
 /// If a does not depend on v, an iteration multiplies the error by O(h²). Let δ_k be the increment of the accelerations
 /// in iteration k, and θ = δ_k/δ_{k−1}. The error after this iteration is about θ δ_k. The iteration ends when this
-/// error is below the given tolerance or below an eighth of the round-off of the accelerations. It also ends if an
-/// increment near round-off is not smaller than the previous one.
+/// error is below the given tolerance or below an eighth of the round-off of the accelerations. It also ends when δ_k
+/// is below half of this round-off, or when an increment near round-off is not smaller than the previous one.
 ///
 /// Unlike rounding errors, this error is a smooth function of the state, so the errors of many steps add up. If no
-/// tolerance is given, the iteration therefore ends only when the error is below round-off / 4096. The sum of these
-/// errors over 10⁷ steps is about as large as the sum of random rounding errors.
+/// tolerance is given, the bounds of the error and of δ_k are therefore both round-off / 4096. The sum of these errors
+/// over 10⁷ steps is about as large as the sum of random rounding errors.
 ///
 /// A field in lanes is a struct
 ///
 ///     static constexpr int n;                                   number of entries of q
 ///     template <class T> T operator()(int first_lane, const T* q, const T* v, T* a) const;
 ///
-/// for vectors T with as many lanes as a register. The operator sets a, and returns numbers that are positive in the
-/// lanes with an admissible state. The sign of these numbers is checked only at the end of the iteration.
+/// for vectors T with as many lanes as a register. Lane 0 of the vectors is stage `first_lane`. The operator sets a,
+/// and returns numbers that are positive in the lanes with an admissible state. The sign of these numbers is checked
+/// only at the end of the iteration.
 
 #include <algorithm>
 #include <cmath>
@@ -184,8 +185,8 @@ template <class Vector = StageLanes>
   const int n = s.n;
   const GaussTables& tables = *s.tables;
   // Rounded coefficients define a different method, whose energy drifts. If the stages are iterated to round-off,
-  // `start` therefore contains the rounding errors of the coefficients. These errors are so small that they are
-  // multiplied by the guess instead of the final stages.
+  // `start` therefore contains the contributions of the rounding errors of the coefficients. These errors are so small
+  // that they are multiplied by the guess instead of the final stages.
   const bool to_round_off = s.tolerance == 0;
   if (s.last)
     for (int k = 0; k < n; ++k) combine_columns(s.last[k], tables.guess, s.a[k]);
@@ -267,9 +268,10 @@ template <class Vector = StageLanes>
 /// are sums of rounding errors, which are not always needed.
 inline constexpr int n_groups_without_low = (velocity_low + native_lanes - 1) / native_lanes;
 
-/// Computes s.sums, which contain the increments of q and v in the step. Sets s.tail to the largest Legendre
-/// coefficient of order 6 or 7, divided by the larger of s.scale and `noise`. Sets s.converged to false if an increment
-/// is not finite. The maximum in s.tail cannot show this, because std::max may ignore a NaN.
+/// Computes s.sums, which contain the increments of q and v in the step. Sets s.tail to the largest |Legendre
+/// coefficient| of order 6 or 7, divided by the larger of s.scale and `noise`. Sets s.converged to true if all
+/// increments are finite, otherwise to false. The maximum in s.tail does not show a NaN, because std::max may ignore a
+/// NaN.
 template <class Vector = StageLanes>
 [[gnu::noinline]] void finish_stages(GaussStages& s, double noise) {
   const int n = s.n;
@@ -286,8 +288,8 @@ template <class Vector = StageLanes>
   s.converged = std::isfinite(size);
 }
 
-/// Runs the iteration for a field in lanes. Sets s.converged to false if the iteration is stuck, if a stage is not
-/// admissible, or if an increment is not finite.
+/// Runs the iteration for a field in lanes. After success s.converged is true. It is false if the iteration is stuck,
+/// if a stage is not admissible, or if an increment is not finite.
 template <class Field>
 void iterate_in_lanes(const Field& field, GaussStages& s) {
   constexpr int n = Field::n;
@@ -331,8 +333,8 @@ void iterate_in_lanes(const Field& field, GaussStages& s) {
   finish_stages(s, monitor.noise());
 }
 
-/// Runs the iteration for a field that is evaluated by a virtual function. Sets s.converged to false if the iteration
-/// is stuck, if the field fails, or if an increment is not finite.
+/// Runs the iteration for a field that is evaluated by a virtual function. After success s.converged is true. It is
+/// false if the iteration is stuck, if the field fails, or if an increment is not finite.
 inline void iterate_by_calls(const GaussField& field, GaussStages& s) {
   const StageStarts start{s.scratch, s.scratch + s.n};
   OfStages *const q = start.v + s.n, *const v = q + s.n, *const a = v + s.n;

@@ -79,8 +79,9 @@ struct GaussField {
   ~GaussField() = default;
 };
 
-/// Solves for the stages of any field by calls of `field.evaluate`. Sets stages.converged to true if the iteration ends
-/// and the field does not fail. Throws NoKernels if no build of the iteration can be chosen (kernel_builds.h).
+/// Solves for the stages of any field by calls of `field.evaluate`. Sets stages.converged to true if the iteration
+/// converges and the field does not fail. Throws NoKernels if no build of the iteration can be chosen
+/// (kernel_builds.h).
 void solve_gauss_stages(const GaussField& field, GaussStages& stages);
 
 }  // namespace pseudorigid::mechanics

@@ -6,8 +6,8 @@
 ///   ∇̃_X Y = ∇_X Y + dρ(X)Y + dρ(Y)X − ⟨X, Y⟩ grad ρ                                               (5.12)
 ///   dρ = −dU / (2(h − U))                                                                         (5.14)
 ///
-/// Here ρ = ½ ln 2(h − U), and ∇̃ is the Levi-Civita connection of g_h. Motions of energy h are the geodesics of g_h,
-/// with the arc length ds̃ = 2(h − U) dt (5.2.1).
+/// Here ρ = ½ ln 2(h − U). The Levi-Civita connections of g and g_h are ∇ and ∇̃. Motions of energy h are the geodesics
+/// of g_h, with the arc length ds̃ = 2(h − U) dt (5.2.1).
 
 #include <utility>
 

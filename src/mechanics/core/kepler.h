@@ -67,12 +67,12 @@ inline double hyperbolic_anomaly(double mean, double e) {
                                  [e](double H) { return std::pair(e * std::sinh(H) - H, e * std::cosh(H) - 1); });
 }
 
-/// Returns the relative position and velocity for the elements `o` and g = G(M + m). They are not finite for a
+/// Returns the relative position and velocity for the elements `o` and g = G(M + m). The results are not finite for a
 /// parabola, which has a = 0.
 inline OrbitalMotion motion_of(const KeplerElements& o, double g) {
   const double e = o.eccentricity, size = std::abs(o.semi_major_axis), rate = std::sqrt(g / size) / size;
   const double minor = std::sqrt(std::abs((1 - e) * (1 + e)));
-  Eigen::Vector2d r, v;  // components along the pericentre, and along the velocity there
+  Eigen::Vector2d r, v;  // components towards the pericentre, and along the velocity at the pericentre
   if (o.semi_major_axis > 0) {
     const double E = eccentric_anomaly(o.mean_anomaly, e), c = std::cos(E), s = std::sin(E);
     r = size * Eigen::Vector2d(c - e, minor * s);

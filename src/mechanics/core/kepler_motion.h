@@ -47,7 +47,7 @@ struct KeplerIncrements {
   Eigen::Vector3d s, sdot;
 };
 
-/// Returns Δs and Δṡ after the time h. They are not finite if s = 0 or an argument is not finite.
+/// Returns Δs and Δṡ after the time h. The increments are not finite if s = 0 or an argument is not finite.
 inline KeplerIncrements kepler_increments(double k, const Eigen::Vector3d& s, const Eigen::Vector3d& sdot, double h) {
   constexpr int most_iterations = 200;
   const double r = s.norm(), eta = s.dot(sdot), beta = 2 * k / r - sdot.squaredNorm();

@@ -15,7 +15,7 @@ namespace pseudorigid::mechanics {
 template <class Table>
 struct KernelBuild {
   std::string_view instructions;  ///< for example "x86-64-v3"; "native": those of the compiling machine
-  bool (*runs_here)();
+  bool (*runs_here)();            ///< returns true if this processor has the instructions
   const Table* table;
 };
 

@@ -115,8 +115,8 @@ struct Lanes {
   /// The smaller number in each lane. A NaN counts as smaller than any number.
   friend Lanes min(Lanes a, Lanes b) { return (a.v < b.v) | (a.v != a.v) ? a.v : b.v; }
 
-  /// Natural logarithm of positive normal numbers, with an error of about one unit in the last place. The logarithm of
-  /// any other number is wrong:
+  /// Natural logarithm of positive normal numbers, with an error of about one unit in the last place. Other numbers
+  /// give wrong results. The computation uses
   ///   x = 2^e m, m in [√½, √2), z = (m−1)/(m+1), ln x = e ln 2 + 2(z + z³/3 + z⁵/5 + …).
   friend Lanes log(Lanes x) {
     NativeBits bits;

@@ -5,7 +5,7 @@
 ///
 ///   U = −Σ_i G m_i [M/|r_i| + (3 r̂_iᵀS r̂_i − tr S)/(2|r_i|³)] − Σ_{i<j} G m_i m_j/|r_i − r_j|.
 ///
-/// The companions act on the body by the quadratic potential ½(x − x_c)ᵀT(x − x_c) per mass,
+/// To the same degree, the companions act on the body by the quadratic potential ½(x − x_c)ᵀT(x − x_c) per mass,
 ///
 ///   T = Σ_i (G m_i/|r_i|³)(Id − 3 r̂_i r̂_iᵀ).
 ///
@@ -226,9 +226,10 @@ class Orbit {
   /// coordinates and rates at the last step that is at least the time `before` ahead of the closest approach. The
   /// result is the start if there is no such step. The result is also the start if the least distance is more than 0.9
   /// times the distance at the start. A single companion in a bound orbit repeats its motion, so the search ends after
-  /// one period. Changes of the pericentre by tides are not known before the run. The search also ends if a companion
-  /// is within the radius of the ball, because the run then ends with a collision. It also ends after 100,000 steps,
-  /// which bounds its time.
+  /// one period. Changes of the pericentre by tides are not known before the run. The search also ends if two
+  /// companions, or a companion and the centre of the body, are nearer than the radius of the ball. In the run, a
+  /// distance below the longest semi-axis of the body is a collision (app/run/orbit_of_run.h). The search also ends
+  /// after 100,000 steps, which bounds its time.
   Motion near_closest_approach(double end, double before) const {
     if (const auto period = kepler_period()) end = std::min(end, *period);
     constexpr int most_steps = 100'000;

@@ -15,7 +15,7 @@ concept Orbiting = requires(const S system, const typename S::Vector q, typename
   { system.orbit() } -> std::same_as<const Orbit&>;
   /// The coordinates s_k in a position, or the rates ṡ_k in a velocity.
   { system.companions(q) } -> std::same_as<Orbit::Columns>;
-  system.set_companions(s, changed);
+  system.set_companions(s, changed);  // sets these entries of `changed` to s
 };
 
 /// True if there is a companion.

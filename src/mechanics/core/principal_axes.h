@@ -105,8 +105,8 @@ inline double cosine_of_third(double q) {
   return c - 2 * f * slope / (2 * slope * slope - f * curvature);
 }
 
-/// Returns the eigenvectors of C in closed form. The eigenvectors are the columns of the result. They are orthonormal
-/// to round-off, and their directions have errors of about 1e-8.
+/// Returns the eigenvectors of C in closed form. The columns of the result are the eigenvectors. The columns are
+/// orthonormal to round-off, and their directions have errors of about 1e-8.
 inline Eigen::Matrix3d eigenvectors(const Symmetric& C) {
   const double mean = (C.diagonal[0] + C.diagonal[1] + C.diagonal[2]) / 3;
   const Symmetric B{{C.diagonal[0] - mean, C.diagonal[1] - mean, C.diagonal[2] - mean}, C.opposite};

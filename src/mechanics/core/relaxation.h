@@ -28,8 +28,9 @@ bool relaxes(const S& system) {
   return false;
 }
 
-/// Returns the failure of all methods other than RATTLE for a system with internal variables. Only RATTLE includes the
-/// flow of z in its steps.
+/// Returns the failure of a method for a system with internal variables, because only RATTLE includes the flow of z in
+/// its steps. Methods for dissipative systems return this failure. All other methods refuse such a system as
+/// dissipative.
 inline Status refuses_relaxation() {
   return Status::failure("the internal strains of viscoelastic branches are integrated by rattle; use rattle");
 }

@@ -70,7 +70,7 @@ double cost_of_iteration(const F& field) {
 }
 
 /// Solves for the stages of any field, evaluated one by one. If an evaluation of the field fails, returns its failure.
-/// Sets stages.converged, which may be false after success.
+/// Sets stages.converged, which is false after success if the iteration does not converge.
 template <SecondOrderField F>
 Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspace& w) {
   const detail::StageByStage<F> by_stage(field, w);
@@ -79,7 +79,8 @@ Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspa
 }
 
 /// Solves for the stages in the fastest way that the field supports. Fails if the field cannot be evaluated. Sets
-/// stages.converged to true if the stages are found; it may be false after success.
+/// stages.converged to true if the stages are found. After success the flag is false if the iteration does not
+/// converge.
 template <SecondOrderField F>
 Status solve_stages(const F& field, GaussStages& stages, typename F::Workspace& w) {
   if constexpr (requires { field.solve_stages(stages, w); }) {

@@ -53,8 +53,8 @@ class CriticalPointFinder {
 
   static constexpr int max_iterations = 200, max_halvings = 20;
   static constexpr double converged = 1e-12;  // bound of |r|, relative to `scale` of initial_multiplier
-  /// Two solutions with a smaller relative difference count as one point. Newton's solutions of the same point usually
-  /// differ by much less.
+  /// Two solutions whose relative difference is below this bound count as one point. Newton's solutions of the same
+  /// point usually differ by much less.
   static constexpr double same_place = 1e-6;
   static constexpr double singular = 1e-10;  // bound of zero pivots in Newton's matrix, relative to the largest pivot
 
@@ -127,7 +127,9 @@ class CriticalPointFinder {
   }
 
   Vector random_start() {
-    const auto uniform = [&] { return static_cast<double>(generator_() >> 11) * 0x1p-53; };  // portable
+    const auto uniform = [&] {
+      return static_cast<double>(generator_() >> 11) * 0x1p-53;
+    };  // the same numbers on every platform
     if (search_.start) return search_.start(uniform);
     Vector q = search_.center;
     for (Eigen::Index i = 0; i < q.size(); ++i)

@@ -5,7 +5,7 @@
 ///   ÿ + 2Gẏ + Ky = 0,   G = −Gᵀ,   K = Kᵀ,
 ///
 /// with the gyroscopic matrix G and the stiffness K. The equation is a linear Hamiltonian system Wẋ = −Sx in x = (y,
-/// ẏ). It has the conserved energy ½xᵀSx, S = diag(K, Id), and the symplectic form W = [2G, Id; −Id, 0].
+/// ẏ). The system has the conserved energy ½xᵀSx, S = diag(K, Id), and the symplectic form W = [2G, Id; −Id, 0].
 ///
 /// A symmetry maps the equilibrium to other equilibria. The directions (y, ẏ) of all symmetries span an invariant space
 /// N, whose rates are known and do not depend on the equilibrium. The remaining space contains the motions with fixed
@@ -27,7 +27,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// Directions (y, ẏ) that span N, in the columns of `y` and `rate`. They may be linearly dependent.
+/// Directions (y, ẏ) that span N, in the columns of `y` and `rate`. The directions may be linearly dependent.
 struct SymmetryDirections {
   Eigen::MatrixXd y, rate;
 };

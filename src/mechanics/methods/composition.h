@@ -75,6 +75,7 @@ struct Composition {
     return Base::accepts(system);
   }
 
+  /// Makes one step with its s substeps. Fails if a substep fails, and the state is then not valid.
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     for (const double gamma : Coefficients::gamma)

@@ -1,7 +1,7 @@
 #pragma once
-/// The explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince for q̈ = a(t, q, q̇). It has error estimates
-/// of orders 5 and 3 and dense output of order 7. It is described in Hairer, Nørsett, Wanner, Solving Ordinary
-/// Differential Equations I, II.5, II.6 and II.10. The stages store only accelerations A_j, because q̇ = v. The
+/// The explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince for q̈ = a(t, q, q̇). The method has error
+/// estimates of orders 5 and 3 and dense output of order 7. It is described in Hairer, Nørsett, Wanner, Solving
+/// Ordinary Differential Equations I, II.5, II.6 and II.10. The stages store only accelerations A_j, because q̇ = v. The
 /// coefficients are in dormand_prince_8_tableau.h:
 ///
 ///   A_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j
@@ -14,8 +14,9 @@
 ///
 /// Thus `tolerance` bounds the estimated local error of one step, relative to 1 + |q| and 1 + |v|. The global error is
 /// proportional to the tolerance, with a factor that depends on the motion. The size of the next step is h · min(6,
-/// max(1/3, 0.9 (tolerance/error)^{1/8})). A trial with error > tolerance is rejected. The next trial has 0.2 to 0.9 of
-/// its size. After a rejection, the next accepted trial does not increase the size.
+/// max(1/3, 0.9 (tolerance/error)^{1/8})). If a step was shortened to end at a given time, the next size is at least
+/// the size before the shortening. A trial with error > tolerance is rejected. The next trial has 0.2 to 0.9 of its
+/// size. After a rejection, the next accepted trial does not increase the size.
 ///
 /// If the force fails or is not finite in a trial, the next trial has a quarter of the size. If the size falls below
 /// the round-off of the time, the step fails. The increments of q and v are summed with compensation (vector_space.h).
@@ -56,7 +57,7 @@ struct DormandPrince8Workspace {
 
   typename F::Workspace system;
   double tolerance;
-  double h = 0;                    // length of the next step; 0: not yet chosen
+  double h = 0;                    // length of the next step, negative backwards in time; 0: not yet chosen
   double h_max = HUGE_VAL;         // bound of the length of a step
   double t_start = 0, h_last = 0;  // start and length of the last step
   Vector q_start, v_start, q_end, v_end;
@@ -99,6 +100,7 @@ struct DormandPrince8 {
   template <class F>
   static constexpr bool fits = SecondOrderField<F>;
 
+  /// Returns a failure for systems with internal variables (relaxation.h).
   template <SecondOrderField F>
   static Status accepts(const F& field) {
     if (relaxes(field)) return refuses_relaxation();

@@ -1,6 +1,6 @@
 #pragma once
-/// Coefficients of the explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince. They apply to the
-/// first-order equations of q and v, with an acceleration that depends on t, q and v. The numbers are from Hairer,
+/// Coefficients of the explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince. The coefficients apply to
+/// the first-order equations of q and v, with an acceleration that depends on t, q and v. The numbers are from Hairer,
 /// Nørsett, Wanner, Solving Ordinary Differential Equations I, II.5–II.6, and from the authors' code DOP853. With the
 /// step h and the accelerations A_j of the stages,
 ///

@@ -1,9 +1,9 @@
 #pragma once
-/// The method energy-momentum: a step of any size conserves energy, momenta and constraints up to round-off. It uses
-/// the discrete gradients of O. Gonzalez (J. Nonlinear Sci. 6 (1996) 449), with constraints as in Physica D 132 (1999)
-/// 165. The step is in phase space and also satisfies the constraint of the velocity. With X = (q, p) and p = M v,
-/// Hamilton's function is H = K(p) + V(q). The constraints are g(q) = 0 and, for their rates, γ(X) = G(q) M⁻¹p = 0 with
-/// G = Dg. A step of size h from X₀ to X₁ is
+/// The method energy-momentum: a step of any size conserves energy, momenta and constraints up to round-off. The method
+/// uses the discrete gradients of O. Gonzalez (J. Nonlinear Sci. 6 (1996) 449), with constraints as in Physica D 132
+/// (1999) 165. The step is in phase space and also satisfies the constraint of the velocity. With X = (q, p) and p = M
+/// v, Hamilton's function is H = K(p) + V(q). The constraints are g(q) = 0 and, for their rates, γ(X) = G(q) M⁻¹p = 0
+/// with G = Dg. A step of size h from X₀ to X₁ is
 ///
 ///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,   X_m = (X₀ + X₁)/2,
 ///   ∇̄F = ∇F(X_m) + C,   C = ΠD + θP,   θ = [ΔF − (∇F(X_m) + ΠD)·ΔX]/|P|²,   P = Π ΔX,
@@ -79,9 +79,9 @@ struct EnergyMomentum {
   static constexpr int n_stages = 1;
   static constexpr bool symplectic = false, symmetric = true;
   static constexpr bool adaptive = false, chosen_by_auto = false;
-  /// Largest hω that a search tries. The iteration converges for hω < 2, and its increments decrease by the factor
-  /// (hω/2)². At hω = 1.6 the harmonic oscillator needs about 80 of the 150 permitted iterations. The step itself is
-  /// stable for all hω.
+  /// Largest hω that a search tries, with the frequency ω of an oscillation. The iteration converges for hω < 2, and
+  /// its increments decrease by the factor (hω/2)². At hω = 1.6 the harmonic oscillator needs about 80 of the 150
+  /// permitted iterations. The step itself is stable for all hω.
   static constexpr double stability_limit = 1.6;
 
   template <class S>
@@ -222,8 +222,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// A += a [f(q) + G(q)ᵀλ − D²g(q)(v, ·)ᵀμ], B += a G(q)ᵀμ. With a = 1, the pair (−A, B) is ∇F without the term M v.
-  /// Fails if the force fails.
+  /// A += a [f(q) + G(q)ᵀλ − D²g(q)(v, ·)ᵀμ], B += a G(q)ᵀμ. With a = 1, and A = B = 0 before the call, the pair (−A,
+  /// B) is ∇F without the term M v. Fails if the force fails.
   template <ConservativeSystem S>
   static Status add_gradient(const S& system, double a, double t, const typename S::Vector& q,
                              const typename S::Vector& v, EnergyMomentumWorkspace<S>& w, typename S::Vector& A,

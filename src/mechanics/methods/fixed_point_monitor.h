@@ -31,12 +31,12 @@ struct FixedPointMonitor {
 
   /// Judges an increment. `round_off` is the bound of increments that consist of round-off. The iteration is done if
   /// the increment is at most `round_off`. It is also done if the increment is at most 30 · `round_off` and has not
-  /// decreased.
+  /// decreased. The iteration is stuck if an increment of at least 1e-3 internal units has grown tenfold. It is also
+  /// stuck after a NaN, or if 150 iterations are not enough.
   ConvergenceMonitor::Verdict judge(double increment, double round_off) {
     using Verdict = ConvergenceMonitor::Verdict;
     if (increment <= round_off || (increment >= previous && increment <= 30 * round_off)) return Verdict::done;
-    // An increment of at least 1e-3 that grows tenfold counts as stuck. Comparisons with NaN are false, so a NaN counts
-    // as stuck too.
+    // Comparisons with NaN are false, so a NaN counts as stuck.
     if (!(increment < 10 * previous || increment < 1e-3) || ++iteration > max_iterations) return Verdict::stuck;
     previous = increment;
     return Verdict::go_on;

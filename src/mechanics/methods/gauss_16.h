@@ -73,8 +73,8 @@ struct Gauss16Workspace {
   std::size_t n_entries;
   std::vector<OfStages> last, stages, sums, scratch;  // `last` has the stages of the last step
   GaussTables tables;
-  double h_last = 0;      // length of the last step; 0: there was none
-  double scale = 0;       // largest acceleration in the first iteration of the last step
+  double h_last = 0;      // length of the last step or part of a step; 0: there was none
+  double scale = 0;       // largest acceleration in the first iteration of this step or part
   int n_halvings = 0;     // largest number of halvings in the last call of `advance`
   int n_unprojected = 0;  // calls of `advance` since the last projection
   Counters counters;
@@ -119,8 +119,8 @@ struct Gauss16 {
   static constexpr bool for_stages_in_lanes = true;
   static constexpr bool symplectic = false, symmetric = true;
   static constexpr bool adaptive = false, chosen_by_auto = true;
-  /// Largest hω for which the iteration on the stages needs at most a dozen rounds. The iteration converges for hω <
-  /// 11, the inverse of the spectral radius of A.
+  /// Largest hω for which the stages need at most a dozen iterations, with the frequency ω of an oscillation. The
+  /// iteration converges for hω < 11, the inverse of the spectral radius of A.
   static constexpr double stability_limit = 4;
 
   template <class S>
@@ -135,6 +135,7 @@ struct Gauss16 {
       return VectorSpace<typename S::Vector>::dense && !has_costly_force<S>;
   }();
 
+  /// Returns a failure for systems with internal variables (relaxation.h).
   template <class S>
   static Status accepts(const S& system) {
     if (relaxes(system)) return refuses_relaxation();

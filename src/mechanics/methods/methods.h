@@ -17,7 +17,7 @@
 ///     stability_limit                      largest hω of a step h, with the largest frequency ω of small motions
 ///     resonance_limit                      optional, a smaller bound on hω for the steps that a search tries
 ///     forces_of_step(system)               optional, cost of a step in force evaluations; the default is n_stages
-///     for_stages_in_lanes                  optional, if Method = auto needs a system with stages in lanes
+///     for_stages_in_lanes                  optional, declared if Method = auto needs a system with stages in lanes
 ///     advance(system, h, state, workspace) → Status            makes one step; the velocity may lack its projection
 ///     project_velocity(system, state, workspace) → Status      makes the velocity valid, needed at samples
 ///

@@ -18,9 +18,10 @@
 /// roots ±i of ρ are then midway between 1 and −1, at which the two roots would coincide.
 ///
 /// Parasitic roots are the roots of ρ other than 1. A motion of frequency ω couples two parasitic roots e^{iθ}, e^{iθ'}
-/// if hω is the difference of θ and θ' (G. D. Quinlan, arXiv:astro-ph/9901136, 1999). At such a step the error is
-/// larger than at slightly longer and shorter steps. For order 8 at hω = 0.305, the error is 7 times the error of a
-/// step that is longer by a tenth. The smallest difference of θ and θ' for two parasitic roots is resonance_limit.
+/// if hω is the difference of θ and θ'. This resonance is described by G. D. Quinlan (arXiv:astro-ph/9901136, 1999). At
+/// such a step the error is larger than at slightly longer and shorter steps. For order 8 at hω = 0.305, the error is 7
+/// times the error of a step that is longer by a tenth. The smallest difference of θ and θ' for two parasitic roots is
+/// resonance_limit.
 
 #include <array>
 

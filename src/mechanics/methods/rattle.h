@@ -11,7 +11,8 @@
 /// projection (SHAKE) therefore has the same positions. `advance` omits the projection, and `project_velocity` projects
 /// at samples.
 ///
-/// λ_n is multiplied by the sum of the half steps before and after q_n. With Λ for this product, Newton's iteration is
+/// λ_n is multiplied by the sum of the half steps before and after q_n, or by the half step after q_n if v_n is
+/// projected. With Λ for this product, Newton's iteration is
 ///
 ///   G(q) M⁻¹ G(q_n)ᵀ δ = −g(q),   v ← v + M⁻¹G(q_n)ᵀδ/h,   q ← q + M⁻¹G(q_n)ᵀδ,   Λ ← Λ + δ/h.
 ///
@@ -25,11 +26,11 @@
 /// ẍ = −ω²x − cẋ is stable up to hω = 2 for every c. If the fixed-point iteration is already slow in the first step,
 /// the first half step is implicit as well. Otherwise an overdamped body would start with a fast transient.
 ///
-/// Coordinates on known orbits move along these orbits in place of straight lines (orbiting_system.h).
-/// The step then resolves only the forces that disturb the orbits.
+/// The coordinates of companions move along Kepler orbits in place of straight lines (orbiting_system.h). The step then
+/// resolves only the forces that disturb the orbits.
 ///
-/// Internal variables z (relaxation.h) relax for the time h between the two half steps, for the mean of the strains at
-/// q_n and q_{n+1}. This splitting is symmetric and of order 2, and needs no further force.
+/// Internal variables z (relaxation.h) relax for the time h between the two half steps. The strain is then the mean of
+/// the strains at q_n and q_{n+1}. This splitting is symmetric and of order 2, and needs no further force.
 ///
 /// The increments of q and v are small compared with q and v, and are summed with compensation (vector_space.h). If the
 /// system supports it (`resolves_rounding`), the constraint is solved for the sum q + q_rounding.
@@ -181,12 +182,13 @@ struct Rattle {
     }
   }
 
-  /// Returns the largest |g| that a step may leave. If sums are not compensated, this is the tolerance of the system.
-  /// If sums are compensated, |g| is the largest error of a step and accumulates, so the tolerance of the system is too
-  /// coarse. If the constraint is solved for q + q_rounding (`resolves_rounding`), the result is 1/256 of this
-  /// tolerance. Otherwise the result is 0, and g(q) is iterated to its round-off. In measurements, the energy of a
-  /// pseudo-rigid body drifted by 7e-12 in 10⁶ periods with the tolerance of the system. If g(q) was iterated to its
-  /// round-off, the drift was 1e-12. There was no drift if |g(q + q_rounding)| was less than this round-off.
+  /// Returns the largest |g| that a step may leave. If sums are not compensated, this is w.constraint_tolerance. If
+  /// sums are compensated, |g| is the largest error of a step and accumulates, so w.constraint_tolerance is too coarse.
+  /// If the constraint is solved for q + q_rounding (`resolves_rounding`), the result is 1/256 of
+  /// w.constraint_tolerance. Otherwise the result is 0, and g(q) is iterated to its round-off. In measurements, the
+  /// energy of a pseudo-rigid body drifted by 7e-12 in 10⁶ periods if the result was w.constraint_tolerance. If g(q)
+  /// was iterated to its round-off, the drift was 1e-12. There was no drift if |g(q + q_rounding)| was less than this
+  /// round-off.
   template <ConstrainedSystem S>
   static double position_tolerance(const RattleWorkspace<S>& w) {
     if constexpr (resolves_rounding<S>)
@@ -197,8 +199,8 @@ struct Rattle {
       return w.constraint_tolerance;
   }
 
-  /// Divides w.impulse = Λ by `weight`, the sum of the half steps before and after the time t. Records the quotient as
-  /// λ(t). If consecutive substeps have opposite signs, `weight` may be nearly 0. The function then does nothing.
+  /// Divides w.impulse = Λ by `weight`, the length of the half steps that Λ contains. Records the quotient as λ(t). If
+  /// consecutive substeps have opposite signs, `weight` may be nearly 0. The function then does nothing.
   template <ConstrainedSystem S>
   static void record_multiplier(double t, double weight, double h, RattleWorkspace<S>& w) {
     if (std::abs(weight) < 0.1 * std::abs(h)) return;

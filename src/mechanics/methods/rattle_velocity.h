@@ -102,9 +102,10 @@ struct RattleVelocity {
     return system.force(state.t, state.q, state.v, w.system, w.acceleration);
   }
 
-  /// Solves the equation of `settle_velocity` if the force is damping. If the damping is linear in v, a second solve
-  /// removes the residual of the first. The system therefore computes the power of its forces at a v that is final up
-  /// to this residual. Fails if the force, a projection or a linear system fails.
+  /// Solves the equation of `settle_velocity` if the force is damping. If the damping is not linear in v, Newton's
+  /// method solves it. If the damping is linear, one solve suffices up to a residual, and a second solve removes this
+  /// residual. The last force, and the dissipated power in it, is then that of a v which is final up to the residual.
+  /// Fails if the force, a projection or a linear system fails.
   template <Damped S>
   static Status solve_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     const typename S::Vector rounding_half = w.v_rounding;

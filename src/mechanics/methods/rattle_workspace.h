@@ -68,7 +68,7 @@ struct RattleWorkspace {
   [[no_unique_address]] DampingTemporaries<S> damping;
   typename S::Vector q_rounding, v_rounding;  // remainders of the compensated sums of q and v
   detail::ConstraintTemporaries<S> constraint;
-  typename S::Multiplier impulse;  // Λ
+  typename S::Multiplier impulse;  // Λ, which record_multiplier divides by the half steps
   MultiplierHistory<S> history;
   double constraint_tolerance;   // permitted |g|_∞ and |G v|_∞; the default is that of the system
   double pending_weight = 0;     // length of the last half step, if its reaction is not yet in v; otherwise 0

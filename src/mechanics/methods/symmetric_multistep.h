@@ -17,14 +17,16 @@
 ///   v_n = d_n/h + h Σ_i c_i a_{n−i}   (order k + 1),   then projected onto G v = 0.
 ///
 /// An error of λ_n changes v only along M⁻¹G(q_n)ᵀ, and the projection removes this part. The projection needs less
-/// work if a_n contains an extrapolated λ_n. The energy errors of the states oscillate along a motion. A restart begins
-/// at one of these states and keeps its energy error, which shifts the phase more and more.
+/// work if a_n contains an extrapolated λ_n. The energy errors of the states oscillate along a motion. After a change
+/// of h, the method starts again from one of these states. The energy error of this state then remains, and shifts the
+/// phase more and more.
 ///
-/// For small systems the errors of energy and momenta oscillate within bounds of size h^order. For the ball, the energy
-/// error is of the same order but grows as the motion spreads to modes of high frequency (step_search.h). Order 4 was
-/// measured at 0.8 of the stability limit, in a release from a deformation of 0.3. The unit of time is r/c, with the
-/// radius r and the speed c of shear waves. The relative energy error is 2e-5 at t = 100 r/c and 1e-2 at 1430 r/c. The
-/// error of Q at 100 r/c is 1e-5; RATTLE with the same step has 7e-3.
+/// For small systems the errors of energy and momenta oscillate within bounds of size h^order. For a finite-element
+/// ball, the energy error is of the same order but grows as the motion spreads to modes of high frequency
+/// (step_search.h). Order 4 was measured for such a ball at 0.8 of the stability limit, in a release from a deformation
+/// of 0.3. The unit of time is r/c, with the radius r and the speed c of shear waves. The relative energy error is 2e-5
+/// at t = 100 r/c and 1e-2 at 1430 r/c. The error of the mean deformation Q at 100 r/c is 1e-5. RATTLE with the same
+/// step has the error 7e-3.
 ///
 /// A round-off error ε of the constraint causes an error ε/h² of the multipliers. The history multiplies this error by
 /// the coefficients β̂ (up to 5 for order 8, 62 for order 12). The resulting error of the motion grows as the square
@@ -47,7 +49,8 @@
 namespace pseudorigid::mechanics {
 
 /// Workspace of a symmetric multistep method. The history is a ring of k − 1 slots. It contains d_i and a_i for the
-/// last k − 1 steps, but a_n only after its computation. The base class has the members that RATTLE uses as well.
+/// last k − 1 steps. The slot of the newest step contains the old value a_{n−(k−1)} until a_n is computed. The base
+/// class has the members that RATTLE uses as well.
 template <ConstrainedSystem S, int k, template <class> class Start>
 struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_slots = k - 1;
@@ -64,7 +67,7 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   Start<S> start;
   typename S::Multiplier multiplier;
   std::array<typename S::Vector, n_slots> d, a;
-  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // of the last steps, stored as a ring
+  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // of the last steps, in a ring
   double h = 0;
   int newest = 0;             // slot of d_n, the difference of the last step to q_n
   int n_known = 0;            // number of differences d in the history
@@ -104,13 +107,16 @@ struct SymmetricMultistep {
   template <class S>
   static constexpr bool fits = ConstrainedSystem<S>;
 
+  /// Returns a failure if a force dissipates energy or depends on velocity or time, or if the system has contact.
   template <ConstrainedSystem S>
   static Status accepts(const S& system) {
     if (velocity_dependent(system) || dissipative(system) || time_dependent(system))
       return Status::failure(
           "symmetric multistep methods are for conservative forces that depend on the position alone; use explicit-8");
-    // The second derivative of the force jumps at the beginning and the end of a contact. Each jump leaves an
-    // oscillation of the velocity from step to step.
+    // Contact forces are not smooth. In the closed form for affine bodies (loads/ellipsoid_contact.h), the second
+    // derivative of the force jumps at the beginning and the end of a contact. In a sum over points (loads/contact.h),
+    // the first derivative jumps when a point touches or leaves a plane. Each jump leaves an oscillation of the
+    // velocity from step to step.
     if constexpr (requires { system.has_contact(); })
       if (system.has_contact())
         return Status::failure("symmetric multistep methods are for smooth forces, not for contact; use rattle");
@@ -151,8 +157,8 @@ struct SymmetricMultistep {
   /// Returns true if the step sizes differ only by the round-off of the sample times.
   static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
 
-  /// Empties the history, so that the starting method makes the next k − 1 steps of size h. They start from the
-  /// projected state.
+  /// Empties the history, so that the starting method makes the next k − 1 steps of size h. The first of these steps
+  /// starts from the projected state.
   template <class S>
   static Status restart(const S& system, double h, State<S>& state, Workspace<S>& w) {
     if (w.h != 0)
@@ -206,9 +212,9 @@ struct SymmetricMultistep {
   }
 
   /// Computes d_{n+1} and q_{n+1} with a_n from the extrapolated multiplier, and then corrects all three until
-  /// g(q_{n+1}) = 0. Fails if the iteration for the constraint does not converge or the result is not finite. All calls
-  /// are inlined, because calls kept the temporaries of small systems in memory. In a measurement, accesses to these
-  /// temporaries took a sixth of the time of a step of the pseudo-rigid body.
+  /// g(q_{n+1}) = 0. Fails if the iteration for the constraint does not converge. For dense vectors, also fails if the
+  /// result is not finite. All calls are inlined, because calls kept the temporaries of small systems in memory. In a
+  /// measurement, accesses to these temporaries took a sixth of the time of a step of the pseudo-rigid body.
   template <class S>
   PSEUDORIGID_FLATTEN static Status make_step(const S& system, State<S>& state, Workspace<S>& w) {
     constexpr bool dense = VectorSpace<typename S::Vector>::dense;
@@ -228,7 +234,7 @@ struct SymmetricMultistep {
     sum_history<S>(w, increment);
     add(1.0, increment, state.q, w.q_rounding);
     if constexpr (!unconstrained<S>) {
-      const double per_shift = 1 / (w.h * w.h * formula.acceleration[0]);  // multiplier per displacement of q_{n+1}
+      const double per_shift = 1 / (w.h * w.h * formula.acceleration[0]);  // converts δ to a change of λ_n
       const auto apply = [&] {
         add(1.0, w.constraint.reaction, state.q, w.q_rounding);
         axpy(1.0, w.constraint.reaction, increment);
@@ -262,7 +268,7 @@ struct SymmetricMultistep {
   template <class S>
   static void sum_history(Workspace<S>& w, typename S::Vector& sum) {
     const auto slot = [&](int i) { return w.newest >= i ? w.newest - i : w.newest - i + w.n_slots; };
-    if constexpr (VectorSpace<typename S::Vector>::dense) {  // newest terms last, because they may not be ready
+    if constexpr (VectorSpace<typename S::Vector>::dense) {  // newest terms last, because they are computed last
       sum = w.d[slot(w.n_slots - 1)];
       scale(formula.difference[w.n_slots - 1], sum);
       axpy(w.h * w.h * formula.acceleration[w.n_slots - 1], w.a[slot(w.n_slots - 1)], sum);

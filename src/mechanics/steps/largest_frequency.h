@@ -194,7 +194,7 @@ class TangentOperator {
 struct RitzValue {
   double value = 0, residual = 0;
 };
-/// Returns this eigenvalue for n = alpha.size() steps of Lanczos; beta has the same size.
+/// Returns the eigenvalue and its residual after n = alpha.size() steps of Lanczos. The list `beta` has the same size.
 RitzValue largest_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta);
 
 /// Returns the number of independent displacements tangent to the constraints, or the largest int for distributed
@@ -250,8 +250,8 @@ Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_ite
 }  // namespace detail
 
 /// Returns ω from at most `n_iterations` steps of Lanczos. The iteration ends earlier if the relative uncertainty of ω²
-/// is at most `accuracy`. The residual is added to the eigenvalue. A short iteration therefore gives an ω that is too
-/// large and a step that is too small, which is safe. If the number of steps is the number of modes, only the
+/// is at most `accuracy`. The residual is added to the eigenvalue. A short iteration therefore usually gives an ω that
+/// is too large and a step that is too small, which is safe. If the number of steps is the number of modes, only the
 /// differences have errors. If no motion oscillates, ω is 0.
 template <ConstrainedSystem S>
 FrequencyReport largest_frequency(const S& system, const State<S>& state, typename S::Workspace& workspace,

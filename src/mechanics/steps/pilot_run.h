@@ -25,14 +25,14 @@ struct StepRequest {
   double window = 0;     ///< length w of the pilot runs
   double tolerance = 0;  ///< permitted error of the configuration over [0, T]
   /// Largest permitted step of RATTLE (rattle_step_limit), to which the limits of other methods are proportional. The
-  /// limit is infinite if the system has no constrained form.
+  /// limit is infinite if the system has no constrained form, and 0 if it is not known.
   double rattle_limit = 0;
   double step_bound = HUGE_VAL;  ///< largest length of a step with all its substeps that the user permits
   double interval = HUGE_VAL;    ///< time between samples, a bound for methods with fixed steps
   bool stiff = false;            ///< true if the damping would limit the step of all methods except RATTLE
-  /// True if force evaluations are costly. The search then first tries shorter pilot runs. It omits methods that cannot
-  /// save more than 20 % of the force evaluations of the best method so far. It also does not measure how adaptive
-  /// methods amplify round-off.
+  /// True if force evaluations are costly. The search then first tries shorter pilot runs. The search omits methods
+  /// that cannot save more than 20 % of the force evaluations of the best method so far, and does not measure how
+  /// adaptive methods amplify round-off.
   bool spare_pilots = false;
   std::optional<MethodId> method{};    ///< the requested method; empty: the cheapest method
   std::function<bool()> give_up = {};  ///< called after every pilot step; true ends the search
@@ -145,7 +145,7 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
 /// method itself would amplify the perturbations.
 inline double longest_kicked_step(const StepRequest& request) {
   constexpr double most_steps = 4096;
-  if (request.rattle_limit == 0) return HUGE_VAL;  // not known
+  if (request.rattle_limit == 0) return HUGE_VAL;  // the limit is not known
   return std::max(request.rattle_limit, pilot_window(request) / most_steps);
 }
 
@@ -229,7 +229,7 @@ inline double round_off_walk(bool compensated, double speed, double end, double 
 struct Trial {
   enum class Verdict { accepted, dearer, failed } verdict = Verdict::failed;
   MethodId method = id_of<Rattle>;
-  double limit = 0, step = 0;  ///< permitted and chosen step with all substeps; adaptive: both are the bound
+  double limit = 0, step = 0;  ///< permitted and chosen step; adaptive: StepRequest::step_bound
   double local_tolerance = 0;  ///< for adaptive methods only
   /// Estimated error of the configuration over the run, and number of force evaluations of the run.
   double error = 0, n_forces_of_run = 0;

@@ -102,8 +102,8 @@ Trial StepSearch::meet_tolerance(const FixedStepMethod& method, double n_forces_
   return trial;
 }
 
-/// Returns the length of the pilot runs. For a multistep method of order p the length is at least 4p steps, or the
-/// whole run if this is shorter.
+/// Returns the length of the pilot runs. For a multistep method of order p the length is at least 4p steps of the
+/// largest permitted size, or the whole run if this is shorter.
 double StepSearch::window_of(const FixedStepMethod& method) const {
   constexpr double n_steps_per_order = 4;
   const double least = is_multistep(method) ? n_steps_per_order * method.order * limit(method) : 0;
@@ -142,7 +142,8 @@ bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
 }
 
 /// Shortens the step such that the predicted change of the energy over the run is permitted (step_search.h). Does
-/// nothing for methods other than multistep methods, for short runs, or if the pilot run fails.
+/// nothing for methods other than multistep methods, for short runs, if the caller does not give the energies, or if
+/// the pilot run fails.
 void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
   // The two values and the power in change_of_energy() were chosen after the measurements in step_search.h.
   constexpr double part = 1.0 / 8, least_windows = 5;
@@ -152,7 +153,7 @@ void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
   const PilotRun run = method.energies(window, grid.n_samples, grid.n_steps);
   n_force_ += run.n_force;
   const double p = method.order, h = window / static_cast<double>(grid.n_samples * grid.n_steps);
-  if (!run.status || run.q.size() < 2) return;  // the step remains; the run itself shortens it if the run fails too
+  if (!run.status || run.q.size() < 2) return;  // without energies, the step is not shortened
   const double change = change_of_energy(run, part) * std::pow(trial.step / h, p);
   if (change <= allowed_error()) return;
   const double shorter = std::pow(allowed_error() / change, 1 / p);
@@ -189,7 +190,7 @@ bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, d
   }
   const double exponent = e > target ? p : std::max(p, fall);  // a faster decrease than the order may not continue
   const double h_accuracy = h * (e > target ? std::exp2(-0.25) : 1.0) * std::pow(target / e, 1 / exponent);
-  const double h_round_off = h * std::pow(walk / e, 1 / (p + 0.5));  // e (h'/h)^p = walk (h/h')^½
+  const double h_round_off = h * std::pow(walk / e, 1 / (p + 0.5));  // from e (h'/h)^p = walk (h/h')^½
   const double step = std::min(std::max(h_accuracy, h_round_off), trial.limit);
   return accept(method, trial, step, e * std::pow(step / h, p), round_off(method, speed, step));
 }

@@ -7,17 +7,17 @@
 ///
 ///   e(h) = max_k |Q_h(t_k) − Q_{h/2}(t_k)| · 2^p/(2^p − 1) · T/w.
 ///
-/// The factor T/w assumes that the error grows linearly after the window. The assumption holds for symmetric methods on
-/// regular motions (Hairer, Lubich, Wanner, Geometric Numerical Integration, X.3). The window should contain several
-/// periods of the slowest important motion. On a chaotic motion only w = T is safe. In a test with 1500 short scenes,
-/// all runs met their tolerances. A release from the stretches 1.29, 1.29, 0.60, which is not in the test, had an error
-/// of 1.12 times its tolerance. This motion magnifies a change of the initial state 2000 times in the time 6.4 r/c.
-/// Here r is the radius, and c the speed of shear waves.
+/// The target of e is half of the tolerance. The factor T/w assumes that the error grows linearly after the window. The
+/// assumption holds for symmetric methods on regular motions (Hairer, Lubich, Wanner, Geometric Numerical Integration,
+/// X.3). The window should contain several periods of the slowest important motion. On a chaotic motion only w = T is
+/// safe. In a test with 1500 short scenes, all runs met their tolerances. A release from the stretches 1.29, 1.29,
+/// 0.60, which is not in the test, had an error of 1.12 times its tolerance. This motion magnifies a change of the
+/// initial state 2000 times in the time 6.4 r/c. Here r is the radius, and c the speed of shear waves.
 ///
 /// The search starts at the stability limit and halves the step. It ends if e is at most the target or the error e₀ of
 /// round-off (below). It also ends if a difference of at most 0.1 falls at a halving by a factor of at least 2^p/√2.
-/// Then the relation e ~ hᵖ gives the step. If this step is smaller than h, no pilot run has tested it, so e is
-/// multiplied by a reserve of 2^(p/4).
+/// The search fails if 12 halvings are not enough. Then the relation e ~ hᵖ gives the step. If this step is smaller
+/// than h, no pilot run has tested it, so e is multiplied by a reserve of 2^(p/4).
 ///
 /// A multistep method of order p begins with p − 1 steps of another method. These steps do not show the error of the
 /// multistep method. Therefore the window contains at least 4p steps, or the whole run.

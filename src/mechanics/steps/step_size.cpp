@@ -22,8 +22,8 @@ namespace {
 /// The search stops for a method that needs this many times the least cost of a later method of higher order. If force
 /// evaluations are costly, the search compares the method with all later methods.
 constexpr double clearly_dearer = 4;
-/// If force evaluations are costly, a method is tried only if its least cost is below this fraction of the least cost
-/// so far. Otherwise its pilot runs would cost more than the method can save.
+/// If force evaluations are costly, a method is tried only if its least cost is below this fraction of the cost of the
+/// best method so far. Otherwise its pilot runs would cost more than the method can save.
 constexpr double worth_dear_pilots = 0.8;
 /// A method that conserves the invariants of the motion may need this number of force evaluations for each force
 /// evaluation of an adaptive method.
@@ -58,7 +58,8 @@ class MethodChoice {
  public:
   MethodChoice(bool compensated, const StepRequest& request) : compensated_(compensated), request_(request) {}
 
-  /// Searches for the local tolerance of each adaptive method. The table has one such method.
+  /// Searches for the local tolerance of each adaptive method, and keeps the method if it is accepted. The table has
+  /// one such method. Sets `hopeless_` if the method fails or its error is above 0.1.
   void try_adaptive(const std::vector<AdaptiveMethod>& methods) {
     for (const AdaptiveMethod& method : methods) {
       trials_.push_back(search_tolerance(request_, compensated_, method, n_force_));
@@ -129,7 +130,7 @@ class MethodChoice {
   const StepRequest& request_;
   std::vector<Trial> trials_;
   std::optional<Trial> best_, adaptive_;
-  bool hopeless_ = false;  // the motion ends within the window, or is too sensitive for every method
+  bool hopeless_ = false;  // no more methods are tried: the motion ends early or is too sensitive
   long n_force_ = 0;
 };
 

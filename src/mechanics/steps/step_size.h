@@ -5,16 +5,18 @@
 ///
 /// An adaptive method (tolerance_search.h) is tried first. Its cost bounds the cost of the search among the other
 /// methods. If it fails, or if its estimated error is above 0.1, other methods are not tried. The motion then ends
-/// early or is too sensitive for every method. An adaptive method does not conserve the invariants of the motion. It is
-/// therefore chosen only if it needs less than half of the force evaluations of the other methods. This occurs on short
-/// runs, because the error of an adaptive method grows like T², and on motions with short violent phases.
+/// early or is too sensitive for every method. An adaptive method does not conserve the invariants of the motion. If
+/// another method meets the tolerance, the adaptive method is therefore chosen only if it needs less than half of the
+/// force evaluations. This occurs on short runs, because the error of an adaptive method grows like T², and on motions
+/// with short violent phases.
 ///
 /// Then methods with fixed steps are tried (step_search.h), in the order of their least cost, which is the cost at the
 /// stability limit. For methods of order 2 this cost counts twice. A method is skipped if its least cost exceeds the
 /// cost of the best method so far. If force evaluations are costly, the bound is 0.8 of this cost. During the search
 /// for the step of a method, pilot runs predict the cost of the method. The search ends if this cost exceeds the cost
 /// of the best method so far. It also ends if this cost is four times the least cost of a later method. If force
-/// evaluations are cheap, only later methods of higher order count.
+/// evaluations are cheap, only later methods of higher order count. Without an adaptive method, the first method for
+/// which no step is found ends the whole search.
 
 #include <Eigen/Core>
 #include <optional>
@@ -33,7 +35,7 @@ struct [[nodiscard]] StepChoice {
   double step = 0;             ///< upper bound of the step, which contains all its substeps
   double local_tolerance = 0;  ///< for adaptive methods only
   double error = 0;            ///< estimated error of the configuration over the run
-  bool at_round_off = false;   ///< true if the tolerance is below the limit of double precision
+  bool at_round_off = false;   ///< true if round-off prevents the method from meeting the tolerance
   /// Time after which round-off grows beyond the tolerance; empty if no such time is known.
   std::optional<double> round_off_rules_from{};
   double rattle_limit = 0;  ///< the value of StepRequest::rattle_limit
@@ -95,10 +97,11 @@ bool is_candidate(const S& system, const StepRequest& request) {
 }  // namespace detail
 
 /// Chooses the cheapest method and its step, or the step of the requested method. The tolerance applies to the
-/// configuration Q_of(state), a matrix or vector of Eigen. `initial` is at t = 0. A failed pilot run with fixed steps
-/// is repeated with half the step. The function energies_of(state), if given, returns the kinetic and the potential
-/// energy. A multistep method may then change their sum by at most half the tolerance, relative to the energy of the
-/// motion. The status of the result is a failure if no method fits or no step is found.
+/// configuration Q_of(state), a matrix or vector of Eigen. `initial` is at t = 0. If a pilot run with fixed steps
+/// fails, it is repeated with half the step, unless the motion itself ends. The function energies_of(state), if given,
+/// returns the kinetic and the potential energy. A multistep method may then change their sum by at most half the
+/// tolerance, relative to the energy of the motion. The status of the result is a failure if no method fits or no step
+/// is found.
 template <class S, class QOf, class EnergiesOf = detail::NoEnergies>
 StepChoice choose_step(const S& system, const State<S>& initial, const StepRequest& request, const QOf& Q_of,
                        const EnergiesOf& energies_of = {}) {
