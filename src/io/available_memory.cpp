@@ -54,8 +54,8 @@ double left_in_group(const fs::path& group, const Names& names) {
 }
 
 /// The least free memory, in bytes, of the group `path` below the folder `mount` and of the groups above it. A group
-/// without a file for its limit counts as unlimited. In a container, `mount` may contain only the group of the
-/// container, although `path` names groups of the machine.
+/// without a file for its limit counts as unlimited. Such groups occur in a container: `path` may name groups of the
+/// machine, but `mount` may contain only the group of the container.
 double left_in_groups(const fs::path& mount, const std::string& path, const Names& names) {
   double left = infinite;
   for (fs::path group = fs::path(path).lexically_normal();; group = group.parent_path()) {

@@ -190,7 +190,8 @@ class GmshReader {
     require("$EndMeshFormat");
   }
 
-  /// Reads the line with the number of nodes or elements of the section.
+  /// Reads the line with the number of nodes or elements of the section, and returns this number. Throws UserError if
+  /// the line contains anything else.
   std::size_t read_count(std::string_view section) {
     require_line(section);
     const auto n = take<std::size_t>("how many lines the section has");

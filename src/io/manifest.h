@@ -50,7 +50,8 @@ struct Manifest {
 };
 
 /// Writes manifest.json. The constructor writes the state "running", and `finish` writes the final state. Both throw
-/// WriteError. If `finish` is not called, for example after an exception, the destructor writes the state "failed".
+/// WriteError if the file cannot be written. If `finish` is not called, for example after an exception, the destructor
+/// writes the state "failed".
 class ManifestFile {
  public:
   ManifestFile(std::filesystem::path path, Manifest content);
@@ -88,7 +89,8 @@ void note_failure(const std::filesystem::path& manifest, int exit_code, const st
 /// Also throws it if an earlier version wrote the file without the entries, which a report needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
 /// The names of the runs of the models of the ball with the motion x = QX, Q a matrix. The result is empty if the file
-/// does not exist or is not a manifest. Throws UserError if the file exists but cannot be read.
+/// does not exist, is not a manifest, or belongs to another system. Throws UserError if the file exists but cannot be
+/// read.
 std::vector<std::string> affine_movers_in(const std::filesystem::path& manifest);
 
 /// The name of the processor in /proc/cpuinfo, or "unknown".

@@ -24,7 +24,7 @@ class PvdCollection {
   static PvdCollection resume(std::filesystem::path path, double until);
 
   /// Adds a picture and writes the list. The paths in the list are relative to the folder of the list. The run
-  /// directory can therefore be moved. Throws WriteError.
+  /// directory can therefore be moved. Throws WriteError if the list cannot be written.
   void add(double time, const std::filesystem::path& file);
   const std::vector<Frame>& frames() const { return frames_; }
 
