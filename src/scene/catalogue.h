@@ -57,7 +57,7 @@ struct SystemEntry {
   std::string default_text;
 };
 
-/// A column of a CSV file. The lists of the systems omit the first column, which is `time`.
+/// A column of a CSV file. The lists of the columns of a motion omit the first column, which is `time`.
 struct Column {
   std::string name;
   Unit unit;

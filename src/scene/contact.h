@@ -33,8 +33,9 @@ struct MeshedContact {
   std::string line() const;     ///< the line for the list of needed parts
   std::string warning() const;  ///< a sentence for the user; empty if the ratio is at most `most`
 };
-/// The result is empty if the scene has no planes or no finite-element model, or if the body is a fluid. It is also
-/// empty if the scene does not set the degree and the refinements.
+/// The contact of the finite-element model of the scene. The result is empty if the scene has no planes or no
+/// finite-element model, or if the body is a fluid. It is also empty if the scene does not set the degree and the
+/// refinements.
 std::optional<MeshedContact> meshed_contact(const Scene& scene);
 
 }  // namespace pseudorigid::scene

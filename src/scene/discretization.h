@@ -2,8 +2,8 @@
 /// Discretisations of the finite-element model. A discretisation has the degree k of the elements and the number r of
 /// refinements of the mesh. If the scene does not set both numbers, a search tries discretisations by increasing cost.
 ///
-/// The error of the mass moment Q = ∫ρxXᵀ dV E₀⁻¹, which is the matrix of an affine motion x = QX, decreases with the
-/// resolution
+/// The matrix Q = ∫ρxXᵀ dV E₀⁻¹ with E₀ = ∫ρXXᵀ dV is the matrix of an affine motion x = QX. Its error decreases with
+/// the resolution
 ///
 ///   N = k · 1.6^r.
 ///

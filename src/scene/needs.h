@@ -23,7 +23,8 @@ struct Needs {
   bool quadrature_error = false;  ///< whether the error of Q by the quadrature of polynomial bodies is estimated
   bool contact = false;           ///< whether the body may touch rigid planes
   bool orbit = false;             ///< whether the body has companions
-  /// Whether the compression of the surface of finite elements is compared with Biot's limit, at which it wrinkles.
+  /// Whether the compression of the surface of finite elements is compared with Biot's limit, at which a surface
+  /// wrinkles.
   bool surface_watch = false;
   bool graphics = false;                     ///< whether files for ParaView are written
   bool report = false;                       ///< whether report.html is written
@@ -43,8 +44,8 @@ Needs needs(const Scene& scene);
 /// One line of text: the analysis, the body or system, and the end time of a motion or section.
 std::string summary(const Scene& scene, const Needs& needs);
 
-/// The text that `pseudorigid check` prints, and that a run writes to the log. It lists the scales, the needed parts,
-/// the skipped parts with the reasons, and warnings.
+/// The text that `pseudorigid check` prints, and that a run writes to the log. It lists the scales of a ball, the
+/// needed parts, the skipped parts with the reasons, the expected errors, and warnings.
 std::string describe(const Scene& scene, const Needs& needs);
 
 }  // namespace pseudorigid::scene

@@ -84,7 +84,8 @@ class Validator {
   }
 
   /// Sets the constant of gravity if the scene gives γ = ρgr/μ: G = 3γμ/(4πρ²r²). Refuses γ of a fluid. Refuses a scene
-  /// that also gives another G, but not in a trial.
+  /// that also gives another G. A trial does not refuse it, because the scene may have G from a value of γ or μ before
+  /// the change.
   void set_constant_of_gravity() {
     if (scene_.gamma == 0) return;
     if (is_fluid(scene_))

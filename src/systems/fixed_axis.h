@@ -3,7 +3,9 @@
 /// and passes through the origin of the body; ê is the matrix of e×. The body has the mass m, the centre of mass G and
 /// the inertia operator A. Under gravity g and the friction torque −cθ̇, the angle θ satisfies
 ///
-///   I_e θ̈ = m⟨e, G × R⁻¹g⟩ − cθ̇,   R = exp(θê),   I_e = ⟨Ae, e⟩,   V = −m⟨g, RG⟩.
+///   I_e θ̈ = m⟨e, G × R⁻¹g⟩ − cθ̇,   R = exp(θê),   I_e = ⟨Ae, e⟩,   V = −m⟨g, RG⟩
+///
+/// with the rotation R, the moment of inertia I_e about the axis and the potential V of the weight.
 ///
 /// Bearings at the points a e and b e support the axis. Let F be the total force of the bearings, and N their total
 /// torque about the origin. In the axes of the body, with ω = θ̇e and ω̇ = θ̈e,

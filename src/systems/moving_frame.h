@@ -42,7 +42,7 @@ struct FramePoseOver {
   Space<T> Omega, Omega_rate;  // Ω and Ω̇ in the axes of K
   Space<T> r, r_rate, r_acceleration;
 
-  /// Visits all entries, in the order of the members.
+  /// Visits all entries, in the order of the members. The entries of M are visited column by column.
   template <class Visit>
   void visit(Visit&& visit) {
     for (T& x : M.reshaped()) visit(x);

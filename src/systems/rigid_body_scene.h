@@ -289,8 +289,9 @@ struct RigidBodyScene {
     return {};
   }
 
-  /// Refuses an inertia that no body with this mass and centre of mass has. Also refuses a singular inertia operator.
-  /// In the constrained form it refuses the inertia of a flat body as well, because the second moment is then singular.
+  /// Refuses an inertia that is not symmetric, and one that no body with this mass and centre of mass has. Also refuses
+  /// a singular inertia operator. In the constrained form it refuses the inertia of a flat body as well, because the
+  /// second moment is then singular.
   std::optional<Refusal> refuses_inertia() const {
     constexpr double round_off = 1e-12;
     const char* const inertia_path = points.empty() ? "Rigid body/Inertia" : "Rigid body/Points";
@@ -319,7 +320,8 @@ struct RigidBodyScene {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(A, Eigen::EigenvaluesOnly).eigenvalues();
   }
 
-  /// Refuses a position or a velocity of a body with a fixed point, and wrong springs.
+  /// Refuses a position or a velocity other than 0 for a body with a fixed point. Also refuses the cases of
+  /// refuses_springs.
   std::optional<Refusal> refuses_place() const {
     for (const auto& [path, x] : {std::pair("Rigid body/Position", &position), {"Rigid body/Velocity", &velocity}})
       if (!vector(*x).isZero(0))
@@ -327,7 +329,7 @@ struct RigidBodyScene {
     return refuses_springs(Eigen::Vector3d::Zero());
   }
   /// Refuses a centre of mass of a free body that is not its origin. Also refuses springs in the forms of Euler and
-  /// Lagrange, and wrong springs.
+  /// Lagrange, and the cases of refuses_springs.
   std::optional<Refusal> refuses_free() const {
     if (!vector(center).isZero(0))
       return Refusal{
