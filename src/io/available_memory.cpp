@@ -44,8 +44,8 @@ double number_named(const fs::path& path, std::string_view wanted, double otherw
   return otherwise;
 }
 
-/// The limit of a group less the memory in use, in bytes, and at least 0. Files that the kernel can drop do not count
-/// as used.
+/// The limit of a group less the memory in use, in bytes, and at least 0. It is infinite for a group without a limit in
+/// version 2. Files that the kernel can drop do not count as used.
 double left_in_group(const fs::path& group, const Names& names) {
   const double limit = number_in(group / names.limit, infinite), used = number_in(group / names.used, 0);
   const fs::path parts = group / "memory.stat";

@@ -73,7 +73,7 @@ class CsvWriter {
   std::filesystem::path path_;
   int file_descriptor_;
   std::vector<std::string> columns_;
-  std::string pending_;  ///< rows that flush() has not yet written
+  std::string pending_;  ///< text that flush() has not yet written
   std::int64_t n_rows_;
   std::int64_t file_size_;  ///< size in bytes of the header and the whole rows in the file
 };

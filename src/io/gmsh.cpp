@@ -83,6 +83,7 @@ std::string_view without_mark(std::string_view text, const std::string& file) {
   return text;
 }
 
+/// Reads a mesh line by line. The function `read` throws UserError at the first error of the file.
 class GmshReader {
  public:
   explicit GmshReader(const std::filesystem::path& file)

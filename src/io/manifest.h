@@ -25,22 +25,24 @@ struct BallRun {
   bool affine = false;       ///< whether the motion is x = QX with a matrix Q
 };
 
+/// The content of manifest.json that the caller provides. ManifestFile adds the processor, and the state, duration and
+/// memory of the run.
 struct Manifest {
-  /// The results of a run of a model or a system.
+  /// Counters, times and method of a run of a model or a system.
   struct Model {
     std::map<std::string, double> counters{}, timers{};  ///< numbers of events, and times in seconds, by name
     std::string method{};     ///< name of the method of integration; empty without integration in time
-    bool symplectic = false;  ///< whether the method is symplectic
+    bool symplectic = false;  ///< property of the method; not written if `method` is empty
   };
   BuildInfo build;                        ///< result of build_info()
   std::vector<std::string> command;       ///< arguments of the program (argv)
-  std::string title;                      ///< title of the scene
-  std::string scene;                      ///< the scene in one line
+  std::string title;                      ///< the entry Title of the scene
+  std::string scene;                      ///< scene::summary of the scene, one line
   std::vector<scene::UsedValue> entries;  ///< entries of the scene
   /// Lines for the user about needed parts, skipped parts and warnings.
   std::vector<std::string> needed, skipped, warnings;
   std::string system;                                         ///< name of the system's CSV file; empty for the ball
-  std::map<std::string, std::vector<scene::Column>> columns;  ///< columns of each file, without the time
+  std::map<std::string, std::vector<scene::Column>> columns;  ///< columns without the time, by name of the CSV file
   /// Units of the internal numbers of a ball; empty for other systems.
   std::optional<Units> units;
   std::map<std::string, std::string> libraries;  ///< name → version

@@ -47,6 +47,7 @@ struct Candidate {
   int n_elements = 0;  ///< number of elements with this face
 };
 
+/// The largest absolute value, or 0 for an empty list.
 double largest(const std::vector<double>& values) {
   double size = 0;
   for (const double value : values) size = std::max(size, std::abs(value));

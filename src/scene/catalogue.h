@@ -81,6 +81,7 @@ struct Refusal {
   std::vector<std::string_view> models{};
 };
 
+/// A system other than the ball, as parameter files and the documentation describe it.
 struct SystemDescription {
   std::string_view name;           ///< the value of the entry System
   std::string_view file;           ///< name of its CSV file without ".csv"
@@ -136,7 +137,7 @@ struct ModelDescription {
   /// Returns the runs of the model in a scene, by increasing number of degrees of freedom. The function is null for a
   /// model with one run, which has the name of the model.
   std::function<std::vector<ModelRun>(const Scene&)> runs{};
-  /// Returns the names of the columns of the model's CSV file for the selected groups.
+  /// Returns the names of the columns of the model's CSV file for the selected groups. The first name is `time`.
   std::function<std::vector<std::string>(const mechanics::Quantities&)> header;
   /// Returns a text about the discretisation of the companion run, from which the error in space is estimated. The text
   /// is empty if a search chooses the discretisation. The function is null for a model without an error in space.
@@ -160,6 +161,7 @@ inline std::vector<ModelRun> runs_of(const ModelDescription& model, const Scene&
   return {{std::string(model.name), std::string(model.adjective)}};
 }
 
+/// A method of integration in time. Its name is a value of the entry Time/Method.
 struct NamedMethod {
   std::string_view name, documentation;
 };

@@ -26,8 +26,8 @@ std::optional<Refusal> refuses_planes(const Scene& scene);
 struct MeshedContact {
   double cell;   ///< h in radii
   double ratio;  ///< stiffness of the planes divided by the largest resolved stiffness
-  /// The largest ratio without a warning. In an impact, the force oscillates by 0.2 to 0.3 % of its largest value at
-  /// the ratio 4. At the ratio 16, it oscillates by 0.5 to 1.5 % (docs/contact.md).
+  /// The largest ratio without a warning. In measured impacts, the rms oscillation of the force was 0.2 to 0.3 % of the
+  /// largest force at the ratio 4. At the ratio 16, it was 0.5 to 1.5 % (docs/contact.md).
   static constexpr double most = 10;
 
   std::string line() const;     ///< the line for the list of needed parts

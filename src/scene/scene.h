@@ -21,7 +21,7 @@ enum class Analysis { motion, modes, love_numbers, equilibrium, manifolds, secti
 /// decreases at a crossing `down`. With `both`, the section has all crossings.
 enum class Crossings { up, down, both };
 /// Families of relative equilibria (reduced/equilibrium_families.h). The value `at_rest` selects the equilibria at
-/// rest, which do not form a family.
+/// rest, which do not form a family. With `none`, the initial state is not a member of a family.
 enum class Family {
   none,
   maclaurin,

@@ -23,6 +23,7 @@
 
 namespace pseudorigid::scene {
 
+/// A parameter of a sweep, with a list or a range of values.
 struct SweepParameter {
   std::string name;
   std::vector<double> values;           ///< values of a list, or ends of a range
