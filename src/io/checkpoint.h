@@ -44,7 +44,7 @@ class Checkpoint {
   std::int64_t get_integer(const std::string& name) const;
   const std::string& get_string(const std::string& name) const;
 
-  void save(const std::filesystem::path& path) const;  ///< throws WriteError
+  void save(const std::filesystem::path& path) const;  ///< throws WriteError if the file cannot be written
   static Checkpoint load(const std::filesystem::path& path);
 
  private:

@@ -46,7 +46,7 @@ class ColumnTable {
   }
 
   /// Appends a row in internal units. Returns false and does not write the row if a value in the units of the user is
-  /// not finite. Throws WriteError if the row makes CsvWriter::append write to the file and this fails.
+  /// not finite. Throws WriteError if CsvWriter::append writes to the file and the write fails.
   bool append_if_finite(std::vector<double> row) {
     units_.convert(row);
     const bool is_finite = std::ranges::all_of(row, [](double x) { return std::isfinite(x); });

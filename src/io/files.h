@@ -63,7 +63,7 @@ inline void write_file_atomically(const std::filesystem::path& path, std::initia
 /// pipes, sockets and devices also cause a UserError, because some pipes and devices never end.
 std::string read_file(const std::filesystem::path& path);
 
-/// Calls write(2) until all bytes are written. Throws a WriteError with `path` if this fails.
+/// Calls write(2) until all bytes are written. If this fails, throws a WriteError that names `path`.
 void write_fully(int file_descriptor, std::string_view bytes, const std::filesystem::path& path);
 
 }  // namespace pseudorigid::io

@@ -161,7 +161,7 @@ class GmshReader {
     if (line_.find_first_not_of(" \t") != line_.npos) refuse("there is more on this line than expected");
   }
 
-  /// Reads the next line. Throws UserError if the line is not `keyword`.
+  /// Reads the next line. Throws UserError if the line is not `keyword` or if the file ends.
   void require(std::string_view keyword) {
     require_line(keyword);
     if (line_ != keyword) refuse(fmt::format("expected {}", keyword));

@@ -24,9 +24,9 @@ using Face = std::array<unsigned int, 4>;
 constexpr std::array<std::array<int, 4>, 6> corners_of_faces{
     {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
 
-/// A point of a cell. The unit of length is size_of_cell.
+/// The image X of a point ξ of the cube in a cell, and the Jacobian at ξ. The unit of length is size_of_cell.
 struct PointOfCell {
-  Point X;          ///< relative to the first corner, in units of the size of the cell
+  Point X;          ///< relative to the first corner of the cell
   double jacobian;  ///< det ∂X/∂ξ
 };
 

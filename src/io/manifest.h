@@ -38,16 +38,16 @@ struct Manifest {
   std::vector<std::string> command;       ///< arguments of the program (argv)
   std::string title;                      ///< the entry Title of the scene
   std::string scene;                      ///< scene::summary of the scene, one line
-  std::vector<scene::UsedValue> entries;  ///< entries of the scene
+  std::vector<scene::UsedValue> entries;  ///< result of scene::used_values
   /// Lines for the user about needed parts, skipped parts and warnings.
   std::vector<std::string> needed, skipped, warnings;
   std::string system;                                         ///< name of the system's CSV file; empty for the ball
   std::map<std::string, std::vector<scene::Column>> columns;  ///< columns without the time, by name of the CSV file
   /// Units of the internal numbers of a ball; empty for other systems.
   std::optional<Units> units;
-  std::map<std::string, std::string> libraries;  ///< name → version
+  std::map<std::string, std::string> libraries;  ///< versions of the libraries in use, by name
   std::string instructions;                      ///< instruction set of the kernels; empty without kernels
-  std::vector<BallRun> ball;                     ///< runs of models of the ball, in their order
+  std::vector<BallRun> ball;                     ///< models of the ball in the order of their runs
   std::map<std::string, Model> models;           ///< results of the runs, by the name of their files
 };
 

@@ -42,7 +42,7 @@ class Progress {
   bool drawn_ = false;
 };
 
-/// The text of the line, for example " 42 % 1.3e+05 steps/s 3 min left". The function is separate from the class, so
+/// The text of the line, for example " 42 %  1.3e+05 steps/s  3 min left". The function is separate from the class, so
 /// that tests can call it.
 std::string progress_text(double fraction, double steps_per_second, double seconds_left,
                           std::string_view unit = "steps");

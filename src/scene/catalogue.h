@@ -86,7 +86,7 @@ struct SystemDescription {
   std::string_view name;           ///< the value of the entry System
   std::string_view file;           ///< name of its CSV file without ".csv"
   std::string_view section;        ///< its subsection in parameter files
-  std::string_view documentation;  ///< one sentence for the user
+  std::string_view documentation;  ///< one sentence for the user about the system
   std::vector<SystemEntry> entries;
   std::vector<Column> columns;  ///< columns of a scene with default values
   /// The columns of a scene. Their number may depend on the values of the scene.
@@ -106,7 +106,7 @@ struct EquilibriaTable {
 
 /// One run of a model of the ball.
 struct ModelRun {
-  std::string name;           ///< name of its files
+  std::string name;           ///< name of its files, without prefix and ending
   std::string adjective;      ///< adjective of its ball in sentences, for example "polynomial N = 3"
   bool finds_degree = false;  ///< whether the run finds its degree N; the adjective is then without N
 };
@@ -115,7 +115,7 @@ struct ModelRun {
 struct ModelDescription {
   std::string_view name;           ///< its files are `<name>.csv`, `<name>.pvd` and `checkpoint-<name>.bin`
   std::string_view adjective;      ///< adjective of its ball in sentences, for example "elastic"
-  std::string_view documentation;  ///< one sentence for the user
+  std::string_view documentation;  ///< one sentence for the user about the model
   bool by_default = false;         ///< whether a scene without the entry Models uses it
   /// Whether the model has finite elements. Such a model uses the section Continuum and meshes, and has an error of its
   /// discretisation. Several processes may share its computation. The model needs the finite-element library

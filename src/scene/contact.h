@@ -30,7 +30,7 @@ struct MeshedContact {
   /// largest force at the ratio 4. At the ratio 16, it was 0.5 to 1.5 % (docs/contact.md).
   static constexpr double most = 10;
 
-  std::string line() const;     ///< the line for the list of needed parts
+  std::string line() const;     ///< a line with `ratio` and h for the list of needed parts
   std::string warning() const;  ///< a sentence for the user; empty if the ratio is at most `most`
 };
 /// The contact of the finite-element model of the scene. The result is empty if the scene has no planes or no

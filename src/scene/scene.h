@@ -151,7 +151,7 @@ struct Scene {
   } output;
   Sweep sweep;                       ///< empty: one run
   SweepPart sweep_part;              ///< the part of the runs to make
-  std::optional<int> sweep_threads;  ///< empty: number of cores
+  std::optional<int> sweep_threads;  ///< number of runs at the same time; empty: number of cores
   bool sweep_lanes = true;           ///< true if similar runs are integrated together in SIMD lanes
   bool sweep_trajectories = false;   ///< true if the samples of all runs are kept (app/commands/kept_trajectories.h)
   /// Values that contain expressions, path → text. The members of these entries have the values of the first run.

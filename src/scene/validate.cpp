@@ -164,7 +164,7 @@ class Validator {
                                            joined(names), scene_.section.column));
   }
 
-  /// The error message if Time/End is negative and the system does not permit it.
+  /// The error message if Time/End is negative and the system does not permit runs backwards in time.
   std::string needs_complete_system() const {
     std::vector<std::string_view> names;
     for (const SystemDescription& system : catalogue_of(scene_).systems)
@@ -237,8 +237,8 @@ class Validator {
                          print_number(1 / largest_condition), print_number(gent_limit)));
   }
 
-  /// Reports errors that single models find in the scene. The functions of the models assume that the other checks have
-  /// accepted the scene.
+  /// Throws UserError if a model of the scene refuses it (ModelDescription::refuses). These functions of the models
+  /// assume that the other checks have accepted the scene.
   void check_models() const {
     for (const ModelDescription* model : models_of(scene_))
       if (const auto refusal = model->refuses ? model->refuses(scene_) : std::nullopt) refuse(*refusal);

@@ -34,10 +34,11 @@ namespace pseudorigid::systems {
 struct FixedAxis {
   static constexpr int dimension = 1;
   MassDistribution body;
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(), gravity = Eigen::Vector3d::Zero();  // axis e, gravity g
-  double friction = 0;                                                                 // friction coefficient c
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(),
+                  gravity = Eigen::Vector3d::Zero();  // unit vector e, gravity g in space
+  double friction = 0;                                // friction coefficient c
 
-  double moment_of_inertia() const { return axis.dot(inertia_operator(body.E0) * axis); }  ///< I_e
+  double moment_of_inertia() const { return axis.dot(inertia_operator(body.E0) * axis); }  ///< I_e, about the axis
 
   template <class T>
   Eigen::Matrix<T, 1, 1> metric(const mechanics::Coordinates<T, 1>&) const {

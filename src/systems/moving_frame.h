@@ -119,7 +119,8 @@ struct FrameOfStages {
   bool moving;  ///< true if q is the position in the moving frame, false if it is the position in space
   std::array<mechanics::OfStages, FramePose::n_entries> pose;  ///< the entries of FramePose, each at all stages
 };
-/// Computes the poses at the times of the stages, because they do not depend on the state.
+/// Computes the poses at the times of the stages once for a step, because the poses do not depend on the state. The
+/// result refers to p.forces.
 inline FrameOfStages stages_in_frame(const FrameParameters& p, const mechanics::GaussStages& stages, bool moving) {
   FrameOfStages frame{p.forces, moving, {}};
   for (std::size_t i = 0; i < mechanics::gauss::n_stages; ++i) {
