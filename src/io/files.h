@@ -43,9 +43,8 @@ class Descriptor {
 /// True if the path exists. A symbolic link exists even if its target does not.
 bool is_there(const std::filesystem::path& path);
 
-/// Returns "a named pipe", "a socket", "a device" or "a directory". The result is empty for a regular file, for a link
-/// to a regular file, and for a path that does not exist or cannot be examined. The kind of a link is the kind of its
-/// target.
+/// Returns "a named pipe", "a socket", "a device" or "a directory". The result is empty for a regular file, and for a
+/// path that does not exist or cannot be examined. The kind of a link is the kind of its target.
 std::string kind_unless_file(const std::filesystem::path& path);
 
 /// Writes the concatenated parts to the file `path`.partial and then renames this file to `path`. A reader therefore

@@ -5,8 +5,8 @@
 /// negative. The constant of gravity must be positive. The full potential (Companions/Full potential) needs a companion
 /// and a finite-element model. Each companion must be farther from the centre of the initial body than all points of
 /// this body. Two companions must not have the same place. A companion without velocity must not be on the z axis
-/// through the centre of its orbit. Loads that act on the body but not on the companions are refused, because they
-/// would change the orbit: drag, planes, and constant or periodic tidal matrices.
+/// through the centre of its orbit. Drag, planes, and constant or periodic tidal matrices are refused. They act on the
+/// body but not on the companions, and would therefore change the orbit.
 
 #include <optional>
 

@@ -52,7 +52,7 @@ std::optional<Refusal> refuses(const scene::Scene& scene) {
 
 }  // namespace detail
 
-/// Makes the description and the functions from the members of SystemScene.
+/// Makes the description and the functions from the members of SystemScene (system_scene.h).
 template <class SystemScene>
 AnySystemScene any_system_scene() {
   scene::SystemDescription description{

@@ -34,9 +34,9 @@ namespace pseudorigid::systems {
 struct FixedAxis {
   static constexpr int dimension = 1;
   MassDistribution body;
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(),
-                  gravity = Eigen::Vector3d::Zero();  // unit vector e, gravity g in space
-  double friction = 0;                                // friction coefficient c
+  /// The unit vector e of the axis, and the acceleration g of gravity in space.
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(), gravity = Eigen::Vector3d::Zero();
+  double friction = 0;  // friction coefficient c
 
   double moment_of_inertia() const { return axis.dot(inertia_operator(body.E0) * axis); }  ///< I_e, about the axis
 

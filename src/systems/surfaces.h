@@ -57,7 +57,7 @@ struct Sphere {
 };
 
 /// The torus of revolution about the x axis (5.8.8). Its points are x = (r sin w, ρ sin u, ρ cos u) with ρ = R + r cos
-/// w, and its metric is ds² = r² dw² + ρ² du².
+/// w. Its metric is ds² = r² dw² + ρ² du².
 ///
 /// The circles w = 0 (outside) and w = π (inside) are invariant under a reflection. A motion that starts along such a
 /// circle remains on the circle by symmetry. In floating-point arithmetic, this motion remains on the circle if the
