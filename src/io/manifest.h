@@ -91,8 +91,8 @@ void note_failure(const std::filesystem::path& manifest, int exit_code, const st
 /// Also throws it if an earlier version wrote the file without the entries, which a report needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
 /// The names of the runs of the models of the ball with the motion x = QX, Q a matrix. The result is empty if the file
-/// does not exist, is not a manifest, or belongs to another system. Throws UserError if the file exists but cannot be
-/// read.
+/// does not exist, is not a manifest, or belongs to a system other than the ball. Throws UserError if the file exists
+/// but cannot be read.
 std::vector<std::string> affine_movers_in(const std::filesystem::path& manifest);
 
 /// The name of the processor in /proc/cpuinfo, or "unknown".

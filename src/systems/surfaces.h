@@ -47,8 +47,8 @@ struct Sphere {
     using std::cos, std::sin;
     return {R * sin(q[0]) * cos(q[1]), R * sin(q[0]) * sin(q[1]), R * cos(q[0])};
   }
-  /// Returns a positive number inside the chart. The chart ends at the distance √ε from a pole, with the machine
-  /// precision ε. Closer to a pole, sin²θ is less than ε.
+  /// Returns a positive number inside the chart, and otherwise a number that is not positive. The chart ends at the
+  /// angle √ε from a pole, with the machine precision ε. Closer to a pole, sin²θ is less than ε.
   template <class T>
   T reserve(const SurfacePoint<T>& q) const {
     return between_poles(q[0]);
@@ -117,8 +117,8 @@ struct Ellipsoid {
     using std::cos, std::sin;
     return {a * sin(q[0]) * cos(q[1]), b * sin(q[0]) * sin(q[1]), c * cos(q[0])};
   }
-  /// Returns a positive number inside the chart. The chart ends at the distance √ε from a pole, with the machine
-  /// precision ε. Closer to a pole, sin²θ is less than ε.
+  /// Returns a positive number inside the chart, and otherwise a number that is not positive. The chart ends at the
+  /// angle √ε from a pole, with the machine precision ε. Closer to a pole, sin²θ is less than ε.
   template <class T>
   T reserve(const SurfacePoint<T>& q) const {
     return between_poles(q[0]);
