@@ -69,7 +69,7 @@ inline constexpr std::string_view ball = "ball", automatic = "auto";
 struct Scene {
   const Catalogue* catalogue = nullptr;  ///< null until read_scene sets it
   std::string title;
-  std::vector<std::string> models;  ///< names of models of the catalogue, in its order
+  std::vector<std::string> models;  ///< names of models, in the order of the catalogue
   std::string system{ball};         ///< "ball" or the name of a system of the catalogue
   Analysis analysis = Analysis::motion;
 

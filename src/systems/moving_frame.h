@@ -60,7 +60,7 @@ struct FrameMotion {
   double spin_rate = 0, spin_acceleration = 0;             // spin rate ν at t = 0, and its constant rate ν̇
   Eigen::Vector3d precession = Eigen::Vector3d::Zero();    // angular velocity p of the precession in space
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();        // position r₀ of the origin at t = 0
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      // velocity ṙ₀ of the origin
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      // velocity ṙ₀ of the origin at t = 0
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  // constant acceleration a of the origin
   Eigen::Vector3d shaking = Eigen::Vector3d::Zero();       // amplitude b of the shaking
   double shaking_frequency = 0;                            // angular frequency w of the shaking
