@@ -44,8 +44,8 @@ double number_named(const fs::path& path, std::string_view wanted, double otherw
   return otherwise;
 }
 
-/// The limit of a group less the memory in use, in bytes, and at least 0. Files that the kernel can drop do not count
-/// as used.
+/// The limit of a group less the memory in use, in bytes, and at least 0. It is infinite for a group without a limit in
+/// version 2. Files that the kernel can drop do not count as used.
 double left_in_group(const fs::path& group, const Names& names) {
   const double limit = number_in(group / names.limit, infinite), used = number_in(group / names.used, 0);
   const fs::path parts = group / "memory.stat";
@@ -54,8 +54,8 @@ double left_in_group(const fs::path& group, const Names& names) {
 }
 
 /// The least free memory, in bytes, of the group `path` below the folder `mount` and of the groups above it. A group
-/// without a file for its limit counts as unlimited. In a container, `mount` may contain only the group of the
-/// container, although `path` names groups of the machine.
+/// without a file for its limit counts as unlimited. Such groups occur in a container: `path` may name groups of the
+/// machine, but `mount` may contain only the group of the container.
 double left_in_groups(const fs::path& mount, const std::string& path, const Names& names) {
   double left = infinite;
   for (fs::path group = fs::path(path).lexically_normal();; group = group.parent_path()) {

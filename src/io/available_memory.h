@@ -12,8 +12,8 @@ namespace pseudorigid::io {
 /// proc and sys; only tests pass another folder.
 double available_memory(const std::filesystem::path& root = "/");
 
-/// The bytes of address space that this process can still map: its limit (ulimit -v) less the addresses in use. The
-/// result is infinite if there is no limit.
+/// The bytes of address space that this process can still map: its limit (ulimit -v) less the addresses in use, and at
+/// least 0. The result is infinite if there is no limit or if the limit cannot be read.
 double available_addresses();
 
 }  // namespace pseudorigid::io

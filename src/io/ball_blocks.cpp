@@ -8,12 +8,14 @@
 namespace pseudorigid::io {
 namespace {
 
-/// Half the edge of the cube. The corners of the cube have the distance 0.69 from the centre of the unit ball.
+/// Half the edge of the cube in the unit ball. With this choice, the thickness of the shells is between 0.31 at the
+/// corners of the cube and 0.6 at the centres of its faces.
 constexpr double half_edge = 0.4;
 
-/// The coordinate of a point of the cube, in units of half the edge. The index goes from −n on one face to n on the
-/// opposite face, in steps of 2. Equal steps of the index are equal angles seen from the centre. The coordinate is an
-/// odd function of the index, so that the points have exactly the symmetry of the cube.
+/// The coordinate of a point of the cube, in units of half the edge. An edge has n intervals. The index
+/// `twice_index_from_middle` goes from −n on one face to n on the opposite face, in steps of 2. Equal steps of this
+/// index are equal angles seen from the centre. The coordinate is an odd function of the index, so that the points have
+/// exactly the symmetry of the cube.
 double face_coordinate(int twice_index_from_middle, int n) {
   return std::tan(std::numbers::pi / 4 * twice_index_from_middle / n);
 }

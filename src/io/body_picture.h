@@ -11,10 +11,10 @@
 ///   cauchy_stress                 σ, nine entries row by row;  pressure −tr σ/3;  von_mises √(3/2) |dev σ|
 ///   deformation_gradient          F, nine entries row by row;  jacobian det F;  principal_stretches λ₁ ≥ λ₂ ≥ λ₃,
 ///                                 the singular values of F
-///   energy_density                W per reference volume;  gravity_potential φ per mass, if it is known
-///   contact_pressure              Σ k d (1 + β ḋ) over the rigid planes with a penetration d > 0, where k is the
-///                                 stiffness and β the damping of a plane (loads/plane.h); 0 at points that are not on
-///                                 the surface; only if there are planes
+///   energy_density                stored energy W per reference volume;  gravity_potential φ per mass, if it is known
+///   contact_pressure              Σ k d (1 + β ḋ) over the rigid planes with a penetration d > 0; k is the
+///                                 stiffness and β the damping of a plane (loads/plane.h), and ḋ is the rate of d;
+///                                 0 at points that are not on the surface; only if there are planes
 ///
 /// The picture has three constants of the whole body: the time TimeValue, center_of_mass x_c and rotation R.
 

@@ -6,7 +6,7 @@
 ///   payload  section after section: type u8 | name length u32 | name | count u64 | count values (f64, i64 or char)
 ///
 /// `load` verifies the sizes and the checksum before it uses a value. It throws UserError if the file cannot be read,
-/// or is truncated or altered. It also throws it if the kind, the version or the byte order of the file is another one.
+/// or is truncated or altered. It also throws UserError if the file is of another kind, format version or byte order.
 
 #include <concepts>
 #include <cstdint>
@@ -44,7 +44,7 @@ class Checkpoint {
   std::int64_t get_integer(const std::string& name) const;
   const std::string& get_string(const std::string& name) const;
 
-  void save(const std::filesystem::path& path) const;  ///< throws WriteError
+  void save(const std::filesystem::path& path) const;  ///< throws WriteError if the file cannot be written
   static Checkpoint load(const std::filesystem::path& path);
 
  private:

@@ -46,19 +46,21 @@ class ColumnTable {
   }
 
   /// Appends a row in internal units. Returns false and does not write the row if a value in the units of the user is
-  /// not finite.
+  /// not finite. Throws WriteError if CsvWriter::append writes to the file and the write fails.
   bool append_if_finite(std::vector<double> row) {
     units_.convert(row);
     const bool is_finite = std::ranges::all_of(row, [](double x) { return std::isfinite(x); });
     if (is_finite) write(row);
     return is_finite;
   }
-  /// Appends a row in internal units. A CSV file throws the errors of CsvWriter::append; a table in memory accepts all
-  /// values.
+  /// Appends a row in internal units. If the table is a CSV file, the errors of CsvWriter::append are thrown. A table
+  /// in memory accepts all values.
   void append(std::vector<double> row) {
     units_.convert(row);
     write(row);
   }
+  /// Writes the collected rows to the CSV file, and throws the errors of CsvWriter::flush. A table in memory does not
+  /// need this call.
   void flush() {
     if (csv_) csv_->flush();
   }

@@ -27,8 +27,9 @@ struct Table {
 /// have the syntax that is described above.
 Table read_csv(const std::filesystem::path& path);
 
-/// The number of rows before the first row whose first value is not less than `value`. An incomplete last row, which a
-/// killed run may leave, does not count. Throws UserError if the file cannot be read.
+/// The number of rows before the first row whose first value is not less than `value`. If there is no such row, all
+/// rows count. An incomplete last row, which a killed run may leave, does not count. Throws UserError if the file
+/// cannot be read.
 std::int64_t n_rows_before(const std::filesystem::path& path, double value);
 
 /// Throws UserError unless the file begins with the header of these columns and `n_rows` valid rows. Later rows are not
@@ -52,7 +53,7 @@ class CsvWriter {
   /// Creates the file with its header, and replaces an old file. Throws WriteError.
   static CsvWriter create(const std::filesystem::path& path, std::span<const std::string> columns);
   /// Opens the file of a resumed run, and keeps only its first `n_rows` rows. New rows are appended. Throws the errors
-  /// of truncate_csv.
+  /// of truncate_csv, and WriteError if the file cannot be opened.
   static CsvWriter resume(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);
 
   CsvWriter(CsvWriter&& other) noexcept;
@@ -72,7 +73,7 @@ class CsvWriter {
   std::filesystem::path path_;
   int file_descriptor_;
   std::vector<std::string> columns_;
-  std::string pending_;  ///< rows that flush() has not yet written
+  std::string pending_;  ///< text that flush() has not yet written
   std::int64_t n_rows_;
   std::int64_t file_size_;  ///< size in bytes of the header and the whole rows in the file
 };

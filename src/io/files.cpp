@@ -46,7 +46,7 @@ bool is_there(const fs::path& path) {
 
 namespace {
 
-/// The words of kind_unless_file for a file mode of stat(2).
+/// The result of kind_unless_file for a file mode of stat(2). It is empty for a regular file.
 std::string kind_of(mode_t mode) {
   if (S_ISFIFO(mode)) return "a named pipe";
   if (S_ISSOCK(mode)) return "a socket";
@@ -102,7 +102,8 @@ class PartialFile {
   bool owns_ = false;
 };
 
-/// Writes the parts into an existing pipe or device. Throws WriteError.
+/// Writes the parts into an existing pipe or device. Throws WriteError if this fails, for example for a pipe without a
+/// reader.
 void write_into(const fs::path& path, std::span<const std::string_view> parts) {
   Descriptor file(path, O_WRONLY);
   // F_SETFL removes O_NONBLOCK, so that a write waits for the reader.

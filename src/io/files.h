@@ -43,8 +43,8 @@ class Descriptor {
 /// True if the path exists. A symbolic link exists even if its target does not.
 bool is_there(const std::filesystem::path& path);
 
-/// Returns "a named pipe", "a socket", "a device" or "a directory". The result is empty for a regular file, for a link
-/// to a regular file, and for a path that does not exist.
+/// Returns "a named pipe", "a socket", "a device" or "a directory". The result is empty for a regular file, and for a
+/// path that does not exist or cannot be examined. The kind of a link is the kind of its target.
 std::string kind_unless_file(const std::filesystem::path& path);
 
 /// Writes the concatenated parts to the file `path`.partial and then renames this file to `path`. A reader therefore
@@ -62,7 +62,7 @@ inline void write_file_atomically(const std::filesystem::path& path, std::initia
 /// pipes, sockets and devices also cause a UserError, because some pipes and devices never end.
 std::string read_file(const std::filesystem::path& path);
 
-/// Calls write(2) until all bytes are written. Throws a WriteError with `path` if this fails.
+/// Calls write(2) until all bytes are written. If this fails, throws a WriteError that names `path`.
 void write_fully(int file_descriptor, std::string_view bytes, const std::filesystem::path& path);
 
 }  // namespace pseudorigid::io

@@ -83,6 +83,7 @@ std::string_view without_mark(std::string_view text, const std::string& file) {
   return text;
 }
 
+/// Reads a mesh line by line. The function `read` throws UserError at the first error of the file.
 class GmshReader {
  public:
   explicit GmshReader(const std::filesystem::path& file)
@@ -160,7 +161,7 @@ class GmshReader {
     if (line_.find_first_not_of(" \t") != line_.npos) refuse("there is more on this line than expected");
   }
 
-  /// Reads the next line. Throws UserError if the line is not `keyword`.
+  /// Reads the next line. Throws UserError if the line is not `keyword` or if the file ends.
   void require(std::string_view keyword) {
     require_line(keyword);
     if (line_ != keyword) refuse(fmt::format("expected {}", keyword));
@@ -190,7 +191,8 @@ class GmshReader {
     require("$EndMeshFormat");
   }
 
-  /// Reads the line with the number of nodes or elements of the section.
+  /// Reads the line with the number of nodes or elements of the section, and returns this number. Throws UserError if
+  /// the line contains anything else.
   std::size_t read_count(std::string_view section) {
     require_line(section);
     const auto n = take<std::size_t>("how many lines the section has");

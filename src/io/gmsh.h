@@ -5,11 +5,11 @@
 ///   $Nodes       count, then a line each: number x y z         $EndNodes
 ///   $Elements    count, then: number type n_tags tags nodes    $EndElements
 ///
-/// The reader skips other sections, and points, lines and quadrangles, which Gmsh adds on boundaries. Other elements,
-/// $ParametricNodes, missing data and files of more than 256 MiB cause a UserError. The message contains the name of
-/// the file and, if it is known, the line. Lines may end with LF, CR LF or CR. A byte order mark and comments may come
-/// first, and numbers may have Fortran's exponent D. If all cells are left-handed, the reader reverses their
-/// orientation.
+/// The reader skips other sections, and points, lines and quadrangles, which Gmsh adds on boundaries. A node that
+/// belongs only to skipped elements is removed. Other elements, $ParametricNodes, missing or invalid data and files of
+/// more than 256 MiB cause a UserError. The message contains the name of the file and, if it is known, the line. Lines
+/// may end with LF, CR LF or CR. A byte order mark and comments may come first, and numbers may have Fortran's exponent
+/// D. If all cells are left-handed, the reader reverses their orientation.
 
 #include <filesystem>
 

@@ -24,9 +24,9 @@ using Face = std::array<unsigned int, 4>;
 constexpr std::array<std::array<int, 4>, 6> corners_of_faces{
     {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
 
-/// A point of a cell. The unit of length is size_of_cell.
+/// The image X of a point ξ of the cube in a cell, and the Jacobian at ξ. The unit of length is size_of_cell.
 struct PointOfCell {
-  Point X;          ///< relative to the first corner, in units of the size of the cell
+  Point X;          ///< relative to the first corner of the cell
   double jacobian;  ///< det ∂X/∂ξ
 };
 
@@ -131,8 +131,8 @@ CellsOfFaces cells_of_faces(const HexahedralMesh& mesh) {
   return cells_of;
 }
 
-/// Throws UserError if two cells are not connected by a chain of shared faces. A forest of parents finds the connected
-/// parts.
+/// Throws UserError if two cells are not connected by a chain of shared faces. The connected parts are the trees of a
+/// union-find forest (`parent`).
 void require_one_piece(const HexahedralMesh& mesh, const CellsOfFaces& cells_of) {
   std::vector<std::size_t> parent(mesh.cells.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
@@ -148,7 +148,8 @@ void require_one_piece(const HexahedralMesh& mesh, const CellsOfFaces& cells_of)
                                   mesh.cell_names[0], mesh.cell_names[cell]));
 }
 
-/// Two vertices have the same place if their distance is at most this fraction of the shortest edge at one of them.
+/// Two vertices have the same place if their distance is at most this fraction of a length. The length is the larger of
+/// shortest_edges at the two vertices.
 constexpr double same_place = 1e-6;
 
 double distance(const Point& X, const Point& Y) { return std::hypot(X[0] - Y[0], X[1] - Y[1], X[2] - Y[2]); }
@@ -224,8 +225,9 @@ Places require_own_places(const HexahedralMesh& mesh) {
   return places;
 }
 
-/// Throws UserError if two vertices have the same place. Also throws it if a vertex is at the middle of a face of only
-/// one cell, or of an edge of such a face. Such a hanging node occurs if a divided cell is next to an undivided cell.
+/// Throws UserError if two vertices have the same place (same_place). Also throws it if a vertex is at the middle of a
+/// face of only one cell, or of an edge of such a face. Such a hanging node occurs if a divided cell is next to an
+/// undivided cell.
 void require_conforming(const HexahedralMesh& mesh, const CellsOfFaces& cells_of) {
   const Places places = require_own_places(mesh);
   const auto require_free = [&](const Point& X, double edge, std::size_t cell) {

@@ -24,12 +24,13 @@ struct HexahedralMesh {
 /// unchanged.
 void turn_right_handed(HexahedralMesh& mesh);
 
-/// Throws UserError if the mesh is not one body. The message names the cells or vertices that violate a condition. The
-/// conditions do not depend on the unit of length or on the position of the body.
+/// Throws UserError if the mesh is not one body or does not have a cell. The message names the cells or vertices that
+/// violate a condition. Some strongly distorted right-handed cells are also rejected, because the test uses a lower
+/// bound of det ∂X/∂ξ. The conditions do not depend on the unit of length or on the position of the body.
 void require_one_body(const HexahedralMesh& mesh);
 
 /// The volume, the centre of mass for a constant density, and the largest distance of a vertex from this centre. The
-/// unit of length is that of the mesh.
+/// unit of length is that of the mesh. `size_of` requires a mesh that is one body.
 struct MeshSize {
   double volume;
   HexahedralMesh::Point center;

@@ -25,32 +25,35 @@ struct BallRun {
   bool affine = false;       ///< whether the motion is x = QX with a matrix Q
 };
 
+/// The content of manifest.json that the caller provides. ManifestFile adds the processor, and the state, duration and
+/// memory of the run.
 struct Manifest {
-  /// The results of a run of a model or a system.
+  /// Counters, times and method of a run of a model or a system.
   struct Model {
     std::map<std::string, double> counters{}, timers{};  ///< numbers of events, and times in seconds, by name
     std::string method{};     ///< name of the method of integration; empty without integration in time
-    bool symplectic = false;  ///< whether the method is symplectic
+    bool symplectic = false;  ///< property of the method; not written if `method` is empty
   };
   BuildInfo build;                        ///< result of build_info()
   std::vector<std::string> command;       ///< arguments of the program (argv)
-  std::string title;                      ///< title of the scene
-  std::string scene;                      ///< the scene in one line
-  std::vector<scene::UsedValue> entries;  ///< entries of the scene
+  std::string title;                      ///< the entry Title of the scene
+  std::string scene;                      ///< scene::summary of the scene, one line
+  std::vector<scene::UsedValue> entries;  ///< result of scene::used_values
   /// Lines for the user about needed parts, skipped parts and warnings.
   std::vector<std::string> needed, skipped, warnings;
   std::string system;                                         ///< name of the system's CSV file; empty for the ball
-  std::map<std::string, std::vector<scene::Column>> columns;  ///< columns of each file, without the time
+  std::map<std::string, std::vector<scene::Column>> columns;  ///< columns without the time, by name of the CSV file
   /// Units of the internal numbers of a ball; empty for other systems.
   std::optional<Units> units;
-  std::map<std::string, std::string> libraries;  ///< name → version
+  std::map<std::string, std::string> libraries;  ///< versions of the libraries in use, by name
   std::string instructions;                      ///< instruction set of the kernels; empty without kernels
-  std::vector<BallRun> ball;                     ///< runs of models of the ball, in their order
+  std::vector<BallRun> ball;                     ///< models of the ball in the order of their runs
   std::map<std::string, Model> models;           ///< results of the runs, by the name of their files
 };
 
 /// Writes manifest.json. The constructor writes the state "running", and `finish` writes the final state. Both throw
-/// WriteError. If `finish` is not called, for example after an exception, the destructor writes the state "failed".
+/// WriteError if the file cannot be written. If `finish` is not called, for example after an exception, the destructor
+/// writes the state "failed".
 class ManifestFile {
  public:
   ManifestFile(std::filesystem::path path, Manifest content);
@@ -88,7 +91,8 @@ void note_failure(const std::filesystem::path& manifest, int exit_code, const st
 /// Also throws it if an earlier version wrote the file without the entries, which a report needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
 /// The names of the runs of the models of the ball with the motion x = QX, Q a matrix. The result is empty if the file
-/// does not exist or is not a manifest. Throws UserError if the file exists but cannot be read.
+/// does not exist, is not a manifest, or belongs to a system other than the ball. Throws UserError if the file exists
+/// but cannot be read.
 std::vector<std::string> affine_movers_in(const std::filesystem::path& manifest);
 
 /// The name of the processor in /proc/cpuinfo, or "unknown".

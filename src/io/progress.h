@@ -18,8 +18,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   /// Call this function after every step. `fraction` is the completed part of the loop, from 0 to 1. The function reads
-  /// the clock only once in up to 1024 calls, and adapts the number of these calls to the speed of the loop. Most calls
-  /// therefore cost only one comparison.
+  /// the clock only once in up to 1024 calls, and adapts the number of these calls to the speed of the loop. In a fast
+  /// loop, most calls therefore cost only one comparison.
   void step(double fraction) {
     if (++n_steps_ >= next_look_) look(fraction);
   }
@@ -35,13 +35,14 @@ class Progress {
   void draw(double fraction, Clock::time_point now);
 
   std::string label_, unit_;
+  /// Number of calls of `step`, its value at the next call of `look`, and number of steps between calls of `look`.
   std::int64_t n_steps_ = 0, next_look_ = 1, stride_ = 1;
   Clock::time_point start_, last_look_, last_draw_;
-  double start_fraction_ = -1;  ///< fraction at the first look, positive in a resumed run; −1 before the first look
+  double start_fraction_ = -1;  ///< fraction at the first call of `look`; −1 before this call
   bool drawn_ = false;
 };
 
-/// The text of the line, for example " 42 % 1.3e+05 steps/s 3 min left". The function is separate from the class, so
+/// The text of the line, for example " 42 %  1.3e+05 steps/s  3 min left". The function is separate from the class, so
 /// that tests can call it.
 std::string progress_text(double fraction, double steps_per_second, double seconds_left,
                           std::string_view unit = "steps");

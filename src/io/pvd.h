@@ -17,6 +17,7 @@ class PvdCollection {
     std::filesystem::path file;
     long number() const;  ///< number at the end of the name: 12 for "reduced-000012.vtu"; −1 if there is none
   };
+  /// Starts an empty list. The file is not written before the first call of `add`.
   explicit PvdCollection(std::filesystem::path path) : path_(std::move(path)) {}
   /// Reads the list of an earlier run, and keeps the pictures before the time `until`. If the file does not exist, the
   /// list is empty. Throws UserError if the file cannot be read. Throws UserError "path:line: …" if an entry does not
@@ -24,7 +25,7 @@ class PvdCollection {
   static PvdCollection resume(std::filesystem::path path, double until);
 
   /// Adds a picture and writes the list. The paths in the list are relative to the folder of the list. The run
-  /// directory can therefore be moved. Throws WriteError.
+  /// directory can therefore be moved. Throws WriteError if the list cannot be written.
   void add(double time, const std::filesystem::path& file);
   const std::vector<Frame>& frames() const { return frames_; }
 

@@ -30,8 +30,9 @@ const std::vector<double>* field(const UnstructuredGrid& grid, std::string_view 
   return found == grid.fields.end() ? nullptr : &found->values;
 }
 
-/// The points of a face of a block, row by row. In the face, the lattice index in `direction` is 0, or n − 1 if
-/// `is_far` is true. A point is given by its index in the lattice of n³ points of the block.
+/// The points of a face of a block. In the face, the lattice index in `direction` is 0, or n − 1 if `is_far` is true.
+/// The index in the direction (direction + 1) mod 3 varies fastest. A point is given by its index in the lattice of n³
+/// points of the block.
 std::vector<std::size_t> lattice_of_face(std::size_t n, int direction, bool is_far) {
   const std::array<std::size_t, 3> stride{1, n, n * n};
   const std::size_t a = stride[(direction + 1) % 3], b = stride[(direction + 2) % 3];
@@ -46,6 +47,7 @@ struct Candidate {
   int n_elements = 0;  ///< number of elements with this face
 };
 
+/// The largest absolute value, or 0 for an empty list.
 double largest(const std::vector<double>& values) {
   double size = 0;
   for (const double value : values) size = std::max(size, std::abs(value));
@@ -110,6 +112,8 @@ bool have_the_points(const std::vector<UnstructuredGrid>& pieces, const std::vec
   });
 }
 
+/// Appends a row of table_of_frames for the point with the index `point` in the grid. The row has the time, the number
+/// and plane of the face, and X, x and the von Mises stress of the point.
 void add_row(std::string& text, double time, std::size_t number, int plane, const UnstructuredGrid& grid,
              std::size_t point) {
   const auto row = std::back_inserter(text);
@@ -128,8 +132,9 @@ std::vector<PvdCollection::Frame> some_of(const std::vector<PvdCollection::Frame
   return chosen;
 }
 
-/// The rows of table_of_frames without the header. The text is empty if a picture does not have the fields or points,
-/// or if two pictures exceed most_rows.
+/// The rows of table_of_frames without the header. The text is empty if a picture does not have the fields or all
+/// points of the faces. Without `is_affine`, it is also empty if the first picture has no faces, or if two pictures
+/// would exceed most_rows.
 std::string rows_of_frames(std::vector<PvdCollection::Frame> frames, bool is_affine) {
   std::string text;
   std::vector<PictureFace> faces;

@@ -160,9 +160,9 @@ RunLock::~RunLock() {
 void RunLock::remove(const fs::path& directory) noexcept { ::unlink((directory / file_name).c_str()); }
 
 /// Creates the lock. Returns false if a lock already exists or if a file has disappeared; the caller then tries again.
-/// The lock is first written under another name and then linked. It is therefore complete when it appears, and only one
-/// process can create it, even on a network disk. On a disk without hard links, the lock is created under its own name,
-/// and another process may briefly see it incomplete.
+/// Throws WriteError if the lock cannot be written. The lock is first written under another name and then linked. It is
+/// therefore complete when it appears, and only one process can create it, even on a network disk. On a disk without
+/// hard links, the lock is created under its own name, and another process may briefly see it incomplete.
 bool RunLock::create() const {
   const fs::path own = path_.native() + fmt::format("-{}-{}", host_name(), ::getpid()) + std::string(partial_suffix);
   struct Removal {

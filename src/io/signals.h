@@ -1,7 +1,8 @@
 #pragma once
-/// A flag for requests to stop a run. The loop in time reads the flag after each step. The signals SIGINT (Ctrl-C) and
-/// SIGTERM set the flag. If the same signal comes a second time, it ends the program at once. SIGHUP (lost terminal or
-/// connection) and SIGXCPU (limit of processor time) also set the flag.
+/// A flag for requests to stop a run. Loops over time steps and over the runs of a sweep read the flag regularly, and
+/// stop if it is set. The signals SIGINT (Ctrl-C) and SIGTERM set the flag. If the same signal comes a second time, it
+/// ends the program at once. SIGHUP (lost terminal or connection) and SIGXCPU (limit of processor time) also set the
+/// flag.
 
 namespace pseudorigid::io {
 

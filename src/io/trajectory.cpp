@@ -19,8 +19,8 @@ namespace {
 template <class O>
 using Columns = std::vector<BodyColumn<O>>;
 
-template <class O>
 /// The columns that all models of the ball have, and after them the columns `own`.
+template <class O>
 Columns<O> common_and(std::span<const BodyColumn<O>> own) {
   Columns<O> columns(std::begin(mechanics::common_columns<O>), std::end(mechanics::common_columns<O>));
   columns.insert(columns.end(), own.begin(), own.end());
@@ -40,13 +40,17 @@ const Columns<ContinuumObservables>& body_columns() {
   return columns;
 }
 
-/// The suffixes of the names of the entries of a column in the header. They depend on the kind of the value. The kinds
-/// are scalar, vector of three or four entries, matrix, antisymmetric matrix, and least or largest value over points, in the order of
-/// BodyColumn::value.
+/// The suffixes that distinguish the entries of a vector or matrix in the header of the CSV file. They depend on the
+/// kind of the value, and a scalar has the empty suffix. The kinds are scalar, vector of three or four entries, matrix,
+/// antisymmetric matrix, and least or largest value over points, in the order of BodyColumn::value.
 template <class O>
 const std::vector<std::string>& suffixes(const BodyColumn<O>& column) {
-  static const std::vector<std::string> of_kind[] = {
-      {""}, {"1", "2", "3"}, {"1", "2", "3", "4"}, {"11", "12", "13", "21", "22", "23", "31", "32", "33"}, {"12", "13", "23"}, {""}};
+  static const std::vector<std::string> of_kind[] = {{""},
+                                                     {"1", "2", "3"},
+                                                     {"1", "2", "3", "4"},
+                                                     {"11", "12", "13", "21", "22", "23", "31", "32", "33"},
+                                                     {"12", "13", "23"},
+                                                     {""}};
   return of_kind[column.value.index()];
 }
 

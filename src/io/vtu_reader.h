@@ -1,5 +1,5 @@
 #pragma once
-/// Reader for the grids that write_vtu writes. The report reads the pictures of a run with it.
+/// Reader for the grids that write_vtu writes. The report uses this reader for the pictures of a run.
 
 #include <filesystem>
 #include <span>

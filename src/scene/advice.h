@@ -19,8 +19,9 @@ using Accepts = std::function<bool(Scene)>;
 /// removed.
 Scene with_settings(Scene scene, const std::vector<Setting>& settings);
 
-/// Returns the sentence of a refusal, followed by those of its recommendations with which `accepts` is true. An example
-/// is "a sweep is offered for the models a, b; set Models = a, or set Method = rattle or explicit-8".
+/// Returns the sentence of a refusal, the models that accept the input if the refusal lists models, and
+/// recommendations. The text contains only recommendations for which `accepts` is true for the changed scene. An
+/// example is "a sweep is offered for the models a, b; set Models = a, or set Method = rattle or explicit-8".
 std::string sentence_with_advice(const Refusal& refusal, const Scene& scene, const Accepts& accepts);
 
 }  // namespace pseudorigid::scene

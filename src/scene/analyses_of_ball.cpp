@@ -58,9 +58,10 @@ std::optional<Refusal> refuses_relative_equilibrium(const Scene& scene) {
   return {};
 }
 
-/// Returns the violated requirement of equilibria at rest, or nothing. A body can be at rest under loads with a
-/// potential that does not depend on time. A fluid needs a load or gravity that selects its shape. Dissipation does not
-/// change the equilibria, but changes the rates of small motions about them.
+/// Returns the violated requirement of equilibria at rest, or nothing. Every model of the scene must be able to compute
+/// these equilibria. A body can be at rest under loads with a potential that does not depend on time. A fluid needs a
+/// load or gravity that selects its shape. Dissipation does not change the equilibria, but changes the rates of small
+/// motions about them.
 std::optional<Refusal> refuses_static_equilibria(const Scene& scene) {
   const auto finds = [](const ModelDescription& model) { return model.static_equilibria != nullptr; };
   if (!std::ranges::all_of(models_of(scene), [&](const auto* model) { return finds(*model); }))
@@ -84,9 +85,10 @@ std::optional<Refusal> refuses_equilibria(const Scene& scene) {
   return finds_static_equilibria(scene) ? refuses_static_equilibria(scene) : refuses_relative_equilibrium(scene);
 }
 
-/// Refuses initial states and loads that modes and Love numbers ignore. Both analyses compute small displacements of
-/// the undeformed ball from rest, without loads other than self-gravity. Also refuses a compressible ball whose law has
-/// a stress at rest, because such a ball does not stay undeformed.
+/// Refuses initial states and loads that modes and Love numbers ignore. The text `what` is the name of the analysis in
+/// messages. Both analyses compute small displacements of the undeformed ball from rest, without loads other than
+/// self-gravity. Also refuses a compressible ball whose law has a stress at rest, because such a ball does not stay
+/// undeformed.
 std::optional<Refusal> refuses_displaced_start(const Scene& scene, std::string_view what) {
   const auto& state = scene.initial_state;
   const std::string start =
@@ -114,8 +116,8 @@ std::optional<Refusal> refuses_displaced_start(const Scene& scene, std::string_v
 }
 
 /// Refuses modes or Love numbers (`what`) of bodies and sectors for which they are not computed. These are a mesh from
-/// a file, a displaced start, a sector other than the octant, and a fluid. Also refuses a scene without a model that
-/// offers the analysis, according to its member `is_offered`.
+/// a file, a fluid, and the cases of refuses_displaced_start. A sector that the scene sets must be the octant. Also
+/// refuses a scene without a model that offers the analysis, according to its member `is_offered`.
 std::optional<Refusal> refuses_linear_analysis(const Scene& scene, std::string_view what,
                                                bool ModelDescription::*is_offered) {
   if (has_mesh_file(scene))

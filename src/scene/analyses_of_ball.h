@@ -12,8 +12,9 @@ namespace pseudorigid::scene {
 std::optional<Refusal> refuses_analysis_of_ball(const Scene& scene);
 
 /// The violated requirement of the columns `vibration` of a motion, or nothing. These columns use the modes in closed
-/// form of an incompressible elastic sphere. The scene therefore must not have another shape, a fluid, self-gravity or
-/// viscoelastic branches.
+/// form of an incompressible elastic sphere. The body must therefore be an incompressible elastic ball without a mesh
+/// from a file, self-gravity or viscoelastic branches. There is no requirement if the scene does not request these
+/// columns, or if the analysis is not a motion.
 std::optional<Refusal> refuses_vibration(const Scene& scene);
 
 }  // namespace pseudorigid::scene

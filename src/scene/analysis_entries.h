@@ -11,6 +11,7 @@
 
 namespace pseudorigid::scene {
 
+/// A scene whose entries are written, or a const scene whose entries are only read.
 template <class S>
 concept SceneOrConst = std::same_as<std::remove_const_t<S>, Scene>;
 

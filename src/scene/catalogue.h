@@ -57,7 +57,7 @@ struct SystemEntry {
   std::string default_text;
 };
 
-/// A column of a CSV file. The lists of the systems omit the first column, which is `time`.
+/// A column of a CSV file. The lists of the columns of a motion omit the first column, which is `time`.
 struct Column {
   std::string name;
   Unit unit;
@@ -81,11 +81,12 @@ struct Refusal {
   std::vector<std::string_view> models{};
 };
 
+/// A system other than the ball, as parameter files and the documentation describe it.
 struct SystemDescription {
   std::string_view name;           ///< the value of the entry System
   std::string_view file;           ///< name of its CSV file without ".csv"
   std::string_view section;        ///< its subsection in parameter files
-  std::string_view documentation;  ///< one sentence for the user
+  std::string_view documentation;  ///< one sentence for the user about the system
   std::vector<SystemEntry> entries;
   std::vector<Column> columns;  ///< columns of a scene with default values
   /// The columns of a scene. Their number may depend on the values of the scene.
@@ -105,7 +106,7 @@ struct EquilibriaTable {
 
 /// One run of a model of the ball.
 struct ModelRun {
-  std::string name;           ///< name of its files
+  std::string name;           ///< name of its files, without prefix and ending
   std::string adjective;      ///< adjective of its ball in sentences, for example "polynomial N = 3"
   bool finds_degree = false;  ///< whether the run finds its degree N; the adjective is then without N
 };
@@ -114,7 +115,7 @@ struct ModelRun {
 struct ModelDescription {
   std::string_view name;           ///< its files are `<name>.csv`, `<name>.pvd` and `checkpoint-<name>.bin`
   std::string_view adjective;      ///< adjective of its ball in sentences, for example "elastic"
-  std::string_view documentation;  ///< one sentence for the user
+  std::string_view documentation;  ///< one sentence for the user about the model
   bool by_default = false;         ///< whether a scene without the entry Models uses it
   /// Whether the model has finite elements. Such a model uses the section Continuum and meshes, and has an error of its
   /// discretisation. Several processes may share its computation. The model needs the finite-element library
@@ -136,7 +137,7 @@ struct ModelDescription {
   /// Returns the runs of the model in a scene, by increasing number of degrees of freedom. The function is null for a
   /// model with one run, which has the name of the model.
   std::function<std::vector<ModelRun>(const Scene&)> runs{};
-  /// Returns the names of the columns of the model's CSV file for the selected groups.
+  /// Returns the names of the columns of the model's CSV file for the selected groups. The first name is `time`.
   std::function<std::vector<std::string>(const mechanics::Quantities&)> header;
   /// Returns a text about the discretisation of the companion run, from which the error in space is estimated. The text
   /// is empty if a search chooses the discretisation. The function is null for a model without an error in space.
@@ -160,6 +161,7 @@ inline std::vector<ModelRun> runs_of(const ModelDescription& model, const Scene&
   return {{std::string(model.name), std::string(model.adjective)}};
 }
 
+/// A method of integration in time. Its name is a value of the entry Time/Method.
 struct NamedMethod {
   std::string_view name, documentation;
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// The words that are valid values of entries.
+/// The words that are valid values of entries, and the members or enumerators of Scene that they select.
 
 #include <algorithm>
 #include <cstddef>

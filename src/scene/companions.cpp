@@ -33,8 +33,8 @@ bool has_any_elements(const loads::CompanionMasses& load) {
   return std::ranges::any_of(elements_of(load), [](const ElementsEntry& entry) { return !entry.values.empty(); });
 }
 
-/// Refuses elements in addition to positions, incomplete elements, and eccentricities that do not fit the sign of the
-/// semi-major axis.
+/// Refuses elements in addition to positions or velocities, incomplete elements, and a semi-major axis of 0. Also
+/// refuses eccentricities that do not fit the sign of the semi-major axis.
 std::optional<Refusal> refuses_elements(const loads::CompanionMasses& load) {
   const std::size_t n = load.masses.size();
   for (const auto& [path, values] : {ElementsEntry{positions_path, load.positions}, {velocities_path, load.velocities}})
@@ -65,7 +65,8 @@ std::optional<Refusal> refuses_elements(const loads::CompanionMasses& load) {
   return {};
 }
 
-/// Refuses wrong numbers of masses, positions, velocities or elements, and masses that are not positive.
+/// Refuses too many masses, masses that are not positive, and wrong numbers of positions, velocities or elements. For
+/// elements, it also refuses the cases of refuses_elements.
 std::optional<Refusal> refuses_rows(const loads::CompanionMasses& load) {
   const std::size_t n = load.masses.size(), n_positions = load.positions.size() / 3,
                     n_velocities = load.velocities.size() / 3, most = mechanics::Orbit::most_companions;
@@ -112,6 +113,7 @@ double reach(const Scene& scene) {
   return scene.body.radius * (Q * axes.asDiagonal()).jacobiSvd().singularValues()[0];
 }
 
+/// The mass of the body, in the units of the user.
 double mass_of(const Scene& scene) {
   double volume = 4 * std::numbers::pi / 3 * scene.body.radius * scene.body.radius * scene.body.radius;
   for (const double axis : scene.body.semi_axes) volume *= axis;
@@ -140,6 +142,7 @@ std::optional<Refusal> refuses_companions(const Scene& scene) {
   const mechanics::Orbit orbit(companions, 1, mass);  // positions do not depend on the constant of gravity
   const mechanics::Orbit::Columns positions = orbit.relative(orbit.position());
   const char* const path = load.has_elements() ? axes_path : positions_path;
+  // Centre of mass of the body and of the companions before companion i, relative to the body.
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < companions.size(); ++i) {
     const Eigen::Vector3d r = positions.col(static_cast<Eigen::Index>(i));

@@ -1,10 +1,12 @@
 #pragma once
 /// Checks of companions in orbit (loads/companions.h). There are at most two companions, with positive masses. The
 /// orbits are given in one of two forms. Either each companion has a position, and all or none have velocities, or each
-/// has orbital elements. The constant of gravity must be positive. Each companion must be farther from the centre than
-/// all points of the initial body. Two companions must not have the same place. A companion without velocity must not
-/// be on the z axis through the centre of its orbit. Loads that act on the body but not on the companions are refused,
-/// because they would change the orbit: drag, planes, and tidal matrices.
+/// has orbital elements. An eccentricity is in [0, 1) if the semi-major axis is positive, and above 1 if this axis is
+/// negative. The constant of gravity must be positive. The full potential (Companions/Full potential) needs a companion
+/// and a finite-element model. Each companion must be farther from the centre of the initial body than all points of
+/// this body. Two companions must not have the same place. A companion without velocity must not be on the z axis
+/// through the centre of its orbit. Drag, planes, and constant or periodic tidal matrices are refused. They act on the
+/// body but not on the companions, and would therefore change the orbit.
 
 #include <optional>
 
@@ -12,7 +14,8 @@
 
 namespace pseudorigid::scene {
 
-/// Returns the violated requirement, or nothing. A scene without companions does not have requirements.
+/// Returns the violated requirement, or nothing. A scene that sets none of the entries of companions does not have
+/// requirements.
 std::optional<Refusal> refuses_companions(const Scene& scene);
 
 }  // namespace pseudorigid::scene

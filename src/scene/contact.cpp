@@ -45,7 +45,7 @@ std::optional<Refusal> refuses_rows(const loads::RigidPlanes& load) {
   return {};
 }
 
-/// Refuses speeds and amplitudes that are not one for each plane.
+/// Refuses a list of speeds or amplitudes that is not empty and does not have one number for each plane.
 std::optional<Refusal> refuses_motion_of_planes(const loads::RigidPlanes& load) {
   const std::size_t n_planes = load.normals.size() / 3;
   for (const auto& [path, values] :

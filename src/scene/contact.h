@@ -26,15 +26,16 @@ std::optional<Refusal> refuses_planes(const Scene& scene);
 struct MeshedContact {
   double cell;   ///< h in radii
   double ratio;  ///< stiffness of the planes divided by the largest resolved stiffness
-  /// The largest ratio without a warning. In an impact, the force oscillates by 0.2 to 0.3 % of its largest value at
-  /// the ratio 4. At the ratio 16, it oscillates by 0.5 to 1.5 % (docs/contact.md).
+  /// The largest ratio without a warning. In measured impacts, the rms oscillation of the force was 0.2 to 0.3 % of the
+  /// largest force at the ratio 4. At the ratio 16, it was 0.5 to 1.5 % (docs/contact.md).
   static constexpr double most = 10;
 
-  std::string line() const;     ///< the line for the list of needed parts
+  std::string line() const;     ///< a line with `ratio` and h for the list of needed parts
   std::string warning() const;  ///< a sentence for the user; empty if the ratio is at most `most`
 };
-/// The result is empty if the scene has no planes or no finite-element model, or if the body is a fluid. It is also
-/// empty if the scene does not set the degree and the refinements.
+/// The contact of the finite-element model of the scene. The result is empty if the scene has no planes or no
+/// finite-element model, or if the body is a fluid. It is also empty if the scene does not set the degree and the
+/// refinements.
 std::optional<MeshedContact> meshed_contact(const Scene& scene);
 
 }  // namespace pseudorigid::scene

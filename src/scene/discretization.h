@@ -2,16 +2,16 @@
 /// Discretisations of the finite-element model. A discretisation has the degree k of the elements and the number r of
 /// refinements of the mesh. If the scene does not set both numbers, a search tries discretisations by increasing cost.
 ///
-/// The error of the mass moment Q = ∫ρxXᵀ dV E₀⁻¹, which is the matrix of an affine motion x = QX, decreases with the
-/// resolution
+/// The matrix Q = ∫ρxXᵀ dV E₀⁻¹ with E₀ = ∫ρXXᵀ dV is the matrix of an affine motion x = QX. Its error decreases with
+/// the resolution
 ///
 ///   N = k · 1.6^r.
 ///
-/// The error does not depend on k 2^r alone, the number of nodes along an edge. At equal k 2^r, a high degree is more
-/// accurate. The motion is not smooth at shear fronts, which start at the surface. The error therefore decreases only
-/// with a power of N, but high degrees resolve the fronts better. The base 1.6 is fitted to measured errors of released
-/// balls (tests/app/auto_degree_test.py). The largest stable step is proportional to 1/(k² 2^r). With this step, the
-/// cost of a run is
+/// The number of intervals between nodes along an edge of an unrefined cell is k 2^r. The error does not depend on this
+/// number alone. At equal k 2^r, a high degree is more accurate. The motion is not smooth at shear fronts, which start
+/// at the surface. The error therefore decreases only with a power of N, but high degrees resolve the fronts better.
+/// The base 1.6 is fitted to measured errors of released balls (tests/app/auto_degree_test.py). The largest stable step
+/// is proportional to 1/(k² 2^r). With this step, the cost of a run is
 ///
 ///   c = (k 2^r)³ · k² 2^r.
 
@@ -23,9 +23,9 @@
 
 namespace pseudorigid::scene {
 
-/// The largest degree of finite elements.
+/// The largest degree of finite elements that a scene may set and that a search tries.
 inline constexpr int largest_degree = 8;
-/// The largest degree of polynomial bodies.
+/// The largest degree of polynomial bodies that a scene may set.
 inline constexpr int largest_polynomial_degree = 13;
 /// The largest number of refinements in a search. A scene may set more.
 inline constexpr int largest_refinements_of_search = 2;

@@ -316,7 +316,7 @@ void visit_sweep(S& scene, Visit& visit) {
 }
 
 /// Visits the entries of all systems of the catalogue. Their values are texts. In a scene that is not const, missing
-/// values are first set to their defaults.
+/// values are first set to their defaults. In a const scene, the default is visited in place of a missing value.
 template <SceneOrConst S, class Visit>
 void visit_systems(S& scene, Visit& visit) {
   for (const SystemDescription& system : catalogue_of(scene).systems)

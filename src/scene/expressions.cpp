@@ -37,7 +37,8 @@ mu::Parser& cleared_parser() {
   return parser;
 }
 
-/// Throws UserError with the expression and the error of muParser.
+/// Throws UserError with the expression and the error of muParser. For an unknown name, the message contains the text
+/// of what_is_known instead of this error.
 [[noreturn]] void refuse(const std::string& expression, const mu::Parser::exception_type& error,
                          const ParameterValues& parameters) {
   const std::string token(trimmed(error.GetToken()));

@@ -24,8 +24,8 @@ enum class Rounding {
 };
 
 /// The text, in which every `$(…)` is replaced by its value for the given parameters. Without rounding, the printed
-/// value reads back as the same double. Throws UserError if an expression cannot be evaluated, is a list or is not
-/// finite. The caller adds the origin of the text to the message.
+/// value reads back as the same double. Throws UserError if an expression cannot be evaluated, is a list of numbers, is
+/// not finite, or has no closing parenthesis. The caller adds the origin of the text to the message.
 std::string evaluated(std::string_view text, const ParameterValues& parameters, Rounding rounding = Rounding::none);
 
 /// The names of the parameters in the expressions of a text. Unknown names, which `evaluated` refuses, are included.

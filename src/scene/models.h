@@ -58,7 +58,7 @@ inline int resolved_degree(const Scene& scene) {
 }
 
 /// The degrees of the tides for which Analysis = love numbers writes Love numbers. If the scene does not list them,
-/// they are 2 to 8, or 2 to resolved_degree if this is less. Degree 2 is always included.
+/// they are 2 to 8. In a scene with finite elements, the last degree is at most resolved_degree, but at least 2.
 inline std::vector<int> love_degrees(const Scene& scene) {
   if (!scene.love.degrees.empty()) return scene.love.degrees;
   constexpr int last = 8;

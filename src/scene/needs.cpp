@@ -64,8 +64,8 @@ std::size_t n_runs_of_models(const Scene& scene, const Needs& needs) {
   return n;
 }
 
-/// Facts of the body for the lines of the loads. The trace of E₀ of an ellipsoid with the volume V is ρVr²(a₁² + a₂² +
-/// a₃²)/5, with the semi-axes a_i in radii r.
+/// Facts of the body for the lines of the loads. For an ellipsoid with the density ρ, the volume V and the semi-axes
+/// a_i in radii r, tr E₀ = ρVr²(a₁² + a₂² + a₃²)/5. Here E₀ = ∫ρXXᵀ dV is the second moment.
 loads::BodyFacts facts_of_body(const Scene& scene) {
   const auto& [radius, density, incompressible, a, inertia] = scene.body;
   const double volume = 4 * std::numbers::pi / 3 * radius * radius * radius * a[0] * a[1] * a[2];

@@ -34,7 +34,7 @@ class Origins {
   std::map<std::string, std::string> where_;
 };
 
-/// The result of read_scene.
+/// A scene that read_scene has read, and the origins of its values for messages.
 struct ReadScene {
   Scene scene;
   Origins origins;

@@ -50,7 +50,8 @@ inline bool loads_rise(const Scene& scene) {
 }
 
 /// The largest rate, in 1/time of the user, that a single load other than self-gravity would cause in a body without
-/// other forces. Viscoelastic branches count as loads. In an incompressible body, a pressure does not count.
+/// other forces. Only tidal matrices, tractions, pressures and viscoelastic branches count. In an incompressible body,
+/// a pressure does not count.
 inline double rate_of_loads(const Scene& scene) {
   const double inertia = scene.body.density * scene.body.radius * scene.body.radius;
   double rate = 0;

@@ -21,7 +21,7 @@ enum class Analysis { motion, modes, love_numbers, equilibrium, manifolds, secti
 /// decreases at a crossing `down`. With `both`, the section has all crossings.
 enum class Crossings { up, down, both };
 /// Families of relative equilibria (reduced/equilibrium_families.h). The value `at_rest` selects the equilibria at
-/// rest, which do not form a family.
+/// rest, which do not form a family. With `none`, the initial state is not a member of a family.
 enum class Family {
   none,
   maclaurin,
@@ -69,7 +69,7 @@ inline constexpr std::string_view ball = "ball", automatic = "auto";
 struct Scene {
   const Catalogue* catalogue = nullptr;  ///< null until read_scene sets it
   std::string title;
-  std::vector<std::string> models;  ///< names of models of the catalogue, in its order
+  std::vector<std::string> models;  ///< names of models, in the order of the catalogue
   std::string system{ball};         ///< "ball" or the name of a system of the catalogue
   Analysis analysis = Analysis::motion;
 
@@ -151,7 +151,7 @@ struct Scene {
   } output;
   Sweep sweep;                       ///< empty: one run
   SweepPart sweep_part;              ///< the part of the runs to make
-  std::optional<int> sweep_threads;  ///< empty: number of cores
+  std::optional<int> sweep_threads;  ///< number of runs at the same time; empty: number of cores
   bool sweep_lanes = true;           ///< true if similar runs are integrated together in SIMD lanes
   bool sweep_trajectories = false;   ///< true if the samples of all runs are kept (app/commands/kept_trajectories.h)
   /// Values that contain expressions, path → text. The members of these entries have the values of the first run.

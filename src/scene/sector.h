@@ -36,9 +36,10 @@ std::array<bool, 3> planes_of(Symmetry symmetry);
 /// 0.5 and not 0". The result is empty if the motion has this symmetry.
 std::optional<std::string> breaks_plane(const Scene& scene, int i);
 
-/// Whether all matrices of the scene are invariant under the three reflections S_i. Without contact, Q is then diagonal
-/// at all times. Rigid planes are not checked. Vectors are not checked either, because they affect the centre of mass
-/// but not Q. The same holds for loads with a function `breaks_plane`.
+/// Whether all matrices of the scene are invariant under the three reflections S_i. If there are no rigid planes and no
+/// companions, Q is then diagonal at all times. Rigid planes and companions are not checked. Vectors are not checked
+/// because they affect the centre of mass but not Q. Viscoelastic branches are not checked because they admit every
+/// reflection.
 bool keeps_diagonal(const Scene& scene);
 
 /// The sector of the scene. It is the sector that Continuum/Symmetry sets, or with `auto` the smallest one that the

@@ -8,8 +8,8 @@
 /// second term is the pressure under the potential ½t|x|² per mass. Here t is the largest eigenvalue of the tidal
 /// matrix (Loads/Tidal matrix, in 1/time²) if all eigenvalues are positive, and 0 otherwise.
 ///
-/// The third term is only for motions of finite elements with an elastic law. With the rate D = sym(Q̇₀Q₀⁻¹), the
-/// energy density of deformation at the start, in units of the shear modulus μ at rest, is
+/// The third term is only for motions of finite elements with an elastic law. Let W be the stored energy of the law, μ
+/// its shear modulus at rest, and D = sym(Q̇₀Q₀⁻¹). The energy density of deformation at the start, in units of μ, is
 ///
 ///   e = [W(Q₀) − W(Id)]/μ + ρ r² |D Q₀|²/(10 μ).
 ///

@@ -90,7 +90,8 @@ int permuted(int j, int n, std::uint64_t key) {
   return static_cast<int>(x);
 }
 
-/// The value at the fraction `part` of the way from the first to the last value of a range, from 0 to 1.
+/// The interpolated value of a range: its first value for `part` = 0 and its last value for `part` = 1. In a
+/// logarithmic range, the logarithm is linear in `part`.
 double at(const SweepParameter& p, double part) {
   const double first = p.values[0], last = p.values[1];
   return p.logarithmic ? first * std::pow(last / first, part) : first + (last - first) * part;

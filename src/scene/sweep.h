@@ -23,6 +23,7 @@
 
 namespace pseudorigid::scene {
 
+/// A parameter of a sweep, with a list or a range of values.
 struct SweepParameter {
   std::string name;
   std::vector<double> values;           ///< values of a list, or ends of a range
@@ -53,7 +54,7 @@ int n_latin(const Sweep& sweep);
 /// The number of runs of the sweep, or 0 without parameters. A number above 2·largest_number_of_runs is reduced to this
 /// bound, which avoids an overflow.
 int n_runs(const Sweep& sweep);
-/// The values of the parameters in run k = 0 … n_runs − 1.
+/// The values of the parameters in run k = 0 … n_runs − 1. Without parameters, the result is empty for every k.
 ParameterValues values_of_run(const Sweep& sweep, int k);
 
 /// The kind of the entry Sweep/Parameters. Kinds are described in entry_kinds.h.

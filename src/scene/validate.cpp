@@ -84,7 +84,8 @@ class Validator {
   }
 
   /// Sets the constant of gravity if the scene gives γ = ρgr/μ: G = 3γμ/(4πρ²r²). Refuses γ of a fluid. Refuses a scene
-  /// that also gives another G, but not in a trial.
+  /// that also gives another G. A trial does not refuse it, because the scene may have G from a value of γ or μ before
+  /// the change.
   void set_constant_of_gravity() {
     if (scene_.gamma == 0) return;
     if (is_fluid(scene_))
@@ -163,7 +164,7 @@ class Validator {
                                            joined(names), scene_.section.column));
   }
 
-  /// The error message if Time/End is negative and the system does not permit it.
+  /// The error message if Time/End is negative and the system does not permit runs backwards in time.
   std::string needs_complete_system() const {
     std::vector<std::string_view> names;
     for (const SystemDescription& system : catalogue_of(scene_).systems)
@@ -236,8 +237,8 @@ class Validator {
                          print_number(1 / largest_condition), print_number(gent_limit)));
   }
 
-  /// Reports errors that single models find in the scene. The functions of the models assume that the other checks have
-  /// accepted the scene.
+  /// Throws UserError if a model of the scene refuses it (ModelDescription::refuses). These functions of the models
+  /// assume that the other checks have accepted the scene.
   void check_models() const {
     for (const ModelDescription* model : models_of(scene_))
       if (const auto refusal = model->refuses ? model->refuses(scene_) : std::nullopt) refuse(*refusal);

@@ -13,7 +13,8 @@ namespace pseudorigid::scene {
 Scene validate(Scene scene, const Origins& origins = {});
 
 /// Whether the checks of validate accept the scene, for trials of recommendations. The function does not compute
-/// recommendations itself. It does not refuse Gravity/Gamma in a scene that has another constant of gravity.
+/// recommendations itself. It does not refuse Gravity/Gamma in a scene that has another constant of gravity, because
+/// `validate` may have set this constant before the recommended change.
 bool is_accepted(Scene scene, const Origins& origins);
 
 }  // namespace pseudorigid::scene

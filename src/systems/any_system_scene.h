@@ -38,7 +38,8 @@ AnyModel model_of(const SystemScene& in_own_scales) {
   });
 }
 
-/// The error in a scene: that of the system itself, or that of numbers whose size is extreme (sizes.h).
+/// The error in a scene: that of the system itself, or that of numbers whose size is extreme (sizes.h). The result is
+/// empty if the scene is valid.
 template <class SystemScene>
 std::optional<Refusal> refuses(const scene::Scene& scene) {
   const auto system = system_scene<SystemScene>(scene);
@@ -51,7 +52,7 @@ std::optional<Refusal> refuses(const scene::Scene& scene) {
 
 }  // namespace detail
 
-/// Makes the description and the functions from the members of SystemScene.
+/// Makes the description and the functions from the members of SystemScene (system_scene.h).
 template <class SystemScene>
 AnySystemScene any_system_scene() {
   scene::SystemDescription description{

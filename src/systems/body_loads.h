@@ -22,6 +22,7 @@ struct BodySpring {
   SpringLaw law;
 };
 
+/// The weight of the body and the springs that act on it.
 struct BodyLoads {
   double mass = 1;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();   // centre of mass G in the body

@@ -1,6 +1,6 @@
 #pragma once
-/// One-parameter groups of symmetries of a rigid body under loads, which do not change the energies (Noether's
-/// theorem):
+/// One-parameter groups of symmetries of a rigid body under loads. They do not change the kinetic and the potential
+/// energy, and therefore give conserved momenta (Noether's theorem):
 ///
 ///   translations of space    perpendicular to the weight, if there are no springs and no fixed point
 ///   rotations of space       about an axis that is parallel to the weight and to every anchor of a spring
@@ -18,7 +18,7 @@ struct BodySymmetries {
   Directions translations, turns_of_space;
 };
 
-/// The symmetries of a body under the loads. A body with a fixed point has no translations.
+/// The symmetries of a body under the loads. A body with a fixed point or with springs has no translations.
 inline BodySymmetries body_symmetries(const BodyLoads& loads, bool has_fixed_point) {
   Directions in_space{loads.gravity};
   for (const BodySpring& spring : loads.springs) in_space.push_back(spring.anchor);

@@ -118,6 +118,7 @@ struct DoublePendulumScene {
     }
   };
 
+  /// The model in multiplier form, whose state is (q, q̇).
   struct MultiplierModel {
     using System = DoublePendulum;
     System system;
@@ -133,6 +134,7 @@ struct DoublePendulumScene {
     }
   };
 
+  /// The model in Lagrange form, whose state has the angles and their rates. `row` converts it to the multiplier form.
   struct LagrangeModel {
     using System = mechanics::ChartField<DoublePendulumChart>;
     System system;

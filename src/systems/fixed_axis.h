@@ -3,7 +3,9 @@
 /// and passes through the origin of the body; ê is the matrix of e×. The body has the mass m, the centre of mass G and
 /// the inertia operator A. Under gravity g and the friction torque −cθ̇, the angle θ satisfies
 ///
-///   I_e θ̈ = m⟨e, G × R⁻¹g⟩ − cθ̇,   R = exp(θê),   I_e = ⟨Ae, e⟩,   V = −m⟨g, RG⟩.
+///   I_e θ̈ = m⟨e, G × R⁻¹g⟩ − cθ̇,   R = exp(θê),   I_e = ⟨Ae, e⟩,   V = −m⟨g, RG⟩
+///
+/// with the rotation R, the moment of inertia I_e about the axis and the potential V of the weight.
 ///
 /// Bearings at the points a e and b e support the axis. Let F be the total force of the bearings, and N their total
 /// torque about the origin. In the axes of the body, with ω = θ̇e and ω̇ = θ̈e,
@@ -32,10 +34,11 @@ namespace pseudorigid::systems {
 struct FixedAxis {
   static constexpr int dimension = 1;
   MassDistribution body;
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(), gravity = Eigen::Vector3d::Zero();  // axis e, gravity g
-  double friction = 0;                                                                 // friction coefficient c
+  /// The unit vector e of the axis, and the acceleration g of gravity in space.
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(), gravity = Eigen::Vector3d::Zero();
+  double friction = 0;  // friction coefficient c
 
-  double moment_of_inertia() const { return axis.dot(inertia_operator(body.E0) * axis); }  ///< I_e
+  double moment_of_inertia() const { return axis.dot(inertia_operator(body.E0) * axis); }  ///< I_e, about the axis
 
   template <class T>
   Eigen::Matrix<T, 1, 1> metric(const mechanics::Coordinates<T, 1>&) const {

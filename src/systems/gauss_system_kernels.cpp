@@ -13,6 +13,7 @@
 namespace pseudorigid::systems {
 namespace {
 
+// This file is compiled once for each instruction set. Its solvers are the table SystemKernels (systems_in_lanes.h).
 // The fields below, except FieldOfPoints, are functions (first lane, q, v, a) over a scalar type T, which is a vector
 // of SIMD lanes. They set the accelerations a. They return a number that is positive if the accelerations are defined.
 
@@ -256,6 +257,7 @@ struct FieldOfPoints final : mechanics::GaussField {
   }
 };
 
+// The solvers return true, except the one for charts. This one returns false if the coordinates are too large.
 bool solve(const TopOfStages& top, mechanics::GaussStages& stages) {
   if (is_free(top) && top.A.isDiagonal(0))
     mechanics::detail::iterate_in_lanes(TopField<true>{top}, stages);

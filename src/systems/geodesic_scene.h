@@ -112,8 +112,8 @@ struct GeodesicScene {
     return columns;
   }
 
-  /// The geodesic flow in a chart. The acceleration fails with a message if the point is outside the chart or too near
-  /// to its end.
+  /// The geodesic flow in a chart. The acceleration fails if the function `reserve` of the chart (surfaces.h) is not
+  /// positive. The point is then outside the chart or at most √ε from a pole, with the machine precision ε.
   template <class Chart>
   class Field : public mechanics::ChartField<Chart> {
    public:

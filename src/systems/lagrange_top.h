@@ -7,8 +7,8 @@
 ///   Ω = B(h) ḣ,   g = BᵀAB,   U = V(R(h)),   d/dt ∂K/∂ḣ_i − ∂K/∂h_i = −∂U/∂h_i = (ω_i, ∫Rξ × df)
 ///
 /// with the potential V of the loads as a function of R, and the axes ω_i, which satisfy ∂R/∂h_i R⁻¹ = ω_i×. The axes
-/// are e_z, the nodal line, and the third axis e₃ of the body. The chart is singular at sin θ = 0, where e_z and e₃ are
-/// parallel.
+/// of φ, θ and ψ are e_z, the nodal line, and the third axis e₃ of the body. The chart is singular at sin θ = 0, where
+/// e_z and e₃ are parallel.
 
 #include <Eigen/Dense>
 #include <cmath>

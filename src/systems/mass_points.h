@@ -35,10 +35,12 @@ class MassPoints : public mechanics::Unconstrained {
   using Vector = Eigen::Matrix3Xd;  // a column is a point
   using In = const Eigen::Ref<const Vector>&;
   using Out = Eigen::Ref<Vector>;
+  /// A spring between the points with the indices i and j, from 0.
   struct Spring {
     int i = 0, j = 1;
     SpringLaw law;
   };
+  /// A dashpot between the points with the indices i and j, from 0.
   struct Dashpot {
     int i = 0, j = 1;
     double damping = 0;  // damping d

@@ -7,9 +7,9 @@
 ///   length   L = the largest of |q_i − q̄|, of |q_i − c| if c exerts forces, and of the rest lengths of springs
 ///   time     1/ω,  ω² = the largest of GM/L³, μ/L³, |g|/L, k(1/m_i + 1/m_j), k/m_i;  without forces ω = |v|/L
 ///
-/// If this number is 0, for example for one point, L is |v|/ω with the ω of springs and confinement, or |v|²/|g|
-/// without such forces. Here |v| is the largest initial speed. If this number is also 0, L is 1. If ω = 0, the unit of
-/// time is 1.
+/// Here |v| is the largest initial speed. If all the lengths are 0, for example for one point, L is |v|/ω with the ω of
+/// springs and confinement. Without springs and confinement, L is then |v|²/|g|. If these formulas also give 0 or are
+/// not defined, L is 1. If ω = 0, the unit of time is 1.
 
 #include <fmt/format.h>
 

@@ -42,7 +42,7 @@ struct FramePoseOver {
   Space<T> Omega, Omega_rate;  // Ω and Ω̇ in the axes of K
   Space<T> r, r_rate, r_acceleration;
 
-  /// Visits all entries, in the order of the members.
+  /// Visits all entries, in the order of the members. The entries of M are visited column by column.
   template <class Visit>
   void visit(Visit&& visit) {
     for (T& x : M.reshaped()) visit(x);
@@ -60,7 +60,7 @@ struct FrameMotion {
   double spin_rate = 0, spin_acceleration = 0;             // spin rate ν at t = 0, and its constant rate ν̇
   Eigen::Vector3d precession = Eigen::Vector3d::Zero();    // angular velocity p of the precession in space
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();        // position r₀ of the origin at t = 0
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      // velocity ṙ₀ of the origin
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      // velocity ṙ₀ of the origin at t = 0
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  // constant acceleration a of the origin
   Eigen::Vector3d shaking = Eigen::Vector3d::Zero();       // amplitude b of the shaking
   double shaking_frequency = 0;                            // angular frequency w of the shaking
@@ -119,7 +119,8 @@ struct FrameOfStages {
   bool moving;  ///< true if q is the position in the moving frame, false if it is the position in space
   std::array<mechanics::OfStages, FramePose::n_entries> pose;  ///< the entries of FramePose, each at all stages
 };
-/// Computes the poses at the times of the stages, because they do not depend on the state.
+/// Computes the poses at the times of the stages once for a step, because the poses do not depend on the state. The
+/// result refers to p.forces.
 inline FrameOfStages stages_in_frame(const FrameParameters& p, const mechanics::GaussStages& stages, bool moving) {
   FrameOfStages frame{p.forces, moving, {}};
   for (std::size_t i = 0; i < mechanics::gauss::n_stages; ++i) {

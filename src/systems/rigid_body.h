@@ -42,8 +42,9 @@ class RigidBody {
     BodyLoads loads{};
   };
 
-  /// Fails with the reason if this body cannot have the form of matrices of GL⁺(3). The second moment E₀ must be
-  /// positive definite, and the mass positive. Without a fixed point, the centre of mass must be the origin.
+  /// Fails with the reason if this body cannot have the form of matrices of GL⁺(3). The least eigenvalue of the second
+  /// moment E₀ must be above 1e-12 times the largest one, and the mass positive. Without a fixed point, the centre of
+  /// mass must be the origin.
   static mechanics::Status accepts(const Parameters& p) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(p.E0, Eigen::EigenvaluesOnly);
     const Eigen::Vector3d& e = solver.eigenvalues();
@@ -83,6 +84,8 @@ class RigidBody {
     f.template leftCols<3>() = turning;
   }
 
+  /// Computes the six constraints. Fails if det R is not positive and finite, because the constraints do not exclude
+  /// reflections.
   mechanics::Status constraint(const Vector& q, Multiplier& g) const {
     const Eigen::Matrix3d R = rotation(q);
     if (const double J = R.determinant(); !(J > 0 && std::isfinite(J)))
@@ -103,8 +106,8 @@ class RigidBody {
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
-  /// Solves S λ = r. Fails if the elimination does not give finite numbers, for example because the rotations R₁ and R₀
-  /// differ by a right angle.
+  /// Solves S λ = r for the six multipliers. Fails if the elimination does not give finite numbers, for example because
+  /// the rotations R₁ and R₀ differ by a right angle.
   mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     const Eigen::Matrix3d B = rotation(q1).transpose() * rotation(q0);

@@ -2,8 +2,8 @@
 /// The rigid body in parameter files. Three forms give the same motion: matrices of GL⁺(3) with six constraints
 /// (rigid_body.h), Euler's equation on quaternions (euler_top.h), and Lagrange's equations in Euler angles
 /// (lagrange_top.h). A fixed point is the origin of the body and of space. Without a fixed point, the origin of the
-/// body is the centre of mass. In the forms of Euler and Lagrange, the motion of the centre of mass is then exact. It
-/// is x = x₀ + v₀t + ½gt² with the acceleration g of gravity.
+/// body is the centre of mass. The forms of Euler and Lagrange then use the exact motion of the centre of mass, x = x₀
+/// + v₀t + ½gt². Here g is the acceleration of gravity, and x₀ and v₀ are the initial position and velocity.
 ///
 /// The scales are the mass m, the length L = √(tr E₀/m) and the time 1/ω, with the second moment E₀. With the initial
 /// angular velocity Ω, the stiffness k of the springs, the centre of mass G and its initial velocity v,
@@ -142,7 +142,7 @@ struct RigidBodyScene {
 
   std::vector<Column> columns() const { return BodyObserver::columns(); }
 
-  /// The model in the constrained form.
+  /// The model in the constrained form, whose configuration is q = [R | x], or q = R with a fixed point.
   template <bool has_fixed_point>
   struct ConstrainedModel {
     using System = RigidBody<has_fixed_point>;
@@ -289,8 +289,9 @@ struct RigidBodyScene {
     return {};
   }
 
-  /// Refuses an inertia that no body with this mass and centre of mass has. Also refuses a singular inertia operator.
-  /// In the constrained form it refuses the inertia of a flat body as well, because the second moment is then singular.
+  /// Refuses an inertia that is not symmetric, and one that no body with this mass and centre of mass has. Also refuses
+  /// a singular inertia operator. In the constrained form it refuses the inertia of a flat body as well, because the
+  /// second moment is then singular.
   std::optional<Refusal> refuses_inertia() const {
     constexpr double round_off = 1e-12;
     const char* const inertia_path = points.empty() ? "Rigid body/Inertia" : "Rigid body/Points";
@@ -319,7 +320,8 @@ struct RigidBodyScene {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(A, Eigen::EigenvaluesOnly).eigenvalues();
   }
 
-  /// Refuses a position or a velocity of a body with a fixed point, and wrong springs.
+  /// Refuses a position or a velocity other than 0 for a body with a fixed point. Also refuses the cases of
+  /// refuses_springs.
   std::optional<Refusal> refuses_place() const {
     for (const auto& [path, x] : {std::pair("Rigid body/Position", &position), {"Rigid body/Velocity", &velocity}})
       if (!vector(*x).isZero(0))
@@ -327,7 +329,7 @@ struct RigidBodyScene {
     return refuses_springs(Eigen::Vector3d::Zero());
   }
   /// Refuses a centre of mass of a free body that is not its origin. Also refuses springs in the forms of Euler and
-  /// Lagrange, and wrong springs.
+  /// Lagrange, and the cases of refuses_springs.
   std::optional<Refusal> refuses_free() const {
     if (!vector(center).isZero(0))
       return Refusal{

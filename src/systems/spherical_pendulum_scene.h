@@ -56,6 +56,8 @@ class SphericalPendulum {
   void constraint_rate(const Vector& q, const Vector& v, Multiplier& r) const { r = q.dot(v) / l2(); }
   void constraint_curvature(const Vector&, const Vector& v, Multiplier& r) const { r = v.squaredNorm() / l2(); }
   void add_reaction(const Vector& q, const Multiplier& lambda, Vector& f) const { f += lambda / l2() * q; }
+  /// Solves G(q₁)M⁻¹G(q₀)ᵀλ = r with the derivative G of the constraint and the mass operator M. Fails unless the angle
+  /// between q₁ and q₀ is less than a right angle.
   mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     const double S = q1.dot(q0) / (p_.m * l2() * l2());  // G(q₁) M⁻¹ G(q₀)ᵀ

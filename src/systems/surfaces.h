@@ -47,8 +47,8 @@ struct Sphere {
     using std::cos, std::sin;
     return {R * sin(q[0]) * cos(q[1]), R * sin(q[0]) * sin(q[1]), R * cos(q[0])};
   }
-  /// Returns a positive number inside the chart. The chart ends at the distance √ε from a pole, with the machine
-  /// precision ε. Closer to a pole, sin²θ is less than ε.
+  /// Returns a positive number inside the chart, and otherwise a number that is not positive. The chart ends at the
+  /// angle √ε from a pole, with the machine precision ε. Closer to a pole, sin²θ is less than ε.
   template <class T>
   T reserve(const SurfacePoint<T>& q) const {
     return between_poles(q[0]);
@@ -57,7 +57,7 @@ struct Sphere {
 };
 
 /// The torus of revolution about the x axis (5.8.8). Its points are x = (r sin w, ρ sin u, ρ cos u) with ρ = R + r cos
-/// w, and its metric is ds² = r² dw² + ρ² du².
+/// w. Its metric is ds² = r² dw² + ρ² du².
 ///
 /// The circles w = 0 (outside) and w = π (inside) are invariant under a reflection. A motion that starts along such a
 /// circle remains on the circle by symmetry. In floating-point arithmetic, this motion remains on the circle if the
@@ -117,8 +117,8 @@ struct Ellipsoid {
     using std::cos, std::sin;
     return {a * sin(q[0]) * cos(q[1]), b * sin(q[0]) * sin(q[1]), c * cos(q[0])};
   }
-  /// Returns a positive number inside the chart. The chart ends at the distance √ε from a pole, with the machine
-  /// precision ε. Closer to a pole, sin²θ is less than ε.
+  /// Returns a positive number inside the chart, and otherwise a number that is not positive. The chart ends at the
+  /// angle √ε from a pole, with the machine precision ε. Closer to a pole, sin²θ is less than ε.
   template <class T>
   T reserve(const SurfacePoint<T>& q) const {
     return between_poles(q[0]);

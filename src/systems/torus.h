@@ -27,7 +27,7 @@ namespace pseudorigid::systems {
 
 struct Torus : TorusSurface {
   double gravity = 1, c = 1, tilt = 0;
-  double c_w = 0, c_u = 0;            // variation a, b of the friction
+  double c_w = 0, c_u = 0;            // numbers a, b of the variable friction c(q)
   double grain = 0, grain_angle = 0;  // strength β and angle γ of the grain
 
   template <class T>
