@@ -55,8 +55,8 @@ void go_on(scene::Scene& scene, const Options& options) {
   }
 }
 
-/// Reads and validates the scene, and checks the sweep, the mesh file, the disk and the memory. The memory is not
-/// checked if the number of ranks is not known. Throws UserError if the scene cannot run.
+/// Reads and validates the scene. Checks the sweep and the disk space for its samples, the mesh file and the memory.
+/// The memory is not checked if the number of ranks is not known. Throws UserError if the scene cannot run.
 Input read_and_validate(const Options& options, const scene::Catalogue& catalogue, int n_ranks) {
   Input input{scene::read_scene(options.scene, options.overrides, catalogue), {}};
   input.read = input.raw;
