@@ -44,7 +44,7 @@ inline double compressible_spheroidal_equation(int n, double x, double ratio) {
 }
 
 /// The root of f above 0.5 with the number `overtone`, counted from 0 for the lowest root. All frequencies of the
-/// sphere satisfy x > 0.5.
+/// sphere satisfy x > 0.5 if Lamé's modulus λ is not negative.
 template <class Function>
 double sphere_root(const Function& f, int overtone) {
   constexpr double first = 0.5, step = 0.01;  // the distance of two roots of one degree is larger than this step

@@ -175,7 +175,7 @@ struct AutoOrMatrix {
 
 /// A list of numbers separated by `,`.
 struct Numbers {
-  std::size_t n = 0;  ///< number of entries; if 0, any number is permitted
+  std::size_t n = 0;  ///< required number of entries; if it is 0, the list can have any length
   Number number{};
   bool may_be_empty = false;
 

@@ -239,7 +239,7 @@ class FieldModel : public RunnableModelOf<S> {
     return std::lround(time / context_.scene.time.end * static_cast<double>(context_.scene.output.samples));
   }
 
-  DeformationTrace* trace_;  ///< receives the history of Q; null if the history is not requested
+  DeformationTrace* trace_;  ///< receives the affine part Q at each sample; null if this is not requested
   io::Trajectory<mechanics::ContinuumObservables> trajectory_;
   mechanics::ObservableRequest request_;
   mechanics::ContinuumObservables observables_;

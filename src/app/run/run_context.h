@@ -48,7 +48,7 @@ struct RunContext {
   double time_of_sample(long k) const {
     return scene.time.end * (static_cast<double>(k) / static_cast<double>(scene.output.samples));
   }
-  /// True if an interrupt (Ctrl-C) has reached any rank. Collective.
+  /// True if a signal that ends the run, for example SIGINT (Ctrl-C) or SIGTERM, has reached any rank. Collective.
   bool interrupted() const { return ranks->any(io::interrupt_requested()); }
 };
 

@@ -64,7 +64,7 @@ inline loads::Loads internal_loads(const scene::Scene& scene) {
   return loads;
 }
 
-/// The time until which the loads rise, in internal units.
+/// The time until which the loads rise, in internal units; 0 if they have their full strength from the start.
 inline double rise_time(const scene::Scene& scene) { return internal_loads(scene).get<loads::Rise>().time; }
 
 /// The material law in internal units. For a solid without self-gravity the unit of time is r/c, and μ is exactly 1.

@@ -59,8 +59,9 @@ double step_of_mesh(const scene::Discretization& d) {
   return 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
 }
 
-/// Time of a step of the finite-element model per unknown, correct within a factor of 3. The time was measured on cores
-/// of 2 to 4 GHz for k = 3 … 6 and r = 0 … 1.
+/// Seconds per step and unknown of the finite-element model, for an incompressible and for a compressible body. They
+/// are correct within a factor of 3. They were measured on cores of 2 to 4 GHz for degrees k = 3 … 6 and r = 0 … 1
+/// refinements.
 constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
 /// Typical ratio of the step to the stability limit at rest, if the program chooses the step for a tolerance.
 constexpr double usual_part_of_limit = 0.6;
@@ -88,9 +89,9 @@ double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs
   return n_steps * a_step * (1 + (scene.time.step ? 0 : pilots) + (needs.companion ? companion : 0));
 }
 
-/// Adds a line with the number of force evaluations of the pseudo-rigid body. A method of order 8 with tolerance 1e-6
-/// needs 73 evaluations per unit of time (measured). If the scene gives the step, the number is at least the number of
-/// these steps.
+/// Adds a line with the number of force evaluations of the pseudo-rigid body and their time. A method of order 8 with
+/// tolerance 1e-6 needs 73 evaluations per internal unit of time (measured). If the scene gives the step, the number is
+/// at least the number of these steps. Adds nothing without a motion of this model.
 void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
   const auto model = std::ranges::find_if(needs.models, [](const auto* m) { return !m->has_nonaffine; });
   if (model == needs.models.end() || scene.analysis != scene::Analysis::motion) return;

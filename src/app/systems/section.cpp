@@ -25,6 +25,8 @@ namespace {
 using mechanics::Status;
 using Method = mechanics::DormandPrince8;
 
+/// Number of times in a step at which the column is evaluated, and number of steps between checks of the interrupt
+/// flag.
 constexpr int looks_per_step = 8, steps_between_interrupts = 256;
 /// Local tolerance of the integration that locates a crossing. This tolerance is close to the least one that the method
 /// accepts.
@@ -100,7 +102,7 @@ class SectionRun {
   }
 
   /// Integrates the motion to its end and writes a row for each crossing. Sets `end` to the outcome. Fails if a step
-  /// fails or after an interrupt.
+  /// fails, if a column cannot be computed, or after an interrupt.
   template <class Workspace>
   Status go(State& state, Workspace& w, mechanics::Outcome& end) {
     end = mechanics::Outcome::failed;
