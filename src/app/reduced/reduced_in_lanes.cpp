@@ -19,8 +19,8 @@ using reduced::n_body_lanes;
 /// per step.
 using LaneMethod = mechanics::Symmetric8;
 
-/// True if two runs have the same law, method, tolerance, step and times. The shape of the body and the initial state
-/// may differ.
+/// True if two runs have the same law, method, tolerance, step, end and number of samples. Steps and ends are compared
+/// in internal units. The shape of the body and the initial state may differ.
 bool alike(const RunContext& a, const materials::AnyLaw& law_of_a, const RunContext& b,
            const materials::AnyLaw& law_of_b) {
   const auto& s = a.scene.time;

@@ -268,8 +268,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     return mechanics::Status::failure("the body is stretched more than 1e12 times, which numbers do not resolve");
   }
 
-  /// Adds the position and velocity of the centre of mass and its energies to the observables. With drag, the energy
-  /// that it has lost counts as dissipated. Fails if its motion is not finite.
+  /// Adds the position, velocity and energies of the centre of mass to the observables. With drag, the energy that the
+  /// centre of mass has lost counts as dissipated. Fails if the motion of the centre of mass is not finite.
   mechanics::Status add_center_of_mass(const State& state) {
     const double t = state.t;
     const auto motion = center_at(state);

@@ -79,7 +79,7 @@ class ContactWatch {
   bool is_begun_ = false, has_touched_ = false;
   double t_ = 0, height_ = 0, v_ = 0;  ///< time, height and n·ẋ_c − ż₀ at the end of the last step
   double first_ = 0, speed_before_ = 0, last_ = 0, largest_force_ = 0,
-         restitution_ = 0;  ///< the summary, with the closing speed at `first_`
+         restitution_ = 0;  ///< the summary; `speed_before_` is the closing speed at the time `first_`
 };
 
 }  // namespace pseudorigid::app

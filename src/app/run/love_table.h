@@ -23,7 +23,7 @@ struct LoveRow {
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other, double round_off);
 
-/// The name of the CSV file of a run of a model.
+/// The name of the CSV file of a run, without ".csv". `run` is the name of the files of the run.
 std::string love_file(std::string_view run);
 
 /// The columns of love-<run>.csv with their units and texts.

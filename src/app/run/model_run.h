@@ -194,9 +194,9 @@ class ModelRun final : public ModelRunBase {
   /// Properties of a state that determine the steps of the intervals before and after this state.
   struct LocalVolume {
     double least_jacobian;
-    double rattle_limit = HUGE_VAL;  ///< largest stable step of RATTLE times less_reserve, if the motion is violent
+    double rattle_limit = HUGE_VAL;  ///< largest stable step of RATTLE times less_reserve; infinite if not computed
   };
-  /// Measures the local volume in the present state `state`. The stable step is computed only if the least det F ≤ 0.8.
+  /// The local volume in the present state `state`. The stable step is computed only if the least det F is at most 0.8.
   LocalVolume look_at(const State& state) const {
     constexpr double violent = 0.8;
     LocalVolume seen{model_.least_jacobian(state)};

@@ -50,7 +50,7 @@ class ModelSink {
   virtual void draw_frame(long /*sample*/, const Draw&) {}
 
   /// True if the sink writes the table <name>.csv of the shapes for a report. The table has a block of rows for each of
-  /// a few samples.
+  /// a few samples: positions of points on the surface and the coordinate planes of the body.
   virtual bool has_shapes() const { return false; }
   /// True if the sink writes the shape at this sample.
   virtual bool wants_shape(long /*sample*/) const { return false; }

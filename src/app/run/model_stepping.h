@@ -106,7 +106,7 @@ class ModelStepping {
   static constexpr double less_reserve = 0.9;
   /// Largest number of halvings of the step in one interval between samples.
   static constexpr int most_halvings = 6;
-  /// Largest number of intervals of a run that are integrated again because a step has failed.
+  /// Largest number of repetitions of intervals in a run because of a failed step.
   static constexpr long most_failures = 32;
   /// Largest number of halvings of the step in one interval because of a change of the energy.
   static constexpr int most_halvings_for_energy = 5;

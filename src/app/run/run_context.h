@@ -66,7 +66,8 @@ inline RunContext derived(const RunContext& context, const scene::Scene& scene, 
           .tables = tables};
 }
 
-/// The table of modes or Love numbers with this name: a CSV file, or an entry of context.tables.
+/// The table of modes or Love numbers with this name. It is an entry of context.tables, or a CSV file if context.tables
+/// is null.
 inline io::ColumnTable table_of(const RunContext& context, const std::string& name,
                                 const std::vector<scene::Column>& columns) {
   if (context.tables) return {(*context.tables)[name], columns, context.scales()};

@@ -25,7 +25,7 @@ inline io::Units units_of(const scene::Scene& scene) {
   return io::ball_units(scene.body.radius, scene.body.density, scene::time_scale(scene));
 }
 
-/// The initial deformation Q₀, and below it Q̇₀ per internal unit of time.
+/// The initial deformation Q₀ and its rate Q̇₀. The rate is per internal unit of time.
 inline Eigen::Matrix3d initial_deformation(const scene::Scene& scene) {
   return to_eigen(scene.initial_state.deformation);
 }
@@ -33,7 +33,7 @@ inline Eigen::Matrix3d initial_velocity(const scene::Scene& scene, const io::Uni
   return to_eigen(scene.initial_state.velocity) * units.time;
 }
 
-/// The initial position of the centre of mass, and below it the initial velocity, in internal units.
+/// The initial position and velocity of the centre of mass, in internal units.
 inline Eigen::Vector3d initial_center(const scene::Scene& scene, const io::Units& units) {
   return to_eigen(scene.initial_state.center) / units.length;
 }
