@@ -19,7 +19,8 @@ namespace pseudorigid::analysis {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
-/// The tables of both models, and the comparison to which the functions below add series.
+/// The tables r of the model and c of the reference, their errors, and the comparison to which the functions below add
+/// series.
 struct Workshop {
   const io::Table& r;
   const io::Table& c;

@@ -82,8 +82,8 @@ std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degre
 /// The quality of a model, computed from its residual.
 struct Assessment {
   std::vector<double> peaks;  ///< peaks of the periodogram of the residual
-  double deviation;           ///< σ of FrequencyFit; the standard error of Ω_b is deviation · √((S⁻¹)_bb)
-  double first_error;         ///< standard error of the first frequency Ω
+  double deviation;    ///< σ of FrequencyFit; the free frequency Ω_b has the standard error σ √((S⁻¹)_bb)
+  double first_error;  ///< standard error of the first frequency Ω
 };
 
 /// Computes the quality of a model. `size` is the largest magnitude of the samples, for their round-off.

@@ -113,7 +113,8 @@ struct Process {
 };
 
 /// Lines with all inputs that determine the actions of a process. All ranks must have the same lines. The inputs are
-/// the scene with included files and overrides, the options, the mesh file, and the environment.
+/// the scene with included files and overrides, the options, the mesh file, and the SIMD instructions that the
+/// environment requests.
 std::vector<std::string> identity_of(const Options& options, const scene::ReadScene& read) {
   const io::RunDirectory directory(read.scene.output.directory, options.scene, options.output);
   std::vector<std::string> lines{fmt::format("results in {}", directory.path().string()),

@@ -66,7 +66,8 @@ bool write_answer(int file, Answer answer, const FinishedRun& run) {
   return written;
 }
 
-/// Computes run k. Converts an exception to an answer whose run has only the message.
+/// Computes run k. Converts an exception to an answer whose run has only the message; for std::bad_alloc the message is
+/// empty.
 std::pair<Answer, FinishedRun> answer_of(const SweepTask& task, int k) {
   try {
     return {Answer::row, task.run(k)};

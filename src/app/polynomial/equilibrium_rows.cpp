@@ -20,8 +20,8 @@ constexpr std::size_t slowest = 10;  // number of complex rates in a row of the 
 /// Index of the rotation about axis 3 among the symmetries of the whole body.
 constexpr int about_axis_3 = 2;
 
-/// The ten rates of lowest frequency among the rates of all classes of motions, by rising frequency. If there are fewer
-/// rates, the others are 0.
+/// The ten rates s of lowest frequency |Im s| among the rates of all classes of motions, by rising frequency. If there
+/// are fewer rates, the others are 0.
 std::vector<mechanics::Rate> slowest_rates(const RotationMember& member) {
   std::vector<mechanics::Rate> rates;
   for (const ClassStability& of_class : member.classes)

@@ -54,7 +54,7 @@ std::string in_words(const Effort& e) {
   return fmt::format("{} unknowns{}, about {}", count(e.n_unknowns), multipliers, in_bytes(std::max(1e6, e.bytes)));
 }
 
-/// Stable step of RATTLE on the builtin mesh for λ = 0 and μ = 1.
+/// Stable step of RATTLE on the builtin mesh for λ = 0, μ = 1, density 1 and radius 1.
 double step_of_mesh(const scene::Discretization& d) {
   return 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
 }
@@ -71,7 +71,8 @@ constexpr double pilots = 0.5, companion = 0.35;
 /// The viscosity η in internal units.
 double viscosity(const scene::Scene& scene) { return loads::constant_forcing(internal_loads(scene)).viscosity; }
 
-/// The product γh on the builtin mesh, with the largest damping rate γ at rest and the step h.
+/// The product γh on the builtin mesh, with the largest damping rate γ at rest and the step h. `step` is h in the
+/// user's unit of time.
 double damping_of_step(const scene::Scene& scene, const scene::Discretization& d, double step) {
   return 4 * viscosity(scene) / std::pow(step_of_mesh(d), 2) * step / units_of(scene).time;
 }

@@ -38,9 +38,9 @@ struct Curve {
 
 /// The end of a motion.
 struct End {
-  int to = 0;  ///< number of the critical point at the end, or 0
-  double distance = 0, time = 0;
-  Status step{};  ///< status of the last step; a failure ends the motion
+  int to = 0;                     ///< number of the critical point at the end, or 0
+  double distance = 0, time = 0;  ///< distance from the nearest critical point, and internal time, at the end
+  Status step{};                  ///< status of the last step; a failure ends the motion
 };
 
 /// Columns of manifolds.csv: numbers of the motion and of its critical point, 1 for a stable manifold, the time, and

@@ -155,7 +155,7 @@ class SectionRun {
 
   /// Locates the crossing between the times `early` and `late` within the step from `start`, and writes a row for it.
   /// `before` and `after` are the distances at these times. Writes nothing if there is no crossing, or if the column
-  /// jumps. Fails if a step fails.
+  /// jumps. Fails if a step fails or a column cannot be computed.
   Status take(const State& start, double early, double late, double before, double after) {
     if (!counts(before, after)) return {};
     Status status;
