@@ -23,8 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Usual and largest number of characters of a number in a table. The longest number has a sign, 17 digits, a point, an
-/// exponent of two digits such as e-05, and a comma.
+/// Usual and largest number of characters of a number in a table. The largest number of characters is that of a sign,
+/// 17 digits, a point, an exponent of two digits such as e-05, and a comma. Exponents of three digits are not
+/// considered.
 constexpr double bytes_per_value = 20, most_bytes_per_value = 24;
 /// Usual number of bytes of a number in a compressed picture, measured for motions without symmetry.
 constexpr double bytes_per_value_of_picture = 5;

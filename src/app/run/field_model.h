@@ -230,8 +230,8 @@ class FieldModel : public RunnableModelOf<S> {
   const RunContext& context_;
 
  private:
-  /// The motion of the companions at the start of a pilot run. It is their motion half a pilot run before the closest
-  /// approach, or at the start of the run (Orbit::near_closest_approach).
+  /// The motion of the companions at the start of a pilot run. It is their motion at least half a pilot run before the
+  /// closest approach, or at the start of the run (Orbit::near_closest_approach).
   mechanics::Orbit::Motion near_pericentre(const mechanics::Orbit& orbit) const {
     const double end = context_.internal_time(context_.scene.time.end);
     return orbit.near_closest_approach(end, pilot_window(end) / 2);

@@ -1,8 +1,8 @@
 #pragma once
 /// Estimate of the discretisation error of a run by a companion run on another discretisation (scene/discretization.h).
 /// Both runs have the same method and step, so that their time errors cancel (analysis/space_error.h). The companion
-/// has a shorter step only if this step would not be stable. The comparison of the models uses the motion of the
-/// companion to estimate the errors of other quantities.
+/// has a shorter step only if this step exceeds 0.8 of the companion's stability limit. The comparison of the models
+/// uses the motion of the companion to estimate the errors of other quantities.
 ///
 /// The counters are estimated_space_error, the largest error of an entry of Q, and relative_space_error, the error
 /// relative to |Q|. Further counters are companion_degree, companion_work, and for finite elements
