@@ -193,8 +193,8 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
   return failure.exit_code;
 }
 
-/// Prepares the directory and returns its lock. Throws UserError before any result changes, for example for a lock of
-/// another run, a pipe with the name of a result, or an unsuitable checkpoint or table. The message names the entry or
+/// Prepares the directory and returns its lock. Throws UserError before any result changes. Causes are a lock of
+/// another run, a pipe with the name of a result, and an unsuitable checkpoint or table. The message names the entry or
 /// option that determines the directory.
 io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const scene::Needs& needs,
                     const Options& options) {

@@ -96,8 +96,8 @@ class DegreeSearch {
   std::filesystem::path path() const { return context_.directory.checkpoint(degree_checkpoint_name); }
   /// False in sweeps, which do not write checkpoints.
   bool keeps_states() const { return context_.scene.sweep.empty(); }
-  /// Writes the chosen degree, the numbers of its error, the work of the search, and the history of Q of the degree
-  /// before it into the checkpoint. Does nothing in sweeps.
+  /// Writes the checkpoint: the chosen degree, its estimated error, the work of the search, and the history of Q of the
+  /// previous degree. Does nothing in sweeps.
   void save() const {
     if (!keeps_states()) return;
     io::Checkpoint c;

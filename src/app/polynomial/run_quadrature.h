@@ -60,9 +60,9 @@ class RunQuadrature {
     length_ = numbers[2];
   }
 
-  /// Adds the counters of this class to `statistics`. They are the number of points in each direction, the number of
-  /// force evaluations in the estimates if it is positive, and the error if it is known. If the run has become longer
-  /// than the estimate assumes, the error grows as a power of the duration.
+  /// Adds the counters of this class to `statistics`: the number of points in each direction, the force evaluations of
+  /// the estimates if there are any, and the error if it is known. If the run has become longer than the estimate
+  /// assumes, the error grows as a power of the duration.
   void report(const Body& body, io::Manifest::Model& statistics) const {
     auto& counters = statistics.counters;
     counters["quadrature_points"] = body.space().n_points_in_direction();

@@ -43,8 +43,8 @@ ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& 
 ModelOutcome run_with_estimate(const RunContext& context, const ContinuumRun& run);
 
 /// Returns the history `trace` of Q as a table, with a factor. The factor converts the difference between the run and
-/// `trace` to an error of the run, if this error decreases with the resolution at the rate `least_rate`. `resolution`
-/// is the resolution of the run. The comparison of the models uses the table and the factor.
+/// `trace` to an error of the run. It assumes that this error decreases with the resolution at the rate `least_rate`.
+/// `resolution` is the resolution of the run. The comparison of the models uses the table and the factor.
 analysis::OtherResolution other_resolution(const DeformationTrace& trace, double resolution, double resolution_of_trace,
                                            double least_rate, const RunContext& context);
 
