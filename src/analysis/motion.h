@@ -97,8 +97,8 @@ std::string drift_in_words(double drift);
 /// Drift of an angular momentum or a circulation with these columns; empty if the table lacks a column.
 std::optional<double> momentum_drift(const io::Table& table, const std::vector<std::string>& columns);
 
-/// The columns of the angular momentum that is constant without loads other than self-gravity. It is that of the body
-/// and its companions together if the table has these columns, otherwise that of the body.
+/// The columns of the angular momentum that is constant without loads other than self-gravity and companions. They are
+/// total_J1 to total_J3 for the body and its companions together, or J1 to J3 if the table lacks these columns.
 std::vector<std::string> columns_of_angular_momentum(const io::Table& table);
 
 /// Reference value for angular momenta or circulations: the largest norm of `momenta`. If this norm is round-off, the

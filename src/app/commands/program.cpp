@@ -170,8 +170,8 @@ int run(const Options& options, int argc, char** argv, Process& process, const s
   open_continuum_for(input.raw, argc, argv, process);
   process.executable.instructions();
   if (!is_first) return assist_scene(read, options, process.executable);
-  // The destructor tells the other ranks, which wait in assist_scene, that the run has ended. It does so also after an
-  // exception.
+  // The destructor tells the other ranks, which wait in assist_scene, that the run has ended. This also happens after
+  // an exception.
   struct Dismissal {
     const Ranks& ranks;
     ~Dismissal() { ranks.of_first(false); }

@@ -18,8 +18,8 @@ mechanics::Status find(const scene::Scene& scene, int degree, std::vector<LoveRo
   const std::vector<int> degrees = scene::love_degrees(scene);
   std::vector<gravity::LoveNumbers> numbers, other;
   if (auto status = polynomial::love_numbers(body_setup(scene, {}, degree), degrees, numbers); !status) return status;
-  // For a body of degree N, the other body for the errors has the degree N + 2. It has a higher degree if a tide
-  // requires this. It has at most the largest degree. For a body of the largest degree, the other degree is N − 2.
+  // For a body of degree N, the other body for the errors has the degree N + 2. The degree of the other body is higher
+  // if a tide requires this, but at most the largest degree. If N is the largest degree, the other degree is N − 2.
   const int companion = std::min(std::max(degree + 2, degrees.back() + 1), scene::largest_polynomial_degree);
   if (auto status =
           polynomial::love_numbers(body_setup(scene, {}, companion > degree ? companion : degree - 2), degrees, other);

@@ -60,7 +60,7 @@ class RunQuadrature {
     length_ = numbers[2];
   }
 
-  /// Adds the counters of this class to `statistics`: the number of points in each direction, the force evaluations of
+  /// Adds the number of points in each direction to the counters of `statistics`. Also adds the force evaluations of
   /// the estimates if there are any, and the error if it is known. If the run has become longer than the estimate
   /// assumes, the error grows as a power of the duration.
   void report(const Body& body, io::Manifest::Model& statistics) const {

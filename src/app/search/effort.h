@@ -25,7 +25,7 @@
 
 namespace pseudorigid::app {
 
-/// Estimated size of a run. `bytes` is the memory of all ranks together. It differs from the measured memory by less
+/// Estimated size of a run. `bytes` is the memory of all ranks together. Estimated and measured memory differ by less
 /// than a third.
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
