@@ -37,7 +37,7 @@ ColumnRange range_of(std::string label, const std::vector<double>& values) {
   return {std::move(label), *least, *greatest, values.back()};
 }
 
-/// A summary with the names, the number of samples and the times.
+/// A summary with the names, the numbers of samples and of failed intervals, and the first and last time.
 MotionSummary begin_summary(const ModelRunTable& run) {
   MotionSummary s;
   s.model.name = run.name;

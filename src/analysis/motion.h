@@ -133,8 +133,7 @@ struct MotionSummary {
 struct SceneFacts {
   double resolution = 1e-10;  ///< relative accuracy of Q and C; smaller variations are not a motion
   double energy_unit = 0;     ///< unit of energy of the scene
-  /// Tolerance of the relative error of Q from which the program chose the step. It is empty if the scene gives the
-  /// step.
+  /// Time/Tolerance, from which the program chose the step; empty if the scene gives the step.
   std::optional<double> tolerance{};
   std::vector<double> load_frequencies{};  ///< angular frequencies of loads that depend on time
   bool loads_rise = false;                 ///< true if Loads/Rise time is positive

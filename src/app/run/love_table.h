@@ -34,7 +34,8 @@ std::vector<scene::Column> love_columns();
 void write_love_table(const std::vector<LoveRow>& rows, std::string_view run, std::string_view ball,
                       const RunContext& context, ModelOutcome& outcome);
 
-/// Writes the Love numbers of the pseudo-rigid ball, which are known in closed form.
+/// Writes love-reduced.csv and the table for the terminal, for the pseudo-rigid ball. Its Love numbers are known in
+/// closed form, so the run cannot fail.
 ModelOutcome run_reduced_love_numbers(const RunContext& context);
 
 }  // namespace pseudorigid::app

@@ -27,7 +27,7 @@ class RunnableModel {
 
   /// The duration of the pilot runs for a run of duration `end`, both in internal time.
   virtual double pilot_window(double end) const = 0;
-  /// The names of the columns of a row.
+  /// The names of the columns of a row, in their order. The first column is the time.
   virtual std::vector<std::string> columns() const = 0;
 
   /// Restores the data about earlier samples from the rows of an interrupted run.

@@ -53,7 +53,8 @@ class DiscretizationSearch {
   void note(const ModelOutcome& outcome, DeformationTrace trace);
   /// True if the present run is the final one.
   bool settles() const;
-  /// Adds the counters of the search and the motion of the run before to the outcome, and logs the estimated error.
+  /// Adds the counters of the search to the outcome, and logs the estimated error. Also adds the history of Q of the
+  /// previous run that reached its end.
   void report(ModelOutcome& outcome) const;
   // These functions are collective.
   void start_afresh() const;
