@@ -94,7 +94,8 @@ inline constexpr double round_off_drift = 1e-13;
 /// The text of a drift, for example "3.2e-07", or "round-off".
 std::string drift_in_words(double drift);
 
-/// Drift of an angular momentum or a circulation with these columns; empty if the table lacks a column.
+/// Drift of an angular momentum or a circulation with these columns, relative to momentum_reference. It is empty if the
+/// table lacks a column.
 std::optional<double> momentum_drift(const io::Table& table, const std::vector<std::string>& columns);
 
 /// The columns of the angular momentum that is constant without loads other than self-gravity and companions. They are
