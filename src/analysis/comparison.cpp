@@ -19,7 +19,8 @@ namespace pseudorigid::analysis {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
-/// The tables of both models, and the comparison to which the functions below add series.
+/// The tables r of the model and c of the reference, their errors, and the comparison to which the functions below add
+/// series.
 struct Workshop {
   const io::Table& r;
   const io::Table& c;
@@ -111,8 +112,8 @@ FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference
   return ratio;
 }
 
-/// Adds phase_difference, and its values after 1, 2, 5, 10 … periods of the reference. Adds nothing if a model does not
-/// have a phase (phase.h).
+/// Adds phase_difference, and its values after 1, 2, 5, 10 … periods of the reference. `r` and `c` are the samples of
+/// the fitted component of C in both models. Adds nothing if a model does not have a phase (phase.h).
 void compare_phases(Workshop& w, const std::vector<double>& r, const std::vector<double>& c) {
   Comparison& out = w.out;
   const double interval = (out.time.back() - out.time.front()) / double(out.time.size() - 1);
@@ -159,8 +160,9 @@ void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   compare_phases(w, r.component(i, j), c.component(i, j));
 }
 
-/// Whether the body spins at any sample, which means that J or Z exceeds spin_threshold. With m̄ of motion.h, J/m̄ and
-/// Z/m̄ are the axial vectors of Q̇Qᵀ − QQ̇ᵀ and QᵀQ̇ − Q̇ᵀQ. The table must have the columns of Q and Q̇.
+/// True if the body spins. The norm of Q̇Qᵀ − QQ̇ᵀ or of QᵀQ̇ − Q̇ᵀQ then exceeds spin_threshold times the largest
+/// |Q||Q̇| at a sample. The axial vectors of these matrices are J/m̄ and Z/m̄, with m̄ of motion.h. The table must have
+/// the columns of Q and Q̇.
 bool spins(const io::Table& table) {
   const auto Q = read<Matrix3d>(table, Q_columns), Qdot = read<Matrix3d>(table, Qdot_columns);
   double spin = 0, bound = 0;

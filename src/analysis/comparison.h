@@ -2,9 +2,10 @@
 /// Comparison of two models of one ball: the differences of their quantities at each sample, the largest differences
 /// with their times, and the frequencies.
 ///
-/// The index r marks one model. The index c marks the reference, which admits more motions. Q of the finite-element
-/// model is its mass moment Q_M, C = QᵀQ, and |·| is the Frobenius norm. A ratio with the numerator 0 counts as 0. Each
-/// series is a column of comparison.csv:
+/// The index r marks one model. The index c marks the reference, which admits more motions. Q is the deformation of the
+/// pseudo-rigid body. For finite elements and polynomial bodies, Q is the mass moment Q_M, the matrix of the nearest
+/// affine motion. C = QᵀQ, and |·| is the Frobenius norm. A ratio with the numerator 0 counts as 0. Each series is a
+/// column of comparison.csv:
 ///
 ///   q_difference                |Q_c − Q_r| / |Q_r|
 ///   q_difference_of_departure   |Q_c − Q_r| / max_t |Q − Q(0)|,  with Q of the model that departs farther
@@ -14,7 +15,7 @@
 ///   phase_difference            (θ_r − θ_c) / 2π,  with the phases θ (phase.h) of the component of C whose frequency is
 ///                               fitted: by how many periods model r is ahead. It begins between −½ and ½. It exists
 ///                               if the frequencies have a ratio and both phases exist.
-///   a1_difference …             (a_c − a_r) / a_r
+///   a1_difference …             (a_c − a_r) / a_r,  with the semi-axes a
 ///   volume_ratio_difference     vol_c − vol_r, both relative to the reference volume
 ///   kinetic_difference,
 ///   elastic_difference,
@@ -26,8 +27,8 @@
 ///   max_stretch_difference,
 ///   min_stretch_difference      (λ_c − λ_r) / λ_r,  with the largest or least principal stretch λ anywhere in the body
 ///   angular_momentum_difference,
-///   circulation_difference      |J_c − J_r| / J₀,  with J₀ = max_t |J_r| (Z instead of J for circulations). If J₀ is
-///                               round-off, it is replaced by a bound (momentum_reference of motion.h), or by
+///   circulation_difference      |J_c − J_r| / J₀,  with the angular momentum or circulation J, and J₀ = max_t |J_r|. If
+///                               J₀ is round-off, it is replaced by a bound (momentum_reference of motion.h), or by
 ///                               max_t |J_c| if the bound is 0.
 ///   multiplier_difference       (λ_c − λ_r) / max_t |λ|,  with the multiplier λ of the model with the larger |λ|
 ///   nonaffine_kinetic_fraction, nonaffine_displacement                  columns of the reference

@@ -195,7 +195,7 @@ std::string nonaffine_clause(const Comparison& c) {
                      c.reference.adjective);
 }
 
-/// A number with this number of digits in a column of the table; "-" if there is none.
+/// The value with `digits` significant digits, right-aligned in 13 characters; "-" if there is no value.
 std::string cell(const std::optional<double>& value, int digits) {
   return fmt::format("{:>13}", value ? fmt::format("{:.{}g}", *value, digits) : "-");
 }

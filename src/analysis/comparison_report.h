@@ -19,7 +19,8 @@ io::Table comparison_table(const Comparison& comparison);
 /// quantities.
 nlohmann::ordered_json comparison_json(const Comparison& comparison);
 
-/// Writes the table and the JSON into `folder`, as `<name>.csv` and `<name>.json`.
+/// Writes the table and the JSON into `folder`, as `<name>.csv` and `<name>.json`. Throws io::WriteError if a file
+/// cannot be written.
 void write_comparison(const std::filesystem::path& folder, const std::string& name, const Comparison& comparison);
 
 /// Print the comparisons of several models with the same reference. `overview` returns text for the terminal with one

@@ -16,8 +16,9 @@ namespace {
 using Eigen::Index, Eigen::VectorXd;
 using std::numbers::pi;
 
-/// The frequency near a low peak with the least residual. In a record of less than six cycles, the drift and the mirror
-/// image of the line at −Ω displace the peak of the periodogram.
+/// The frequency Ω near a low peak with the least residual. In this file Ω = ωT/2, with the length T of the record. In
+/// a record of less than six cycles, the drift and the mirror image of the line at −Ω displace the peak of the
+/// periodogram.
 double scan_low_frequencies(LineModel model, double peak) {
   double best = peak, least = std::numeric_limits<double>::infinity();
   for (double omega = std::max(peak - 1.5 * pi, 0.5 * pi); omega <= peak + 1.5 * pi; omega += 0.25 * pi) {
@@ -81,8 +82,8 @@ std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degre
 /// The quality of a model, computed from its residual.
 struct Assessment {
   std::vector<double> peaks;  ///< peaks of the periodogram of the residual
-  double deviation;           ///< σ of FrequencyFit: the standard errors are deviation · √(S⁻¹)
-  double first_error;         ///< standard error of the first frequency
+  double deviation;    ///< σ of FrequencyFit; the free frequency Ω_b has the standard error σ √((S⁻¹)_bb)
+  double first_error;  ///< standard error of the first frequency Ω
 };
 
 /// Computes the quality of a model. `size` is the largest magnitude of the samples, for their round-off.

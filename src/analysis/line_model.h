@@ -57,7 +57,7 @@ class LineModel {
   Eigen::MatrixXd projected_hessian();  ///< computes D and returns S
 
   const Eigen::VectorXd& y_;
-  Eigen::MatrixXd drift_, A_, jacobian_;  ///< the columns P_k of A, then A and D
+  Eigen::MatrixXd drift_, A_, jacobian_;  ///< the columns P_k of A, the matrix A, and the matrix D
   Eigen::VectorXd coefficients_, residual_;
   Eigen::LLT<Eigen::MatrixXd> gram_;  ///< Cholesky factors of AᵀA
 };

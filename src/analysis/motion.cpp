@@ -37,7 +37,7 @@ ColumnRange range_of(std::string label, const std::vector<double>& values) {
   return {std::move(label), *least, *greatest, values.back()};
 }
 
-/// A summary with the names, the number of samples and the times.
+/// A summary with the names, the numbers of samples and of failed intervals, and the first and last time.
 MotionSummary begin_summary(const ModelRunTable& run) {
   MotionSummary s;
   s.model.name = run.name;
@@ -219,7 +219,8 @@ MotionSummary summarize_system(const ModelRunTable& run) {
     s.ranges.push_back(range_of(table.columns[c], table.column(table.columns[c])));
   if (table.has_column("energy")) {
     // The zero of a potential is arbitrary. Therefore the size of a potential energy is its range, and the size of a
-    // kinetic energy is its largest value. If both are round-off of the potential energy, the system does not move.
+    // kinetic energy is its largest value. If both are round-off of the potential energy, the system does not move. The
+    // reference is then the largest potential energy.
     double size = 0, potential = 0;
     if (table.has_column("kinetic")) size = largest(table.column("kinetic"));
     if (table.has_column("potential")) {

@@ -33,9 +33,8 @@ struct ModelSummary {
   std::optional<double> load{};  ///< angular frequency of the load that causes the dominant line; empty if no load does
   double departure = 0;          ///< max_t |Q − Q(0)|
   double strain_amplitude = 0;   ///< √2 rms_t |C − C̄|, with the mean C̄ over time
-  bool turns =
-      false;  ///< true if Q departs from its start by more than the resolution of the constructor of Deformation
-  bool deforms = false;  ///< true if the strain amplitude exceeds this resolution, relative to C
+  bool turns = false;            ///< true if departure > resolution · |Q(0)|, with the resolution of Deformation
+  bool deforms = false;          ///< true if strain_amplitude > resolution · max_t |C|
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
   double energy_bound = 0;  ///< largest change of the energy without a warning, relative to the reference value
   std::optional<double> energy_beyond_since{};  ///< first time at which the energy has changed by more than this bound
@@ -64,17 +63,18 @@ struct Deformation {
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms,
                            bool loads_rise = false);
 
-/// Reference value for the energies of one or more models. It is the largest value over all models and times of three
-/// energies, unless this value is round-off. They are kinetic + elastic, the dissipated energy, and the kinetic energy
-/// of an orbit. The value is round-off if it is less than 1e-12 of the gravitational and external energies. It is also
-/// round-off if it is less than 1e-24 of the unit of energy `unit`. In these cases, the reference is the largest of the
-/// gravitational and external energies, or `unit` if these are zero.
+/// Reference value for the energies of one or more models, whose tables must have the columns kinetic and elastic. It
+/// is the largest value over all models and times of three energies, unless this value is round-off. They are kinetic +
+/// elastic, the dissipated energy, and the energy in the column orbital. The value is round-off if it is less than
+/// 1e-12 of the gravitational and external energies. It is also round-off if it is less than 1e-24 of the unit of
+/// energy `unit`. In these cases, the reference is the largest of the gravitational and external energies, or `unit` if
+/// these are zero.
 double energy_reference(std::initializer_list<const io::Table*> models, double unit);
 
 /// Sets the drift of the energy relative to the reference value, its bound, and the first time beyond the bound. Let
-/// the error of Q be τ|Q|, and let D = max|Q − Q(0)| be the departure of an oscillation, which is twice its amplitude.
-/// The relative change of the energy is then 4τ|Q|/D. If τ (`tolerance`) is given and the body moves, the bound is this
-/// value with |Q| = √3, but at most 1 %. Otherwise the bound is 1 %.
+/// the error of Q be τ|Q|, and let D = max|Q − Q(0)| be the departure in `summary`, which must be set before. In an
+/// oscillation, D is twice the amplitude, and the relative change of the energy is 4τ|Q|/D. If τ (`tolerance`) is given
+/// and the body moves, the bound is this value with |Q| = √3, but at most 1 %. Otherwise the bound is 1 %.
 void set_energy_drift(const io::Table& table, double reference, std::optional<double> tolerance, ModelSummary& summary);
 
 /// Returns, for example, "two frequencies share the motion of the elastic ball, omega = 4.93 and, with 0.8 of its
@@ -94,11 +94,12 @@ inline constexpr double round_off_drift = 1e-13;
 /// The text of a drift, for example "3.2e-07", or "round-off".
 std::string drift_in_words(double drift);
 
-/// Drift of an angular momentum or a circulation with these columns; empty if the table lacks a column.
+/// Drift of an angular momentum or a circulation with these columns, relative to momentum_reference. It is empty if the
+/// table lacks a column.
 std::optional<double> momentum_drift(const io::Table& table, const std::vector<std::string>& columns);
 
-/// The columns of the angular momentum that is constant without loads other than self-gravity. It is that of the body
-/// and its companions together if the table has these columns, otherwise that of the body.
+/// The columns of the angular momentum that is constant without loads other than self-gravity and companions. They are
+/// total_J1 to total_J3 for the body and its companions together, or J1 to J3 if the table lacks these columns.
 std::vector<std::string> columns_of_angular_momentum(const io::Table& table);
 
 /// Reference value for angular momenta or circulations: the largest norm of `momenta`. If this norm is round-off, the
@@ -124,7 +125,7 @@ struct MotionSummary {
   double first_time = 0, last_time = 0;
   bool has_state = false;           ///< true if the table has the columns of Q
   std::string signal;               ///< component of C with the largest variance, for example "C33"
-  std::vector<ColumnRange> ranges;  ///< of the columns in the table for the terminal
+  std::vector<ColumnRange> ranges;  ///< ranges of the columns for the terminal (terminal_table shows the first 12)
   std::optional<double>
       mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK, with η_K the non-affine fraction of the kinetic energy K
 };
@@ -133,8 +134,7 @@ struct MotionSummary {
 struct SceneFacts {
   double resolution = 1e-10;  ///< relative accuracy of Q and C; smaller variations are not a motion
   double energy_unit = 0;     ///< unit of energy of the scene
-  /// Tolerance of the relative error of Q from which the program chose the step. It is empty if the scene gives the
-  /// step.
+  /// Time/Tolerance, from which the program chose the step; empty if the scene gives the step.
   std::optional<double> tolerance{};
   std::vector<double> load_frequencies{};  ///< angular frequencies of loads that depend on time
   bool loads_rise = false;                 ///< true if Loads/Rise time is positive

@@ -32,7 +32,7 @@ class MovingFit {
     ++first_;
   }
   std::size_t first() const { return first_; }
-  /// The coefficients of the present window as a − ib. The argument of this number is the phase minus ωt.
+  /// The coefficients of the present window as a − ib. The argument of this number is the phase at a time t minus ωt.
   std::complex<double> amplitude() const {
     const Vector3d fit = normal_.ldlt().solve(right_);
     return {fit[1], -fit[2]};

@@ -17,8 +17,8 @@ inline const Columns Q_columns{"Q11", "Q12", "Q13", "Q21", "Q22", "Q23", "Q31", 
 inline const Columns Qdot_columns{"Qdot11", "Qdot12", "Qdot13", "Qdot21", "Qdot22",
                                   "Qdot23", "Qdot31", "Qdot32", "Qdot33"};
 
-/// Reads the columns `names` of a table, which must have samples. Returns an Eigen object for each sample. The entries
-/// of the object, row by row, are the values of the columns.
+/// Reads the columns `names` of a table, which must have at least one row. Returns an Eigen object of fixed size for
+/// each row of the table. The entries of the object, row by row, are the values of the columns in the order of `names`.
 template <class Value>
 std::vector<Value> read(const io::Table& table, const Columns& names) {
   std::vector<Value> samples(table.n_rows());
@@ -45,7 +45,7 @@ std::vector<double> norms(const std::vector<T>& samples) {
   return each([](const T& x) { return x.norm(); }, samples);
 }
 
-/// The norm of the difference of each pair of samples.
+/// The norm of a[n] − b[n] for each index n. Both lists must have the same length.
 template <class T>
 std::vector<double> distances(const std::vector<T>& a, const std::vector<T>& b) {
   return each([](const T& x, const T& y) { return (x - y).norm(); }, a, b);
@@ -68,7 +68,8 @@ inline double weighted_mean(const std::vector<double>& values, const std::vector
   return ratio_or_zero(sum, total);
 }
 
-/// The largest difference of a value from the first value, divided by the reference. It is 0 if all values are equal.
+/// The largest distance of a value from the first value, divided by `reference`. It is 0 for an empty list, and if all
+/// values are equal, even if `reference` is 0.
 inline double drift(const std::vector<double>& values, double reference) {
   return ratio_or_zero(largest(each([&](double v) { return v - values[0]; }, values)), reference);
 }

@@ -32,7 +32,8 @@ inline double incompressible_spheroidal_equation(int n, double x, double gamma) 
          2 * N * (n - 1) * (2 * toroidal_equation(n, x) + pull * j);
 }
 
-/// The left-hand side of the equation for compressible spheroidal modes. The argument `ratio` is c/c_p.
+/// The left-hand side of the equation for compressible spheroidal modes, n ≥ 0. For n = 0 it is that of the radial
+/// modes. The argument `ratio` is c/c_p.
 inline double compressible_spheroidal_equation(int n, double x, double ratio) {
   const double y = ratio * x, N = n * (n + 1);
   const auto j = [](int degree, double z) { return std::sph_bessel(static_cast<unsigned>(degree), z); };
@@ -44,7 +45,7 @@ inline double compressible_spheroidal_equation(int n, double x, double ratio) {
 }
 
 /// The root of f above 0.5 with the number `overtone`, counted from 0 for the lowest root. All frequencies of the
-/// sphere satisfy x > 0.5.
+/// sphere satisfy x > 0.5 if Lamé's modulus λ is not negative.
 template <class Function>
 double sphere_root(const Function& f, int overtone) {
   constexpr double first = 0.5, step = 0.01;  // the distance of two roots of one degree is larger than this step
@@ -60,7 +61,8 @@ double sphere_root(const Function& f, int overtone) {
   return 0.5 * (low + high);
 }
 
-/// The frequency x = ωr/c of the incompressible sphere for degree n ≥ 1.
+/// The frequency x = ωr/c of the incompressible sphere for degree n ≥ 1. `gamma` is γ, or 0 without self-gravity.
+/// Toroidal modes do not depend on it.
 inline double sphere_frequency(bool spheroidal, int n, int overtone, double gamma = 0) {
   return sphere_root(
       [=](double x) { return spheroidal ? incompressible_spheroidal_equation(n, x, gamma) : toroidal_equation(n, x); },

@@ -1,6 +1,7 @@
 #pragma once
 /// Kinds of values that an entry of a parameter file can have. Each kind converts text to a value and back, and
-/// describes the permitted values in words. The headers scene/entries.h and src/loads/ define the entries.
+/// describes the permitted values in words. The entries are defined in scene/entries.h, scene/analysis_entries.h, and
+/// in the headers of the loads and of the systems.
 ///
 /// Every kind has these members, with T the type of its value. The texts of problems and of `expected` are parts of
 /// error messages:
@@ -41,7 +42,7 @@ std::optional<double> finite_number(std::string_view text);
 std::string print_number(double value);
 
 /// Prints a computed bound with three digits, for a message. An upper bound is rounded down and a lower bound up, so
-/// that the printed number is itself permitted.
+/// that the printed number is itself permitted. Zero, subnormal numbers, infinity and NaN are printed unchanged.
 std::string print_upper_bound(double value);
 std::string print_lower_bound(double value);
 
@@ -175,7 +176,7 @@ struct AutoOrMatrix {
 
 /// A list of numbers separated by `,`.
 struct Numbers {
-  std::size_t n = 0;  ///< number of entries; if 0, any number is permitted
+  std::size_t n = 0;  ///< required number of entries; if it is 0, the list can have any length
   Number number{};
   bool may_be_empty = false;
 

@@ -8,7 +8,7 @@ namespace pseudorigid::scene {
 namespace {
 
 constexpr std::size_t longest_quotation = 100;  // in bytes
-/// Longest text that can be a misspelt name. The bound also limits the cost of the search.
+/// Length in bytes of the longest text that can be a misspelt name. The bound also limits the cost of the search.
 constexpr std::size_t longest_misspelling = 80;
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }

@@ -35,18 +35,20 @@ struct RunOfModel {
 std::string adjective_of(const scene::ModelRun& run, const io::Manifest::Model& statistics);
 
 /// Compares each run with the last run, at the samples that all runs have. Returns a comparison for each run but the
-/// last, in the order of the runs. Returns an empty vector if there are fewer than two runs or two common samples.
+/// last, in the order of the runs. Returns an empty vector if there are fewer than two runs, or fewer than two common
+/// samples. Throws UserError for the reasons of analysis::compare.
 std::vector<analysis::Comparison> comparisons_of(const RunContext& context, std::vector<RunOfModel> runs,
                                                  const OtherResolutions& others);
 
-/// Compares the models that have an entry in the manifest. Writes the comparison files, and prints a table unless
-/// `quiet` is true. Does nothing for fewer than two runs or two common samples. Returns the reason if printing fails,
-/// otherwise an empty string.
+/// Compares the runs that have an entry in the manifest. Writes the comparison files, and prints a table unless `quiet`
+/// is true. Logs a warning for each model whose energy changes too much. Does nothing for fewer than two runs, or fewer
+/// than two common samples. Returns the reason if printing fails, otherwise an empty string.
 std::string compare_models(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others,
                            bool quiet);
 
-/// Prints a summary of the motion of the system, or of the only model. Does nothing if there are several models, no CSV
-/// file or fewer than two samples. Returns the reason if printing fails, otherwise an empty string.
+/// Prints a summary of the motion of the system, or of the last run of the only model. Logs a warning if its energy
+/// changes too much. Does nothing if there are several models, no CSV file or fewer than two samples. Returns the
+/// reason if printing fails, otherwise an empty string.
 std::string summarize_run(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others);
 
 }  // namespace pseudorigid::app

@@ -48,7 +48,7 @@ constexpr std::array differences{
 /// The results of all models for one run of the sweep.
 struct Results {
   std::vector<RunOfModel> runs;
-  std::vector<bool> finished;  ///< for each element of `runs`
+  std::vector<bool> finished;  ///< for each element of `runs`: true if it has all samples
   OtherResolutions others;
   mechanics::Outcome end = mechanics::Outcome::finished;
   std::string message;
@@ -100,8 +100,8 @@ constexpr std::array columns_of_model{
                                    const ModelSummary* s) { return s ? s->energy_drift.value_or(unknown) : unknown; }},
 };
 
-/// Time after which the phases of the two motions differ by a tenth of a period. The result is −1 if a frequency is not
-/// known or if both frequencies are equal.
+/// Time after which the phases of the two motions differ by a tenth of a period. The result is −1 if the ratio of the
+/// frequencies is not known, or if both frequencies are equal.
 double tenth_of_period_after(const Comparison& c) {
   if (!c.ratio) return unknown;
   const double apart = std::abs(c.model.frequency.dominant().frequency - c.reference.frequency.dominant().frequency);

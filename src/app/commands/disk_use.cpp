@@ -23,8 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Usual and largest number of characters of a number in a table. The largest number has 17 digits, sign, point,
-/// exponent and comma.
+/// Usual and largest number of characters of a number in a table. The largest number of characters is that of a sign,
+/// 17 digits, a point, an exponent of two digits such as e-05, and a comma. Exponents of three digits are not
+/// considered.
 constexpr double bytes_per_value = 20, most_bytes_per_value = 24;
 /// Usual number of bytes of a number in a compressed picture, measured for motions without symmetry.
 constexpr double bytes_per_value_of_picture = 5;
@@ -87,7 +88,8 @@ double n_points(const scene::ModelDescription& model, const std::optional<Effort
   return model.discretized && of_elements ? of_elements->n_points_of_picture : of_blocks;
 }
 
-/// The effort of the finite-element run; empty without finite elements, or if the discretisation is not known yet.
+/// The estimated size of the finite-element run (app/search/effort.h). Empty without finite elements, or if the
+/// discretisation is not known yet.
 std::optional<Effort> effort_of_elements(const scene::Scene& scene, const scene::Needs& needs) {
   const auto fixed = scene::fixed_discretization(scene);
   if (!needs.discretized || !fixed) return std::nullopt;

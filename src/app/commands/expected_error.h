@@ -8,9 +8,8 @@
 /// app/run/small_pulsation.h gives both frequencies. For polynomial bodies of degree N = 3 and 5,
 /// polynomial/rest_modes.h computes ω_model. The sweeps of docs/adequacy.md have tested this prediction for larger
 /// motions without spin. At their start, the logarithms of the stretches are at most 0.25 in magnitude. The velocity
-/// gradient L = Q̇Q⁻¹, with the deformation Q, is symmetric. Its Frobenius norm is at most 1.5/t, with the internal
-/// unit of time t. Without self-gravity, t is the radius divided by the speed of shear waves. For other motions there
-/// is no prediction.
+/// gradient L = Q̇Q⁻¹, with the deformation Q, is symmetric. Its Frobenius norm is at most 1.5 c/r, with the speed c of
+/// shear waves and the radius r. For other motions there is no prediction.
 
 #include "scene/needs.h"
 #include "scene/scene.h"
@@ -18,8 +17,9 @@
 namespace pseudorigid::app {
 
 /// Adds a line with the predicted errors to needs.expected. Adds nothing if there is no prediction. There is none for a
-/// system other than the ball, or for an analysis other than motion. There is also none if small_pulsation is empty, or
-/// if the initial state is outside the range above.
+/// system other than the ball, or for an analysis other than motion. There is also none for a body without frequencies
+/// in app/run/small_pulsation.h, or if the initial state is outside the range above. The line omits a polynomial body
+/// whose frequency cannot be computed.
 void describe_expected_error(const scene::Scene& scene, scene::Needs& needs);
 
 }  // namespace pseudorigid::app

@@ -34,7 +34,7 @@ class ModelRuns : public SweepTask {
   FinishedRun run(int k) const final;
 
  protected:
-  /// Maps the name of a model's file to its table.
+  /// Maps the name of a model's file, without ".csv", to its table.
   using Tables = std::map<std::string, io::Table>;
 
   const Executable& executable_;

@@ -4,7 +4,7 @@
 /// The dynamic linker resolves 350,000 symbols of these libraries. For each symbol the linker searches the program
 /// first. The linker then searches the libraries that were opened together, in the same order for all symbols. The
 /// function opens each library by itself, after the libraries that this library needs. The linker then finds most
-/// symbols at once, in the library itself. The processor time falls from 0.35 s to 0.16 s.
+/// symbols at once, in the library itself. The processor time for opening these libraries falls from 0.35 s to 0.16 s.
 
 #include <filesystem>
 

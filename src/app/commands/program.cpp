@@ -55,8 +55,8 @@ void go_on(scene::Scene& scene, const Options& options) {
   }
 }
 
-/// Reads and validates the scene, and checks the sweep, the mesh file, the disk and the memory. The memory is not
-/// checked if the number of ranks is not known. Throws UserError if the scene cannot run.
+/// Reads and validates the scene. Checks the sweep and the disk space for its samples, the mesh file and the memory.
+/// The memory is not checked if the number of ranks is not known. Throws UserError if the scene cannot run.
 Input read_and_validate(const Options& options, const scene::Catalogue& catalogue, int n_ranks) {
   Input input{scene::read_scene(options.scene, options.overrides, catalogue), {}};
   input.read = input.raw;
@@ -113,7 +113,8 @@ struct Process {
 };
 
 /// Lines with all inputs that determine the actions of a process. All ranks must have the same lines. The inputs are
-/// the scene with included files and overrides, the options, the mesh file, and the environment.
+/// the scene with included files and overrides, the options, the mesh file, and the SIMD instructions that the
+/// environment requests.
 std::vector<std::string> identity_of(const Options& options, const scene::ReadScene& read) {
   const io::RunDirectory directory(read.scene.output.directory, options.scene, options.output);
   std::vector<std::string> lines{fmt::format("results in {}", directory.path().string()),
@@ -140,7 +141,8 @@ void open_continuum_for(const scene::ReadScene& read, int argc, char** argv, Pro
 }
 
 /// The command `run` on this rank. A scene without finite elements runs on the first rank, and the other ranks return
-/// at once. Returns the exit code.
+/// at once. Returns the exit code. Throws UserError if the scene cannot run, and FailureOnAllRanks if it cannot run on
+/// one of several ranks, or if the ranks have different inputs.
 int run(const Options& options, int argc, char** argv, Process& process, const scene::Catalogue& catalogue) {
   Input input;
   on_all_ranks(*process.executable.ranks, [&] {
@@ -168,8 +170,8 @@ int run(const Options& options, int argc, char** argv, Process& process, const s
   open_continuum_for(input.raw, argc, argv, process);
   process.executable.instructions();
   if (!is_first) return assist_scene(read, options, process.executable);
-  // The destructor tells the other ranks, which wait in assist_scene, that the run has ended. It does so also after an
-  // exception.
+  // The destructor tells the other ranks, which wait in assist_scene, that the run has ended. This also happens after
+  // an exception.
   struct Dismissal {
     const Ranks& ranks;
     ~Dismissal() { ranks.of_first(false); }

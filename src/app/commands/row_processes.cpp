@@ -47,7 +47,7 @@ bool write_all(int file, const void* data, std::size_t size) {
 }
 
 /// Writes the header, the row, the values of the samples and the message. The names of the columns follow, each after
-/// its length.
+/// its length. Returns false if a part cannot be written.
 bool write_answer(int file, Answer answer, const FinishedRun& run) {
   const Header header{answer,
                       static_cast<std::int64_t>(run.end),
@@ -66,7 +66,8 @@ bool write_answer(int file, Answer answer, const FinishedRun& run) {
   return written;
 }
 
-/// Computes run k. Converts an exception to an answer whose run has only the message.
+/// Computes run k. Converts an exception to an answer whose run has only the message; for std::bad_alloc the message is
+/// empty.
 std::pair<Answer, FinishedRun> answer_of(const SweepTask& task, int k) {
   try {
     return {Answer::row, task.run(k)};

@@ -131,7 +131,7 @@ class Workers {
   int n_failed() const { return n_failed_; }
   /// Number of runs that were computed together in SIMD lanes.
   int n_together() const { return n_together_; }
-  /// The number of the first run with wrong input, and its message; empty if there is no such run.
+  /// The number, from 0, of the first run with wrong input, and its message; empty if there is no such run.
   const std::optional<std::pair<int, std::string>>& wrong_input() const { return wrong_input_; }
 
  private:
@@ -222,7 +222,7 @@ class Workers {
   int first_;  ///< first run without a row when the sweep starts
   int end_;
   std::mutex mutex_;          ///< protects the members below
-  int next_;                  ///< first run of the next group; a multiple of `group`
+  int next_;                  ///< first run of the next group, a multiple of `group`; end_ after the end of the sweep
   std::vector<Group> left_;   ///< groups that threads without memory have left
   std::exception_ptr error_;  ///< first exception other than a UserError
   std::optional<std::pair<int, std::string>> wrong_input_;
@@ -251,7 +251,8 @@ int n_threads_with_addresses(int n_threads) {
 }
 
 /// The number of processes for which the memory suffices, if every run has the discretisation of the first run. It is
-/// at least 1 and at most n_threads. If this discretisation has a mesh file or is not known, the number is n_threads.
+/// at least 1 and at most n_threads. If the scene has a mesh file or its discretisation is not known, the number is
+/// n_threads.
 int n_processes_of(const scene::Scene& scene, int n_threads) {
   const auto discretization = scene::fixed_discretization(scene);
   if (!discretization || scene::has_mesh_file(scene)) return n_threads;

@@ -2,9 +2,10 @@
 /// A sweep, which runs the scene for every combination of its parameters (scene/sweep.h) on several cores. The file
 /// sweep.csv has a row for each run, with the columns
 ///
-///   run, the parameters, finished (1 or 0), time (reached), steps, forces (evaluations of the force),
+///   run, the parameters, finished (1 or 0), time (of the last sample), steps, forces (evaluations of the force),
 ///   estimated_time_error (0 if it is not known);
-///   for the ball, if its file has the columns of Q: frequency (of the component of C = QᵀQ that varies most, 0 if
+///   for the ball, if its file has the columns of Q: frequency (angular; of the component of C = QᵀQ that varies most,
+///   0 if
 ///   there is none) and amplitude of C, with the definitions of analysis/motion.h;
 ///   for every column c of the model's own CSV file: c_end, c_min, c_max over the samples. If the motion conserves c:
 ///   c at the start, and c_drift = c_max − c_min.
@@ -41,7 +42,8 @@ std::optional<std::pair<double, double>> gammas_of_sweep(const scene::ReadScene&
 
 /// Computes the runs of the sweep, or of its part Sweep/Part, and writes the files. `context` is the context of the
 /// first run. The outcome is `failed` if the input of a run is wrong, and `interrupted` after an interrupt. A run that
-/// stops early is a finished row with the value 0 of the column finished.
+/// stops early does not end the sweep: its row has the value 0 in the column finished. Rethrows the first exception of
+/// a run that is not a UserError.
 ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
                        bool shows_progress);
 

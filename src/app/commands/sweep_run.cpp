@@ -24,8 +24,8 @@ constexpr std::array<const char*, 2> names_of_frequencies{"frequency", "amplitud
 
 bool has_frequencies(const scene::Needs& needs) { return !needs.system && needs.quantities.state; }
 
-/// Names of the columns of the ball that the motion conserves in every run. Only the runs at the ends of the ranges of
-/// the parameters are examined. The set is empty for systems other than the ball.
+/// Names of the columns of the ball that the motion conserves in every run. Only the runs of `corners` are examined.
+/// The set is empty for systems other than the ball.
 std::set<std::string> conserved_columns(const scene::ReadScene& raw) {
   bool is_free = true, incompressible = true;
   for (const int k : corners(raw.scene.sweep)) {

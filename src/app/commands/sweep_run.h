@@ -73,7 +73,7 @@ class SweepRun : public SweepTask {
   RunModel run_;
   RunTogether together_;
   const RunContext& context_;
-  std::set<std::string> conserved_;  ///< columns that are conserved in every run
+  std::set<std::string> conserved_;  ///< columns that the motion conserves in all runs of `corners`
   std::shared_ptr<io::Logger> silent_;
 };
 

@@ -16,7 +16,7 @@ struct FinishedRun {
   std::vector<double> row;  ///< row of sweep.csv
   io::Table samples;        ///< samples, if they are kept and the sweep has one model; otherwise empty
   mechanics::Outcome end = mechanics::Outcome::finished;
-  std::string message;  ///< one sentence if the run has not finished; otherwise empty
+  std::string message;  ///< the reason why the run has not finished; empty for a finished run
 };
 
 class SweepTask {

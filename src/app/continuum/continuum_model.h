@@ -106,7 +106,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   void take_own_remarks(std::span<const double, 3> remarks) override { wrinkling_.take_remarks(remarks); }
 
   /// Adds the numbers of messages, bytes and reductions since the mesh was built. The search for the step is included.
-  /// Messages and bytes are means over the ranks. Collective.
+  /// Messages and bytes are means over the ranks; reductions are those of one rank. Collective.
   void report_messages(std::map<std::string, double>& counters) const {
     const continuum::MessageCounts own = continuum::message_counts() - counts_at_start_;
     const auto sums = continuum::sum_over_ranks(std::array{own.messages, own.bytes}, MPI_COMM_WORLD);

@@ -21,9 +21,9 @@ mechanics::Status find(const scene::Scene& scene, const scene::Discretization& d
   return continuum::love_numbers(ball.problem(), degrees, numbers);
 }
 
-/// Raises the relative error of a degree to the largest one of the lower degrees. A mesh resolves tides of a low degree
-/// better. If the difference from the companion is relatively smaller at a higher degree, the reason is chance, and the
-/// bound would be too small.
+/// Raises the relative error of a degree to the largest one of the lower degrees. The degrees must be passed in rising
+/// order. A mesh resolves tides of a low degree better. If the difference from the companion is relatively smaller at a
+/// higher degree, the reason is chance, and the bound would be too small.
 struct RisingBound {
   double relative = 0;
 

@@ -18,12 +18,12 @@ namespace pseudorigid::app {
 struct PolynomialTask {
   int degree;
   std::string name = "polynomial";     ///< name of the files of the run
-  DeformationTrace* trace = nullptr;   ///< receives the history of Q; null if the history is not requested
+  DeformationTrace* trace = nullptr;   ///< receives the affine part Q at each sample; null if this is not requested
   std::optional<Stepping> stepping{};  ///< method and step of another run; if empty, the run searches for them
 };
 
-/// Number of quadrature points in each direction: the entry of the scene, but at least the number that the degree
-/// requires. Empty if the scene leaves the choice to the program.
+/// Number of quadrature points in each direction of an octant: the entry of the scene, but at least the number that the
+/// degree requires. Empty if the scene leaves the choice to the program.
 inline std::optional<int> quadrature_points(const scene::Scene& scene, int degree) {
   if (!scene.polynomial.quadrature_points) return std::nullopt;
   return std::max(*scene.polynomial.quadrature_points, polynomial::PolynomialSpace::least_points(degree));

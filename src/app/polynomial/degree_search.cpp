@@ -20,7 +20,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Largest error in time, as a fraction of Polynomial/Tolerance.
+/// Largest tolerance of the error in time, as a fraction of Polynomial/Tolerance.
 constexpr double part_for_time = 0.05;
 
 /// The search for the degree, and the run with the chosen degree.
@@ -50,8 +50,8 @@ class DegreeSearch {
 
  private:
   /// Runs the degrees 1, 3, 5, … and sets `degree_` to the last one. The search ends at a degree with an error within
-  /// the tolerance, at the largest degree, or if the motion itself ends. At least three degrees run, unless the largest
-  /// degree is reached. The returned outcome is `finished` or `interrupted`.
+  /// the tolerance, at the largest degree, or at a degree whose run fails. At least three degrees run, unless the
+  /// largest degree is reached or the search is interrupted. The returned outcome is `finished` or `interrupted`.
   ModelOutcome search() {
     analysis::SpaceErrorLadder errors(analysis::least_polynomial_rate);
     ModelOutcome outcome;
@@ -74,7 +74,7 @@ class DegreeSearch {
       }
       const bool is_last = degree_ + 2 > scene::largest_polynomial_degree;
       if (is_last || (errors.n_runs() > 2 && error_ <= tolerance_)) break;
-      // If the motion itself ends early, a higher degree does not help.
+      // If three degrees have run and this one fails, the motion itself probably ends. A higher degree does not help.
       if (outcome.end == mechanics::Outcome::failed && errors.n_runs() > 2) break;
       before_ = std::move(trace);
     }
@@ -96,8 +96,8 @@ class DegreeSearch {
   std::filesystem::path path() const { return context_.directory.checkpoint(degree_checkpoint_name); }
   /// False in sweeps, which do not write checkpoints.
   bool keeps_states() const { return context_.scene.sweep.empty(); }
-  /// Writes the chosen degree, its estimated error and the history before it into the checkpoint. Does nothing in
-  /// sweeps.
+  /// Writes the checkpoint: the chosen degree, its estimated error, the work of the search, and the history of Q of the
+  /// previous degree. Does nothing in sweeps.
   void save() const {
     if (!keeps_states()) return;
     io::Checkpoint c;
@@ -107,7 +107,8 @@ class DegreeSearch {
     c.set("trace before", numbers_of(before_));
     c.save(path());
   }
-  /// Reads the checkpoint of an earlier search. Returns false if the search must run.
+  /// Reads the checkpoint of an earlier search. Returns false if the search must run: in a run that is not resumed, in
+  /// a sweep, or without a checkpoint.
   bool load() {
     if (!context_.resumes || !keeps_states() || !io::is_there(path())) return false;
     const io::Checkpoint c = io::Checkpoint::load(path());
@@ -126,13 +127,13 @@ class DegreeSearch {
   double tolerance_;
   int degree_ = 1;
   std::size_t n_runs_ = 0;  ///< number of runs of this search; 0 if the degree was loaded
-  double error_ = 0, relative_to_largest_ = 0, work_ = 0;  ///< error of Q; ratio of its relative to its largest measure
-                                                           ///< (deformation_trace.h); work of all runs of the search
+  double error_ = 0, relative_to_largest_ = 0, work_ = 0;  ///< estimated error of Q; ratio relative/largest of
+                                                           ///< TraceDifference; work of all runs of the search
   DeformationTrace before_;                                ///< history of Q in the run of degree `degree_` − 2
 };
 
 /// Runs the polynomial body of degree N, which is the only or the last degree of the scene. If the scene does not have
-/// finite elements, this body is the reference of comparisons. If the scene then compares several runs
+/// finite elements, this body is the reference of comparisons. If the scene then also needs the error of the reference
 /// (`needs.companion`), a companion run of another degree estimates the discretisation error of this body.
 ModelOutcome run_richest_degree(const RunContext& context, const PolynomialRun& run, int N) {
   const scene::Needs& needs = context.needs;

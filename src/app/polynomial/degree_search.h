@@ -6,18 +6,20 @@
 /// models.
 ///
 /// If the scene leaves the degree open (auto), the program searches for it. It runs the scene with the degrees N = 1,
-/// 3, 5, …. These runs keep only the values of Q at the samples (the history of Q). In motions with the symmetry of an
-/// octant, an even degree is equivalent to the next lower odd degree. The differences of Q between successive runs give
-/// the error of the last run (analysis/space_error.h with N as the resolution). The first degree whose error is within
-/// Polynomial/Tolerance runs again and writes the results. If no degree has such an error, the last degree of the
-/// search does so, with a warning. A checkpoint contains this degree, so that a resumed run does not repeat the search.
-/// An interrupted search starts again. The error in time is at most a twentieth of the tolerance.
+/// 3, 5, …. These runs keep only the affine part Q of the motion, a 3×3 matrix, at the samples. In motions with the
+/// symmetry of an octant, an even degree is equivalent to the next lower odd degree. The differences of Q between
+/// successive runs give the error of the last run (analysis/space_error.h with N as the resolution). The first degree
+/// whose error is within Polynomial/Tolerance runs again and writes the results. If no degree has such an error, the
+/// last degree of the search does so, with a warning. A checkpoint contains this degree, so that a resumed run does not
+/// repeat the search. An interrupted search starts again. The tolerance of the error in time is at most a twentieth of
+/// Polynomial/Tolerance.
 ///
 /// If other models are compared with a body of given degree, a companion run estimates the error of this body. The
 /// companion has another degree (search/error_estimate.h).
 ///
-/// Counters of the run are estimated_space_error and relative_space_error, the error relative to |Q|. A search also has
-/// search_runs and search_work. A body with a companion run has companion_degree and companion_work.
+/// A search or a companion run adds the counters estimated_space_error (the error of an entry of Q) and
+/// relative_space_error (the error relative to |Q|). A search also adds search_runs, the number of its runs, and
+/// search_work, their cost. A companion run also adds companion_degree and companion_work.
 
 #include <functional>
 
@@ -28,11 +30,11 @@ namespace pseudorigid::app {
 /// A function that runs the scene with one polynomial body.
 using PolynomialRun = std::function<ModelOutcome(const RunContext& context, const PolynomialTask& task)>;
 
-/// Name of the checkpoint of the search, which has the chosen degree.
+/// Name of the checkpoint that contains the degree chosen by a search.
 inline constexpr const char* degree_checkpoint_name = "degree";
 
 /// Runs a scene that lists one or several degrees, and returns the outcome of the last degree. If another degree fails,
-/// logs a warning and continues. After an interrupt, returns at once.
+/// logs a warning and continues. After an interrupt, returns the outcome of the interrupted run at once.
 ModelOutcome run_listed_degrees(const RunContext& context, const PolynomialRun& run);
 
 /// Runs a scene that leaves the degree open. Returns the outcome of the run with the chosen degree, or of an

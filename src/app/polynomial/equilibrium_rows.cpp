@@ -15,13 +15,13 @@ namespace {
 using polynomial::ClassStability;
 using polynomial::RotationMember;
 
-constexpr std::size_t slowest = 10;  // number of rates in a row
+constexpr std::size_t slowest = 10;  // number of complex rates in a row of the file
 
 /// Index of the rotation about axis 3 among the symmetries of the whole body.
 constexpr int about_axis_3 = 2;
 
-/// The ten rates of lowest frequency among the rates of all classes of motions, by rising frequency. If there are fewer
-/// rates, the others are 0.
+/// The ten rates s of lowest frequency |Im s| among the rates of all classes of motions, by rising frequency. If there
+/// are fewer rates, the others are 0.
 std::vector<mechanics::Rate> slowest_rates(const RotationMember& member) {
   std::vector<mechanics::Rate> rates;
   for (const ClassStability& of_class : member.classes)
@@ -41,7 +41,7 @@ int negative_directions(const RotationMember& member) {
   return n;
 }
 
-/// The setup without symmetry planes, and with only the loads that a steady rotation can have.
+/// The setup of the whole body, without symmetry planes. It has only the loads that a steady rotation can have.
 polynomial::BodySetup of_whole_body(polynomial::BodySetup setup, bool incompressible) {
   setup = polynomial::conservative_setup(std::move(setup), incompressible);
   setup.reflect = {};

@@ -19,7 +19,7 @@ std::vector<scene::Column> polynomial_equilibria_columns();
 /// for an ellipsoid.
 std::string name_of(const polynomial::MotionClass& motions, polynomial::Figure figure);
 
-/// The class that contains the fastest growing motion; null if no motion grows.
+/// The class of small motions that contains the fastest growing motion; null if no motion grows.
 const polynomial::ClassStability* fastest_growing(const polynomial::RotationMember& member);
 
 /// Makes the rows for the figures of one polynomial body.

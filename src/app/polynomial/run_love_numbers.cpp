@@ -12,13 +12,14 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Computes the rows of the body of this degree, with error bounds from a body of another degree.
+/// Computes the rows of the body of this degree, with error bounds from a body of another degree. Fails if the Love
+/// numbers of one of these bodies cannot be computed.
 mechanics::Status find(const scene::Scene& scene, int degree, std::vector<LoveRow>& rows) {
   const std::vector<int> degrees = scene::love_degrees(scene);
   std::vector<gravity::LoveNumbers> numbers, other;
   if (auto status = polynomial::love_numbers(body_setup(scene, {}, degree), degrees, numbers); !status) return status;
-  // The other discretisation for the errors has the degree N + 2, or a higher degree if a tide requires it. It has at
-  // most the largest degree. For a body of the largest degree, the other degree is N − 2.
+  // For a body of degree N, the other body for the errors has the degree N + 2. The degree of the other body is higher
+  // if a tide requires this, but at most the largest degree. If N is the largest degree, the other degree is N − 2.
   const int companion = std::min(std::max(degree + 2, degrees.back() + 1), scene::largest_polynomial_degree);
   if (auto status =
           polynomial::love_numbers(body_setup(scene, {}, companion > degree ? companion : degree - 2), degrees, other);

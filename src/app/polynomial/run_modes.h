@@ -6,8 +6,9 @@
 
 namespace pseudorigid::app {
 
-/// Computes the modes of the body whose degree the scene gives. The outcome is `failed` if the computation fails, if
-/// the ball is unstable at rest, or if the copies of a mode differ. The file is then not written.
+/// Computes the modes of the body whose degree the scene gives. A mode of degree n has 2n + 1 copies. The outcome is
+/// `failed` if the computation fails, if the ball is unstable at rest, or if copies have different frequencies. The
+/// file is then not written.
 ModelOutcome run_polynomial_modes(const RunContext& context);
 
 }  // namespace pseudorigid::app

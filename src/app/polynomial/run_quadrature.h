@@ -1,12 +1,15 @@
 #pragma once
-/// The quadrature rule of a polynomial body in a run. The error of Q that the rule causes is estimated as in
-/// polynomial/quadrature_error.h.
+/// The quadrature rule of a polynomial body in a run, and the error of Q that this rule causes. Q is the affine part of
+/// the motion, a dimensionless 3×3 matrix. The error is estimated as in polynomial/quadrature_error.h. Numbers of
+/// points in this file count the points in each direction of an octant of the body.
 ///
-/// By default the rule is the cheapest one, whose error is below the truncation error of the degree. If Time/Tolerance
-/// is below its default 1e-6, the user requests the exact motion of this polynomial body. The program then adds points
-/// until the estimated error is half of the tolerance. It does so only if the scene sets neither Time/Step nor
-/// Polynomial/Quadrature points. The program does not add points on the surface for self-gravity, because the cost
-/// grows as the fourth power of the number of these points.
+/// By default the rule has the fewest points that the degree admits. Its error is then below the truncation error of
+/// the degree. If Time/Tolerance is below its default 1e-6, the user requests the exact motion of this polynomial body.
+/// The program then adds points one by one until the estimated error is at most half of the tolerance. It stops earlier
+/// after 8 added points, after a point that does not halve the error, or if a pilot run fails. The program does not add
+/// points if the scene sets Time/Step or Polynomial/Quadrature points, or for viscoelastic bodies. It never adds points
+/// on the surface for self-gravity, which sums over pairs of these points. The cost of these sums grows as the fourth
+/// power of the number of surface points in each direction.
 
 #include <array>
 #include <cmath>
@@ -28,26 +31,28 @@ class RunQuadrature {
   RunQuadrature(const RunContext& context, std::string_view model, polynomial::BodySetup setup)
       : context_(context), model_(model), setup_(std::move(setup)) {}
 
-  /// Adds points if the tolerance requires them. Called before the search for the step.
+  /// Adds points to the rule and replaces `body`, if follows() is true and the tolerance requires more points. Called
+  /// before the search for the step. `state` is the initial state of the run.
   void choose(Body& body, const polynomial::BodyState& state) {
     if (!follows()) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, 0, true)), state.t, body);
   }
   /// Estimates the error of the rule if the scene needs this error and it is not known. Called after the search for the
-  /// step. `stable_step` is the stable step of RATTLE, or 0 if this step is not known.
+  /// step. `stable_step` is the stable step of RATTLE in internal units, or 0 if this step is not known.
   void estimate(Body& body, const polynomial::BodyState& state, double stable_step) {
     if (is_known_ || !context_.needs.quadrature_error) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, stable_step, false)), state.t, body);
   }
 
-  /// The number of points, the error of Q, and the duration of the run to which the error applies; for a checkpoint.
-  /// The error is −1 if it is not known, and `failed` if the estimate failed. A resumed run keeps its rule even if the
-  /// end of the run has changed.
+  /// Three numbers for a checkpoint. They are the number of points in each direction of an octant, the error of Q, and
+  /// the internal duration to which this error applies. The error is −1 if it was not estimated, and `failed` if the
+  /// estimate failed. A resumed run keeps its rule even if the end of the run has changed.
   static constexpr std::size_t n_numbers = 3;
   std::array<double, n_numbers> numbers(const Body& body) const {
     return {static_cast<double>(body.space().n_points_in_direction()), error_.value_or(is_known_ ? failed : -1),
             length_};
   }
+  /// Restores the data of `numbers`, and gives `body` the stored number of points.
   void take_numbers(std::span<const double, n_numbers> numbers, Body& body) {
     set_points(static_cast<int>(numbers[0]), body);
     if (numbers[1] >= 0) error_ = numbers[1];
@@ -55,8 +60,9 @@ class RunQuadrature {
     length_ = numbers[2];
   }
 
-  /// Adds the number of points and the estimated error. If the run has become longer than the estimate assumes, the
-  /// error grows as a power of the duration.
+  /// Adds the number of points in each direction to the counters of `statistics`. Also adds the force evaluations of
+  /// the estimates if there are any, and the error if it is known. If the run has become longer than the estimate
+  /// assumes, the error grows as a power of the duration.
   void report(const Body& body, io::Manifest::Model& statistics) const {
     auto& counters = statistics.counters;
     counters["quadrature_points"] = body.space().n_points_in_direction();
@@ -69,15 +75,16 @@ class RunQuadrature {
  private:
   static constexpr double failed = -2;  ///< value of the error in `numbers` if the estimate failed
 
-  /// True if the program adds points. The tolerance is then below its default, and the scene sets neither Time/Step nor
-  /// Polynomial/Quadrature points. False for viscoelastic bodies, because the internal strains of their branches belong
-  /// to the points.
+  /// True if the program may add points. The tolerance is then below its default, and the scene sets neither Time/Step
+  /// nor Polynomial/Quadrature points. False for viscoelastic bodies, because the internal strains of their branches
+  /// are values at the quadrature points.
   bool follows() const {
     const scene::Scene& scene = context_.scene;
     return setup_.loads.get<loads::Viscoelasticity>().moduli.empty() && !scene.polynomial.quadrature_points &&
            !scene.time.step && scene.time.tolerance < scene::Scene::Time{}.tolerance;
   }
 
+  /// The request for a run from `state` to Time/End.
   polynomial::QuadratureRequest request(const polynomial::BodyState& state, double stable_step,
                                         bool adds_points) const {
     return {.end = context_.internal_time(context_.scene.time.end) - state.t,
@@ -87,6 +94,8 @@ class RunQuadrature {
             .give_up = [this] { return context_.interrupted(); }};
   }
 
+  /// Stores the choice for a run from the internal time t, gives `body` the chosen points, and logs the error or a
+  /// warning. Does nothing after an interrupt.
   void take(const polynomial::QuadratureChoice& choice, double t, Body& body) {
     if (context_.interrupted()) return;  // a resumed run chooses again
     error_ = choice.error;
@@ -104,7 +113,7 @@ class RunQuadrature {
       context_.log->warn("{}: the tolerance is below the error of the quadrature", model_);
   }
 
-  /// Replaces the body by one with this number of points, if its own number differs.
+  /// Replaces the body by one with n_points points in each direction of an octant, unless it already has this number.
   void set_points(int n_points, Body& body) {
     setup_.n_points = n_points;
     if (n_points != body.space().n_points_in_direction()) body = Body(setup_);
@@ -113,10 +122,10 @@ class RunQuadrature {
   const RunContext& context_;
   std::string_view model_;
   polynomial::BodySetup setup_;
-  std::optional<double> error_{};  ///< error of Q for a run of duration length_
+  std::optional<double> error_{};  ///< estimated error of Q for a run of duration length_; empty if it is not known
   bool is_known_ = false;          ///< true if the error was estimated, or if the estimate failed
-  double length_ = 1;              ///< internal duration of the run to which error_ applies
-  long n_force_ = 0;               ///< force evaluations of the estimates
+  double length_ = 1;              ///< duration to which error_ applies, in internal units of time
+  long n_force_ = 0;               ///< force evaluations of the estimates since this process started
 };
 
 }  // namespace pseudorigid::app

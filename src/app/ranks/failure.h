@@ -8,7 +8,7 @@
 
 namespace pseudorigid::app {
 
-/// Done, a defect of the program, wrong input, and a run that stopped early.
+/// Done, a defect of the program, wrong input, and a run that stopped early or lacked a resource.
 constexpr int exit_done = 0, exit_defect = 1, exit_wrong_input = 2, exit_stopped = 3;
 
 /// The exit code of a run with this outcome. A failed and an interrupted run have the same code.
@@ -22,8 +22,9 @@ struct Failure {
 };
 
 /// The exit code and the message for an exception. Wrong input of the user, and missing kernels for the processor, have
-/// the exit code 2. A lack of memory, disk space or another resource has the exit code 3. A defect of the program has
-/// the exit code 1. A FailureOnAllRanks has the code and the message of its original exception.
+/// the exit code 2. A failed write, a lack of memory or an error of the operating system has the exit code 3. A
+/// FailureOnAllRanks has the code and the message of its original exception. Any other exception is a defect of the
+/// program and has the exit code 1.
 Failure failure_of(const std::exception& error);
 
 }  // namespace pseudorigid::app

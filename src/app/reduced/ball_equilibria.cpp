@@ -72,7 +72,8 @@ constexpr int most_rates = 10;  // spheroids have 10 rates, other figures 8; mis
 
 enum Kind { member = 0 };  // the kind of a special point is 1 + SpecialKind
 
-/// The row of a figure in internal units, in the order of ball_equilibria_columns().
+/// The row of a figure in the order of ball_equilibria_columns(). All values are in internal units except the
+/// parameter, which has the unit of its family. Values that are not defined are 0.
 std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& p) {
   const reduced::SteadyMotion& m = p.motion;
   std::vector<double> row{static_cast<double>(index), static_cast<double>(kind), p.parameter};

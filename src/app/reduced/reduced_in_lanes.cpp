@@ -15,12 +15,12 @@ namespace pseudorigid::app {
 namespace {
 
 using reduced::n_body_lanes;
-/// The method for Method = auto. This method is symmetric and needs one force evaluation and one constraint solve per
-/// step.
+/// The method for Time/Method = auto. This method is symmetric and needs one force evaluation and one constraint solve
+/// per step.
 using LaneMethod = mechanics::Symmetric8;
 
-/// True if two runs have the same law, method, tolerance, step and times. The shape of the body and the initial state
-/// may differ.
+/// True if two runs have the same law, method, tolerance, step, end and number of samples. Steps and ends are compared
+/// in internal units. The shape of the body and the initial state may differ.
 bool alike(const RunContext& a, const materials::AnyLaw& law_of_a, const RunContext& b,
            const materials::AnyLaw& law_of_b) {
   const auto& s = a.scene.time;
@@ -148,7 +148,7 @@ class RunInLanes {
     return mechanics::detail::choose_among({in_pilots(method)}, {}, true, request);
   }
 
-  /// The method in the form in which the search for the step runs it.
+  /// The method in the form in which the search for the step runs it. Empty for an adaptive method.
   mechanics::detail::FixedStepMethod in_pilots(mechanics::MethodId id) const {
     return mechanics::with_method(id, [&]<class Method>(Method) -> mechanics::detail::FixedStepMethod {
       if constexpr (Method::adaptive)

@@ -187,7 +187,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     if constexpr (is_loaded) return system_.has_contact();
     return false;
   }
-  /// Fails after a collision or a disruption.
+  /// Fails after a collision with a companion or a disruption of the body. Does nothing without companions.
   mechanics::Status look_at_orbit(const State& state, const Eigen::Matrix3d& Q) {
     if constexpr (is_loaded)
       if (mechanics::has_companions(system_)) {
@@ -236,15 +236,15 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     return fields;
   }
 
-  /// Records the size of Q and its distance from the start.
+  /// Updates the largest entries of |Q| and of |Q − Q₀|, with the initial value Q₀.
   void note_motion(const Eigen::Matrix3d& Q) {
     ++n_noted_;
     motion_ = std::max(motion_, (Q - Q_of(start_)).cwiseAbs().maxCoeff());
     size_ = std::max(size_, Q.cwiseAbs().maxCoeff());
   }
 
-  /// Warns if Q moves from its start by not much more than the error of Q. The velocities and energies of this motion
-  /// then have no correct digit.
+  /// Warns if Q moves from its start by at most ten times the error of Q, because velocities and energies are then not
+  /// resolved. Does not warn about a body at rest in equilibrium, or if the samples of Q are not known.
   void warn_of_resolution(const io::Manifest::Model& statistics) const {
     if (!knows_motion_ || n_noted_ < 2) return;
     constexpr double well_above = 10, epsilon = std::numeric_limits<double>::epsilon();
@@ -268,8 +268,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     return mechanics::Status::failure("the body is stretched more than 1e12 times, which numbers do not resolve");
   }
 
-  /// Adds the position and velocity of the centre of mass and its energies to the observables. With drag, the energy
-  /// that it has lost counts as dissipated. Fails if its motion is not finite.
+  /// Adds the position, velocity and energies of the centre of mass to the observables. With drag, the energy that the
+  /// centre of mass has lost counts as dissipated. Fails if the motion of the centre of mass is not finite.
   mechanics::Status add_center_of_mass(const State& state) {
     const double t = state.t;
     const auto motion = center_at(state);

@@ -56,7 +56,8 @@ GeneralBody<incompressible> general_body(const ReducedScene& s) {
 ReducedForm form_of(const ReducedScene& scene);
 
 /// The system of a form. The form `elastic` is valid only for the law of Ciarlet and Geymonat without self-gravity and
-/// loads. It throws std::bad_variant_access for another law. The form `diagonal` is valid only if Q stays diagonal.
+/// loads. For another law, the function throws std::bad_variant_access. The form `diagonal` is valid only if Q stays
+/// diagonal.
 template <ReducedForm form, bool incompressible>
 auto system_of(const ReducedScene& s) {
   using Body = GeneralBody<incompressible>;

@@ -9,7 +9,7 @@
 
 namespace pseudorigid::app {
 
-/// The columns of equilibria.csv for a body with n_modes degrees of freedom.
+/// The columns of equilibria.csv for a body with n_modes degrees of freedom: 8 if it is incompressible, otherwise 9.
 std::vector<scene::Column> static_equilibria_columns(int n_modes);
 
 /// Searches for the critical points and writes the file. The outcome is `failed` if the search fails or finds no point.

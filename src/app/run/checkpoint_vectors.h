@@ -76,6 +76,7 @@ class CheckpointVectors<Model> {
 
   /// Reads the snapshot, q and v of this rank, and the memory of all ranks. The workspace of the method determines the
   /// part of the memory that belongs to this rank. This workspace is made later, so `restore_memory` selects the part.
+  /// Throws UserError if an entry is missing or has the wrong size.
   void take(const io::Checkpoint& file, State& state, Snapshot& snapshot, const std::string& prefix = "") {
     from_checkpoint(file, snapshot, prefix);
     state.t = snapshot.t;
@@ -84,7 +85,8 @@ class CheckpointVectors<Model> {
     snapshot.memory = file.get_doubles(prefix + "memory");
     memory_is_whole_ = true;
   }
-  /// The same for the memory of this rank. If the snapshot has the memory of all ranks, selects the part of this rank.
+  /// Copies the memory of this rank into the workspace of its method. If the snapshot has the memory of all ranks,
+  /// first selects the part of this rank. Throws std::invalid_argument if the memory belongs to another method.
   template <class Workspace>
   void restore_memory(Workspace& workspace, Snapshot& snapshot) {
     layout_.emplace(order_);
@@ -96,7 +98,8 @@ class CheckpointVectors<Model> {
   void take_own_memory(Snapshot& snapshot) const {
     if (!snapshot.memory.empty()) snapshot.memory = layout_->take(snapshot.memory);
   }
-  /// Returns the complete vectors on the first rank, which writes the checkpoint. Collective.
+  /// Returns the complete vectors on the first rank, which writes the checkpoint. On the other ranks they are empty.
+  /// Collective.
   SavedVectors collect(State& state, const Snapshot& snapshot) const {
     return {order_.collect_position(state.q), order_.collect_field(mechanics::local_values(state.v)),
             snapshot.memory.empty() ? std::vector<double>() : layout_->collect(snapshot.memory)};

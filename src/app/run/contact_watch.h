@@ -8,7 +8,8 @@
 /// the height of the body above the nearest plane is zero. The height is interpolated linearly within a step. The
 /// velocity is not interpolated. The formula uses two velocities. One is the velocity after the last step before the
 /// first contact. The other is the velocity after the step in which the last contact ends. A contact that exists at
-/// time 0 starts there. Each quantity of the summary is 0 until its event occurs. All quantities are in internal units.
+/// time 0 starts there, with the velocity at time 0. If the denominator is 0, e is 0. Each quantity of the summary is 0
+/// until its event occurs. All quantities are in internal units.
 
 #include <algorithm>
 #include <array>
@@ -78,7 +79,7 @@ class ContactWatch {
   bool is_begun_ = false, has_touched_ = false;
   double t_ = 0, height_ = 0, v_ = 0;  ///< time, height and n·ẋ_c − ż₀ at the end of the last step
   double first_ = 0, speed_before_ = 0, last_ = 0, largest_force_ = 0,
-         restitution_ = 0;  ///< the summary, with the closing speed at `first_`
+         restitution_ = 0;  ///< the summary; `speed_before_` is the closing speed at the time `first_`
 };
 
 }  // namespace pseudorigid::app

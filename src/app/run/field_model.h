@@ -105,7 +105,8 @@ class FieldModel : public RunnableModelOf<S> {
     return rest;
   }
   double least_jacobian(const State& state) const final { return least_jacobian_at(state.q); }
-  /// Compares the least det F at q ± h v with half of its value at q. This linear motion predicts a step h.
+  /// True if the least det F at q + h v and at q − h v exceeds half of its value at q. This linear motion predicts a
+  /// step h. Collective.
   bool keeps_volume(const State& state, double h) const final {
     const double most_change = 0.5, bound = (1 - most_change) * least_jacobian_at(state.q);
     Vector x = state.q;
@@ -229,7 +230,8 @@ class FieldModel : public RunnableModelOf<S> {
   const RunContext& context_;
 
  private:
-  /// The motion of the companions at the start of pilot runs, half of their duration before the closest approach.
+  /// The motion of the companions at the start of a pilot run. It is their motion at least half a pilot run before the
+  /// closest approach, or at the start of the run (Orbit::near_closest_approach).
   mechanics::Orbit::Motion near_pericentre(const mechanics::Orbit& orbit) const {
     const double end = context_.internal_time(context_.scene.time.end);
     return orbit.near_closest_approach(end, pilot_window(end) / 2);
@@ -239,7 +241,7 @@ class FieldModel : public RunnableModelOf<S> {
     return std::lround(time / context_.scene.time.end * static_cast<double>(context_.scene.output.samples));
   }
 
-  DeformationTrace* trace_;  ///< receives the history of Q; null if the history is not requested
+  DeformationTrace* trace_;  ///< receives the affine part Q at each sample; null if this is not requested
   io::Trajectory<mechanics::ContinuumObservables> trajectory_;
   mechanics::ObservableRequest request_;
   mechanics::ContinuumObservables observables_;

@@ -20,7 +20,7 @@ struct Flight {
 };
 
 /// The flight from the present state to a height of 0.01 radii above the nearest plane. `velocity` is the velocity of
-/// the centre of mass. Empty if there is no plane, or if the body is less than 0.01 radii above the nearest plane. Also
+/// the centre of mass. Empty if there is no plane, or if the body is at most 0.01 radii above the nearest plane. Also
 /// empty if its path does not reach the plane, or if a quadratic potential or a drag acts.
 inline std::optional<Flight> flight_to_contact(const loads::Contact& now, const Eigen::Vector3d& velocity,
                                                const loads::Forcing& loads) {
@@ -38,7 +38,7 @@ inline std::optional<Flight> flight_to_contact(const loads::Contact& now, const 
 }
 
 /// Estimate of the largest penetration δ of the unit ball in its first contact, from the energy of a rigid ball, in
-/// internal units. A ball with the closing speed v has δ³ = 2v²/k, with the stiffness k of the planes. A ball that
+/// internal units. A ball with the closing speed v has δ³ = 2v²/k, with the stiffness k of all planes. A ball that
 /// rests under the acceleration b has δ² = 4b/(3k). The estimate is the larger one, but at most half a radius.
 inline double depth_of_contact(const loads::Contact& now, const Eigen::Vector3d& velocity,
                                const loads::Forcing& loads) {

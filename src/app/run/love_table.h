@@ -23,7 +23,7 @@ struct LoveRow {
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other, double round_off);
 
-/// The name of the CSV file of a run of a model.
+/// The name of the CSV file of a run, without ".csv". `run` is the name of the files of the run.
 std::string love_file(std::string_view run);
 
 /// The columns of love-<run>.csv with their units and texts.
@@ -34,7 +34,8 @@ std::vector<scene::Column> love_columns();
 void write_love_table(const std::vector<LoveRow>& rows, std::string_view run, std::string_view ball,
                       const RunContext& context, ModelOutcome& outcome);
 
-/// Writes the Love numbers of the pseudo-rigid ball, which are known in closed form.
+/// Writes love-reduced.csv and the table for the terminal, for the pseudo-rigid ball. Its Love numbers are known in
+/// closed form, so the run cannot fail.
 ModelOutcome run_reduced_love_numbers(const RunContext& context);
 
 }  // namespace pseudorigid::app

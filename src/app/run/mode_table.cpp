@@ -28,7 +28,7 @@ double exact_frequency(const ModeFrequency& f, const BallAtRest& ball) {
 ///   degree 0:   m̄ Ḧ = −(3λ + 2μ) Vol H,      H ∝ Id (compressible balls only).
 ///
 /// The inertia is m̄ = ∫ρX₁² dX over the ball of radius r and density ρ, so the volume is Vol = 5m̄/(ρr²). Lamé's
-/// moduli are λ and μ, and γ = ρgr/μ.
+/// moduli are λ and μ, and γ = ρgr/μ with the gravity g at the surface.
 double reduced_frequency(const ModeFrequency& f, const BallAtRest& ball) {
   if (!f.spheroidal || f.overtone != 0) return 0;
   const auto [mu, lambda] = ball.moduli;

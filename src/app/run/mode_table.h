@@ -42,8 +42,8 @@ std::string differing_copies(const std::vector<ModeFrequency>& frequencies, doub
 /// "the ball is unstable at rest: a motion of kind T1 grows at the rate 0.3".
 std::string instability(const std::vector<ModeFrequency>& frequencies, const io::Units& units);
 
-/// The name of the CSV file of a model: "modes" for the last and most accurate model of the scene, and "modes-<model>"
-/// for the others.
+/// The name of the CSV file of a model, without ".csv". It is "modes" for the last and most accurate model of the
+/// scene, and "modes-<model>" for the others.
 std::string mode_file(const scene::Needs& needs, std::string_view model);
 
 /// The columns of the file with their units and texts.

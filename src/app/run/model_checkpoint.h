@@ -35,15 +35,16 @@ struct RunPosition {
   long n_repeated = 0;  ///< number of attempts to integrate an interval that were repeated with shorter steps
   long n_failed = 0;    ///< number of these attempts in which a step failed
   LooksAtFrequency looks{};
-  double max_constraint = 0,
-         max_constraint_rate = 0;  ///< largest |g| and |Gv| at the samples, scaled, with the constraints g and G = Dg
+  /// Largest entries of |g| and |Gv| at the samples, divided by RunnableModel::constraint_scale. The constraints are
+  /// g(q) = 0, with the derivative G = Dg.
+  double max_constraint = 0, max_constraint_rate = 0;
   /// Estimated time error of the configuration, added over all parts of the run. Each part has its own step. Empty if
   /// the step of one of the parts was not found by a search with an error estimate.
   std::optional<double> time_error = 0;
 };
 
 /// Entries of a scene as texts, which a resumed run compares with the texts of its own scene. `frozen_scene` has the
-/// entries that must be equal, except for changes that commands/resume.h admits. `stepping` has the entries that
+/// entries that must be equal, except for `may_change` in commands/resume.cpp. `stepping` has the entries that
 /// determine method and step. If one of these entries changes, the program chooses method and step again. The end of
 /// the run is such an entry only if the scene does not give the step. `choice` has the entries that determine the
 /// method.
@@ -86,8 +87,8 @@ void add_snapshot(io::Checkpoint& c, const Snapshot& snapshot, SavedVectors vect
 io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot& snapshot, SavedVectors vectors);
 /// True if the checkpoint also contains the last sample.
 inline bool has_last_sample(const io::Checkpoint& c) { return c.has(std::string(at_last_sample) + "q"); }
-/// Sets all members of the snapshot except `memory`. Throws UserError if the program lacks the method of the
-/// checkpoint, or if an entry is missing or has the wrong type or size.
+/// Sets all members of the snapshot except `memory`, from the entries whose names begin with `prefix`. Throws UserError
+/// if the program lacks the method of the checkpoint, or if an entry is missing or has the wrong type or size.
 void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot, const std::string& prefix = "");
 
 /// Number of samples in the table when the run is resumed. The number is 0 for a checkpoint at the start: the resumed

@@ -60,7 +60,7 @@ class ModelFiles : public ModelSink {
   std::string model_;
   FrameSchedule frames_;
   int n_more_frames_ =
-      0;  ///< number of earlier pictures beyond the schedule, from a run whose earlier end gave more pictures per time
+      0;  ///< added to the numbers of pictures, if an earlier run with an earlier end wrote more than the schedule has
   ShapeSchedule shapes_;
   io::Progress progress_;
   std::optional<io::CsvWriter> csv_,

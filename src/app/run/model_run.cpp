@@ -55,9 +55,9 @@ bool ModelRunBase::is_time_to_save() const {
 /// Returns to the last sample, so that the interval can be integrated again with shorter steps. Returns false if a
 /// repetition is not possible. A repetition requires a costly force, a method of fixed step and a step that the program
 /// has chosen. A repetition is not possible if the model itself ended the run, or if the steps would need more than
-/// `most_halvings` halvings. It is not possible after a further failed step if `most_failures` steps have failed. The
-/// next interval begins with the steps that its own state and the last failure require. A motion that is violent for a
-/// short time therefore does not shorten the steps of the whole run.
+/// `most_halvings` halvings. After `most_failures` failed steps in a run, a further failed step ends the run. The next
+/// interval begins with the steps that its own state and the last failure require. A motion that is violent for a short
+/// time therefore does not shorten the steps of the whole run.
 bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
   if (!repeats_intervals() || !verdict_) return false;
   const bool asked = least_halvings_ > position_.halvings;

@@ -194,9 +194,9 @@ class ModelRun final : public ModelRunBase {
   /// Properties of a state that determine the steps of the intervals before and after this state.
   struct LocalVolume {
     double least_jacobian;
-    double rattle_limit = HUGE_VAL;  ///< largest stable step of RATTLE times less_reserve, if the motion is violent
+    double rattle_limit = HUGE_VAL;  ///< largest stable step of RATTLE times less_reserve; infinite if not computed
   };
-  /// Measures the local volume in the present state `state`. The stable step is computed only if the least det F ≤ 0.8.
+  /// The local volume in the present state `state`. The stable step is computed only if the least det F is at most 0.8.
   LocalVolume look_at(const State& state) const {
     constexpr double violent = 0.8;
     LocalVolume seen{model_.least_jacobian(state)};
@@ -204,8 +204,8 @@ class ModelRun final : public ModelRunBase {
       seen.rattle_limit = limit;
     return seen;
   }
-  /// Least number of halvings after which a step is stable at `state` and keeps the local volume; 0 if the local volume
-  /// has hardly changed. The number does not depend on earlier states or on the sign of the velocity.
+  /// Least number of halvings, up to most_halvings, after which a step is stable at `state` and keeps the local volume.
+  /// It is 0 if `seen` has no stability limit. It does not depend on earlier states or the sign of the velocity.
   int halvings_at(const State& state, const LocalVolume& seen) const {
     if (seen.rattle_limit == HUGE_VAL) return 0;
     int halvings = halvings_within(seen.rattle_limit);
@@ -286,8 +286,8 @@ class ModelRun final : public ModelRunBase {
     return {};
   }
 
-  /// Sets request.stiff if an explicit method needs too many steps, about γh for a step h of RATTLE. The rate γ is the
-  /// largest damping rate. With friction, it is that of a body at rest in contact.
+  /// Sets request.stiff if an explicit method needs too many steps: about γh for each step h of RATTLE, with the
+  /// largest damping rate γ. With friction, γ is that of a body at rest in contact. Fails if γ cannot be computed.
   Status judge_stiffness([[maybe_unused]] mechanics::StepRequest& request) const override {
     if constexpr (mechanics::Damped<System>) {
       if (!mechanics::dissipative(model_.system())) return {};

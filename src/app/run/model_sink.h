@@ -49,8 +49,8 @@ class ModelSink {
   /// Writes the picture of a sample with the given function.
   virtual void draw_frame(long /*sample*/, const Draw&) {}
 
-  /// True if the sink writes the table <name>.csv of the shapes for a report. The table has a block of rows for each of
-  /// a few samples.
+  /// True if the sink writes the table <name>.csv of the shapes for a report. A shape is a block of rows for one
+  /// sample. The rows have positions of points on the surface and on the coordinate planes of the body.
   virtual bool has_shapes() const { return false; }
   /// True if the sink writes the shape at this sample.
   virtual bool wants_shape(long /*sample*/) const { return false; }

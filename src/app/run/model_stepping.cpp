@@ -190,7 +190,7 @@ void ModelStepping::plan_look(double stable_rattle_step) {
 }
 
 /// Sets the method and step that another run found. For systems in constrained form, the step is at most 0.8 of the
-/// stability limit of this run.
+/// stability limit of this run. Fails if this limit cannot be computed.
 mechanics::Status ModelStepping::take_over(const Stepping& known) {
   position_.method = known.method;
   position_.step = known.step;

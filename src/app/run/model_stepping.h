@@ -86,8 +86,8 @@ class ModelStepping {
   /// motions when the step changes. Returns true if the method has changed; the estimate of the time error is then not
   /// known.
   bool become_symplectic();
-  /// Least number of halvings after which the step is at most the stability limit, if RATTLE has the limit
-  /// `rattle_limit`. The number is at most `most_halvings`.
+  /// Least number of halvings after which the step is at most the stability limit of the method. `rattle_limit` is the
+  /// limit of RATTLE at the same state. If `most_halvings` halvings do not suffice, the result is `most_halvings`.
   int halvings_within(double rattle_limit) const;
 
   /// Tolerance of the scaled constraint, for systems with a costly force. It is the value of Time/Constraint tolerance
@@ -106,7 +106,7 @@ class ModelStepping {
   static constexpr double less_reserve = 0.9;
   /// Largest number of halvings of the step in one interval between samples.
   static constexpr int most_halvings = 6;
-  /// Largest number of intervals of a run that are integrated again because a step has failed.
+  /// Largest number of repetitions of intervals in a run because of a failed step.
   static constexpr long most_failures = 32;
   /// Largest number of halvings of the step in one interval because of a change of the energy.
   static constexpr int most_halvings_for_energy = 5;
@@ -130,7 +130,7 @@ class ModelStepping {
   double step_bound() const {
     return context_.scene.time.step ? context_.internal_time(*context_.scene.time.step) : HUGE_VAL;
   }
-  /// Least number of samples between two checks of the largest frequency: a sixteenth of the run.
+  /// Least number of samples between two checks of the largest frequency: a sixteenth of the run, but at least 1.
   long samples_between_looks() const { return std::max(1L, std::lround(times_.end / times_.interval()) / 16); }
   Status search(const std::optional<double>& error_so_far);
   std::string about_search(const mechanics::StepRequest& request) const;

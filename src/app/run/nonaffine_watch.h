@@ -26,7 +26,8 @@ class NonaffineWatch {
   /// True if the exact motion is affine, so that the run must compute the non-affine displacement.
   bool watches() const { return watches_; }
 
-  /// Checks a sample. `displacement` is |x − QX| / |x|, the error relative to the size of the body.
+  /// Checks a sample at a time in the user's units. `displacement` is |x − QX| / |x|, the error relative to the size of
+  /// the body.
   void look(double time, double displacement) {
     if (!watches_) return;
     largest_ = std::max(largest_, displacement);
@@ -59,8 +60,8 @@ class NonaffineWatch {
   static constexpr double acceptable =
       0.01;  ///< largest displacement without a warning, relative to the size of the body
 
-  /// False if the surface has a load other than a uniform pressure. Such loads are a traction, viscous stress, and
-  /// contact with planes.
+  /// False if a traction, viscous stress or contact with planes acts. Such a load is not a uniform pressure on the
+  /// surface, so the exact motion is not affine.
   static bool stays_affine(const scene::Scene& scene) {
     const loads::Forcing forcing = loads::full_forcing(scene.loads);
     return forcing.nominal_traction.isZero(0) && forcing.viscosity == 0 && forcing.planes.empty();

@@ -48,7 +48,7 @@ struct RunContext {
   double time_of_sample(long k) const {
     return scene.time.end * (static_cast<double>(k) / static_cast<double>(scene.output.samples));
   }
-  /// True if an interrupt (Ctrl-C) has reached any rank. Collective.
+  /// True if a signal that ends the run, for example SIGINT (Ctrl-C) or SIGTERM, has reached any rank. Collective.
   bool interrupted() const { return ranks->any(io::interrupt_requested()); }
 };
 
@@ -66,7 +66,8 @@ inline RunContext derived(const RunContext& context, const scene::Scene& scene, 
           .tables = tables};
 }
 
-/// The table of modes or Love numbers with this name: a CSV file, or an entry of context.tables.
+/// The table of modes or Love numbers with this name. It is an entry of context.tables, or a CSV file if context.tables
+/// is null.
 inline io::ColumnTable table_of(const RunContext& context, const std::string& name,
                                 const std::vector<scene::Column>& columns) {
   if (context.tables) return {(*context.tables)[name], columns, context.scales()};

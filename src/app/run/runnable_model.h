@@ -23,10 +23,11 @@ class RunnableModel {
 
   const std::string name;         ///< name of the files of the run
   const int steps_between_looks;  ///< number of steps between checks of the clock and the interrupt flag
-  const double pilot_reserve;     ///< factor of the tolerance in pilot runs
+  const double pilot_reserve;     ///< the search for the step uses Time/Tolerance times this factor
 
-  virtual double pilot_window(double end) const = 0;  ///< duration of pilot runs for a motion until `end`
-  /// The names of the columns of a row.
+  /// The duration of the pilot runs for a run of duration `end`, both in internal time.
+  virtual double pilot_window(double end) const = 0;
+  /// The names of the columns of a row, in their order. The first column is the time.
   virtual std::vector<std::string> columns() const = 0;
 
   /// Restores the data about earlier samples from the rows of an interrupted run.
@@ -37,7 +38,8 @@ class RunnableModel {
   /// Restores the data of `remarks`.
   virtual void take_remarks(std::span<const double>) {}
 
-  /// Name of the table of shapes for the report; empty if the model does not have shapes.
+  /// Name of the table of shapes for the report; empty if the model does not have shapes. A shape contains positions of
+  /// points on the surface and on the coordinate planes of the body (mechanics/core/shape_columns.h).
   virtual std::string shape_file() const { return {}; }
   virtual std::vector<std::string> shape_columns() const { return {}; }
 
@@ -97,7 +99,7 @@ class RunnableModelOf : public RunnableModel {
   virtual mechanics::Status write_frame(const std::filesystem::path&, double /*time*/, const State&, Workspace&) {
     return {};
   }
-  /// The block of rows of the table of shapes for this state.
+  /// The rows of the table of shapes for this state, one for each point.
   virtual std::vector<std::vector<double>> shape(double /*time*/, const State&) const { return {}; }
   /// Adds the counters of the model to the statistics. `workspace` is the part of the method's workspace that belongs
   /// to the system; null if there is none.

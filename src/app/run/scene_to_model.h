@@ -25,7 +25,7 @@ inline io::Units units_of(const scene::Scene& scene) {
   return io::ball_units(scene.body.radius, scene.body.density, scene::time_scale(scene));
 }
 
-/// The initial deformation Q₀, and below it Q̇₀ per internal unit of time.
+/// The initial deformation Q₀ and its rate Q̇₀. The rate is per internal unit of time.
 inline Eigen::Matrix3d initial_deformation(const scene::Scene& scene) {
   return to_eigen(scene.initial_state.deformation);
 }
@@ -33,7 +33,7 @@ inline Eigen::Matrix3d initial_velocity(const scene::Scene& scene, const io::Uni
   return to_eigen(scene.initial_state.velocity) * units.time;
 }
 
-/// The initial position of the centre of mass, and below it the initial velocity, in internal units.
+/// The initial position and velocity of the centre of mass, in internal units.
 inline Eigen::Vector3d initial_center(const scene::Scene& scene, const io::Units& units) {
   return to_eigen(scene.initial_state.center) / units.length;
 }
@@ -64,7 +64,7 @@ inline loads::Loads internal_loads(const scene::Scene& scene) {
   return loads;
 }
 
-/// The time until which the loads rise, in internal units.
+/// The time until which the loads rise, in internal units; 0 if they have their full strength from the start.
 inline double rise_time(const scene::Scene& scene) { return internal_loads(scene).get<loads::Rise>().time; }
 
 /// The material law in internal units. For a solid without self-gravity the unit of time is r/c, and μ is exactly 1.

@@ -24,7 +24,7 @@ struct ContinuumTask {
 /// Runs the finite-element model once, with results or silently, as the context requires. Collective.
 using ContinuumRun = std::function<ModelOutcome(const RunContext& context, const ContinuumTask& task)>;
 
-/// Warns if the history of Q does not have all samples. A resumed run reads the earlier Q from continuum.csv. If this
+/// Warns if the history of Q does not have all samples. A resumed run reads the earlier Q from `<model>.csv`. If this
 /// file lacks the columns of Q, the history lacks the earlier samples, and the error estimate covers only a part of the
 /// run.
 inline void warn_of_gaps(const RunContext& context, std::string_view model, const DeformationTrace& trace) {

@@ -34,7 +34,8 @@ class DiscretizationSearch {
  public:
   static constexpr const char* checkpoint_name = "discretization";
 
-  /// Prepares the search. If the context resumes an earlier run, loads the state of the search. Collective.
+  /// Prepares the search. If the context resumes an earlier run, loads the state of the search. Otherwise removes the
+  /// discretisations that do not fit in the memory from the ladder. Collective.
   DiscretizationSearch(const RunContext& context, ContinuumRun run);
   /// Runs the search. Returns the outcome of the run that wrote the results, or of an interrupted run. Collective.
   ModelOutcome run();
@@ -53,13 +54,14 @@ class DiscretizationSearch {
   void note(const ModelOutcome& outcome, DeformationTrace trace);
   /// True if the present run is the final one.
   bool settles() const;
-  /// Adds the counters of the search and the motion of the run before to the outcome, and logs the estimated error.
+  /// Adds the counters of the search to the outcome, and logs the estimated error. Also adds the history of Q of the
+  /// previous run that reached its end.
   void report(ModelOutcome& outcome) const;
-  // These functions are collective.
+  // The next three functions are collective.
   void start_afresh() const;
   void load();
   void save() const;
-  // These functions do not communicate between the ranks.
+  // The next three functions do not communicate between the ranks.
 
   /// Restores the state of the search from a checkpoint.
   void take(const io::Checkpoint& c);

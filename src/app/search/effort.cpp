@@ -54,13 +54,14 @@ std::string in_words(const Effort& e) {
   return fmt::format("{} unknowns{}, about {}", count(e.n_unknowns), multipliers, in_bytes(std::max(1e6, e.bytes)));
 }
 
-/// Stable step of RATTLE on the builtin mesh for λ = 0 and μ = 1.
+/// Stable step of RATTLE on the builtin mesh for λ = 0, μ = 1, density 1 and radius 1.
 double step_of_mesh(const scene::Discretization& d) {
   return 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
 }
 
-/// Time of a step of the finite-element model per unknown, correct within a factor of 3. The time was measured on cores
-/// of 2 to 4 GHz for k = 3 … 6 and r = 0 … 1.
+/// Seconds per step and unknown of the finite-element model, for an incompressible and for a compressible body. They
+/// are correct within a factor of 3. They were measured on cores of 2 to 4 GHz for degrees k = 3 … 6 and r = 0 … 1
+/// refinements.
 constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
 /// Typical ratio of the step to the stability limit at rest, if the program chooses the step for a tolerance.
 constexpr double usual_part_of_limit = 0.6;
@@ -70,7 +71,8 @@ constexpr double pilots = 0.5, companion = 0.35;
 /// The viscosity η in internal units.
 double viscosity(const scene::Scene& scene) { return loads::constant_forcing(internal_loads(scene)).viscosity; }
 
-/// The product γh on the builtin mesh, with the largest damping rate γ at rest and the step h.
+/// The product γh on the builtin mesh, with the largest damping rate γ at rest and the step h. `step` is h in the
+/// user's unit of time.
 double damping_of_step(const scene::Scene& scene, const scene::Discretization& d, double step) {
   return 4 * viscosity(scene) / std::pow(step_of_mesh(d), 2) * step / units_of(scene).time;
 }
@@ -88,9 +90,9 @@ double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs
   return n_steps * a_step * (1 + (scene.time.step ? 0 : pilots) + (needs.companion ? companion : 0));
 }
 
-/// Adds a line with the number of force evaluations of the pseudo-rigid body. A method of order 8 with tolerance 1e-6
-/// needs 73 evaluations per unit of time (measured). If the scene gives the step, the number is at least the number of
-/// these steps.
+/// Adds a line with the number of force evaluations of the pseudo-rigid body and their time. A method of order 8 with
+/// tolerance 1e-6 needs 73 evaluations per internal unit of time (measured). If the scene gives the step, the number is
+/// at least the number of these steps. Adds nothing without a motion of this model.
 void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
   const auto model = std::ranges::find_if(needs.models, [](const auto* m) { return !m->has_nonaffine; });
   if (model == needs.models.end() || scene.analysis != scene::Analysis::motion) return;

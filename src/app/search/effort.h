@@ -25,7 +25,7 @@
 
 namespace pseudorigid::app {
 
-/// Estimated size of a run. `bytes` is the memory of all ranks together. It differs from the measured memory by less
+/// Estimated size of a run. `bytes` is the memory of all ranks together. Estimated and measured memory differ by less
 /// than a third.
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
@@ -43,8 +43,8 @@ std::string in_bytes(double bytes);
 /// for an adaptive method. If the program chooses the method, the function returns the step of RATTLE.
 double stable_step(const scene::Scene& scene, const scene::Discretization& discretization);
 
-/// The result of scene::needs with lines about the effort of the run, and with a warning if the scene's step is not
-/// stable. There is no line for finite elements on a mesh file or without a fixed discretisation.
+/// The result of scene::needs with lines about the size of the run, its steps and its time. If the scene's step is not
+/// stable, also adds a warning. There is no line for finite elements on a mesh file or without a fixed discretisation.
 scene::Needs needs_with_effort(const scene::Scene& scene);
 
 /// The reason why this machine cannot compute with a discretisation; empty if it can. One reason is lack of memory. The
@@ -55,7 +55,8 @@ std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene
                                           std::size_t n_coarse_cells, double share);
 
 /// Throws UserError if this machine cannot compute with the scene's discretisation, or with the coarsest one of a
-/// search. Does nothing if no finite elements are computed.
+/// search. Modes and Love numbers are computed in one process, so `share` then counts as 1. Does nothing if no finite
+/// elements are computed.
 void require_memory(const scene::Scene& scene, const scene::Origins& origins, std::size_t n_coarse_cells, double share);
 
 }  // namespace pseudorigid::app

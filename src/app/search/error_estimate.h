@@ -1,7 +1,8 @@
 #pragma once
 /// Estimate of the discretisation error of a run by a companion run on another discretisation (scene/discretization.h).
-/// Both runs have the same method and step, so that their time errors cancel (analysis/space_error.h). The comparison
-/// of the models uses the motion of the companion to estimate the errors of other quantities.
+/// Both runs have the same method and step, so that their time errors cancel (analysis/space_error.h). The companion
+/// has a shorter step only if this step exceeds 0.8 of the companion's stability limit. The comparison of the models
+/// uses the motion of the companion to estimate the errors of other quantities.
 ///
 /// The counters are estimated_space_error, the largest error of an entry of Q, and relative_space_error, the error
 /// relative to |Q|. Further counters are companion_degree, companion_work, and for finite elements
@@ -41,8 +42,9 @@ ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& 
 /// scene must set degree and refinements. Returns the outcome of the first run. Collective.
 ModelOutcome run_with_estimate(const RunContext& context, const ContinuumRun& run);
 
-/// Returns the history `trace` as a table, with a factor. The factor converts the difference between the run and
-/// `trace` to an error of the run. The comparison of the models uses the table and the factor.
+/// Returns the history `trace` of Q as a table, with a factor. The factor converts the difference between the run and
+/// `trace` to an error of the run. It assumes that this error decreases with the resolution at the rate `least_rate`.
+/// `resolution` is the resolution of the run. The comparison of the models uses the table and the factor.
 analysis::OtherResolution other_resolution(const DeformationTrace& trace, double resolution, double resolution_of_trace,
                                            double least_rate, const RunContext& context);
 

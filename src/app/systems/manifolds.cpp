@@ -29,7 +29,8 @@ constexpr double start_along = 1e-5, start_around = 1e-3, arrival_distance = 1e-
 /// Tolerance per step of the integration (explicit-8).
 constexpr double local_tolerance = 1e-13;
 
-/// A motion: its number, the number of its critical point, and whether it is on the stable manifold.
+/// A motion: its number, the number of its critical point, and whether it is on the stable manifold. Both numbers count
+/// from 1.
 struct Curve {
   int number, from;
   bool stable;
@@ -37,9 +38,9 @@ struct Curve {
 
 /// The end of a motion.
 struct End {
-  int to = 0;  ///< number of the critical point at the end, or 0
-  double distance = 0, time = 0;
-  Status step{};  ///< status of the last step; a failure ends the motion
+  int to = 0;                     ///< number of the critical point at the end, or 0
+  double distance = 0, time = 0;  ///< distance from the nearest critical point, and internal time, at the end
+  Status step{};                  ///< status of the last step; a failure ends the motion
 };
 
 /// Columns of manifolds.csv: numbers of the motion and of its critical point, 1 for a stable manifold, the time, and
@@ -69,7 +70,8 @@ class ManifoldRun {
     if (depth > 0) highest_energy_ = points.back().V + depth;
   }
 
-  /// Follows the motions of all critical points with an unstable manifold. Fails if a motion cannot be followed.
+  /// Follows the motions of all critical points with an unstable manifold. Fails if a motion on an unstable manifold
+  /// cannot be followed, if a row cannot be computed, or after an interrupt.
   Status run() {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const auto unstable = mechanics::manifold_basis(points_[i], true);
@@ -195,7 +197,7 @@ class ManifoldRun {
     return landscape_.potential(q) + 0.5 * state.v.dot(M * state.v);
   }
 
-  /// Writes a row of manifolds.csv. Fails if a value is not finite.
+  /// Writes a row of manifolds.csv. Fails if a value cannot be computed or is not finite.
   template <class State, class Workspace>
   Status append(const Curve& curve, const State& state, systems::AnyModel& at_rest, Workspace& workspace) {
     row_.assign({double(curve.number), double(curve.from), double(curve.stable), state.t});

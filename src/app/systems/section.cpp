@@ -25,6 +25,8 @@ namespace {
 using mechanics::Status;
 using Method = mechanics::DormandPrince8;
 
+/// Number of times in a step at which the column is evaluated, and number of steps between checks of the interrupt
+/// flag.
 constexpr int looks_per_step = 8, steps_between_interrupts = 256;
 /// Local tolerance of the integration that locates a crossing. This tolerance is close to the least one that the method
 /// accepts.
@@ -100,7 +102,7 @@ class SectionRun {
   }
 
   /// Integrates the motion to its end and writes a row for each crossing. Sets `end` to the outcome. Fails if a step
-  /// fails or after an interrupt.
+  /// fails, if a column cannot be computed, or after an interrupt.
   template <class Workspace>
   Status go(State& state, Workspace& w, mechanics::Outcome& end) {
     end = mechanics::Outcome::failed;
@@ -153,7 +155,7 @@ class SectionRun {
 
   /// Locates the crossing between the times `early` and `late` within the step from `start`, and writes a row for it.
   /// `before` and `after` are the distances at these times. Writes nothing if there is no crossing, or if the column
-  /// jumps. Fails if a step fails.
+  /// jumps. Fails if a step fails or a column cannot be computed.
   Status take(const State& start, double early, double late, double before, double after) {
     if (!counts(before, after)) return {};
     Status status;

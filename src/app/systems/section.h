@@ -13,7 +13,8 @@
 namespace pseudorigid::app {
 
 /// Computes the motion from the start to Time/End and writes its crossings. `scales` are the units of the system. The
-/// outcome is `failed` if a step fails; the crossings before it are kept.
+/// outcome is `failed` if a step fails or a column cannot be computed, and `interrupted` after an interrupt. In both
+/// cases, the file keeps the earlier crossings.
 ModelOutcome run_section(const systems::AnySystemScene& system, systems::AnyModel& model, const systems::Scales& scales,
                          const RunContext& context);
 

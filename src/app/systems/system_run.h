@@ -10,7 +10,8 @@ namespace pseudorigid::app {
 /// duration, the method and the direction of time.
 scene::SystemDescription describe_system(const systems::AnySystemScene& system);
 
-/// Runs a scene of this system.
+/// Runs the analysis of a scene of this system. For motions and equilibria, throws std::logic_error if the force
+/// depends on the time or the velocity, and the system does not declare this dependence.
 ModelOutcome run_system(const systems::AnySystemScene& system, const RunContext& context);
 
 }  // namespace pseudorigid::app
