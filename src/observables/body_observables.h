@@ -242,7 +242,8 @@ inline constexpr BodyColumn<O> common_columns[] = {
      "it",
      [](const O& o) { return o.orbit.kinetic; }},
     {"interaction", &Quantities::orbit, "mass*length^2/time^2",
-     "energy of the gravity between body and companions, to degree 2 in the size of the body",
+     "energy of the gravity between body and companions, to degree 2 in the size of the body; of finite elements with "
+     "Companions/Full potential, the whole energy",
      [](const O& o) { return o.orbit.interaction; }},
     {"companion", &Quantities::orbit, "length", "position of the companion, relative to the centre of the body",
      [](const O& o) { return o.orbit.position; }},

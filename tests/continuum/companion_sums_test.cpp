@@ -28,7 +28,7 @@ const Vector3d first(1.5, 0.4, 0.3), second(-0.5, 2, 0.8);
 CompanionSums sums_of(const ElasticBall& ball, const Orbit& orbit, const Vector& x) {
   return continuum::companion_sums(orbit, ball.space(), x, ball.mean(x), orbit.relative(orbit.position()));
 }
-Matrix3d sample_map() { return (Matrix3d() << 1.1, 0.2, -0.1, 0.1, 0.9, 0.15, -0.2, 0.1, 1).finished(); }
+Matrix3d generic_map() { return (Matrix3d() << 1.1, 0.2, -0.1, 0.1, 0.9, 0.15, -0.2, 0.1, 1).finished(); }
 
 /// Newton: the potential of a homogeneous ball outside is that of a point. The companions are 1.6 and 2.2 radii away.
 TEST(CompanionSums, OfABallTendToThoseOfAPoint) {
@@ -51,7 +51,7 @@ TEST(CompanionSums, ForcesAreDerivativesOfTheEnergy) {
   const ElasticBall ball(whole, 3, 0, neo_hookean);
   const Orbit orbit(two_companions(first, second), G, ball.mass());
   const Orbit::Columns r = orbit.relative(orbit.position());
-  Vector x = ball.affine_field(sample_map(), {0.1, -0.2, 0.05});
+  Vector x = ball.affine_field(generic_map(), {0.1, -0.2, 0.05});
   x.add(0.02, random_field(x, generator));
   const Vector u = random_field(x, generator);
   const CompanionSums sums = sums_of(ball, orbit, x);
@@ -85,7 +85,7 @@ TEST(CompanionSums, ForcesAreDerivativesOfTheEnergy) {
 /// An affine body has no moment of degree 3, so the difference to degree 2 is of degree 4: the energy falls as d⁻⁵.
 TEST(CompanionSums, OfFarCompanionsAreOfDegreeTwo) {
   const ElasticBall ball(whole, 4, 0, neo_hookean);
-  const Vector x = ball.affine_field(sample_map());
+  const Vector x = ball.affine_field(generic_map());
   std::vector<ErrorPoint> of_energy, of_force;
   for (const double d : {4, 8, 16, 32}) {
     const Orbit orbit(two_companions(d * first, d * second), G, ball.mass());
@@ -103,7 +103,7 @@ TEST(CompanionSums, OfFarCompanionsAreOfDegreeTwo) {
 
 TEST(CompanionSums, OfASectorAreThoseOfTheWholeBall) {
   const Vector3d in_plane(1.5, 0.4, 0), other(-0.5, 2, 0);
-  const Matrix3d Q = admissible(half, sample_map());
+  const Matrix3d Q = admissible(half, generic_map());
   const ElasticBall ball(whole, 3, 0, neo_hookean), part(half, 3, 0, neo_hookean);
   const Orbit orbit(two_companions(in_plane, other), G, ball.mass());
   const CompanionSums expected = sums_of(ball, orbit, ball.affine_field(Q)),

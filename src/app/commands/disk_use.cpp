@@ -24,9 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Usual and largest number of characters of a number in a table. The largest number of characters is that of a sign,
-/// 17 digits, a point, an exponent of two digits such as e-05, and a comma. Exponents of three digits are not
-/// considered.
-constexpr double bytes_per_value = 20, most_bytes_per_value = 24;
+/// 17 digits, a point, an exponent of three digits such as e-105, and a comma.
+constexpr double bytes_per_value = 20, most_bytes_per_value = 25;
 /// Usual number of bytes of a number in a compressed picture, measured for motions without symmetry.
 constexpr double bytes_per_value_of_picture = 5;
 constexpr double bytes_of_small_checkpoint = 1e4;  // mainly the text of the scene

@@ -60,11 +60,12 @@ class NonaffineWatch {
   static constexpr double acceptable =
       0.01;  ///< largest displacement without a warning, relative to the size of the body
 
-  /// False if a traction, viscous stress or contact with planes acts. Such a load is not a uniform pressure on the
-  /// surface, so the exact motion is not affine.
+  /// False if a traction, viscous or viscoelastic stress, contact with planes, or the full potential of companions
+  /// acts. The exact motion is then not affine.
   static bool stays_affine(const scene::Scene& scene) {
     const loads::Forcing forcing = loads::full_forcing(scene.loads);
-    return forcing.nominal_traction.isZero(0) && forcing.viscosity == 0 && forcing.planes.empty();
+    return forcing.nominal_traction.isZero(0) && forcing.viscosity == 0 && forcing.planes.empty() &&
+           forcing.branches.empty() && !forcing.companions.full_potential;
   }
 
   const RunContext& context_;
