@@ -121,6 +121,8 @@ def ball(rng, with_continuum):
             entries["Continuum/Volumetric stiffness"] = repr(modulus * 10 ** rng.uniform(-2, 1))
     if rng.random() < 0.15:
         entries.update({"Output/Graphics": "vtu", "Output/Frames": 2})
+    if incompressible and "Gravity/Constant" not in entries and rng.random() < 0.15:
+        entries["Output/Quantities"] = "energies, momenta, vibration"
     planes = rng.random() < 0.15
     if planes:
         put_planes(rng, entries, radius, rate, modulus, Q)
