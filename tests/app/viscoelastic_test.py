@@ -1,5 +1,4 @@
 """Viscoelastic branches: linear theory of every rheology, limits, energy, affine bodies, order, Love numbers, ranks, resumption, refusals."""
-import cmath
 import math
 import shutil
 import unittest
@@ -173,21 +172,22 @@ class Viscoelastic(RefusedInputTest, RanksTest):
             self.assertAlmostEqual(order, 2, delta=0.1, msg=(model, errors))
 
     def test_love_number_of_a_slow_tide(self):
-        """Kelvin's factor 19/2, and 25/2 of the pseudo-rigid ball. Inertia changes k2 by (w/w_2)^2 = 4e-4 at most."""
-        frequency, gamma, size = 0.05, 1.0, 1e-4
-        modulus = 1 + 0.5 * 1j * frequency * 20 / (1 + 1j * frequency * 20)
+        """Size and phase of the complex k2: Kelvin's factor 19/2, and 25/2 of the pseudo-rigid ball. benchmarks/rheology.py has other
+        rheologies and frequencies, and finite elements."""
+        frequency, gamma, size, tau = 0.01, 1.0, 1e-4, 100
+        modulus = 1 + 0.5 * 1j * frequency * tau / (1 + 1j * frequency * tau)
         for model, factor in (("reduced", 12.5), ("polynomial", 9.5)):
-            table = self.run_model({"Material/Branch moduli": 0.5, "Material/Branch times": 20, "Gravity/Gamma": gamma, "Polynomial/Degree": 3,
+            table = self.run_model({"Material/Branch moduli": 0.5, "Material/Branch times": tau, "Gravity/Gamma": gamma, "Polynomial/Degree": 3,
                                     "Loads/Tidal frequency": frequency, "Loads/Tidal amplitude": f"{size}, 0, 0; 0, {-size / 2}, 0; 0, 0, {-size / 2}",
-                                    "Loads/Rise time": 60, "Time/Tolerance": 1e-9, "Time/End": 60 + 4 * math.pi / frequency, "Output/Samples": 1200}, model)
+                                    "Loads/Rise time": 300, "Time/Method": "rattle", "Time/Step": 0.1, "Time/End": 300 + 6 * math.pi / frequency,
+                                    "Output/Samples": 8000, "Output/Report": "false"}, model)
             t, strain = np.array(table.column("time")), np.array(table.column("Q11")) - 1
-            late = t > 60 + 2 * math.pi / frequency - 1e-9
-            waves = np.stack([np.cos(frequency * t[late]), np.sin(frequency * t[late]), np.ones(late.sum())], axis=1)
+            late = t > 300 + 2 * math.pi / frequency
+            decay = (gamma + factor) / (gamma + 1.5 * factor) / tau  # gamma + factor (1 + 0.5 s tau/(1 + s tau)) = 0 for s = -decay
+            waves = np.stack([np.cos(frequency * t), np.sin(frequency * t), np.ones(len(t)), np.exp(-decay * t)], axis=1)[late]
             c, s = np.linalg.lstsq(waves, strain[late], rcond=None)[0][:2]
-            exact = -size / (0.8 * gamma + 0.8 * factor * modulus)  # e = -T/(0.8 gamma (1 + factor mu*/gamma))
-            response = complex(c, -s) / exact
-            self.assertAlmostEqual(abs(response), 1, delta=1e-3, msg=model)
-            self.assertAlmostEqual(cmath.phase(response), 0, delta=1e-3, msg=model)
+            response = complex(c, -s) / (-size / (0.8 * gamma + 0.8 * factor * modulus - frequency**2))
+            self.assertLess(abs(response - 1), 1e-5, model)  # 1e-6 was seen
 
     def test_large_viscosity_in_a_weak_tide(self):
         """w eta/mu = 100 and gamma = 1. The velocities are 1e-9, and self-gravity has the round-off 1e-16 of its forces, which
