@@ -53,7 +53,10 @@ function sceneSections() {
   const given = name => scene[name] !== undefined && scene[name] !== "";
   const zero = name => !given(name) || /^[0 ,;.]*$/.test(scene[name]);
   const asked = [["Models", "Models"], ["System", "System"], ["Analysis", "Analysis"]];
-  if (ball) asked.push(["Stored energy", "Material/Law"], ...["Material/Viscosity", "Material/Drag", "Gravity/Constant", "Gravity/Gamma", "Loads/Tidal matrix", "Loads/Acceleration", "Loads/Nominal traction"].filter(e => !zero(e)).map(e => [({"Gravity/Constant": "Gravitational constant", "Gravity/Gamma": "Self-gravity γ = ρgr/μ"})[e] || e.split("/")[1], e]));
+  const loads = Object.keys(scene).filter(e => /^(Loads|Companions)\//.test(e) && !/^(auto|false)$/.test(scene[e]));
+  if (ball) asked.push(["Stored energy", "Material/Law"], ...["Body/Semi-axes", "Body/Inertia", "Material/Viscosity", "Material/Drag", "Material/Branch moduli", "Material/Branch times", "Gravity/Constant", "Gravity/Gamma", ...loads]
+    .filter(e => !zero(e) && !(e === "Body/Semi-axes" && scene[e] === "1, 1, 1") && !(e === "Body/Inertia" && scene[e] === "auto"))
+    .map(e => [({"Gravity/Constant": "Gravitational constant", "Gravity/Gamma": "Self-gravity γ = ρgr/μ"})[e] || e.replace(/^(Loads|Material|Body)\//, "").replace("Companions/", "Companions: "), e]));
   if (ball && motion) asked.push(["Initial deformation Q₀", "Initial state/Deformation"], ["Initial velocity Q̇₀", "Initial state/Velocity"], ...["Initial state/Equilibrium"].filter(e => given(e) && scene[e] !== "none").map(e => ["Initial equilibrium", e]));
   if (!ball) asked.push(...Object.keys(scene).filter(e => e.toLowerCase().startsWith(`${scene.System}/`)).map(e => [e.split("/")[1], e]));
   if (ball && scene.Analysis === "equilibrium") asked.push(["Family", "Equilibrium/Family"], ["Parameter from", "Equilibrium/First"], ["to", "Equilibrium/Last"]);
