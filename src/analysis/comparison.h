@@ -91,13 +91,13 @@ struct Comparison {
   /// expression with the errors of the quadrature rules.
   ErrorBar error;
   std::optional<FrequencyRatio> ratio;  ///< empty if a model has no frequency, or follows a load
-  std::optional<double> exact_ratio;    ///< empty if the scene has none, if the body spins, or if Q̇ is not known
+  std::optional<double> exact_ratio;    ///< empty if the scene has none, if the body spins, or if its spin is not known
   /// n → phase_difference after n periods of the reference, for n = 1, 2, 5, 10, 20, 50 … within the run. The value is
   /// interpolated linearly between samples.
   std::map<int, double> phase_after_periods;
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine
                                                           ///< fraction of the kinetic energy K
-  std::optional<double> min_jacobian, max_volume_error;  ///< extremes over the samples of the reference
+  std::optional<double> min_jacobian, max_volume_error;  ///< least det F and largest |ln det F| of the reference
   std::optional<double> volume_error;        ///< largest root mean square of ln det F over the samples of the reference
   std::optional<double> surface_limit_time;  ///< as in ComparisonOptions; later results depend on the mesh
   std::vector<std::string> not_compared;  ///< quantities that a file lacks: "semi-axes (no column a1 in continuum.csv)"
@@ -112,9 +112,10 @@ struct Comparison {
   }
 };
 
-/// Compares the samples of two models. Throws UserError if a table is empty, the sample times differ or a value is not
-/// finite. If a table lacks the columns of a quantity, the comparison omits the quantity and lists it in
-/// `not_compared`. Dissipated energies, stretches and extremes of the volume are optional and are not listed.
+/// Compares the samples of two models. Throws UserError if a table is empty or has a value that is not finite. Also
+/// throws it if the numbers of samples differ, or if two sample times differ by more than 1e-9 of the mean interval. If
+/// a table lacks the columns of a quantity, the comparison omits the quantity and lists it in `not_compared`.
+/// Dissipated energies, stretches and extremes of the volume are optional and are not listed.
 Comparison compare(const ModelRunTable& model, const ModelRunTable& reference, const ComparisonOptions& options = {});
 
 }  // namespace pseudorigid::analysis

@@ -48,8 +48,8 @@ inline std::string unknown_parts(const ErrorBar& bar) {
   return fmt::format("errors in {} and {} not known", fmt::join(names, ", "), last);
 }
 
-/// Returns, for example, "fit 3e-03, time 2e-06, space not known". The text omits the fit and the quadrature if their
-/// errors are 0.
+/// Returns, for example, "fit 0.003, time 2e-06, space not known". The text omits the fit if its error is 0, and the
+/// quadrature if its error is 0.
 inline std::string parts_in_words(const ErrorBar& bar) {
   const auto part = [](const char* name, const std::optional<double>& value) {
     return value ? fmt::format("{} {}", name, printed_error(*value)) : fmt::format("{} not known", name);

@@ -25,7 +25,7 @@ struct ModelRunTable {
 };
 
 /// Summary of the motion of one model. A drift is the largest difference of a quantity from its initial value, relative
-/// to a reference value (energy_reference, momentum_reference).
+/// to a reference value (energy_reference, momentum_reference). A drift is empty if the table lacks its columns.
 struct ModelSummary {
   std::string name, adjective;
   FrequencyFit frequency;
@@ -144,8 +144,10 @@ struct SceneFacts {
 /// must have at least one sample.
 MotionSummary summarize_motion(const ModelRunTable& run, const SceneFacts& facts);
 
-/// Summary of the run of another system: the range of each column, and the relative drift of the energy. The table must
-/// have at least one sample.
+/// Summary of the run of another system: the range of each column except the time, and the drift of the energy. The
+/// drift is relative to the largest kinetic energy or the range of the potential energy, if this is larger. If both are
+/// round-off, it is relative to the largest potential energy. The drift is empty if all these values are 0, or if there
+/// is no column energy. The table must have at least one sample.
 MotionSummary summarize_system(const ModelRunTable& run);
 
 /// Text for the terminal: one quantity per line, with at most 12 ranges of columns.

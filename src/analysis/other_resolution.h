@@ -4,11 +4,11 @@
 
 namespace pseudorigid::analysis {
 
-/// Samples of the same scene on another discretisation in space, at the same times. The columns are the time and Q11 to
-/// Q33.
+/// Samples of a run of the scene on another discretisation in space than that of a given run (RunErrors::other), at the
+/// times of the given run. The columns are the time and Q11 to Q33.
 struct OtherResolution {
   io::Table samples;
-  double factor;  ///< ratio of the error in space to the difference of the two motions (space_error.h)
+  double factor;  ///< ratio of the given run's error in space to the difference of the two runs (space_error.h)
 };
 
 }  // namespace pseudorigid::analysis

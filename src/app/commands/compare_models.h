@@ -42,7 +42,8 @@ std::vector<analysis::Comparison> comparisons_of(const RunContext& context, std:
 
 /// Compares the runs that have an entry in the manifest. Writes the comparison files, and prints a table unless `quiet`
 /// is true. Logs a warning for each model whose energy changes too much. Does nothing for fewer than two runs, or fewer
-/// than two common samples. Returns the reason if printing fails, otherwise an empty string.
+/// than two common samples. Returns the reason if printing fails, otherwise an empty string. Throws UserError for the
+/// reasons of analysis::compare, and io::WriteError if a file cannot be written.
 std::string compare_models(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others,
                            bool quiet);
 

@@ -141,8 +141,9 @@ void open_continuum_for(const scene::ReadScene& read, int argc, char** argv, Pro
 }
 
 /// The command `run` on this rank. A scene without finite elements runs on the first rank, and the other ranks return
-/// at once. Returns the exit code. Throws UserError if the scene cannot run, and FailureOnAllRanks if it cannot run on
-/// one of several ranks, or if the ranks have different inputs.
+/// at once. Returns the exit code. Throws UserError if the scene cannot run, and mechanics::NoKernels if the processor
+/// cannot run the kernels. On several ranks, such an exception of one rank, or a difference of their inputs, throws
+/// FailureOnAllRanks.
 int run(const Options& options, int argc, char** argv, Process& process, const scene::Catalogue& catalogue) {
   Input input;
   on_all_ranks(*process.executable.ranks, [&] {

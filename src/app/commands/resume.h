@@ -16,8 +16,8 @@ std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory
 
 /// Sets the number of samples of a resumed scene, so that the interval between samples remains the interval of the
 /// earlier run. Time/End may be later than in the earlier run. Throws UserError if Time/End is earlier, has another
-/// sign, is not a multiple of the interval, or makes too many samples. If there is no checkpoint, or for a sweep, the
-/// scene does not change.
+/// sign, is not a multiple of the interval, or makes too many samples. Also throws it if the checkpoint or used.prm is
+/// damaged. If there is no checkpoint, or for a sweep, the scene does not change.
 void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory);
 
 /// Checks that every checkpoint in the directory is readable and belongs to this scene. Throws UserError if a

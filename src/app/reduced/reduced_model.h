@@ -244,7 +244,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   }
 
   /// Warns if Q moves from its start by at most ten times the error of Q, because velocities and energies are then not
-  /// resolved. Does not warn about a body at rest in equilibrium, or if the samples of Q are not known.
+  /// resolved. Does not warn about a body at rest in equilibrium, for fewer than two samples, or if earlier samples of
+  /// Q are not known.
   void warn_of_resolution(const io::Manifest::Model& statistics) const {
     if (!knows_motion_ || n_noted_ < 2) return;
     constexpr double well_above = 10, epsilon = std::numeric_limits<double>::epsilon();

@@ -23,7 +23,7 @@ struct ReducedScene {
   loads::Forcing forcing;  ///< loads that do not depend on time
   reduced::Dissipation dissipation;
   reduced::CenterOfMass center;
-  mechanics::VectorState<Eigen::Matrix3d> start;  ///< Q₀, Q̇₀
+  mechanics::VectorState<Eigen::Matrix3d> start;  ///< initial deformation Q₀ and its rate Q̇₀
   bool keeps_diagonal;                            ///< true if Q stays diagonal in a motion without contact
 };
 

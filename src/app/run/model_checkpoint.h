@@ -27,10 +27,10 @@ struct LooksAtFrequency {
 struct RunPosition {
   mechanics::Cursor cursor;
   mechanics::MethodId method = mechanics::id_of<mechanics::Rattle>;
-  double step = 0;                 ///< upper bound of the step in internal time; a method can divide the step
-  double local_tolerance = 0;      ///< tolerance per step of an adaptive method
-  long steps_in_interval = 0;      ///< planned number of steps from the last sample to the next; 0 at a sample
-  int halvings = 0;                ///< the steps in the present interval, or in the last one, are step / 2^halvings
+  double step = 0;             ///< upper bound of the step in internal time; a method can divide the step
+  double local_tolerance = 0;  ///< tolerance per step of an adaptive method
+  long steps_in_interval = 0;  ///< planned number of steps from the last sample to the next; 0 at a sample
+  int halvings = 0;            ///< the steps in the present interval, or in the last one, are at most step / 2^halvings
   int halvings_after_failure = 0;  ///< least number of halvings after a failed step; decreases by one per interval
   long n_repeated = 0;  ///< number of attempts to integrate an interval that were repeated with shorter steps
   long n_failed = 0;    ///< number of these attempts in which a step failed

@@ -122,9 +122,9 @@ int ModelStepping::halvings_within(double rattle_limit) const {
   return ratio > 1 ? std::min(most_halvings, static_cast<int>(std::ceil(std::log2(ratio)))) : 0;
 }
 
-/// Finds method and step by pilot runs. Fails if the stability limit cannot be computed, or after an interrupt. If no
-/// step fits the tolerance, chooses one by `fall_back` and does not fail. `error_so_far` is the time error of the
-/// earlier parts of the run; empty if it is not known.
+/// Finds method and step by pilot runs. Fails if the stability limit or a rate of damping cannot be computed, or after
+/// an interrupt. If no step fits the tolerance, chooses one by `fall_back` and does not fail. `error_so_far` is the
+/// time error of the earlier parts of the run; empty if it is not known.
 mechanics::Status ModelStepping::search(const std::optional<double>& error_so_far) {
   const double end = times_.end - time();
   mechanics::StepRequest request{.end = end,

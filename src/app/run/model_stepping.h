@@ -61,8 +61,8 @@ class ModelStepping {
   virtual mechanics::StepChoice choose_step(const mechanics::StepRequest& request) const = 0;
 
   /// Sets the method, the step and the local tolerance for the rest of the run. If the program searches for them, the
-  /// result of the search is written to the log and the statistics. Fails if the stability limit cannot be computed, or
-  /// if the search is interrupted.
+  /// result of the search is written to the log and the statistics. Fails if the stability limit or a rate of damping
+  /// cannot be computed, or if the search is interrupted.
   Status choose();
 
   /// True if the scene gives a step that does not exceed the present step.

@@ -37,8 +37,8 @@ inline double own_energy(const mechanics::Orbit& orbit, const Eigen::Matrix3d& S
 class CollisionWatch {
  public:
   /// Checks the state at the end of a step for a collision or a disruption. S is the second moment of the body, and s
-  /// has the coordinates of the companions. After a jump back in time, the step before t is not known, and only the
-  /// positions at t count.
+  /// has the coordinates of the companions. In the first call and after a jump back in time, the step before t is not
+  /// known, and only the positions at t count.
   ///
   /// Fails after a collision. A companion has then been nearer to the centre of the body, or to the other companion,
   /// than the longest semi-axis of the body.

@@ -20,8 +20,9 @@
 /// repeat the search.
 ///
 /// The run that wrote the results has the counters degree, refinements, estimated_space_error, relative_space_error and
-/// work. The counter search_work is the work of all other runs, and search_runs is the number of those that did not end
-/// early.
+/// work. The counter search_work is the work of all other runs. The counter search_runs is the number of other
+/// discretisations with a run that did not end early. If fewer than two runs reached their end, the two errors are
+/// missing.
 
 #include "analysis/space_error.h"
 #include "app/search/continuum_run.h"
@@ -34,8 +35,9 @@ class DiscretizationSearch {
  public:
   static constexpr const char* checkpoint_name = "discretization";
 
-  /// Prepares the search. If the context resumes an earlier run, loads the state of the search. Otherwise removes the
-  /// discretisations that do not fit in the memory from the ladder. Collective.
+  /// Prepares the search. If the context resumes an earlier run, loads the state of the search, if there is a
+  /// checkpoint of it. Otherwise ends the ladder before the first discretisation that does not fit in the memory.
+  /// Collective.
   DiscretizationSearch(const RunContext& context, ContinuumRun run);
   /// Runs the search. Returns the outcome of the run that wrote the results, or of an interrupted run. Collective.
   ModelOutcome run();
@@ -80,7 +82,9 @@ class DiscretizationSearch {
   bool settled_ = false;      ///< true if the present run is the final one and writes the results
   int n_failures_ = 0;        ///< number of successive runs, up to the last one, that ended early
   analysis::SpaceErrorLadder errors_;
-  double relative_to_largest_ = 0;          ///< ratio of the largest |Q − Q'|/|Q| to the largest entry of Q − Q'
+  /// Ratio of the largest |Q − Q'|/|Q| to the largest entry of |Q − Q'|, with Q' of the run before. It is 0 for the
+  /// first run, and if Q = Q'.
+  double relative_to_largest_ = 0;
   DeformationTrace trace_;                  ///< history of Q in the last run that reached its end
   DeformationTrace trace_before_;           ///< history of Q in the run before, among those that reached their end
   std::optional<Stepping> first_stepping_;  ///< method and step of the first run that reached its end

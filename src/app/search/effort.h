@@ -44,7 +44,8 @@ std::string in_bytes(double bytes);
 double stable_step(const scene::Scene& scene, const scene::Discretization& discretization);
 
 /// The result of scene::needs with lines about the size of the run, its steps and its time. If the scene's step is not
-/// stable, also adds a warning. There is no line for finite elements on a mesh file or without a fixed discretisation.
+/// stable, also adds a warning. For modes and Love numbers, adds only the size. There is no line for finite elements on
+/// a mesh file or without a fixed discretisation.
 scene::Needs needs_with_effort(const scene::Scene& scene);
 
 /// The reason why this machine cannot compute with a discretisation; empty if it can. One reason is lack of memory. The
