@@ -60,8 +60,8 @@ inline constexpr double incompressible_ball_ratio = 3.1622776601683795 / 2.66562
 struct ComparisonOptions {
   SceneFacts facts{};
   std::optional<double> exact_frequency_ratio{};  ///< exact ratio for small amplitudes; empty if it is not known
-  std::optional<double>
-      surface_limit_time{};  ///< time at which the surface of the reference reached Biot's limit; empty if it did not
+  std::optional<double> surface_limit_time{};     ///< first time at which the surface of the reference was unstable to
+                                                  ///< wrinkles (Biot's limit); empty if it was not
 };
 
 struct Series {
@@ -93,12 +93,15 @@ struct Comparison {
   std::optional<FrequencyRatio> ratio;  ///< empty if a model has no frequency, or follows a load
   std::optional<double> exact_ratio;    ///< empty if the scene has none, if the body spins, or if its spin is not known
   /// n → phase_difference after n periods of the reference, for n = 1, 2, 5, 10, 20, 50 … within the run. The value is
-  /// interpolated linearly between samples.
+  /// interpolated linearly between samples. The map is empty if there is no series phase_difference.
   std::map<int, double> phase_after_periods;
+  // The next four members are empty if the table of the reference lacks the columns of the non-affine motion. The first
+  // one also requires the column kinetic.
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine
                                                           ///< fraction of the kinetic energy K
   std::optional<double> min_jacobian, max_volume_error;  ///< least det F and largest |ln det F| of the reference
-  std::optional<double> volume_error;        ///< largest root mean square of ln det F over the samples of the reference
+  std::optional<double>
+      volume_error;  ///< root mean square of ln det F in the reference body, the largest over the samples
   std::optional<double> surface_limit_time;  ///< as in ComparisonOptions; later results depend on the mesh
   std::vector<std::string> not_compared;  ///< quantities that a file lacks: "semi-axes (no column a1 in continuum.csv)"
 

@@ -67,7 +67,8 @@ inline std::string in_short(const ErrorBar& bar) {
   return total ? " +- " + printed_error(*total) : fmt::format(" ({})", unknown_parts(bar));
 }
 
-/// Estimated errors of the samples of a run. An error is empty if it is not known.
+/// Estimated errors of the samples of a run. Q is the matrix of the affine part of the motion (comparison.h). An error
+/// is empty if it is not known.
 struct RunErrors {
   std::optional<double> time{};            ///< largest entry of the error of Q in time
   std::optional<double> space{};           ///< largest |δQ|/|Q|; 0 for a model without a discretisation in space

@@ -43,10 +43,11 @@ struct Line {
 /// this size can cause.
 struct FrequencyFit {
   std::vector<Line> lines;
-  std::string reason;       ///< for example "the signal is constant"; empty if there are lines
-  double mean = 0;          ///< mean of the samples
-  double residual_rms = 0;  ///< root mean square of the residual, in the unit of the signal
-  double cycles = 0;        ///< number of periods of the dominant line in the record
+  std::string reason;  ///< for example "the signal is constant"; empty if there are lines
+  double mean = 0;     ///< mean of the samples; 0 if they are fewer than 16 or not finite
+  /// Root mean square of the residual, in the unit of the signal; 0 if no first line was found.
+  double residual_rms = 0;
+  double cycles = 0;  ///< number of periods of the dominant line in the record; 0 if no first line was found
 
   explicit operator bool() const { return !lines.empty(); }
   const Line& dominant() const { return lines.front(); }

@@ -1,5 +1,6 @@
 #pragma once
-/// The error of a fitted frequency ω of a component of C = QᵀQ. It is the sum of four parts:
+/// The error of a fitted frequency ω of a component of C = QᵀQ, with the deformation Q (motion.h). It is the sum of
+/// four parts:
 ///
 ///   fit     The standard error of the fit (frequency.h). If the standard error on another discretisation is larger, it
 ///           is used instead. A coarse model has few lines, and its own standard error is too small for short records.

@@ -1,5 +1,7 @@
 #pragma once
-/// Summary of the run of one model: the frequency, the deformation and the drifts of the conserved quantities.
+/// Summary of the run of one model: the frequency, the deformation and the drifts of the conserved quantities. Q is the
+/// deformation of the pseudo-rigid body, or the matrix of the affine motion that is nearest to another motion. C = QᵀQ,
+/// and |·| is the Frobenius norm.
 
 #include <Eigen/Core>
 #include <initializer_list>

@@ -30,7 +30,7 @@ mechanics::Status figure_of_family(const scene::Scene& scene, scene::Family fami
 /// The name of the family's parameter in messages: "e", "a3/r", "spin" or "a2/a1".
 std::string parameter_name(scene::Family family);
 
-/// Replaces the entry Initial state/Equilibrium by explicit initial values
+/// Replaces the entry Initial state/Equilibrium by explicit initial values of the deformation Q and its rate,
 ///
 ///   Q₀ = D A,   Q̇₀ = D (ω̂A − AΛ̂) + V
 ///

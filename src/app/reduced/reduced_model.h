@@ -1,5 +1,6 @@
 #pragma once
-/// The pseudo-rigid body of a scene, in one of its forms (reduced_scene.h), as a model that ModelRun can integrate.
+/// The pseudo-rigid body x = QX of a scene, in one of its forms (reduced_scene.h), as a model that ModelRun can
+/// integrate. Here X is the reference position, and x is the position relative to the centre of mass.
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Conversion of a scene to a pseudo-rigid body in internal units, and choice of the form of the body that is
+/// Conversion of a scene to a pseudo-rigid body x = QX in internal units, and choice of the form of the body that is
 /// integrated.
 
 #include <optional>

@@ -14,7 +14,8 @@ ModelOutcome run_polynomial(const RunContext& context);
 /// Runs the system that the scene names, a row of the table in systems/table.h.
 ModelOutcome run_system(const RunContext& context);
 
-/// This function is defined only in libpseudorigid-continuum, which links deal.II (continuum_module.h).
+/// Runs the finite-element model: a motion, modes or Love numbers, as the scene requires. The function is defined only
+/// in libpseudorigid-continuum, which links deal.II (continuum_module.h).
 ModelOutcome run_continuum(const RunContext& context);
 
 }  // namespace pseudorigid::app

@@ -2,18 +2,18 @@
 /// Search for the cheapest discretisation whose estimated error in space is within Continuum/Tolerance.
 ///
 /// The program runs the scene on discretisations of increasing resolution, which are called the ladder
-/// (scene/discretization.h). The differences of Q between successive runs give the error of the last run and predict
-/// the error of the next run (analysis/space_error.h). If the predicted error of a run is at most twice the tolerance,
-/// the run writes its results. The last run of the ladder also does so. The other runs only give their history of Q. If
-/// the estimate after the run does not confirm the prediction, the search continues. The next run that writes its
-/// results then replaces the files.
+/// (scene/discretization.h). Let Q be the affine part of the motion, a 3×3 matrix. The differences of Q between
+/// successive runs give the error of the last run and predict the error of the next run (analysis/space_error.h). If
+/// the predicted error of a run is at most twice the tolerance, the run writes its results. The last run of the ladder
+/// also does so. The other runs only give their history of Q. If the estimate after the run does not confirm the
+/// prediction, the search continues. The next run that writes its results then replaces the files.
 ///
 /// Time errors must be much smaller than errors in space. A run that writes its results finds its own method and step.
 /// The tolerance of this run is the smaller of Time/Tolerance and a twentieth of Continuum/Tolerance. The first run
 /// that does not write finds its method and step for a twentieth of Continuum/Tolerance. Later runs that do not write
-/// use the same method, with a step inversely proportional to the resolution N. The highest frequencies ω of a shear
-/// front in Q are proportional to N, so hω remains constant. If the scene gives the step h, all runs use this step and
-/// have the same time error.
+/// use the same method, with a step h inversely proportional to the resolution N (scene/discretization.h). The highest
+/// frequencies ω of a shear front in Q are proportional to N, so hω remains constant. If the scene gives the step, all
+/// runs use this step and have the same time error.
 ///
 /// No decision depends on the clock, so all ranks of a parallel run decide alike. A checkpoint contains the errors and
 /// the last two histories of Q. A resumed search therefore does not repeat the runs, and a resumed final run does not

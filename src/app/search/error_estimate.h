@@ -4,9 +4,9 @@
 /// has a shorter step only if this step exceeds 0.8 of the companion's stability limit. The comparison of the models
 /// uses the motion of the companion to estimate the errors of other quantities.
 ///
-/// The counters are estimated_space_error, the largest error of an entry of Q, and relative_space_error, the error
-/// relative to |Q|. Further counters are companion_degree, companion_work, and for finite elements
-/// companion_refinements.
+/// Q is the affine part of the motion, a 3×3 matrix. The counters are estimated_space_error, the largest error of an
+/// entry of Q, and relative_space_error, the error relative to |Q|. Further counters are companion_degree,
+/// companion_work, and for finite elements companion_refinements.
 
 #include <functional>
 #include <string>
