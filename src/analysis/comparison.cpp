@@ -163,8 +163,8 @@ void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
 }
 
 /// True if the body spins. The norm of Q̇Qᵀ − QQ̇ᵀ or of QᵀQ̇ − Q̇ᵀQ then exceeds spin_threshold times the largest
-/// |Q||Q̇| at a sample. The axial vectors of these matrices are J/m̄ and Z/m̄, with the angular momentum J, the
-/// circulation Z and the factor m̄ in the kinetic energy ½m̄|Q̇|². The table must have the columns of Q and Q̇.
+/// |Q||Q̇| at a sample. Let J be the angular momentum, Z the circulation and m̄ the factor in the kinetic energy
+/// ½m̄|Q̇|². The axial vectors of the matrices are J/m̄ and Z/m̄. The table must have the columns of Q and Q̇.
 bool spins(const io::Table& table) {
   const auto Q = read<Matrix3d>(table, Q_columns), Qdot = read<Matrix3d>(table, Qdot_columns);
   double spin = 0, bound = 0;

@@ -36,16 +36,16 @@ struct Line {
 /// The lines of a fit, or the reason why the fit does not have lines. The first line was found at the highest peak of
 /// the periodogram. The other lines are sorted by decreasing amplitude.
 ///
-/// The standard errors of the frequencies are σ times the roots of the diagonal of S⁻¹, with the projected Gauss–Newton
-/// matrix S (line_model.h). If the residual is noise, σ is its standard deviation, but at least the round-off of the
-/// samples. If the residual still has a peak, for example of a line close to another line, σ is the norm of the whole
-/// residual. By the inequality of Cauchy and Schwarz, the standard error is then a bound of the error that a signal of
-/// this size can cause.
+/// The standard errors of the frequencies are σ times the roots of the diagonal of S⁻¹. Here S is the projected
+/// Gauss–Newton matrix (line_model.h). If the residual is noise, σ is its standard deviation, but at least the
+/// round-off of the samples. If the residual still has a peak, for example of a line close to another line, σ is the
+/// norm of the whole residual. By the inequality of Cauchy and Schwarz, the standard error is then a bound of the error
+/// that a signal of this size can cause.
 struct FrequencyFit {
   std::vector<Line> lines;
   std::string reason;  ///< for example "the signal is constant"; empty if there are lines
   double mean = 0;     ///< mean of the samples; 0 if they are fewer than 16 or not finite
-  /// Root mean square of the residual, in the unit of the signal; 0 if no first line was found.
+  /// Root mean square of the residual, in the unit of the signal. It is 0 if no first line was found.
   double residual_rms = 0;
   double cycles = 0;  ///< number of periods of the dominant line in the record; 0 if no first line was found
 

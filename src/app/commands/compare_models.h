@@ -1,8 +1,8 @@
 #pragma once
 /// The comparison of the models of a run. Each run is compared with the last one, whose model has the most degrees of
 /// freedom. For two runs the files are comparison.csv and comparison.json. For more runs, each comparison has two files
-/// with the name of its run, `comparison-<run>.csv` and `comparison-<run>.json`, and comparison.json is an overview. If
-/// a model runs alone, a summary is printed on the terminal.
+/// with the name of its run, `comparison-<run>.csv` and `comparison-<run>.json`. The file comparison.json is then an
+/// overview. If a model runs alone, a summary is printed on the terminal.
 
 #include <functional>
 #include <map>

@@ -44,8 +44,8 @@ class WrinklingWatch {
     if (remarks[2] != 0) first_ = remarks[1];
   }
 
-  /// Adds the counter of the least ratio of stretches, if it is below 1, and the counter of the time of the warning, if
-  /// there was one.
+  /// Adds the counter of the least ratio of stretches if this ratio is below 1. Adds the counter of the time of the
+  /// warning if there was a warning.
   void report(io::Manifest::Model& statistics) const {
     if (limit_ && least_ < 1) statistics.counters["least_surface_stretch_ratio"] = least_;
     if (first_) statistics.counters["surface_limit_time"] = *first_;

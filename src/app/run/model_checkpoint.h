@@ -1,7 +1,7 @@
 #pragma once
 /// Conversion between the state of a model's run and a checkpoint. The state consists of the time t, the positions q,
-/// the velocities v, and the memory that the method carries from step to step (mechanics/core/memory.h). With this
-/// memory, a resumed run gives the results of the uninterrupted run.
+/// the velocities v, and the memory of the method. The method carries this memory from step to step
+/// (mechanics/core/memory.h). With this memory, a resumed run gives the results of the uninterrupted run.
 
 #include <optional>
 #include <string>

@@ -47,7 +47,7 @@ class NonaffineWatch {
     if (remarks[2] != 0) first_ = remarks[1];
   }
 
-  /// Writes the largest displacement into the statistics and the log; does nothing for other bodies.
+  /// Writes the largest displacement into the statistics and the log. Does nothing if the exact motion is not affine.
   void report(io::Manifest::Model& statistics) const {
     if (!watches_) return;
     statistics.counters["nonaffine_displacement_at_most"] = largest_;

@@ -11,8 +11,8 @@
 
 namespace pseudorigid::app {
 
-/// A matrix with the three columns of the deformation Q and a column r_i/|r_i(0)| for each companion i, with its
-/// position r_i relative to the body. Time/Tolerance bounds the error of these columns.
+/// A matrix with the three columns of the deformation Q and a column r_i/|r_i(0)| for each companion i. Here r_i is the
+/// position of the companion relative to the body. Time/Tolerance bounds the error of these columns.
 inline Eigen::MatrixXd with_companions(const Eigen::Matrix3d& Q, const mechanics::Orbit& orbit,
                                        const mechanics::Orbit::Columns& s) {
   Eigen::MatrixXd columns(3, 3 + orbit.n());
