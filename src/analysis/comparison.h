@@ -21,7 +21,7 @@
 ///   elastic_difference,
 ///   energy_difference           (E_c − E_r) / E₀,  with the reference value E₀ of energy_reference (motion.h). It is
 ///                               usually max_t (kinetic + elastic) of the model with more energy. If nothing moves,
-///                               E₀ is the largest of the other energies.
+///                               E₀ is the largest of the other energies, or the unit of energy if they are 0.
 ///   dissipated_difference       (D_c − D_r) / max_t D,  with the dissipated energy D of the model that dissipates more.
 ///                               It exists if a model dissipates energy.
 ///   max_stretch_difference,

@@ -128,9 +128,9 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   return true;
 }
 
-/// Adds lines until the residual is round-off, the first frequency has the required precision, or no further line
-/// reduces its error. Then refines all frequencies, unless this doubles the error of the first frequency. Returns the
-/// quality of the model.
+/// Adds lines until the residual is round-off, the first frequency has the required precision, or no further line is
+/// permitted or reduces its error. Then refines all frequencies, unless this doubles the error of the first frequency.
+/// Returns the quality of the model.
 Assessment complete_lines(LineModel& model, double size, const FrequencyOptions& options) {
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * size;
   const std::size_t all = std::size_t(options.max_lines);

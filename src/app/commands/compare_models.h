@@ -16,8 +16,8 @@
 
 namespace pseudorigid::app {
 
-/// Maps the name of a model to its motion on another discretisation. The difference between both motions gives the
-/// errors in space of all compared quantities.
+/// Maps the name of a model to its motion on another discretisation. The difference between the frequencies of both
+/// motions gives the error in space of the frequency.
 using OtherResolutions = std::map<std::string, analysis::OtherResolution, std::less<>>;
 
 /// A run of a model, with the table of its samples.

@@ -26,8 +26,9 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory);
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene);
 
 /// Checks the files to which a resumed run appends, before the run writes to any of these files. Throws UserError if a
-/// list of pictures, a table of samples or a table of shapes is damaged. A damaged table has text in place of numbers,
-/// or fewer rows than it must have. Does nothing for sweeps and for analyses other than a motion.
+/// table of samples is missing. Also throws it if a list of pictures, a table of samples or a table of shapes is
+/// damaged. A damaged table has text in place of numbers, or fewer rows than it must have. Does nothing for sweeps and
+/// for analyses other than a motion.
 void require_sound_files(const io::RunDirectory& directory, const scene::Scene& scene, const scene::Needs& needs);
 
 }  // namespace pseudorigid::app

@@ -75,8 +75,8 @@ int end_run(mechanics::Outcome outcome, int exit_code, const std::string& messag
   return exit_code;
 }
 
-/// Runs the system or the models, compares them, and prints the results. If a model does not finish, the later ones do
-/// not run. Returns the exit code.
+/// Runs the system or the models, compares them, and prints the results unless `quiet` is true. If a model does not
+/// finish, the later ones do not run. A run whose results cannot be printed counts as failed. Returns the exit code.
 int run_models(const RunContext& context, const Executable& executable, io::ManifestFile& manifest, bool quiet) {
   using enum mechanics::Outcome;
   ModelOutcome last;

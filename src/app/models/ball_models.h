@@ -30,7 +30,7 @@ struct BallModel {
   RunTogether together;  ///< null if the runs of a sweep are computed one by one
 };
 
-/// The pseudo-rigid model, polynomial bodies and the finite-element model.
+/// The descriptions of the pseudo-rigid model, the polynomial bodies and the finite-element model.
 BallModel reduced_model();
 BallModel polynomial_model();
 BallModel continuum_model();

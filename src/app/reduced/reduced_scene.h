@@ -24,7 +24,7 @@ struct ReducedScene {
   reduced::Dissipation dissipation;
   reduced::CenterOfMass center;
   mechanics::VectorState<Eigen::Matrix3d> start;  ///< initial deformation Q₀ and its rate Q̇₀
-  bool keeps_diagonal;                            ///< true if Q stays diagonal in a motion without contact
+  bool keeps_diagonal;  ///< true if Q stays diagonal in a motion without planes and companions
 };
 
 /// Converts a scene. If the body is incompressible, loads that only change its volume are removed.

@@ -84,7 +84,7 @@ class FieldModel : public RunnableModelOf<S> {
     }
     return start;
   }
-  /// The body at rest, pressed into the nearest plane by the depth of its first contact.
+  /// The body without velocity, pressed into the nearest plane by the estimated depth of its first contact (flight.h).
   State in_contact(const State& state) const final {
     State pressed = start_of_pilot(state);
     const loads::Contact now = this->system().contact(pressed.t, pressed.q);

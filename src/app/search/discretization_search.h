@@ -50,14 +50,16 @@ class DiscretizationSearch {
   bool writes() const;
   /// Runs the present discretisation. `trace` receives its history of Q.
   ModelOutcome run_rung(DeformationTrace& trace);
-  /// Method and step of a run that does not write; empty for the first one, which finds them itself.
+  /// Method and step of a run that does not write. Empty if no run has reached its end, because the run then finds them
+  /// itself.
   std::optional<Stepping> silent_stepping() const;
   /// Adds the present run to the series of errors. If the run ended early, only counts the failure.
   void note(const ModelOutcome& outcome, DeformationTrace trace);
   /// True if the present run is the final one.
   bool settles() const;
   /// Adds the counters of the search to the outcome, and logs the estimated error. Also adds the history of Q of the
-  /// previous run that reached its end.
+  /// previous run that reached its end. If fewer than two runs have reached their end, adds only the counters of the
+  /// discretisation and of the work.
   void report(ModelOutcome& outcome) const;
   // The next three functions are collective.
   void start_afresh() const;
