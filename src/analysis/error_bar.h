@@ -70,9 +70,10 @@ inline std::string in_short(const ErrorBar& bar) {
 /// Estimated errors of the samples of a run. Q is the matrix of the affine part of the motion (comparison.h). An error
 /// is empty if it is not known.
 struct RunErrors {
-  std::optional<double> time{};            ///< largest entry of the error of Q in time
-  std::optional<double> space{};           ///< largest |δQ|/|Q|; 0 for a model without a discretisation in space
-  std::optional<double> quadrature = 0;    ///< largest entry of the error of Q due to the quadrature
+  std::optional<double> time{};   ///< largest entry of the error of Q in time
+  std::optional<double> space{};  ///< largest |δQ|/|Q|; 0 for a model without a discretisation in space
+  std::optional<double> quadrature =
+      0;  ///< largest entry of the error of Q due to the quadrature; 0 if it is a part of `space`
   const OtherResolution* other = nullptr;  ///< the same motion on another discretisation; null if there is none
 };
 

@@ -82,7 +82,8 @@ std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degre
 /// The quality of a model, computed from its residual.
 struct Assessment {
   std::vector<double> peaks;  ///< peaks of the periodogram of the residual
-  double deviation;    ///< σ of FrequencyFit; the free frequency Ω_b has the standard error σ √((S⁻¹)_bb)
+  /// σ of FrequencyFit. The free frequency Ω_b has the standard error σ √((S⁻¹)_bb), with S of line_model.h.
+  double deviation;
   double first_error;  ///< standard error of the first frequency Ω
 };
 

@@ -12,11 +12,11 @@
 /// peak near a multiple kω₀ is constrained to ω = kω₀. All harmonics of an anharmonic motion then determine its
 /// fundamental frequency. The constraint is removed if the residual has a further peak close to kω₀.
 ///
-/// The fit has the following limits. The record must contain at least one period. A new line is at least two resolution
-/// widths 2π/T from other lines, with the length T of the record. A closer line is admitted only if it explains the
-/// whole residual, because a modulated or damped line also resembles several close lines. A line at a multiple of ω₀
-/// may be closer too. Frequencies are below the Nyquist frequency. The fit cannot detect that a frequency is an alias
-/// of a higher frequency.
+/// The fit has the following limits. The record must contain at least 16 samples and one period. A new line is at least
+/// two resolution widths 2π/T from other lines, with the length T of the record. A closer line is admitted only if it
+/// explains the whole residual, because a modulated or damped line also resembles several close lines. A line at a
+/// multiple of ω₀ may be closer too. Frequencies are below the Nyquist frequency. The fit cannot detect that a
+/// frequency is an alias of a higher frequency.
 
 #include <optional>
 #include <span>

@@ -39,7 +39,7 @@ struct ModelSummary {
   bool deforms = false;          ///< true if strain_amplitude > resolution · max_t |C|
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
   double energy_bound = 0;  ///< largest change of the energy without a warning, relative to the reference value
-  std::optional<double> energy_beyond_since{};  ///< first time at which the energy has changed by more than this bound
+  std::optional<double> energy_beyond_since{};  ///< first time of a change beyond this bound; empty if there is none
   long n_failed_intervals = 0;                  ///< as in ModelRunTable
 };
 
@@ -129,7 +129,8 @@ struct MotionSummary {
   std::string signal;               ///< component of C with the largest variance, for example "C33"
   std::vector<ColumnRange> ranges;  ///< ranges of the columns for the terminal (terminal_table shows the first 12)
   std::optional<double>
-      mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK, with η_K the non-affine fraction of the kinetic energy K
+      mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine fraction of the
+                                        ///< kinetic energy K; empty if the table lacks a column
 };
 
 /// Data from the scene that the summary of a run needs.

@@ -17,7 +17,7 @@ namespace pseudorigid::app {
 /// instructions of the kernels, the function that opens the finite-element library, and the ranks.
 struct Executable {
   std::vector<BallModel> models;                   ///< all models that scenes may name, in the order of the catalogue
-  std::map<std::string, std::string> libraries{};  ///< name → version, for the manifest
+  std::map<std::string, std::string> libraries{};  ///< maps the name of a library to its version, for the manifest
   /// Returns the SIMD instructions of the kernels, or "" if there are no kernels. Throws mechanics::NoKernels if the
   /// processor cannot run the kernels, or if the requested build of the kernels does not exist.
   std::string_view (*instructions)() = [] { return std::string_view(); };

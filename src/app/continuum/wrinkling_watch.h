@@ -53,7 +53,7 @@ class WrinklingWatch {
 
  private:
   const RunContext& context_;
-  std::optional<double> limit_;  ///< limit of the law; if empty, nothing is checked
+  std::optional<double> limit_;  ///< limit of the ratio of stretches for the law; if empty, nothing is checked
   double least_ = 1;  ///< least ratio of the stretch along the surface to the stretch along the normal, so far
   std::optional<double> first_;  ///< time of the warning in the user's units; empty before it
 };

@@ -218,8 +218,9 @@ void ModelStepping::fall_back(const mechanics::StepChoice& choice, const mechani
                      is_adaptive(position_.method) ? position_.local_tolerance : position_.step * context_.units.time);
 }
 
-/// Sets the method and step of a successful search. Adds its force evaluations and its estimated time error to the
-/// statistics, and logs the choice.
+/// Sets the method and step of a successful search, and logs the choice. Adds the force evaluations of the search to
+/// the statistics. The time error of the run becomes the sum of `error_so_far` and the estimated error; it stays empty
+/// if `error_so_far` is empty.
 void ModelStepping::take(const mechanics::StepChoice& choice, const std::optional<double>& error_so_far) {
   position_.method = choice.method;
   position_.step = choice.step;
