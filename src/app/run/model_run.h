@@ -138,7 +138,7 @@ class ModelRun final : public ModelRunBase {
     if (position_.steps_in_interval > 0) return position_.steps_in_interval;
     if (adapts() && k >= position_.looks.next) reconsider();
     if (repeats_intervals()) {
-      if (!kept_volume_) kept_volume_ = look_at(state);  // after a resumption
+      if (!kept_volume_) kept_volume_ = look_at(state);  // not known after a resumption
       position_.halvings =
           std::max({least_halvings_, position_.halvings_after_failure, halvings_at(state, *kept_volume_)});
     }

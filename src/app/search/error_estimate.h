@@ -18,10 +18,10 @@ namespace pseudorigid::app {
 
 /// A discretisation and its companion.
 struct CompanionPair {
-  std::string_view model;
-  double resolution, resolution_of_companion;
-  std::string companion;  ///< description of the companion for messages
-  double rate;            ///< rate p at which the error of Q decreases with the resolution (analysis/space_error.h)
+  std::string_view model;                      ///< name of the model for messages
+  double resolution, resolution_of_companion;  ///< resolution of each run, N in analysis/space_error.h
+  std::string companion;                       ///< description of the companion for messages
+  double rate;  ///< rate p at which the error of Q decreases with the resolution (analysis/space_error.h)
   /// Rate for the error of the frequency. A smaller rate gives larger estimates, so this rate is a lower bound of the
   /// usual rates.
   double least_rate;
