@@ -10,7 +10,7 @@
 ///   for every m but the last
 ///                m_frequency_ratio, m_frequency_ratio_error, m_tenth_of_period_after, m_phase_after_1_period,
 ///                m_phase_after_10_periods, m_phase_difference_max, m_q_difference_error, and m_c_max, m_c_rms for
-///                every column c of comparison.csv that compares the two models;
+///                every other column c of comparison.csv that compares the two models;
 ///   for the last model  nonaffine_kinetic_fraction (mean), nonaffine_displacement (largest), min_jacobian,
 ///                volume_error (largest), and surface_limit_time (first time at which the surface reaches Biot's
 ///                limit).

@@ -1,5 +1,5 @@
 #pragma once
-/// The entry point of the program, and the models that the program can run.
+/// The entry point of the program, and the parts of the program that differ between executables.
 
 #include <algorithm>
 #include <map>

@@ -14,8 +14,8 @@
 /// warns. A checkpoint contains this degree, so that a resumed run does not repeat the search. An interrupted search
 /// starts again. The tolerance of the error in time is at most a twentieth of Polynomial/Tolerance.
 ///
-/// If other models are compared with a body of given degree, a companion run estimates the error of this body. The
-/// companion has another degree (search/error_estimate.h).
+/// A body of given degree can be the reference of a comparison. If the scene then requests error estimates, a companion
+/// run of another degree estimates the error of this body (search/error_estimate.h).
 ///
 /// A search or a companion run adds the counters estimated_space_error (the error of an entry of Q) and
 /// relative_space_error (the error relative to |Q|). A search also adds search_runs, the number of its runs, and

@@ -1,5 +1,6 @@
 #pragma once
-/// Companions (mechanics/core/orbit.h) in the run of a model.
+/// Companions, which are point masses in orbit with the body (mechanics/core/orbit.h), in the run of a model. This file
+/// has their columns of the configuration, and detects collisions and disruptions.
 
 #include <Eigen/Dense>
 #include <optional>

@@ -1,5 +1,5 @@
 #pragma once
-/// Functions that run the model of a scene, one for each kind of model.
+/// Functions that run a model of the ball or another system, one for each kind of model.
 
 #include "app/run/run_context.h"
 

@@ -76,7 +76,7 @@ class DiscretizationSearch {
 
   const RunContext& context_;
   ContinuumRun run_;
-  scene::Scene written_scene_, silent_scene_;  ///< the scene with the time tolerance of each kind of run
+  scene::Scene written_scene_, silent_scene_;  ///< scene of runs that write results, and of the others
   std::vector<scene::Discretization> ladder_;
 
   // These members are the contents of the checkpoint.
