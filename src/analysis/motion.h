@@ -148,9 +148,9 @@ struct SceneFacts {
 MotionSummary summarize_motion(const ModelRunTable& run, const SceneFacts& facts);
 
 /// Summary of the run of another system: the range of each column except the time, and the drift of the energy. The
-/// drift is relative to the largest kinetic energy or the range of the potential energy, if this is larger. If both are
-/// round-off, it is relative to the largest potential energy. The drift is empty if all these values are 0, or if there
-/// is no column energy. The table must have at least one sample.
+/// drift is relative to the larger one of the largest kinetic energy and the range of the potential energy. If both are
+/// round-off, the drift is relative to the largest potential energy. The drift is empty if all these values are 0, or
+/// if there is no column energy. The table must have at least one sample.
 MotionSummary summarize_system(const ModelRunTable& run);
 
 /// Text for the terminal: one quantity per line, with at most 12 ranges of columns.

@@ -219,8 +219,8 @@ void ModelStepping::fall_back(const mechanics::StepChoice& choice, const mechani
 }
 
 /// Sets the method and step of a successful search, and logs the choice. Adds the force evaluations of the search to
-/// the statistics. The time error of the run becomes the sum of `error_so_far` and the estimated error; it stays empty
-/// if `error_so_far` is empty.
+/// the statistics. The time error of the run becomes the sum of `error_so_far` and the estimated error. If
+/// `error_so_far` is empty, the time error remains empty.
 void ModelStepping::take(const mechanics::StepChoice& choice, const std::optional<double>& error_so_far) {
   position_.method = choice.method;
   position_.step = choice.step;
