@@ -76,7 +76,9 @@ void check_tables(const ModelRunTable& model, const ModelRunTable& reference) {
                     model.name, r.n_rows(), reference.name, c.n_rows()));
 }
 
-/// The sample times of both tables. Throws UserError if they differ by more than 1e-9 of the interval between samples.
+/// The sample times of both tables. Throws UserError if a table is empty or has a value that is not finite. Also throws
+/// it if the numbers of samples differ, or if two sample times differ by more than 1e-9 of the mean interval between
+/// samples.
 std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable& reference) {
   check_tables(model, reference);
   constexpr double tolerance = 1e-9;
@@ -161,8 +163,8 @@ void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
 }
 
 /// True if the body spins. The norm of Q̇Qᵀ − QQ̇ᵀ or of QᵀQ̇ − Q̇ᵀQ then exceeds spin_threshold times the largest
-/// |Q||Q̇| at a sample. The axial vectors of these matrices are J/m̄ and Z/m̄, with m̄ of motion.h. The table must have
-/// the columns of Q and Q̇.
+/// |Q||Q̇| at a sample. Let J be the angular momentum, Z the circulation and m̄ the factor in the kinetic energy
+/// ½m̄|Q̇|². The axial vectors of the matrices are J/m̄ and Z/m̄. The table must have the columns of Q and Q̇.
 bool spins(const io::Table& table) {
   const auto Q = read<Matrix3d>(table, Q_columns), Qdot = read<Matrix3d>(table, Qdot_columns);
   double spin = 0, bound = 0;
@@ -174,7 +176,8 @@ bool spins(const io::Table& table) {
   return spin > spin_threshold * bound;
 }
 
-/// Adds the series of Q and C, their error, and the frequencies.
+/// Adds the series of Q and C, their error, the frequencies and the exact ratio. If a table lacks a column of Q, only
+/// adds an entry to `not_compared`.
 void compare_states(Workshop& w) {
   if (!w.available("deformation and frequency", Q_columns)) return;
   Comparison& out = w.out;
@@ -191,7 +194,7 @@ void compare_states(Workshop& w) {
   };
   out.error.time = of_both(&RunErrors::time);
   out.error.quadrature = of_both(&RunErrors::quadrature);
-  // If neither ball moves, the divisors are the resolution times |Q| or |C|.
+  // If neither ball moves, the divisors are the resolution times |Q| or |C| of model r at the first sample.
   const double departure = std::max({out.model.departure, out.reference.departure, resolution * r.Q[0].norm()});
   const double amplitude =
       std::max({out.model.strain_amplitude, out.reference.strain_amplitude, resolution * r.C[0].norm()});
@@ -242,7 +245,8 @@ void compare_stretches(Workshop& w) {
 
 using Drift = std::optional<double> ModelSummary::*;
 
-/// Adds the series of an angular momentum or a circulation, and sets the drifts of both models.
+/// Adds the series of an angular momentum or a circulation, and sets the drifts of both models. If a table lacks one of
+/// the columns, only adds an entry to `not_compared`.
 void compare_momentum(Workshop& w, const std::string& name, const Columns& columns, Drift drift_of) {
   if (!w.available(name == "circulation" ? "circulation" : "angular momentum", columns)) return;
   const auto r = read<Vector3d>(w.r, columns), c = read<Vector3d>(w.c, columns);
@@ -267,7 +271,8 @@ void compare_multipliers(Workshop& w) {
   w.add("multiplier_difference", std::max(largest(r), largest(c)), each(std::minus{}, c, r));
 }
 
-/// Adds the non-affine part of the motion and the extremes of the volume from the table of the reference.
+/// Adds the non-affine part of the motion and the extremes of the volume from the table of the reference. If the table
+/// lacks a column of the non-affine part, only adds an entry to `not_compared`.
 void report_nonaffine_motion(Workshop& w) {
   const Columns columns{"nonaffine_kinetic_fraction", "nonaffine_displacement"};
   if (!w.has(w.c, w.out.reference, "non-affine motion", columns)) return;

@@ -21,7 +21,7 @@
 ///   elastic_difference,
 ///   energy_difference           (E_c − E_r) / E₀,  with the reference value E₀ of energy_reference (motion.h). It is
 ///                               usually max_t (kinetic + elastic) of the model with more energy. If nothing moves,
-///                               E₀ is the largest of the other energies.
+///                               E₀ is the largest of the other energies, or the unit of energy if they are 0.
 ///   dissipated_difference       (D_c − D_r) / max_t D,  with the dissipated energy D of the model that dissipates more.
 ///                               It exists if a model dissipates energy.
 ///   max_stretch_difference,
@@ -60,8 +60,8 @@ inline constexpr double incompressible_ball_ratio = 3.1622776601683795 / 2.66562
 struct ComparisonOptions {
   SceneFacts facts{};
   std::optional<double> exact_frequency_ratio{};  ///< exact ratio for small amplitudes; empty if it is not known
-  std::optional<double>
-      surface_limit_time{};  ///< time at which the surface of the reference reached Biot's limit; empty if it did not
+  std::optional<double> surface_limit_time{};     ///< first time at which the surface of the reference was unstable to
+                                                  ///< wrinkles (Biot's limit); empty if it was not
 };
 
 struct Series {
@@ -91,14 +91,17 @@ struct Comparison {
   /// expression with the errors of the quadrature rules.
   ErrorBar error;
   std::optional<FrequencyRatio> ratio;  ///< empty if a model has no frequency, or follows a load
-  std::optional<double> exact_ratio;    ///< empty if the scene has none, if the body spins, or if Q̇ is not known
+  std::optional<double> exact_ratio;    ///< empty if the scene has none, if the body spins, or if its spin is not known
   /// n → phase_difference after n periods of the reference, for n = 1, 2, 5, 10, 20, 50 … within the run. The value is
-  /// interpolated linearly between samples.
+  /// interpolated linearly between samples. The map is empty if there is no series phase_difference.
   std::map<int, double> phase_after_periods;
+  // The next four members are empty if the table of the reference lacks the columns of the non-affine motion. The first
+  // one also requires the column kinetic.
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine
                                                           ///< fraction of the kinetic energy K
-  std::optional<double> min_jacobian, max_volume_error;  ///< extremes over the samples of the reference
-  std::optional<double> volume_error;        ///< largest root mean square of ln det F over the samples of the reference
+  std::optional<double> min_jacobian, max_volume_error;  ///< least det F and largest |ln det F| of the reference
+  std::optional<double>
+      volume_error;  ///< root mean square of ln det F in the reference body, the largest over the samples
   std::optional<double> surface_limit_time;  ///< as in ComparisonOptions; later results depend on the mesh
   std::vector<std::string> not_compared;  ///< quantities that a file lacks: "semi-axes (no column a1 in continuum.csv)"
 
@@ -112,9 +115,10 @@ struct Comparison {
   }
 };
 
-/// Compares the samples of two models. Throws UserError if a table is empty, the sample times differ or a value is not
-/// finite. If a table lacks the columns of a quantity, the comparison omits the quantity and lists it in
-/// `not_compared`. Dissipated energies, stretches and extremes of the volume are optional and are not listed.
+/// Compares the samples of two models. Throws UserError if a table is empty or has a value that is not finite. Also
+/// throws it if the numbers of samples differ, or if two sample times differ by more than 1e-9 of the mean interval. If
+/// a table lacks the columns of a quantity, the comparison omits the quantity and lists it in `not_compared`.
+/// Dissipated energies, stretches and extremes of the volume are optional and are not listed.
 Comparison compare(const ModelRunTable& model, const ModelRunTable& reference, const ComparisonOptions& options = {});
 
 }  // namespace pseudorigid::analysis

@@ -91,8 +91,8 @@ std::string roughly(double percent) {
   return percent <= 9 ? printed_error(percent) : fmt::format("{:.0f}", std::ceil(percent));
 }
 
-/// The percentage of a value, for example "18.6". If the uncertainty affects the three printed digits, the text is
-/// "18.6 +- 0.4".
+/// The value as a percentage with three significant digits, for example "18.6" for 0.186. If the uncertainty exceeds
+/// 0.5 % of the value, the text also has the uncertainty, for example "18.6 +- 0.4".
 std::string percent(double value, double uncertainty) {
   const double p = 100 * value, u = 100 * uncertainty;
   return u > 0.005 * std::abs(p) ? fmt::format("{:.3g} +- {}", p, roughly(u)) : fmt::format("{:.3g}", p);
@@ -171,8 +171,10 @@ std::string motion_clause(const Comparison& c) {
                      r.frequency.reason, e.adjective, e.frequency.reason);
 }
 
-/// The clause about the difference of the deformations. It gives the first time at which the difference reaches the
-/// amplitude, if there is such a time.
+/// The clause about the difference of the deformations. If the deformations are identical, the clause states this. If
+/// neither body deforms, it gives the largest relative difference of Q. Otherwise it gives the first time at which the
+/// difference of C reaches the amplitude of C. If there is no such time, it gives the largest difference of C and its
+/// time.
 std::string difference_clause(const Comparison& c) {
   const Series &q = *c.find("q_difference"), &strain = *c.find("strain_difference");
   if (q.max == 0) return "their deformations are identical";

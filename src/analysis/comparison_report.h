@@ -14,18 +14,17 @@ namespace pseudorigid::analysis {
 /// The table comparison.csv, with the time and every series.
 io::Table comparison_table(const Comparison& comparison);
 
-/// The content of comparison.json. For each series, the file contains the maximum, the time of the maximum, the RMS and
-/// the reference value. The file also contains the summary sentence, the frequencies, the drifts and the missing
-/// quantities.
+/// The content of comparison.json: all results of the comparison and the summary sentence, but not the values of the
+/// series. For each series, it has the maximum, the time of the maximum, the RMS and the reference value.
 nlohmann::ordered_json comparison_json(const Comparison& comparison);
 
 /// Writes the table and the JSON into `folder`, as `<name>.csv` and `<name>.json`. Throws io::WriteError if a file
 /// cannot be written.
 void write_comparison(const std::filesystem::path& folder, const std::string& name, const Comparison& comparison);
 
-/// Print the comparisons of several models with the same reference. `overview` returns text for the terminal with one
-/// line for each model. `overview_json` returns the summary sentence, the model difference and the frequency ratio of
-/// each model. The list must not be empty.
+/// Print the comparisons of several models with the same reference. `overview` returns text for the terminal, a heading
+/// and one line for each model. `overview_json` returns the summary sentence, the model difference and the frequency
+/// ratio of each model. The list must not be empty.
 std::string overview(const std::vector<Comparison>& comparisons);
 nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons);
 
@@ -34,8 +33,8 @@ std::string summary_sentence(const Comparison& comparison);
 
 /// Returns, for example, "model difference 0.0123 +- 0.0004 (discretisation error, estimated: time 2e-06, space
 /// 0.0004)". The difference is the largest q_difference. A remark is added if the error is at least as large as the
-/// difference. If a part of the error is not known, the text names this part instead of the error. Requires
-/// `has_state`.
+/// difference. If a part of the error is not known, the text names this part instead of the error and its parts.
+/// Requires `has_state`.
 std::string model_difference(const Comparison& comparison);
 
 /// Returns, for example, "ratio of the frequencies 1.186319 +- 3e-05 (fit 2e-07, time 2e-05, space 1e-05)". Requires

@@ -82,7 +82,8 @@ std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degre
 /// The quality of a model, computed from its residual.
 struct Assessment {
   std::vector<double> peaks;  ///< peaks of the periodogram of the residual
-  double deviation;    ///< σ of FrequencyFit; the free frequency Ω_b has the standard error σ √((S⁻¹)_bb)
+  /// σ of FrequencyFit. The free frequency Ω_b has the standard error σ √((S⁻¹)_bb), with S of line_model.h.
+  double deviation;
   double first_error;  ///< standard error of the first frequency Ω
 };
 
@@ -128,9 +129,9 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   return true;
 }
 
-/// Adds lines until the residual is round-off, the first frequency has the required precision, or no further line
-/// reduces its error. Then refines all frequencies, unless this doubles the error of the first frequency. Returns the
-/// quality of the model.
+/// Adds lines until the residual is round-off, the first frequency has the required precision, or no further line is
+/// permitted or reduces its error. Then refines all frequencies, unless this doubles the error of the first frequency.
+/// Returns the quality of the model.
 Assessment complete_lines(LineModel& model, double size, const FrequencyOptions& options) {
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * size;
   const std::size_t all = std::size_t(options.max_lines);

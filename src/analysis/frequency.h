@@ -12,11 +12,11 @@
 /// peak near a multiple kω₀ is constrained to ω = kω₀. All harmonics of an anharmonic motion then determine its
 /// fundamental frequency. The constraint is removed if the residual has a further peak close to kω₀.
 ///
-/// The fit has the following limits. The record must contain at least one period. A new line is at least two resolution
-/// widths 2π/T from other lines, with the length T of the record. A closer line is admitted only if it explains the
-/// whole residual, because a modulated or damped line also resembles several close lines. A line at a multiple of ω₀
-/// may be closer too. Frequencies are below the Nyquist frequency. The fit cannot detect that a frequency is an alias
-/// of a higher frequency.
+/// The fit has the following limits. The record must contain at least 16 samples and one period. A new line is at least
+/// two resolution widths 2π/T from other lines, with the length T of the record. A closer line is admitted only if it
+/// explains the whole residual, because a modulated or damped line also resembles several close lines. A line at a
+/// multiple of ω₀ may be closer too. Frequencies are below the Nyquist frequency. The fit cannot detect that a
+/// frequency is an alias of a higher frequency.
 
 #include <optional>
 #include <span>
@@ -36,17 +36,18 @@ struct Line {
 /// The lines of a fit, or the reason why the fit does not have lines. The first line was found at the highest peak of
 /// the periodogram. The other lines are sorted by decreasing amplitude.
 ///
-/// The standard errors of the frequencies are σ times the roots of the diagonal of S⁻¹, with the projected Gauss–Newton
-/// matrix S (line_model.h). If the residual is noise, σ is its standard deviation, but at least the round-off of the
-/// samples. If the residual still has a peak, for example of a line close to another line, σ is the norm of the whole
-/// residual. By the inequality of Cauchy and Schwarz, the standard error is then a bound of the error that a signal of
-/// this size can cause.
+/// The standard errors of the frequencies are σ times the roots of the diagonal of S⁻¹. Here S is the projected
+/// Gauss–Newton matrix (line_model.h). If the residual is noise, σ is its standard deviation, but at least the
+/// round-off of the samples. If the residual still has a peak, for example of a line close to another line, σ is the
+/// norm of the whole residual. By the inequality of Cauchy and Schwarz, the standard error is then a bound of the error
+/// that a signal of this size can cause.
 struct FrequencyFit {
   std::vector<Line> lines;
-  std::string reason;       ///< for example "the signal is constant"; empty if there are lines
-  double mean = 0;          ///< mean of the samples
-  double residual_rms = 0;  ///< root mean square of the residual, in the unit of the signal
-  double cycles = 0;        ///< number of periods of the dominant line in the record
+  std::string reason;  ///< for example "the signal is constant"; empty if there are lines
+  double mean = 0;     ///< mean of the samples; 0 if they are fewer than 16 or not finite
+  /// Root mean square of the residual, in the unit of the signal. It is 0 if no first line was found.
+  double residual_rms = 0;
+  double cycles = 0;  ///< number of periods of the dominant line in the record; 0 if no first line was found
 
   explicit operator bool() const { return !lines.empty(); }
   const Line& dominant() const { return lines.front(); }

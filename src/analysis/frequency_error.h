@@ -1,5 +1,6 @@
 #pragma once
-/// The error of a fitted frequency ω of a component of C = QᵀQ. It is the sum of four parts:
+/// The error of a fitted frequency ω of a component of C = QᵀQ, with the deformation Q (motion.h). It is the sum of
+/// four parts:
 ///
 ///   fit     The standard error of the fit (frequency.h). If the standard error on another discretisation is larger, it
 ///           is used instead. A coarse model has few lines, and its own standard error is too small for short records.
@@ -17,8 +18,9 @@
 ///   quadrature  The same expression, with the quadrature error of a polynomial body instead of e.
 ///   space   The difference from the frequency on another discretisation, times a factor. The factor assumes that the
 ///           error decreases with the resolution at the least rate of space_error.h. The error in time cancels, because
-///           both runs have the same time steps. For a model without a discretisation in space, this part is 0. If there
-///           is no other discretisation, or its samples do not give a frequency, this part is not known.
+///           both runs have the same time steps. For a model without a discretisation in space, this part is 0. The
+///           part is not known if there is no other discretisation, if its record is shorter, or if its samples do not
+///           give a frequency.
 
 #include <vector>
 

@@ -1,5 +1,7 @@
 #pragma once
-/// Summary of the run of one model: the frequency, the deformation and the drifts of the conserved quantities.
+/// Summary of the run of one model: the frequency, the deformation and the drifts of the conserved quantities. Q is the
+/// deformation of the pseudo-rigid body, or the matrix of the affine motion that is nearest to another motion. C = QᵀQ,
+/// and |·| is the Frobenius norm.
 
 #include <Eigen/Core>
 #include <initializer_list>
@@ -25,7 +27,7 @@ struct ModelRunTable {
 };
 
 /// Summary of the motion of one model. A drift is the largest difference of a quantity from its initial value, relative
-/// to a reference value (energy_reference, momentum_reference).
+/// to a reference value (energy_reference, momentum_reference). A drift is empty if the table lacks its columns.
 struct ModelSummary {
   std::string name, adjective;
   FrequencyFit frequency;
@@ -37,7 +39,7 @@ struct ModelSummary {
   bool deforms = false;          ///< true if strain_amplitude > resolution · max_t |C|
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
   double energy_bound = 0;  ///< largest change of the energy without a warning, relative to the reference value
-  std::optional<double> energy_beyond_since{};  ///< first time at which the energy has changed by more than this bound
+  std::optional<double> energy_beyond_since{};  ///< first time of a change beyond this bound; empty if there is none
   long n_failed_intervals = 0;                  ///< as in ModelRunTable
 };
 
@@ -127,7 +129,8 @@ struct MotionSummary {
   std::string signal;               ///< component of C with the largest variance, for example "C33"
   std::vector<ColumnRange> ranges;  ///< ranges of the columns for the terminal (terminal_table shows the first 12)
   std::optional<double>
-      mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK, with η_K the non-affine fraction of the kinetic energy K
+      mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine fraction of the
+                                        ///< kinetic energy K; empty if the table lacks a column
 };
 
 /// Data from the scene that the summary of a run needs.
@@ -144,8 +147,10 @@ struct SceneFacts {
 /// must have at least one sample.
 MotionSummary summarize_motion(const ModelRunTable& run, const SceneFacts& facts);
 
-/// Summary of the run of another system: the range of each column, and the relative drift of the energy. The table must
-/// have at least one sample.
+/// Summary of the run of another system: the range of each column except the time, and the drift of the energy. The
+/// drift is relative to the larger one of the largest kinetic energy and the range of the potential energy. If both are
+/// round-off, the drift is relative to the largest potential energy. The drift is empty if all these values are 0, or
+/// if there is no column energy. The table must have at least one sample.
 MotionSummary summarize_system(const ModelRunTable& run);
 
 /// Text for the terminal: one quantity per line, with at most 12 ranges of columns.

@@ -51,7 +51,7 @@ class MovingFit {
   std::size_t n_window_, first_ = 0;  ///< number of samples of the window; its first sample
   double mean_;
   Matrix3d normal_ = Matrix3d::Zero();  ///< Σ p pᵀ over the window, p = (1, cos ωt, sin ωt)
-  Vector3d right_ = Vector3d::Zero();   ///< Σ p (y − mean)
+  Vector3d right_ = Vector3d::Zero();   ///< Σ p (y − mean) over the window, with the samples y
 };
 
 }  // namespace

@@ -17,8 +17,9 @@ inline const Columns Q_columns{"Q11", "Q12", "Q13", "Q21", "Q22", "Q23", "Q31", 
 inline const Columns Qdot_columns{"Qdot11", "Qdot12", "Qdot13", "Qdot21", "Qdot22",
                                   "Qdot23", "Qdot31", "Qdot32", "Qdot33"};
 
-/// Reads the columns `names` of a table, which must have at least one row. Returns an Eigen object of fixed size for
-/// each row of the table. The entries of the object, row by row, are the values of the columns in the order of `names`.
+/// Reads the columns `names` of a table, which must have at least one row. Throws UserError if the table lacks a
+/// column. Returns an Eigen object of fixed size for each row of the table. The entries of the object, row by row, are
+/// the values of the columns in the order of `names`.
 template <class Value>
 std::vector<Value> read(const io::Table& table, const Columns& names) {
   std::vector<Value> samples(table.n_rows());

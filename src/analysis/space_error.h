@@ -32,7 +32,7 @@ inline constexpr double assumed_space_rate = 3, least_space_rate = 2.5, largest_
 /// compressible ball whose pressure front meets at the centre has the rate 1.3, for which the estimate is too small.
 inline constexpr double least_polynomial_rate = 1.5;
 
-/// The error e of a run with resolution N, if the difference from a run with resolution N_other is d.
+/// The error e of a run with resolution N, if the difference from a run with resolution N_other is d. `rate` is p.
 double space_error(double d, double N, double N_other, double rate = assumed_space_rate);
 
 /// The rate and the errors of a series of runs with increasing resolution.

@@ -22,7 +22,7 @@ inline double toroidal_equation(int n, double x) {
   return x * std::sph_bessel(static_cast<unsigned>(n - 1), x) - (n + 2) * j;
 }
 
-/// The left-hand side of the equation for incompressible spheroidal modes, n ≥ 1.
+/// The left-hand side of the equation for incompressible spheroidal modes, n ≥ 1. `gamma` is γ.
 inline double incompressible_spheroidal_equation(int n, double x, double gamma) {
   const double j = std::sph_bessel(static_cast<unsigned>(n), x);
   const double dj = std::sph_bessel(static_cast<unsigned>(n - 1), x) - (n + 1) / x * j;

@@ -77,7 +77,8 @@ std::string print_number(double value) {
 namespace {
 
 /// Prints the value with three digits, rounded by `towards`, which is floor or ceil. Prints 0, subnormal numbers,
-/// infinity and NaN unchanged.
+/// infinity and NaN unchanged. If the magnitude is below 1e-305, the unit of the third digit is subnormal, and the
+/// value is rounded to the nearest.
 std::string three_digits(double value, double (*towards)(double)) {
   if (!std::isnormal(value)) return print_number(value);
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);

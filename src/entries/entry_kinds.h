@@ -42,7 +42,8 @@ std::optional<double> finite_number(std::string_view text);
 std::string print_number(double value);
 
 /// Prints a computed bound with three digits, for a message. An upper bound is rounded down and a lower bound up, so
-/// that the printed number is itself permitted. Zero, subnormal numbers, infinity and NaN are printed unchanged.
+/// that the printed number is itself permitted. Numbers with a magnitude below 1e-305 are rounded to the nearest. Zero,
+/// subnormal numbers, infinity and NaN are printed unchanged.
 std::string print_upper_bound(double value);
 std::string print_lower_bound(double value);
 

@@ -1,6 +1,6 @@
 #pragma once
 /// The unit of an entry or of a column in words. The words are `length`, `mass`, `time`, `pressure`, `radius` or `1`
-/// with whole powers, joined by `*` and `/` from left to right ("mass*length^2/time"). An empty text means a pure
+/// with whole powers. `*` and `/` join them from left to right ("mass*length^2/time"). An empty text means a pure
 /// number. Any other word does not compile.
 
 #include <string_view>

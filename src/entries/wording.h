@@ -29,8 +29,8 @@ std::optional<std::string_view> nearest(std::string_view word, const std::vector
 
 /// Returns the question `; did you mean "…"?` with the nearest candidate, or an empty text if there is none. Characters
 /// that only look like ASCII characters are replaced before the search. If no candidate is near, the question proposes
-/// the only candidate of the same section whose name ends with the typed name. An example is "Material/Lame lambda" for
-/// "Material/lambda".
+/// the only candidate of the same section whose name ends with the typed name. The typed name must have at least four
+/// letters. An example is "Material/Lame lambda" for "Material/lambda".
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
 
 }  // namespace pseudorigid::scene

@@ -1,8 +1,8 @@
 #pragma once
 /// The comparison of the models of a run. Each run is compared with the last one, whose model has the most degrees of
 /// freedom. For two runs the files are comparison.csv and comparison.json. For more runs, each comparison has two files
-/// with the name of its run, `comparison-<run>.csv` and `comparison-<run>.json`, and comparison.json is an overview. If
-/// a model runs alone, a summary is printed on the terminal.
+/// with the name of its run, `comparison-<run>.csv` and `comparison-<run>.json`. The file comparison.json is then an
+/// overview. If a model runs alone, a summary is printed on the terminal.
 
 #include <functional>
 #include <map>
@@ -16,8 +16,8 @@
 
 namespace pseudorigid::app {
 
-/// Maps the name of a model to its motion on another discretisation. The difference between both motions gives the
-/// errors in space of all compared quantities.
+/// Maps the name of a model to its motion on another discretisation. The difference between the frequencies of both
+/// motions gives the error in space of the frequency.
 using OtherResolutions = std::map<std::string, analysis::OtherResolution, std::less<>>;
 
 /// A run of a model, with the table of its samples.
@@ -42,7 +42,8 @@ std::vector<analysis::Comparison> comparisons_of(const RunContext& context, std:
 
 /// Compares the runs that have an entry in the manifest. Writes the comparison files, and prints a table unless `quiet`
 /// is true. Logs a warning for each model whose energy changes too much. Does nothing for fewer than two runs, or fewer
-/// than two common samples. Returns the reason if printing fails, otherwise an empty string.
+/// than two common samples. Returns the reason if printing fails, otherwise an empty string. Throws UserError for the
+/// reasons of analysis::compare, and io::WriteError if a file cannot be written.
 std::string compare_models(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others,
                            bool quiet);
 

@@ -6,11 +6,11 @@
 ///   for every m  m_finished (1 if all samples exist, otherwise 0), m_time (of the last sample), m_steps, m_forces
 ///                (evaluations of the force), m_time_error, m_space_error, m_frequency (angular frequency of the
 ///                dominant line), m_frequency_error, m_second_line (its amplitude over that of the dominant line),
-///                m_amplitude (of C = QᵀQ), m_energy_drift, with the values of comparison.json;
+///                m_amplitude (of C = QᵀQ, with the deformation Q), m_energy_drift, with the values of comparison.json;
 ///   for every m but the last
 ///                m_frequency_ratio, m_frequency_ratio_error, m_tenth_of_period_after, m_phase_after_1_period,
 ///                m_phase_after_10_periods, m_phase_difference_max, m_q_difference_error, and m_c_max, m_c_rms for
-///                every column c of comparison.csv that compares the two models;
+///                every other column c of comparison.csv that compares the two models;
 ///   for the last model  nonaffine_kinetic_fraction (mean), nonaffine_displacement (largest), min_jacobian,
 ///                volume_error (largest), and surface_limit_time (first time at which the surface reaches Biot's
 ///                limit).

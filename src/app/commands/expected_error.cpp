@@ -17,9 +17,9 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Bounds of the sweeps of docs/adequacy.md. `largest_amplitude` is the largest |ln stretch|. `largest_rate` is half of
-/// the largest Frobenius norm of the velocity gradient L in units of c/r, with the speed c of shear waves and the
-/// radius r. `no_spin` is the largest |L − Lᵀ|/(1 + |L|) that counts as round-off.
+/// Bounds of the sweeps of docs/adequacy.md. `largest_amplitude` is the largest |ln stretch|. Let L = Q̇Q⁻¹ be the
+/// velocity gradient, c the speed of shear waves and r the radius. `largest_rate` is half of the largest Frobenius norm
+/// of L in units of c/r. `no_spin` is the largest |L − Lᵀ|/(1 + |L|) that counts as round-off.
 constexpr double largest_amplitude = 0.25, largest_rate = 0.75, no_spin = 1e-9;
 
 /// True if the initial state has no spin and is in the range of the sweeps of docs/adequacy.md. Without spin, the

@@ -45,8 +45,8 @@ struct Input {
   scene::ReadScene raw, read;
 };
 
-/// Sets the number of samples of a resumed scene, which may have a later Time/End (keep_sampling). Throws UserError if
-/// Time/End is not possible.
+/// Sets the number of samples of a resumed scene, which may have a later Time/End (keep_sampling). Throws UserError for
+/// the reasons of keep_sampling.
 void go_on(scene::Scene& scene, const Options& options) {
   try {
     keep_sampling(scene, io::RunDirectory(scene.output.directory, options.scene, options.output));
@@ -92,8 +92,8 @@ struct Process {
   std::unique_ptr<Ranks> several{};  ///< the ranks of MPI; null if MPI has not been started
 
   /// Opens the finite-element library, unless it is open. If the process may be one of several, also starts MPI, which
-  /// takes 0.3 s. Throws NoContinuum if the library is missing or cannot be opened, and UserError if MPI does not fit
-  /// the launcher.
+  /// takes 0.3 s. Throws NoContinuum if the library is missing or cannot be opened, and std::system_error if the limit
+  /// of the address space is too low. Throws UserError if MPI does not fit the launcher.
   void open_continuum(int argc, char** argv) {
     if (has_continuum) return;
     const ContinuumModule& module = *executable.open_continuum();
@@ -141,8 +141,9 @@ void open_continuum_for(const scene::ReadScene& read, int argc, char** argv, Pro
 }
 
 /// The command `run` on this rank. A scene without finite elements runs on the first rank, and the other ranks return
-/// at once. Returns the exit code. Throws UserError if the scene cannot run, and FailureOnAllRanks if it cannot run on
-/// one of several ranks, or if the ranks have different inputs.
+/// at once. Returns the exit code. Throws UserError if the scene cannot run, and mechanics::NoKernels if the processor
+/// cannot run the kernels. On several ranks, such an exception of one rank, or a difference of their inputs, throws
+/// FailureOnAllRanks.
 int run(const Options& options, int argc, char** argv, Process& process, const scene::Catalogue& catalogue) {
   Input input;
   on_all_ranks(*process.executable.ranks, [&] {

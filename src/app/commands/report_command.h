@@ -6,8 +6,9 @@
 
 namespace pseudorigid::app {
 
-/// Writes the page and prints its path. Throws UserError if the directory does not contain a run, or if the page cannot
-/// be written to the chosen path. Throws io::WriteError if the machine cannot write, for example to a full disk.
+/// Writes the page and prints its path. Throws UserError if the directory does not contain a run or a file of the run
+/// cannot be read. Also throws it if the page cannot be written to the chosen path. Throws io::WriteError if the
+/// machine cannot write, for example to a full disk.
 void report_run(const Options& options);
 
 }  // namespace pseudorigid::app

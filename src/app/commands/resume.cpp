@@ -96,8 +96,9 @@ void require_shapes(const std::filesystem::path& path) {
   if (io::is_there(path)) io::require_rows(path, io::columns_in(path), io::n_rows_before(path, HUGE_VAL));
 }
 
-/// Throws UserError if a table or the list of pictures of an earlier run is damaged. `name` is the name of the files of
-/// the run. Does nothing if there is no checkpoint.
+/// Throws UserError if the table of samples of an earlier run is missing. Also throws it if a table, the list of
+/// pictures or the checkpoint is damaged. `name` is the name of the files of the run. Does nothing if there is no
+/// checkpoint.
 void require_files_of_run(const io::RunDirectory& directory, const std::string& name,
                           const std::vector<std::string>& columns) {
   if (!io::is_there(directory.checkpoint(name))) return;

@@ -16,8 +16,8 @@ std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory
 
 /// Sets the number of samples of a resumed scene, so that the interval between samples remains the interval of the
 /// earlier run. Time/End may be later than in the earlier run. Throws UserError if Time/End is earlier, has another
-/// sign, is not a multiple of the interval, or makes too many samples. If there is no checkpoint, or for a sweep, the
-/// scene does not change.
+/// sign, is not a multiple of the interval, or makes too many samples. Also throws it if the checkpoint or used.prm is
+/// damaged. If there is no checkpoint, or for a sweep, the scene does not change.
 void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory);
 
 /// Checks that every checkpoint in the directory is readable and belongs to this scene. Throws UserError if a
@@ -26,8 +26,9 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory);
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene);
 
 /// Checks the files to which a resumed run appends, before the run writes to any of these files. Throws UserError if a
-/// list of pictures, a table of samples or a table of shapes is damaged. A damaged table has text in place of numbers,
-/// or fewer rows than it must have. Does nothing for sweeps and for analyses other than a motion.
+/// table of samples is missing. Also throws it if a list of pictures, a table of samples or a table of shapes is
+/// damaged. A damaged table has text in place of numbers, or fewer rows than it must have. Does nothing for sweeps and
+/// for analyses other than a motion.
 void require_sound_files(const io::RunDirectory& directory, const scene::Scene& scene, const scene::Needs& needs);
 
 }  // namespace pseudorigid::app

@@ -19,7 +19,7 @@ namespace pseudorigid::app {
 class RowProcess {
  public:
   /// The calling process must have a single thread, because a copy has only the calling thread and the locks of the
-  /// others would remain locked. Throws std::system_error if the process cannot be created.
+  /// others would remain locked. Throws std::system_error if a pipe or the process cannot be created.
   explicit RowProcess(const SweepTask& task);
   ~RowProcess();
   RowProcess(const RowProcess&) = delete;

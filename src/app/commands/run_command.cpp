@@ -75,8 +75,8 @@ int end_run(mechanics::Outcome outcome, int exit_code, const std::string& messag
   return exit_code;
 }
 
-/// Runs the system or the models, compares them, and prints the results. If a model does not finish, the later ones do
-/// not run. Returns the exit code.
+/// Runs the system or the models, compares them, and prints the results unless `quiet` is true. If a model does not
+/// finish, the later ones do not run. A run whose results cannot be printed counts as failed. Returns the exit code.
 int run_models(const RunContext& context, const Executable& executable, io::ManifestFile& manifest, bool quiet) {
   using enum mechanics::Outcome;
   ModelOutcome last;
@@ -193,9 +193,9 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
   return failure.exit_code;
 }
 
-/// Prepares the directory and returns its lock. Throws UserError before any result changes. Causes are a lock of
-/// another run, a pipe with the name of a result, and an unsuitable checkpoint or table. The message names the entry or
-/// option that determines the directory.
+/// Prepares the directory and returns its lock. Throws UserError if the directory cannot be used. Causes are, for
+/// example, a lock of another run, a pipe with the name of a result, and an unsuitable checkpoint or table. The message
+/// names the entry or option that determines the directory. Throws io::WriteError if the lock cannot be written.
 io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const scene::Needs& needs,
                     const Options& options) {
   constexpr const char* entry = "Output/Directory";

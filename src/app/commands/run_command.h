@@ -12,8 +12,8 @@
 namespace pseudorigid::app {
 
 /// Runs a scene and returns the exit code. `raw` is the scene before scene::validate. `read` is the validated scene, or
-/// the first run of a sweep, whose other runs are validated when they begin. Before the results directory is prepared,
-/// exceptions leave this function. Later they are written to the log and determine the exit code.
+/// the first run of a sweep, whose other runs are validated when they begin. Until the results directory and the log
+/// are ready, exceptions leave this function. Later exceptions are written to the log and determine the exit code.
 int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
               const std::vector<std::string>& command, const Executable& executable);
 

@@ -4,9 +4,8 @@
 ///
 ///   run, the parameters, finished (1 or 0), time (of the last sample), steps, forces (evaluations of the force),
 ///   estimated_time_error (0 if it is not known);
-///   for the ball, if its file has the columns of Q: frequency (angular; of the component of C = QᵀQ that varies most,
-///   0 if
-///   there is none) and amplitude of C, with the definitions of analysis/motion.h;
+///   for the ball, if its file has the columns of Q: frequency (angular; of the component of C = QᵀQ that varies most;
+///   0 if there is none) and amplitude of C, with the definitions of analysis/motion.h;
 ///   for every column c of the model's own CSV file: c_end, c_min, c_max over the samples. If the motion conserves c:
 ///   c at the start, and c_drift = c_max − c_min.
 ///

@@ -26,7 +26,8 @@ class SweepRows {
   static constexpr const char* name = "sweep";  ///< name of the table and of the checkpoint, without extension
 
   /// Creates the table of the runs first_run, …, first_run + n_runs − 1, or continues it if the sweep is resumed. The
-  /// numbers of runs in this class count from 0. Throws UserError if a table of the earlier run is damaged.
+  /// numbers of runs in this class count from 0. Throws UserError if the checkpoint or a table of the earlier run is
+  /// missing or damaged.
   SweepRows(const RunContext& context, const std::vector<std::string>& columns, int first_run, int n_runs,
             bool shows_progress)
       : identity_(run_identity(context.scene)),

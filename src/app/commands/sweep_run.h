@@ -66,7 +66,8 @@ class SweepRun : public SweepTask {
   FinishedRun finished(int k, Result result) const;
   /// The row of run k in sweep.csv. Values that depend on samples are 0 if the run has none.
   std::vector<double> row(int k, const Result& result) const;
-  /// Appends the frequency and the amplitude of C to the row; both are 0 if there are fewer than two samples.
+  /// Appends the frequency and the amplitude of C to the row. The frequency is 0 if none is found. Both numbers are 0
+  /// if there are fewer than two samples.
   void add_frequency(const io::Table& table, std::vector<double>& row) const;
 
   const scene::ReadScene& raw_;

@@ -115,8 +115,8 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
     counters["reductions"] = own.reductions;
   }
 
-  /// The mesh of the scene: the computed sector of the builtin ball, or the whole body of a mesh file. Logs the
-  /// displacement if the centre of mass of the file is not the origin.
+  /// The mesh of the scene: the part of the builtin ball between its symmetry planes, or the whole body of a mesh file.
+  /// Logs the displacement if the centre of mass of the file is not the origin.
   static continuum::BallMesh mesh_of(const RunContext& context, int n_refinements) {
     const MPI_Comm communicator = context.ranks->size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF;
     if (!scene::has_mesh_file(context.scene))

@@ -44,7 +44,8 @@ class WrinklingWatch {
     if (remarks[2] != 0) first_ = remarks[1];
   }
 
-  /// Adds the counters of the least ratio of stretches and of the time of the warning, if they exist.
+  /// Adds the counter of the least ratio of stretches if this ratio is below 1. Adds the counter of the time of the
+  /// warning if there was a warning.
   void report(io::Manifest::Model& statistics) const {
     if (limit_ && least_ < 1) statistics.counters["least_surface_stretch_ratio"] = least_;
     if (first_) statistics.counters["surface_limit_time"] = *first_;
@@ -52,7 +53,7 @@ class WrinklingWatch {
 
  private:
   const RunContext& context_;
-  std::optional<double> limit_;  ///< limit of the law; if empty, nothing is checked
+  std::optional<double> limit_;  ///< limit of the ratio of stretches for the law; if empty, nothing is checked
   double least_ = 1;  ///< least ratio of the stretch along the surface to the stretch along the normal, so far
   std::optional<double> first_;  ///< time of the warning in the user's units; empty before it
 };

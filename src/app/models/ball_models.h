@@ -21,7 +21,8 @@ using RunTogether = std::optional<std::vector<ModelOutcome>> (*)(std::span<const
 /// A model of the ball: its description for parameter files, and the functions that run it.
 struct BallModel {
   /// `run` is null for a discretized model, whose function is in a library that the program opens later. Throws
-  /// std::logic_error if any other part of the description is missing.
+  /// std::logic_error if `run` is null for another model. Also throws it if the name, adjective, documentation, columns
+  /// or one of the functions `header`, `needed`, `skipped` and `refuses` is missing.
   BallModel(scene::ModelDescription description, RunModel run, RunTogether together = nullptr);
 
   scene::ModelDescription description;
@@ -29,7 +30,7 @@ struct BallModel {
   RunTogether together;  ///< null if the runs of a sweep are computed one by one
 };
 
-/// The pseudo-rigid model, polynomial bodies and the finite-element model.
+/// The descriptions of the pseudo-rigid model, the polynomial bodies and the finite-element model.
 BallModel reduced_model();
 BallModel polynomial_model();
 BallModel continuum_model();

@@ -8,18 +8,19 @@
 /// If the scene leaves the degree open (auto), the program searches for it. It runs the scene with the degrees N = 1,
 /// 3, 5, …. These runs keep only the affine part Q of the motion, a 3×3 matrix, at the samples. In motions with the
 /// symmetry of an octant, an even degree is equivalent to the next lower odd degree. The differences of Q between
-/// successive runs give the error of the last run (analysis/space_error.h with N as the resolution). The first degree
-/// whose error is within Polynomial/Tolerance runs again and writes the results. If no degree has such an error, the
-/// last degree of the search does so, with a warning. A checkpoint contains this degree, so that a resumed run does not
-/// repeat the search. An interrupted search starts again. The tolerance of the error in time is at most a twentieth of
-/// Polynomial/Tolerance.
+/// successive runs give the error of the last run (analysis/space_error.h with N as the resolution). From the third
+/// degree on, the search ends if the error is within Polynomial/Tolerance, if the run fails, or at the largest degree.
+/// The last degree of the search runs again and writes the results. If its error exceeds the tolerance, the program
+/// warns. A checkpoint contains this degree, so that a resumed run does not repeat the search. An interrupted search
+/// starts again. The tolerance of the error in time is at most a twentieth of Polynomial/Tolerance.
 ///
-/// If other models are compared with a body of given degree, a companion run estimates the error of this body. The
-/// companion has another degree (search/error_estimate.h).
+/// A body of given degree can be the reference of a comparison. If the scene then requests error estimates, a companion
+/// run of another degree estimates the error of this body (search/error_estimate.h).
 ///
 /// A search or a companion run adds the counters estimated_space_error (the error of an entry of Q) and
 /// relative_space_error (the error relative to |Q|). A search also adds search_runs, the number of its runs, and
-/// search_work, their cost. A companion run also adds companion_degree and companion_work.
+/// search_work, their cost. If a resumed run does not repeat the search, search_runs is 0. A companion run also adds
+/// companion_degree and companion_work.
 
 #include <functional>
 

@@ -30,7 +30,7 @@ std::vector<mechanics::Rate> slowest_rates(const RotationMember& member) {
     return std::abs(a.s.imag()) != std::abs(b.s.imag()) ? std::abs(a.s.imag()) < std::abs(b.s.imag())
                                                         : a.s.imag() > b.s.imag();
   });
-  rates.resize(slowest);  // fills with 0
+  rates.resize(slowest);  // missing rates are 0
   return rates;
 }
 

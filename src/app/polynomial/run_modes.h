@@ -7,8 +7,8 @@
 namespace pseudorigid::app {
 
 /// Computes the modes of the body whose degree the scene gives. A mode of degree n has 2n + 1 copies. The outcome is
-/// `failed` if the computation fails, if the ball is unstable at rest, or if copies have different frequencies. The
-/// file is then not written.
+/// `failed` if the computation fails or the ball is unstable at rest. It is also `failed` if the frequencies of copies
+/// differ by more than a hundredth. In these cases, the run does not write the file.
 ModelOutcome run_polynomial_modes(const RunContext& context);
 
 }  // namespace pseudorigid::app

@@ -95,7 +95,7 @@ class RunQuadrature {
   }
 
   /// Stores the choice for a run from the internal time t, gives `body` the chosen points, and logs the error or a
-  /// warning. Does nothing after an interrupt.
+  /// warning. The function does not log anything for degree 1, and does nothing after an interrupt.
   void take(const polynomial::QuadratureChoice& choice, double t, Body& body) {
     if (context_.interrupted()) return;  // a resumed run chooses again
     error_ = choice.error;

@@ -8,7 +8,8 @@
 
 namespace pseudorigid::app {
 
-/// Done, a defect of the program, wrong input, and a run that stopped early or lacked a resource.
+/// The exit codes mean, in this order: done, a defect of the program, wrong input, and a run that stopped early or
+/// lacked a resource.
 constexpr int exit_done = 0, exit_defect = 1, exit_wrong_input = 2, exit_stopped = 3;
 
 /// The exit code of a run with this outcome. A failed and an interrupted run have the same code.

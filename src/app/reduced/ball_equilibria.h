@@ -30,13 +30,13 @@ mechanics::Status figure_of_family(const scene::Scene& scene, scene::Family fami
 /// The name of the family's parameter in messages: "e", "a3/r", "spin" or "a2/a1".
 std::string parameter_name(scene::Family family);
 
-/// Replaces the entry Initial state/Equilibrium by explicit initial values
+/// Replaces the entry Initial state/Equilibrium by explicit initial values of the deformation Q and its rate,
 ///
 ///   Q₀ = D A,   Q̇₀ = D (ω̂A − AΛ̂) + V
 ///
-/// with A, ω and Λ of the equilibrium in the user's units, and ω̂x = ω × x. D and V are the entries Deformation and
-/// Velocity of the scene. Returns the new scene, or an unchanged scene if the entry is `none`. Throws UserError if
-/// there is no such equilibrium.
+/// with the constants A, ω and Λ of the equilibrium Q(t) = exp(tω̂) A exp(−tΛ̂) in the user's units, and ω̂x = ω × x. D
+/// and V are the entries Deformation and Velocity of the scene. Returns the new scene, or an unchanged scene if the
+/// entry is `none`. Throws UserError if there is no such equilibrium.
 scene::Scene with_equilibrium(scene::Scene scene, const scene::Origins& origins);
 
 }  // namespace pseudorigid::app

@@ -1,5 +1,6 @@
 #pragma once
-/// The pseudo-rigid body of a scene, in one of its forms (reduced_scene.h), as a model that ModelRun can integrate.
+/// The pseudo-rigid body x = QX of a scene, in one of its forms (reduced_scene.h), as a model that ModelRun can
+/// integrate. Here X is the reference position, and x is the position relative to the centre of mass.
 
 #include <fmt/format.h>
 
@@ -244,7 +245,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   }
 
   /// Warns if Q moves from its start by at most ten times the error of Q, because velocities and energies are then not
-  /// resolved. Does not warn about a body at rest in equilibrium, or if the samples of Q are not known.
+  /// resolved. Does not warn about a body at rest in equilibrium, for fewer than two samples, or if earlier samples of
+  /// Q are not known.
   void warn_of_resolution(const io::Manifest::Model& statistics) const {
     if (!knows_motion_ || n_noted_ < 2) return;
     constexpr double well_above = 10, epsilon = std::numeric_limits<double>::epsilon();

@@ -1,5 +1,5 @@
 #pragma once
-/// Conversion of a scene to a pseudo-rigid body in internal units, and choice of the form of the body that is
+/// Conversion of a scene to a pseudo-rigid body x = QX in internal units, and choice of the form of the body that is
 /// integrated.
 
 #include <optional>
@@ -23,8 +23,8 @@ struct ReducedScene {
   loads::Forcing forcing;  ///< loads that do not depend on time
   reduced::Dissipation dissipation;
   reduced::CenterOfMass center;
-  mechanics::VectorState<Eigen::Matrix3d> start;  ///< Q₀, Q̇₀
-  bool keeps_diagonal;                            ///< true if Q stays diagonal in a motion without contact
+  mechanics::VectorState<Eigen::Matrix3d> start;  ///< initial deformation Q₀ and its rate Q̇₀
+  bool keeps_diagonal;  ///< true if Q stays diagonal in a motion without planes and companions
 };
 
 /// Converts a scene. If the body is incompressible, loads that only change its volume are removed.

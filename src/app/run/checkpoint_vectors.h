@@ -1,7 +1,7 @@
 #pragma once
-/// Transfer of the vectors q and v and of the method's memory between a run and its checkpoint. A checkpoint contains
-/// the complete vectors, in an order that does not depend on the number of ranks. If a model distributes its vectors,
-/// each rank has only a part of their entries.
+/// Transfer of the positions q, the velocities v and the method's memory between a run and its checkpoint. A checkpoint
+/// contains the complete vectors, in an order that does not depend on the number of ranks. If a model distributes its
+/// vectors, each rank has only a part of their entries.
 
 #include <algorithm>
 #include <optional>

@@ -22,7 +22,7 @@ struct NoContinuum : std::runtime_error {
 /// The functions of the library.
 struct ContinuumModule {
   ModelOutcome (*run)(const RunContext& context);     ///< runs the finite-element model; collective
-  std::map<std::string, std::string> (*libraries)();  ///< name → version, for the manifest
+  std::map<std::string, std::string> (*libraries)();  ///< maps names to versions, for the manifest
   std::string_view (*instructions)();                 ///< SIMD instructions of the kernels; throws mechanics::NoKernels
   /// Starts MPI for the processes of a launcher. The destructor of the returned object ends MPI.
   std::unique_ptr<Ranks> (*start_ranks)(int argc, char** argv);

@@ -13,7 +13,7 @@ namespace pseudorigid::app {
 /// Columns of a critical point for `n_modes` degrees of freedom. The first four have the Morse index, the nullity, and
 /// the dimensions of the unstable and the stable manifold. The next n_modes columns have the eigenvalues of the Hessian
 /// of the potential in the metric of the kinetic energy. The last 4 n_modes columns have the 2 n_modes rates z of small
-/// motions exp(zt), each as its real part and then its imaginary part.
+/// motions exp(zt). A rate has two columns, its real part and its imaginary part.
 std::vector<scene::Column> critical_point_columns(int n_modes);
 /// Appends the values of these columns, in internal units, to `row`.
 void append_critical_point(const mechanics::CriticalPoint& point, std::vector<double>& row);

@@ -24,6 +24,7 @@ struct TraceDifference {
 /// Maps the number of a sample to Q.
 using DeformationTrace = std::map<long, Eigen::Matrix3d>;
 
+/// The difference between the history `a`, which is Q in the formulas above, and the history `b`, which is Q'.
 inline TraceDifference difference(const DeformationTrace& a, const DeformationTrace& b) {
   TraceDifference d;
   for (const auto& [sample, Q] : a) {

@@ -84,7 +84,7 @@ class FieldModel : public RunnableModelOf<S> {
     }
     return start;
   }
-  /// The body at rest, pressed into the nearest plane by the depth of its first contact.
+  /// The body without velocity, pressed into the nearest plane by the estimated depth of its first contact (flight.h).
   State in_contact(const State& state) const final {
     State pressed = start_of_pilot(state);
     const loads::Contact now = this->system().contact(pressed.t, pressed.q);
@@ -116,10 +116,11 @@ class FieldModel : public RunnableModelOf<S> {
     }
     return true;
   }
-  /// Length of the pilot runs in internal time, at most `end`. The unit is r/c for an elastic ball without
-  /// self-gravity. At t = 1 the shear front from the surface has reached the centre. This time is 0.4 periods of the
+  /// Length of the pilot runs in internal time, at most `end`. It is the rise time of the loads plus 10 if a force
+  /// depends on time. Otherwise the length is 3 with planes, and 1 without planes. For an elastic ball without
+  /// self-gravity, the shear front from the surface has reached the centre at t = 1. This time is 0.4 periods of the
   /// slowest mode. A contact of a fast body can take up to three times as long. A force that depends on time can act
-  /// later, so the length is then about four periods after the rise of the loads.
+  /// later, so the length is then about four periods.
   double pilot_window(double end) const final {
     const double window = mechanics::time_dependent(this->system()) ? 10.0 : context_.needs.contact ? 3.0 : 1.0;
     return std::min(end, window + rise_time(context_.scene));

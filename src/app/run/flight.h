@@ -39,7 +39,8 @@ inline std::optional<Flight> flight_to_contact(const loads::Contact& now, const 
 
 /// Estimate of the largest penetration δ of the unit ball in its first contact, from the energy of a rigid ball, in
 /// internal units. A ball with the closing speed v has δ³ = 2v²/k, with the stiffness k of all planes. A ball that
-/// rests under the acceleration b has δ² = 4b/(3k). The estimate is the larger one, but at most half a radius.
+/// rests under the acceleration b towards the plane has δ² = 4b/(3k). The estimate is the larger one, but at most half
+/// a radius.
 inline double depth_of_contact(const loads::Contact& now, const Eigen::Vector3d& velocity,
                                const loads::Forcing& loads) {
   const double k = loads.planes.stiffness_of_all(), v = std::max(0.0, now.speed - now.normal.dot(velocity));

@@ -16,7 +16,9 @@ struct CenteredMesh {
   bool is_moved;                     ///< true if the shift exceeds round-off
 };
 
-/// Reads, converts and shifts the mesh. Throws UserError if the mesh cannot be used.
+/// Reads, converts and shifts the mesh. Throws UserError if the file cannot be read or is not the mesh of one body.
+/// Also throws it if the largest distance of a node from the centre of mass is not between 0.1 and 10 times
+/// Body/Radius.
 CenteredMesh read_mesh_file(const scene::Scene& scene);
 
 /// Returns the number of cells of the scene's mesh file, or 0 if the scene does not use a mesh file. If the mesh cannot

@@ -1,7 +1,7 @@
 #pragma once
-/// Conversion between the state of a model's run and a checkpoint. The state consists of (t, q, v) and of the memory
-/// that the method carries from step to step (mechanics/core/memory.h). With this memory, a resumed run gives the
-/// results of the uninterrupted run.
+/// Conversion between the state of a model's run and a checkpoint. The state consists of the time t, the positions q,
+/// the velocities v, and the memory of the method. The method carries this memory from step to step
+/// (mechanics/core/memory.h). With this memory, a resumed run gives the results of the uninterrupted run.
 
 #include <optional>
 #include <string>
@@ -27,10 +27,10 @@ struct LooksAtFrequency {
 struct RunPosition {
   mechanics::Cursor cursor;
   mechanics::MethodId method = mechanics::id_of<mechanics::Rattle>;
-  double step = 0;                 ///< upper bound of the step in internal time; a method can divide the step
-  double local_tolerance = 0;      ///< tolerance per step of an adaptive method
-  long steps_in_interval = 0;      ///< planned number of steps from the last sample to the next; 0 at a sample
-  int halvings = 0;                ///< the steps in the present interval, or in the last one, are step / 2^halvings
+  double step = 0;             ///< upper bound of the step in internal time; a method can divide the step
+  double local_tolerance = 0;  ///< tolerance per step of an adaptive method
+  long steps_in_interval = 0;  ///< planned number of steps from the last sample to the next; 0 at a sample
+  int halvings = 0;            ///< the steps in the present interval, or in the last one, are at most step / 2^halvings
   int halvings_after_failure = 0;  ///< least number of halvings after a failed step; decreases by one per interval
   long n_repeated = 0;  ///< number of attempts to integrate an interval that were repeated with shorter steps
   long n_failed = 0;    ///< number of these attempts in which a step failed

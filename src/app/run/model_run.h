@@ -42,10 +42,10 @@ class ModelRunBase : protected ModelStepping {
   // the kept state to the present state.
   virtual void keep_state() = 0;
   virtual void return_to_kept_state() = 0;
-  virtual SavedVectors kept_vectors() = 0;
+  virtual SavedVectors kept_vectors() = 0;  ///< complete vectors of the kept state; collective
   /// Sets the present state, the kept state and `good_` from a checkpoint.
   virtual void restore_state(const io::Checkpoint& file) = 0;
-  virtual void set_time(double t) = 0;
+  virtual void set_time(double t) = 0;                      ///< sets the time of the present and of the kept state
   virtual std::string place_of_least_jacobian() const = 0;  ///< text about the least det F in the kept state
   virtual void choose_quadrature() = 0;
   virtual void estimate_quadrature() = 0;
@@ -77,7 +77,7 @@ class ModelRunBase : protected ModelStepping {
 
  protected:
   const std::unique_ptr<ModelSink> sink_;
-  const bool has_shapes_;
+  const bool has_shapes_;  ///< true if the run writes a table of shapes
   mechanics::Counters counters_;
   Status verdict_;  ///< failure that the model found after a step; such a failure ends the run
   Snapshot good_;   ///< data of the kept state: the last sample, or the last step of an adaptive method
@@ -138,7 +138,7 @@ class ModelRun final : public ModelRunBase {
     if (position_.steps_in_interval > 0) return position_.steps_in_interval;
     if (adapts() && k >= position_.looks.next) reconsider();
     if (repeats_intervals()) {
-      if (!kept_volume_) kept_volume_ = look_at(state);  // after a resumption
+      if (!kept_volume_) kept_volume_ = look_at(state);  // not known after a resumption
       position_.halvings =
           std::max({least_halvings_, position_.halvings_after_failure, halvings_at(state, *kept_volume_)});
     }
@@ -393,7 +393,7 @@ class ModelRun final : public ModelRunBase {
   std::optional<LastSample> last_sample_;   ///< last sample in the checkpoint, until `keep_last_sample` uses it
   std::optional<LocalVolume> kept_volume_;  ///< local volume of the kept state; empty after a resumption
   EnergyWatch<Model> energy_;
-  std::optional<typename System::Workspace> system_workspace_;  ///< for rows, if the method's workspace has none
+  std::optional<typename System::Workspace> system_workspace_;  ///< workspace for rows, if the method's has none
   CheckpointVectors<Model> vectors_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Receiver of the results of one model's run. The base class discards all results. It serves runs that only give their
-/// history of Q (search/continuum_run.h). `RowsInMemory` keeps the rows, for sweeps. `ModelFiles` writes the files into
-/// the directory of the run.
+/// Receiver of the results of one model's run. The base class discards all results. It serves runs that only give the
+/// affine part of their motion (search/silent_run.h). `RowsInMemory` keeps the rows, for sweeps. `ModelFiles` writes
+/// the files into the directory of the run.
 ///
 /// All ranks call the same functions in the same order.
 

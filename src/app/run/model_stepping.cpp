@@ -122,9 +122,9 @@ int ModelStepping::halvings_within(double rattle_limit) const {
   return ratio > 1 ? std::min(most_halvings, static_cast<int>(std::ceil(std::log2(ratio)))) : 0;
 }
 
-/// Finds method and step by pilot runs. Fails if the stability limit cannot be computed, or after an interrupt. If no
-/// step fits the tolerance, chooses one by `fall_back` and does not fail. `error_so_far` is the time error of the
-/// earlier parts of the run; empty if it is not known.
+/// Finds method and step by pilot runs. Fails if the stability limit or a rate of damping cannot be computed, or after
+/// an interrupt. If no step fits the tolerance, chooses one by `fall_back` and does not fail. `error_so_far` is the
+/// time error of the earlier parts of the run; empty if it is not known.
 mechanics::Status ModelStepping::search(const std::optional<double>& error_so_far) {
   const double end = times_.end - time();
   mechanics::StepRequest request{.end = end,
@@ -218,8 +218,9 @@ void ModelStepping::fall_back(const mechanics::StepChoice& choice, const mechani
                      is_adaptive(position_.method) ? position_.local_tolerance : position_.step * context_.units.time);
 }
 
-/// Sets the method and step of a successful search. Adds its force evaluations and its estimated time error to the
-/// statistics, and logs the choice.
+/// Sets the method and step of a successful search, and logs the choice. Adds the force evaluations of the search to
+/// the statistics. The time error of the run becomes the sum of `error_so_far` and the estimated error. If
+/// `error_so_far` is empty, the time error remains empty.
 void ModelStepping::take(const mechanics::StepChoice& choice, const std::optional<double>& error_so_far) {
   position_.method = choice.method;
   position_.step = choice.step;

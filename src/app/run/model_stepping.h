@@ -60,9 +60,9 @@ class ModelStepping {
   /// Searches for the method and the step by pilot runs from the present state.
   virtual mechanics::StepChoice choose_step(const mechanics::StepRequest& request) const = 0;
 
-  /// Sets the method, the step and the local tolerance for the rest of the run. If the program searches for them, the
-  /// result of the search is written to the log and the statistics. Fails if the stability limit cannot be computed, or
-  /// if the search is interrupted.
+  /// Sets the method, the step and the local tolerance for the rest of the run. If the program searches for them, it
+  /// logs the choice and counts the force evaluations of the search in the statistics. Fails if the stability limit or
+  /// a rate of damping cannot be computed, or if the search is interrupted.
   Status choose();
 
   /// True if the scene gives a step that does not exceed the present step.

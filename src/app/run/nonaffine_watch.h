@@ -23,7 +23,7 @@ class NonaffineWatch {
         model_(model),
         watches_(scene::is_ideal_fluid(context.scene) && stays_affine(context.scene)) {}
 
-  /// True if the exact motion is affine, so that the run must compute the non-affine displacement.
+  /// True if the body is a fluid with an affine exact motion, so that the run must compute the non-affine displacement.
   bool watches() const { return watches_; }
 
   /// Checks a sample at a time in the user's units. `displacement` is |x − QX| / |x|, the error relative to the size of
@@ -47,7 +47,7 @@ class NonaffineWatch {
     if (remarks[2] != 0) first_ = remarks[1];
   }
 
-  /// Writes the largest displacement into the statistics and the log; does nothing for other bodies.
+  /// Writes the largest displacement into the statistics and the log. Does nothing if watches() is false.
   void report(io::Manifest::Model& statistics) const {
     if (!watches_) return;
     statistics.counters["nonaffine_displacement_at_most"] = largest_;

@@ -1,5 +1,6 @@
 #pragma once
-/// Companions (mechanics/core/orbit.h) in the run of a model.
+/// Companions, which are point masses in orbit with the body (mechanics/core/orbit.h), in the run of a model. This file
+/// has their columns of the configuration, and detects collisions and disruptions.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -11,8 +12,8 @@
 
 namespace pseudorigid::app {
 
-/// A matrix with the three columns of Q and a column r_i/|r_i(0)| for each companion i, with its position r_i relative
-/// to the body. Time/Tolerance bounds the error of these columns.
+/// A matrix with the three columns of the deformation Q and a column r_i/|r_i(0)| for each companion i. Here r_i is the
+/// position of the companion relative to the body. Time/Tolerance bounds the error of these columns.
 inline Eigen::MatrixXd with_companions(const Eigen::Matrix3d& Q, const mechanics::Orbit& orbit,
                                        const mechanics::Orbit::Columns& s) {
   Eigen::MatrixXd columns(3, 3 + orbit.n());
@@ -37,8 +38,8 @@ inline double own_energy(const mechanics::Orbit& orbit, const Eigen::Matrix3d& S
 class CollisionWatch {
  public:
   /// Checks the state at the end of a step for a collision or a disruption. S is the second moment of the body, and s
-  /// has the coordinates of the companions. After a jump back in time, the step before t is not known, and only the
-  /// positions at t count.
+  /// has the coordinates of the companions. In the first call and after a jump back in time, the step before t is not
+  /// known, and only the positions at t count.
   ///
   /// Fails after a collision. A companion has then been nearer to the centre of the body, or to the other companion,
   /// than the longest semi-axis of the body.

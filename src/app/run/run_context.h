@@ -29,6 +29,7 @@ struct RunContext;
 /// A function that makes the sink for the results of the model with this name.
 using SinkOfModel = std::function<std::unique_ptr<ModelSink>(const RunContext& context, const char* model)>;
 
+/// Data of a run that its models need. The objects to which the context refers must exist as long as the context.
 struct RunContext {
   const scene::Scene& scene;
   const scene::Needs& needs;

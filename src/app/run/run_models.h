@@ -1,5 +1,5 @@
 #pragma once
-/// Functions that run the model of a scene, one for each kind of model.
+/// Functions that run a model of the ball or another system, one for each kind of model.
 
 #include "app/run/run_context.h"
 
@@ -14,7 +14,8 @@ ModelOutcome run_polynomial(const RunContext& context);
 /// Runs the system that the scene names, a row of the table in systems/table.h.
 ModelOutcome run_system(const RunContext& context);
 
-/// This function is defined only in libpseudorigid-continuum, which links deal.II (continuum_module.h).
+/// Runs the finite-element model: a motion, modes or Love numbers, as the scene requires. The function is defined only
+/// in libpseudorigid-continuum, which links deal.II (continuum_module.h).
 ModelOutcome run_continuum(const RunContext& context);
 
 }  // namespace pseudorigid::app

@@ -67,7 +67,8 @@ inline loads::Loads internal_loads(const scene::Scene& scene) {
 /// The time until which the loads rise, in internal units; 0 if they have their full strength from the start.
 inline double rise_time(const scene::Scene& scene) { return internal_loads(scene).get<loads::Rise>().time; }
 
-/// The material law in internal units. For a solid without self-gravity the unit of time is r/c, and μ is exactly 1.
+/// The material law in internal units. For a solid without self-gravity, the unit of time is r/c with the speed c of
+/// shear waves, and the shear modulus is exactly 1.
 inline materials::AnyLaw internal_law(const scene::Scene& scene) {
   const scene::Scene::Material& material = scene.material;
   const double stress = units_of(scene).stress();

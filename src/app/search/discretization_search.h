@@ -2,26 +2,27 @@
 /// Search for the cheapest discretisation whose estimated error in space is within Continuum/Tolerance.
 ///
 /// The program runs the scene on discretisations of increasing resolution, which are called the ladder
-/// (scene/discretization.h). The differences of Q between successive runs give the error of the last run and predict
-/// the error of the next run (analysis/space_error.h). If the predicted error of a run is at most twice the tolerance,
-/// the run writes its results. The last run of the ladder also does so. The other runs only give their history of Q. If
-/// the estimate after the run does not confirm the prediction, the search continues. The next run that writes its
-/// results then replaces the files.
+/// (scene/discretization.h). Let Q be the affine part of the motion, a 3×3 matrix. The differences of Q between
+/// successive runs give the error of the last run and predict the error of the next run (analysis/space_error.h). If
+/// the predicted error of a run is at most twice the tolerance, the run writes its results. The last run of the ladder
+/// also does so. The other runs only give their history of Q. If the estimate after the run does not confirm the
+/// prediction, the search continues. The next run that writes its results then replaces the files.
 ///
 /// Time errors must be much smaller than errors in space. A run that writes its results finds its own method and step.
 /// The tolerance of this run is the smaller of Time/Tolerance and a twentieth of Continuum/Tolerance. The first run
 /// that does not write finds its method and step for a twentieth of Continuum/Tolerance. Later runs that do not write
-/// use the same method, with a step inversely proportional to the resolution N. The highest frequencies ω of a shear
-/// front in Q are proportional to N, so hω remains constant. If the scene gives the step h, all runs use this step and
-/// have the same time error.
+/// use the same method, with a step h inversely proportional to the resolution N (scene/discretization.h). The highest
+/// frequencies ω of a shear front in Q are proportional to N, so hω remains constant. If the scene gives the step, all
+/// runs use this step and have the same time error.
 ///
 /// No decision depends on the clock, so all ranks of a parallel run decide alike. A checkpoint contains the errors and
 /// the last two histories of Q. A resumed search therefore does not repeat the runs, and a resumed final run does not
 /// repeat the search.
 ///
 /// The run that wrote the results has the counters degree, refinements, estimated_space_error, relative_space_error and
-/// work. The counter search_work is the work of all other runs, and search_runs is the number of those that did not end
-/// early.
+/// work. The counter search_work is the work of all other runs. The counter search_runs is the number of other
+/// discretisations with a run that did not end early. If fewer than two runs reached their end, the two errors are
+/// missing.
 
 #include "analysis/space_error.h"
 #include "app/search/continuum_run.h"
@@ -34,8 +35,9 @@ class DiscretizationSearch {
  public:
   static constexpr const char* checkpoint_name = "discretization";
 
-  /// Prepares the search. If the context resumes an earlier run, loads the state of the search. Otherwise removes the
-  /// discretisations that do not fit in the memory from the ladder. Collective.
+  /// Prepares the search. If the context resumes an earlier run, loads the state of the search, if there is a
+  /// checkpoint of it. Otherwise ends the ladder before the first discretisation that does not fit in the memory.
+  /// Collective.
   DiscretizationSearch(const RunContext& context, ContinuumRun run);
   /// Runs the search. Returns the outcome of the run that wrote the results, or of an interrupted run. Collective.
   ModelOutcome run();
@@ -48,14 +50,16 @@ class DiscretizationSearch {
   bool writes() const;
   /// Runs the present discretisation. `trace` receives its history of Q.
   ModelOutcome run_rung(DeformationTrace& trace);
-  /// Method and step of a run that does not write; empty for the first one, which finds them itself.
+  /// Method and step of a run that does not write. Empty if no run has reached its end, because the run then finds them
+  /// itself.
   std::optional<Stepping> silent_stepping() const;
   /// Adds the present run to the series of errors. If the run ended early, only counts the failure.
   void note(const ModelOutcome& outcome, DeformationTrace trace);
   /// True if the present run is the final one.
   bool settles() const;
   /// Adds the counters of the search to the outcome, and logs the estimated error. Also adds the history of Q of the
-  /// previous run that reached its end.
+  /// previous run that reached its end. If fewer than two runs have reached their end, adds only the counters of the
+  /// discretisation and of the work.
   void report(ModelOutcome& outcome) const;
   // The next three functions are collective.
   void start_afresh() const;
@@ -72,7 +76,7 @@ class DiscretizationSearch {
 
   const RunContext& context_;
   ContinuumRun run_;
-  scene::Scene written_scene_, silent_scene_;  ///< the scene with the time tolerance of each kind of run
+  scene::Scene written_scene_, silent_scene_;  ///< scene of runs that write results, and of the others
   std::vector<scene::Discretization> ladder_;
 
   // These members are the contents of the checkpoint.
@@ -80,7 +84,9 @@ class DiscretizationSearch {
   bool settled_ = false;      ///< true if the present run is the final one and writes the results
   int n_failures_ = 0;        ///< number of successive runs, up to the last one, that ended early
   analysis::SpaceErrorLadder errors_;
-  double relative_to_largest_ = 0;          ///< ratio of the largest |Q − Q'|/|Q| to the largest entry of Q − Q'
+  /// Ratio of the largest |Q − Q'|/|Q| to the largest entry of |Q − Q'|, with Q' of the run before. It is 0 for the
+  /// first run, and if Q = Q'.
+  double relative_to_largest_ = 0;
   DeformationTrace trace_;                  ///< history of Q in the last run that reached its end
   DeformationTrace trace_before_;           ///< history of Q in the run before, among those that reached their end
   std::optional<Stepping> first_stepping_;  ///< method and step of the first run that reached its end

@@ -43,8 +43,10 @@ std::string in_bytes(double bytes);
 /// for an adaptive method. If the program chooses the method, the function returns the step of RATTLE.
 double stable_step(const scene::Scene& scene, const scene::Discretization& discretization);
 
-/// The result of scene::needs with lines about the size of the run, its steps and its time. If the scene's step is not
-/// stable, also adds a warning. There is no line for finite elements on a mesh file or without a fixed discretisation.
+/// The result of scene::needs with lines about the effort. They have the force evaluations of the pseudo-rigid model,
+/// and the size, the steps and the time of a finite-element run. If the scene gives a method and an unstable step,
+/// there is also a warning. For modes and Love numbers, there is only the size. There is no line for finite elements on
+/// a mesh file or without a fixed discretisation.
 scene::Needs needs_with_effort(const scene::Scene& scene);
 
 /// The reason why this machine cannot compute with a discretisation; empty if it can. One reason is lack of memory. The

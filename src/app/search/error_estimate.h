@@ -2,11 +2,11 @@
 /// Estimate of the discretisation error of a run by a companion run on another discretisation (scene/discretization.h).
 /// Both runs have the same method and step, so that their time errors cancel (analysis/space_error.h). The companion
 /// has a shorter step only if this step exceeds 0.8 of the companion's stability limit. The comparison of the models
-/// uses the motion of the companion to estimate the errors of other quantities.
+/// uses the motion of the companion to estimate the error of the frequency.
 ///
-/// The counters are estimated_space_error, the largest error of an entry of Q, and relative_space_error, the error
-/// relative to |Q|. Further counters are companion_degree, companion_work, and for finite elements
-/// companion_refinements.
+/// Q is the affine part of the motion, a 3×3 matrix. The counters are estimated_space_error, the largest error of an
+/// entry of Q, and relative_space_error, the error relative to |Q|. Further counters are companion_degree,
+/// companion_work, and for finite elements companion_refinements.
 
 #include <functional>
 #include <string>
@@ -18,12 +18,12 @@ namespace pseudorigid::app {
 
 /// A discretisation and its companion.
 struct CompanionPair {
-  std::string_view model;
-  double resolution, resolution_of_companion;
-  std::string companion;  ///< description of the companion for messages
-  double rate;            ///< rate p at which the error of Q decreases with the resolution (analysis/space_error.h)
-  /// Rate for the errors of other quantities. A smaller rate gives larger estimates, so this rate is a lower bound of
-  /// the usual rates.
+  std::string_view model;                      ///< name of the model for messages
+  double resolution, resolution_of_companion;  ///< resolution of each run, N in analysis/space_error.h
+  std::string companion;                       ///< description of the companion for messages
+  double rate;  ///< rate p at which the error of Q decreases with the resolution (analysis/space_error.h)
+  /// Rate for the error of the frequency. A smaller rate gives larger estimates, so this rate is a lower bound of the
+  /// usual rates.
   double least_rate;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Runs of a model that only give their history of Q, without observables, files or messages.
+/// Runs of a model without observables, files or messages. They only give their history of Q, which has the affine part
+/// Q of the motion at each sample (app/run/deformation_trace.h).
 
 #include <memory>
 

@@ -38,7 +38,7 @@ struct Curve {
 
 /// The end of a motion.
 struct End {
-  int to = 0;                     ///< number of the critical point at the end, or 0
+  int to = 0;                     ///< number of the critical point at the end; 0 if the motion does not end at one
   double distance = 0, time = 0;  ///< distance from the nearest critical point, and internal time, at the end
   Status step{};                  ///< status of the last step; a failure ends the motion
 };
@@ -213,12 +213,13 @@ class ManifoldRun {
   Eigen::VectorXd periods_,
       offset_;  ///< periods of the landscape's coordinates, and their offset from the coordinates of the motion
   double length_,
-      highest_energy_ = HUGE_VAL;  ///< longest duration of a motion; energy at which a motion on a stable manifold ends
+      highest_energy_ =
+          HUGE_VAL;  ///< longest duration of a motion; energy above which a motion on a stable manifold ends
   std::vector<double> row_;
   io::ColumnTable rows_, ends_;
   ModelOutcome& outcome_;  ///< receives the text of the results
   int n_curves_ = 0;
-  Status stopped_;  ///< failure of the first motion that cannot be continued
+  Status stopped_;  ///< failure of the first motion on an unstable manifold that cannot be followed
 };
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace pseudorigid::app {
 scene::SystemDescription describe_system(const systems::AnySystemScene& system);
 
 /// Runs the analysis of a scene of this system. For motions and equilibria, throws std::logic_error if the force
-/// depends on the time or the velocity, and the system does not declare this dependence.
+/// depends on the time or the velocity, and the system does not declare this dependence. For a system in coordinates,
+/// only the dependence on the time is tested.
 ModelOutcome run_system(const systems::AnySystemScene& system, const RunContext& context);
 
 }  // namespace pseudorigid::app
