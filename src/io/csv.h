@@ -50,7 +50,8 @@ void truncate_csv(const std::filesystem::path& path, std::span<const std::string
 /// The unwritten rows remain in memory. A later flush may then succeed.
 class CsvWriter {
  public:
-  /// Creates the file with its header, and replaces an old file. Throws WriteError.
+  /// Creates the file with its header, and replaces an old file. Throws WriteError if the file cannot be opened or
+  /// written.
   static CsvWriter create(const std::filesystem::path& path, std::span<const std::string> columns);
   /// Opens the file of a resumed run, and keeps only its first `n_rows` rows. New rows are appended. Throws the errors
   /// of truncate_csv, and WriteError if the file cannot be opened.
@@ -65,7 +66,8 @@ class CsvWriter {
   /// column. If the row makes append() call flush(), the errors of flush() are thrown as well.
   void append(std::span<const double> row);
   void flush();
-  std::int64_t n_rows() const { return n_rows_; }  ///< number of rows, including those before a resume
+  /// The number of rows in the file and in memory. After resume(), it includes the rows that resume() has kept.
+  std::int64_t n_rows() const { return n_rows_; }
 
  private:
   CsvWriter(std::filesystem::path path, int file_descriptor, std::span<const std::string> columns, std::int64_t n_rows,

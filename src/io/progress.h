@@ -30,7 +30,7 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
   /// Reads the clock, adapts `stride_`, and draws the line if the last drawing is at least 0.2 s ago. The first call
-  /// only stores the start.
+  /// stores the start and does not draw.
   void look(double fraction);
   void draw(double fraction, Clock::time_point now);
 

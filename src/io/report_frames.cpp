@@ -134,7 +134,7 @@ std::vector<PvdCollection::Frame> some_of(const std::vector<PvdCollection::Frame
 
 /// The rows of table_of_frames without the header. The text is empty if a picture does not have the fields or all
 /// points of the faces. Without `is_affine`, it is also empty if the first picture has no faces, or if two pictures
-/// would exceed most_rows.
+/// would exceed most_rows. `frames` must not be empty. Throws UserError if a picture cannot be read.
 std::string rows_of_frames(std::vector<PvdCollection::Frame> frames, bool is_affine) {
   std::string text;
   std::vector<PictureFace> faces;

@@ -38,7 +38,7 @@ void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid);
 
 /// Writes the .pvtu file of a picture of a parallel run, which lists the files of the pieces (`files`). All pieces must
 /// have the fields of `piece` and must be in the folder of the .pvtu file. Only the names of the fields and their
-/// numbers of components are read from `piece`. Throws WriteError.
+/// numbers of components are read from `piece`. Throws WriteError if the file cannot be written.
 void write_pvtu(const std::filesystem::path& path, const UnstructuredGrid& piece,
                 const std::vector<std::filesystem::path>& files);
 

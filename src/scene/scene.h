@@ -54,7 +54,7 @@ using mechanics::Quantities;
 struct Fields {
   bool displacement = true;  ///< displacement with and without the rotation, and reference coordinates
   bool velocity = true;
-  bool stress = true;       ///< Cauchy stress, pressure, von Mises
+  bool stress = true;       ///< Cauchy stress, pressure, von Mises stress, and contact pressure if there are planes
   bool deformation = true;  ///< deformation gradient, its determinant, principal stretches
   bool energy = true;       ///< energy density, potential of self-gravity
 };
@@ -85,10 +85,15 @@ struct Scene {
   loads::Loads loads;  ///< the headers in src/loads/ define the entries of the loads
   double gamma = 0;    ///< γ of Gravity/Gamma, from which validate() sets the constant of gravity; 0: not given
   struct InitialState {
-    Matrix3 deformation = identity3;  ///< Q₀, with which the ball starts as x = Q₀X
-    Matrix3 velocity{};               ///< Q̇₀, with which the ball starts with the velocity Q̇₀X
+    /// The body starts at x = x_c + Q₀X with the velocity ẋ_c + Q̇₀X, x_c the centre of mass. Let D be `deformation`
+    /// and V be `velocity`. If `equilibrium` is none, Q₀ = D and Q̇₀ = V. Otherwise, the equilibrium has the shape A,
+    /// the spin ω and the circulation Λ. Then Q₀ = DA and Q̇₀ = D(ω̂A − AΛ̂) + V. Here ω̂ is the matrix of ω×, and Λ̂
+    /// that of Λ×.
+    Matrix3 deformation = identity3;
+    Matrix3 velocity{};
     Family equilibrium = Family::none;
     double equilibrium_parameter = 0.5;
+    /// Centre of mass of the body and its companions, and the velocity of this centre.
     std::vector<double> center{0, 0, 0}, center_velocity{0, 0, 0};
   } initial_state;
   struct Equilibria {
