@@ -106,7 +106,8 @@ void check_fits_file(const Statement& statement) {
                                 statement.path, got(*statement.value)));
 }
 
-/// The statement of an argument "Section/Entry=value" of --set. Throws UserError if the text has another form.
+/// The statement of an argument "Section/Entry=value" of --set. Throws UserError if the text has another form, or if
+/// the value does not fit on one line (check_fits_file).
 Statement override_statement(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos)

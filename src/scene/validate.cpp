@@ -29,8 +29,9 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Largest semi-axis in radii. The least semi-axis is its reciprocal. The entries of E₀ are proportional to squares of
-/// semi-axes. They are therefore at most 10¹² times those of the ball.
+/// Largest semi-axis in radii. The least semi-axis is its reciprocal. For an ellipsoid, the second moment E₀ divided by
+/// the mass has entries that are proportional to squares of semi-axes. They are therefore at most 10¹² times those of
+/// the ball.
 constexpr double largest_axis = 1e6;
 
 /// Largest inertia, stiffness and unit of time in the units of the scene. The least values are the reciprocal of this
@@ -294,7 +295,7 @@ class Validator {
                            print_upper_bound(units.to_physical(largest_stretch, unit)), print_number(value)));
     };
     scene_.loads.for_each([&]<class Load>(const Load& load) {
-      // The size of the entries of an absent load, such as the frequency of a tide, and of a rise are not checked.
+      // The sizes of the entries of an absent load, such as the frequency of a tide, and of a rise are not checked.
       const bool acts = loads::present(load) && !std::is_same_v<Load, loads::Rise>;
       const auto check = [&]<class Kind>(const auto& member, const Kind& kind, const About& about) {
         if constexpr (requires { kind.symmetric; })

@@ -52,6 +52,7 @@ struct FixedAxis {
     return -body.mass * (gravity.dot(along) + gravity.dot(across) * cos(q[0]) + gravity.dot(ahead) * sin(q[0]));
   }
   using Angle = Eigen::Matrix<double, 1, 1>;
+  /// The angular acceleration −cθ̇/I_e that the friction causes.
   template <class T>
   Eigen::Matrix<T, 1, 1> dissipation(const Eigen::Matrix<T, 1, 1>&, const Eigen::Matrix<T, 1, 1>& v) const {
     return Eigen::Matrix<T, 1, 1>(T(-friction / moment_of_inertia() * v[0]));

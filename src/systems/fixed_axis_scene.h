@@ -162,7 +162,7 @@ struct FixedAxisScene {
     return {body, vector(axis).stableNormalized(), vector(gravity), friction};
   }
   /// Refuses an inertia that is not symmetric, and an inertia that no body with this mass and centre of mass has. Also
-  /// refuses a moment of inertia about the axis that is not positive.
+  /// refuses a moment of inertia about the axis that is not above round-off.
   std::optional<Refusal> refuses_inertia() const {
     constexpr const char* path = "Fixed axis/Inertia";
     constexpr double round_off = 1e-12;

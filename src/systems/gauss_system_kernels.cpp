@@ -257,7 +257,8 @@ struct FieldOfPoints final : mechanics::GaussField {
   }
 };
 
-// The solvers return true, except the one for charts. This one returns false if the coordinates are too large.
+// The solvers return true, except the template for charts. The template returns false if a coordinate is too large or
+// NaN. It does not serve DoublePendulumChart, which has an overload of its own.
 bool solve(const TopOfStages& top, mechanics::GaussStages& stages) {
   if (is_free(top) && top.A.isDiagonal(0))
     mechanics::detail::iterate_in_lanes(TopField<true>{top}, stages);

@@ -83,8 +83,8 @@ struct EulerAngleChart {
     }
     return U;
   }
-  /// Returns a positive number inside the chart, |sin θ| > `smallest_sine`. Near sin θ = 0, the rates of φ and ψ
-  /// increase as 1/sin θ, and so do their errors.
+  /// Returns a positive number inside the chart, |sin θ| > `smallest_sine`, and otherwise a number that is not
+  /// positive. Near sin θ = 0, the rates of φ and ψ increase as 1/sin θ, and so do their errors.
   template <class T>
   T reserve(const mechanics::Coordinates<T, 3>& h) const {
     using std::sin;

@@ -1,8 +1,9 @@
 #pragma once
 /// System of n mass points with masses m_i, positions q_i and velocities v_i (Oliva, Geometric Mechanics, 5.5.1). The
-/// points satisfy m_i q̈_i = f_i^ext + Σ_j f_ij, with internal forces f_ij = −f_ji along q_i − q_j. The comments of
-/// Parameters name the symbols. A spring has the stiffness k and the rest length l. The forces, or their potentials V,
-/// are
+/// points satisfy m_i q̈_i = f_i^ext + Σ_j f_ij, with internal forces f_ij = −f_ji along q_i − q_j. A spring has the
+/// stiffness k and the rest length l, and a dashpot has the damping d. G is the gravitational constant, g the
+/// acceleration of the uniform field, and γ the drag coefficient. The fixed centre c attracts with the strength μ. The
+/// forces, or their potentials V, are
 ///
 /// Internal:  gravity   V = −Σ_{i<j} G m_i m_j/|q_i − q_j|
 ///            springs   V = Σ ½k(|q_i − q_j| − l)²

@@ -110,8 +110,8 @@ struct MovingFrameScene {
     return columns;
   }
 
-  /// Appends the values of all columns for a state, which is given in the frame and in space. Fails if the force is not
-  /// finite (MovingFrame::terms).
+  /// Appends the values of all columns for a state, which is given in the frame and in space. Fails if
+  /// MovingFrame::terms fails.
   static mechanics::Status append(const FrameParameters& p, const mechanics::State<MovingFrame>& relative,
                                   const mechanics::State<InertialFrame>& inertial, std::vector<double>& row) {
     RelativeTerms terms;

@@ -36,8 +36,8 @@ struct TopOfStages {
   const BodyLoads* loads = nullptr;
 };
 
-/// The spherical pendulum (spherical_pendulum_scene.h) with its explicit multiplier λ, gravity g and drag coefficient
-/// c. The z axis points upwards:
+/// The spherical pendulum (spherical_pendulum_scene.h) with the mass m, the acceleration of gravity g, the drag
+/// coefficient c and an explicit multiplier λ. The z axis points upwards:
 ///   q̈ = b + λq,  b = −g e_z − c q̇/m,  λ|q|² = −|q̇|² − ⟨q, b⟩.
 struct SphericalPendulumOfStages {
   static constexpr int n = 3;

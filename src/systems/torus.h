@@ -7,9 +7,9 @@
 ///   D(v) = −c(q) (v + β ⟨v, e⟩ e),   c(q) = c (1 + a cos w + b cos u),   e = cos γ e_w + sin γ e_u,
 ///   V = g ⟨q, up⟩,   up = (sin α, 0, cos α),
 ///
-/// with the velocity v, the unit vectors e_w, e_u along the circles, and the acceleration g of gravity. The numbers
-/// satisfy |a| + |b| < 1 and β ≥ 0. The friction D varies with the position (5.8.9) and is greater along the grain
-/// direction e. For a = b = β = 0 it is the friction of 5.8.8.
+/// with the velocity v, the unit vectors e_w, e_u along the circles, the acceleration g of gravity and the tilt α. The
+/// numbers a, b and β satisfy |a| + |b| < 1 and β ≥ 0. The friction D varies with the position (5.8.9) and is greater
+/// along the grain direction e. For a = b = β = 0 it is the friction of 5.8.8.
 ///
 /// For α = 0, the potential V = g (3 + cos w) cos u is even in x = sin w. The circle w = π is therefore invariant. It
 /// connects the two saddles, whose stable and unstable manifolds are not transversal there. A tilt α ≠ 0 removes the
@@ -41,6 +41,7 @@ struct Torus : TorusSurface {
     using std::cos;
     return c * (1.0 + c_w * outward * cos(q[0]) + c_u * cos(q[1]));
   }
+  /// The components of the friction D(v) in the coordinates (w, u).
   template <class T>
   SurfacePoint<T> dissipation(const SurfacePoint<T>& q, const SurfacePoint<T>& v) const {
     using std::cos;
