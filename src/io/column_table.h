@@ -75,7 +75,7 @@ class ColumnTable {
 
   ColumnUnits units_;
   std::optional<CsvWriter> csv_;
-  Table* table_ = nullptr;  ///< used if there is no file
+  Table* table_ = nullptr;  ///< the table in memory; null if the rows go to a file
 };
 
 }  // namespace pseudorigid::io

@@ -25,8 +25,8 @@ struct BallRun {
   bool affine = false;       ///< whether the motion is affine, x = QX + x_c with a matrix Q and the centre of mass x_c
 };
 
-/// The content of manifest.json that the caller provides. ManifestFile adds the processor, and the state, duration and
-/// memory of the run.
+/// The content of manifest.json that the caller provides. ManifestFile adds the processor, and the state, start, end,
+/// duration and memory of the run. At the end, it adds the exit code and the message if they are known.
 struct Manifest {
   /// Counters, times and method of a run of a model or a system.
   struct Model {

@@ -23,7 +23,7 @@ class Progress {
   void step(double fraction) {
     if (++n_steps_ >= next_look_) look(fraction);
   }
-  void finish();  ///< deletes the line from the terminal
+  void finish();  ///< deletes the line from the terminal if the line has been drawn
 
   static bool stderr_is_terminal();
 

@@ -33,7 +33,7 @@ struct MassPointsScene {
   std::vector<double> masses{0.5, 0.5};  // with the defaults below, two points that orbit each other in the time 2π
   std::vector<double> positions{0.5, 0, 0, -0.5, 0, 0}, velocities{0, 0.5, 0, 0, -0.5, 0};
   double gravitational_constant = 1;
-  std::vector<double> springs, dashpots;  // rows (i, j, k, l) of springs, (i, j, d) of dashpots
+  std::vector<double> springs, dashpots;  // rows (i, j, k, l) for springs, and (i, j, d) for dashpots
   std::vector<double> field{0, 0, 0}, center{0, 0, 0};
   double confinement = 0, central_attraction = 0, drag = 0;
 

@@ -59,7 +59,7 @@ using FramePose = FramePoseOver<double>;
 struct FrameMotion {
   Eigen::Matrix3d M0 = Eigen::Matrix3d::Identity();        // rotation M₀ of the frame at t = 0
   Eigen::Vector3d spin_axis = Eigen::Vector3d::UnitZ();    // spin axis n in the frame, of any length
-  double spin_rate = 0, spin_acceleration = 0;             // spin rate ν at t = 0, and its constant rate ν̇
+  double spin_rate = 0, spin_acceleration = 0;             // spin rate ν at t = 0, and angular acceleration ν̇
   Eigen::Vector3d precession = Eigen::Vector3d::Zero();    // angular velocity p of the precession in space
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();        // position r₀ of the origin at t = 0
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      // velocity ṙ₀ of the origin at t = 0
@@ -119,7 +119,7 @@ struct FrameParameters {
 /// The forces, and the pose of the frame at each stage of a Gauss step.
 struct FrameOfStages {
   const FrameForces& forces;
-  bool moving;  ///< true if q is the position in the moving frame, false if it is the position in space
+  bool moving;  ///< true if the stages have positions in the moving frame, false if in space
   std::array<mechanics::OfStages, FramePose::n_entries> pose;  ///< the entries of FramePose, each at all stages
 };
 /// Computes the poses at the times of the stages once for a step, because the poses do not depend on the state. The

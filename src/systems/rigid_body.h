@@ -6,7 +6,7 @@
 /// kinetic energy K and the equations of motion are
 ///
 ///   K = ½tr(ṘE₀Ṙᵀ) + ½m|ẋ|²   (5.98),   E₀ = ∫ξξᵀdm,   A = tr(E₀)Id − E₀
-///   [R̈E₀ | mẍ] = ∫df ξ̃ᵀ + [RΛ | 0],   RᵀR = Id,   ξ̃ = (ξ, 1) or ξ
+///   [R̈E₀ | mẍ] = ∫df ξ̃ᵀ + [RΛ | 0],   RᵀR = Id,   ξ̃ = (ξ, 1), or ξ with a fixed point
 ///
 /// With the columns c_i of R, the six constraints are g_ii = ½(|c_i|² − 1), g_jk = ⟨c_j, c_k⟩. Their order is 11 22 33
 /// 23 13 12. Their six multipliers are the entries of the symmetric matrix Λ in the same order. Let M be the mass
