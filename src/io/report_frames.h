@@ -29,8 +29,9 @@ std::vector<PictureFace> faces_of(const std::vector<UnstructuredGrid>& pieces);
 /// contains fewer times if it would otherwise have more than 60000 rows. If the motion of the body is affine
 /// (`is_affine`), the table contains one point at the times of all pictures. The text is empty if there are no
 /// pictures, or if the list or a picture cannot be read. It is also empty if a picture does not have the fields
-/// reference_coordinates and von_mises, or lacks a point of the faces of the first picture. Without `is_affine`, it is
-/// empty as well if the faces of the first picture have 0 or more than 30000 points.
+/// reference_coordinates and von_mises. A picture without all points of the faces of the first picture also makes the
+/// text empty. Without `is_affine`, it is empty as well if the faces of the first picture have 0 or more than 30000
+/// points.
 std::string table_of_frames(const std::filesystem::path& pvd, bool is_affine);
 
 }  // namespace pseudorigid::io

@@ -6,7 +6,7 @@
 /// and a finite-element model. Each companion must be farther from the centre of the initial body than all points of
 /// this body, at a finite position. Two companions must not have the same place. A companion with a position but no
 /// velocity must not be on the z axis through the centre of its orbit. Drag, planes, and constant or periodic tidal
-/// matrices are refused. They act on the body but not on the companions, and would therefore change the orbit.
+/// matrices are refused. These loads act on the body but not on the companions, and would therefore change the orbit.
 
 #include <optional>
 

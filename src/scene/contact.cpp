@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char *normals_path = "Loads/Plane normals", *points_path = "Loads/Plane points";
 
-/// An initial penetration counts as round-off if it is at most this fraction of the sum of two lengths. They are the
-/// extent of the body along the normal and the distance of the plane from the origin.
+/// An initial penetration counts as round-off if it is at most this fraction of the sum of two lengths. The lengths are
+/// the extent of the body along the normal and the distance of the plane from the origin.
 constexpr double round_off = 1e-12;
 
 Eigen::Vector3d vector_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }

@@ -96,8 +96,7 @@ void set_entry(const Statement& statement, ReadScene& read) {
                                 did_you_mean(statement.path, known_paths(std::as_const(read.scene), false))));
 }
 
-/// Throws UserError unless the value fits on one line of a parameter file. This is necessary because used.prm contains
-/// the value.
+/// Throws UserError unless the value fits on one line of a parameter file, because used.prm contains the value.
 void check_fits_file(const Statement& statement) {
   const bool control = std::any_of(statement.value->begin(), statement.value->end(),
                                    [](unsigned char c) { return std::iscntrl(c) != 0; });

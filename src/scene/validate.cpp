@@ -30,8 +30,8 @@ namespace pseudorigid::scene {
 namespace {
 
 /// Largest semi-axis in radii. The least semi-axis is its reciprocal. For an ellipsoid, the second moment E₀ divided by
-/// the mass has entries that are proportional to squares of semi-axes. They are therefore at most 10¹² times those of
-/// the ball.
+/// the mass has entries that are proportional to squares of semi-axes. These entries are therefore at most 10¹² times
+/// those of the ball.
 constexpr double largest_axis = 1e6;
 
 /// Largest inertia, stiffness and unit of time in the units of the scene. The least values are the reciprocal of this

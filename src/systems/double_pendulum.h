@@ -61,8 +61,8 @@ class DoublePendulum {
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
-  /// Solves G(q)M⁻¹G(p)ᵀλ = r for the configurations q = `q1` and p = `q0` in R⁴, with the derivative G of the
-  /// constraints and the mass operator M. Fails if λ is not finite, for example because the matrix is singular.
+  /// Solves G(q)M⁻¹G(p)ᵀλ = r for the configurations q = `q1` and p = `q0` in R⁴. G is the derivative of the
+  /// constraints, and M is the mass operator. Fails if λ is not finite, for example because the matrix is singular.
   mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     const Eigen::Vector2d a1 = q1.head<2>() / square(p_.l1), a0 = q0.head<2>() / square(p_.l1);

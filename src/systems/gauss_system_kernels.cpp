@@ -15,7 +15,8 @@ namespace {
 
 // This file is compiled once for each instruction set. Its solvers are the table SystemKernels (systems_in_lanes.h).
 // The fields below, except FieldOfPoints, are functions (first lane, q, v, a) over a scalar type T, which is a vector
-// of SIMD lanes. They set the accelerations a. They return a number that is positive if the accelerations are defined.
+// of SIMD lanes. These functions set the accelerations a, and return a number that is positive if the accelerations are
+// defined.
 
 template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;
@@ -258,7 +259,7 @@ struct FieldOfPoints final : mechanics::GaussField {
 };
 
 // The solvers return true, except the template for charts. The template returns false if a coordinate is too large or
-// NaN. It does not serve DoublePendulumChart, which has an overload of its own.
+// NaN. DoublePendulumChart has an overload of its own, which returns true.
 bool solve(const TopOfStages& top, mechanics::GaussStages& stages) {
   if (is_free(top) && top.A.isDiagonal(0))
     mechanics::detail::iterate_in_lanes(TopField<true>{top}, stages);

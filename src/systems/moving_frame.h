@@ -6,19 +6,19 @@
 ///   Q̈ = M_t⁻¹f − M_t⁻¹r̈ − Ω̇ × Q − 2Ω × Q̇ − Ω × (Ω × Q)
 ///       force  translation  rotation  Coriolis  centrifugal
 ///
-/// The frame has the rotation M_t = exp(t p×) M₀ exp(α(t) n×) with the spin angle α = ν t + ½ν̇t². It is M₀ at t = 0.
-/// The spin about the axis n of the frame has the rate ν at t = 0 and the constant angular acceleration ν̇. The axis
-/// precesses with the angular velocity p in space. In the axes of K, the frame has the angular velocity Ω and the
-/// angular acceleration Ω̇:
+/// The frame has the rotation M_t = exp(t p×) M₀ exp(α(t) n×) with the spin angle α = ν t + ½ν̇t². At t = 0, the
+/// rotation is M₀. The spin about the axis n of the frame has the rate ν at t = 0 and the constant angular acceleration
+/// ν̇. The axis precesses with the angular velocity p in space. In the axes of K, the frame has the angular velocity Ω
+/// and the angular acceleration Ω̇:
 ///
 ///   Ω = α̇n + u,   Ω̇ = α̈n − α̇ n × u,   u = exp(−α n×)M₀⁻¹p.
 ///
 /// The origin of the frame has the position r = r₀ + ṙ₀t + ½at² + b sin(wt). The acceleration a is constant, and b
 /// sin(wt) is a shaking with the amplitude b and the angular frequency w.
 ///
-/// The forces at rest in space are uniform gravity g, a spring −k(q − c) and an attraction −μ(q − c)/|q − c|³, both to
-/// the centre c. The forces at rest in the frame are uniform gravity G and springs −diag(K₁, K₂, K₃)(Q − C) to the
-/// centre C.
+/// The forces at rest in space are uniform gravity g, a spring −k(q − c) and an attraction −μ(q − c)/|q − c|³. The
+/// centre of both is c. The forces at rest in the frame are uniform gravity G and springs −diag(K₁, K₂, K₃)(Q − C) to
+/// the centre C.
 ///
 /// In the inertial frame, the same motion satisfies q̈ = f.
 
