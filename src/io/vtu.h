@@ -17,7 +17,7 @@ enum class CellType : std::uint8_t { triangle = 5, quad = 9, hexahedron = 12, la
 struct UnstructuredGrid {
   struct Field {
     std::string name;
-    int n_components;            ///< numbers per point: 1 scalar, 3 vector, 9 tensor (row-major)
+    int n_components;            ///< numbers per point: 1 for a scalar, 3 for a vector, 9 for a tensor (row by row)
     std::vector<double> values;  ///< point by point; a constant has the numbers of one point
   };
   std::vector<double> points{};  ///< x, y, z of each point

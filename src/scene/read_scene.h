@@ -21,8 +21,8 @@ class Origins {
 
   void record(const std::string& path, std::string where) { where_[path] = std::move(where); }
 
-  /// Returns the origin of the value of an entry, for example "scene.prm:12" or "--set". For an entry with its default
-  /// value, returns the name of the file.
+  /// Returns the origin of the value of an entry, for example "scene.prm:12" or "--set". For an entry that neither the
+  /// file nor --set sets, returns the name of the file.
   std::string of(const std::string& path) const;
   /// True if --set sets the entry.
   bool is_override(const std::string& path) const;

@@ -14,8 +14,8 @@
 /// For α = 0, the potential V = g (3 + cos w) cos u is even in x = sin w. The circle w = π is therefore invariant. This
 /// circle connects the two saddles, whose stable and unstable manifolds are not transversal there. A tilt α ≠ 0 removes
 /// the symmetry, and breaks the connection without a change of D. A grain oblique to the circle breaks the connection
-/// without a change of V (the two halves of 5.8.6). A variable c(q) alone does not break it, because the force −c(q) v
-/// on a motion along the circle is tangent to the circle.
+/// without a change of V. Theorem 5.8.6 treats these two cases, with D fixed and with V fixed. A variable c(q) alone
+/// does not break it, because the force −c(q) v on a motion along the circle is tangent to the circle.
 
 #include <Eigen/Core>
 #include <cmath>
