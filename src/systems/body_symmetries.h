@@ -3,7 +3,8 @@
 /// energy, and therefore give conserved momenta (Noether's theorem):
 ///
 ///   translations of space    perpendicular to the weight, if there are no springs and no fixed point
-///   rotations of space       about an axis through the origin that is parallel to the weight and contains all anchors of springs
+///   rotations of space       about an axis through the origin that is parallel to the weight and contains every
+///                            anchor of a spring
 ///
 /// Rotations of the body, R ↦ RO with a rotation O, are not included. Such rotations map the set g = 0 of the
 /// constraints g to itself, but change the values of g outside this set.

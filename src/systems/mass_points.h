@@ -7,7 +7,7 @@
 ///
 /// Internal:  gravity   V = −Σ_{i<j} G m_i m_j/|q_i − q_j|
 ///            springs   V = Σ ½k(|q_i − q_j| − l)²
-///            dashpots  f_ij = −d ⟨v_i − v_j, n⟩ n,  n = (q_i − q_j)/|q_i − q_j|   (zero on rigid motions: objective)
+///            dashpots  f_ij = −d ⟨v_i − v_j, n⟩ n,  n = (q_i − q_j)/|q_i − q_j|   (0 in rigid motions)
 /// External:  uniform field V = −Σ m_i⟨g, q_i⟩,  confinement ½k Σ|q_i − c|²,  fixed centre −Σ μ m_i/|q_i − c|,
 ///            linear drag f_i = −γ v_i
 ///

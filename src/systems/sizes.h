@@ -17,7 +17,7 @@ namespace detail {
 
 inline constexpr double largest_size = 1e70;
 
-/// True for zero and for numbers in the range.
+/// True if x = 0 or if |x| is between 1/largest_size and largest_size.
 inline bool sound(double x) { return x == 0 || (std::abs(x) >= 1 / largest_size && std::abs(x) <= largest_size); }
 
 /// Calls visitor(path, x) for each number x in the entries.
