@@ -1,6 +1,7 @@
 #pragma once
 /// Readers and writers of the CSV files of a run. A file has one header line and then finite numbers, separated by
-/// commas. Numbers have 17 significant digits. A reader therefore obtains the same doubles that were written.
+/// commas. Numbers are written with up to 17 significant digits. A reader therefore obtains the same doubles that were
+/// written.
 
 #include <cstdint>
 #include <filesystem>
@@ -46,8 +47,8 @@ void truncate_csv(const std::filesystem::path& path, std::span<const std::string
 
 /// Appends rows to a file. The rows are collected in memory. flush() writes them to the file. append() calls flush() if
 /// the collected rows have 64 KiB or more. Call flush() before each checkpoint, so that the file contains all rows up
-/// to the checkpoint. If a write fails, flush() throws WriteError and truncates the file to its size before this write.
-/// The unwritten rows remain in memory. A later flush may then succeed.
+/// to the checkpoint. If a write fails, flush() tries to truncate the file to its size before this write, and throws
+/// WriteError. The unwritten rows remain in memory. A later flush may then succeed.
 class CsvWriter {
  public:
   /// Creates the file with its header, and replaces an old file. Throws WriteError if the file cannot be opened or

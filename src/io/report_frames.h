@@ -14,7 +14,8 @@ namespace pseudorigid::io {
 
 struct PictureFace {
   int plane;  ///< 0: surface; 1, 2, 3: coordinate plane with normal x, y, z
-  /// The points row by row, with p + 1 points in a row. A point is the index of its grid and its index in the grid.
+  /// The points row by row, with p + 1 points in a row. A point is given by the index of its grid in the list of grids,
+  /// and by its index in this grid.
   std::vector<std::pair<int, std::size_t>> points;
 };
 

@@ -22,7 +22,7 @@ class RunDirectory {
  public:
   explicit RunDirectory(std::filesystem::path path) : path_(std::move(path)) {}
   /// The folder is `output_option` if it is given, and otherwise `output_directory`/<scene name>. Throws UserError if
-  /// the scene name is "." or "..".
+  /// there is no `output_option` and the scene name is "." or "..".
   RunDirectory(const std::filesystem::path& output_directory, const std::filesystem::path& scene_file,
                const std::optional<std::filesystem::path>& output_option);
 

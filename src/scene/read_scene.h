@@ -39,7 +39,7 @@ struct ReadScene {
   Scene scene;
   Origins origins;
   std::string name;                     ///< name of the scene: name of the file without ".prm"
-  std::vector<std::string> warnings{};  ///< one sentence for each entry that has two values in one file
+  std::vector<std::string> warnings{};  ///< read_scene adds a sentence for each entry with two values in one file
 };
 
 /// Reads the file and then the overrides ("Section/Entry=value"). If an entry has several values, the last one is used.
