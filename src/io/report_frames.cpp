@@ -113,7 +113,7 @@ bool have_the_points(const std::vector<UnstructuredGrid>& pieces, const std::vec
 }
 
 /// Appends a row of table_of_frames for the point with the index `point` in the grid. The row has the time, the number
-/// and plane of the face, and X, x and the von Mises stress of the point.
+/// and plane of the face, and the reference position, the position and the von Mises stress of the point.
 void add_row(std::string& text, double time, std::size_t number, int plane, const UnstructuredGrid& grid,
              std::size_t point) {
   const auto row = std::back_inserter(text);

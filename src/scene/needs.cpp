@@ -243,7 +243,8 @@ Needs needs(const Scene& scene) {
 }
 
 namespace {
-/// The clause about the least and the largest γ; empty without self-gravity.
+/// The clause about the least and the largest ratio γ of self-gravity to elasticity. The text is empty without
+/// self-gravity.
 std::string gravity_in_words(const std::pair<double, double>& gammas) {
   const auto [least, largest] = gammas;
   if (largest == 0) return {};

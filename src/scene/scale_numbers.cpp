@@ -13,6 +13,7 @@
 namespace pseudorigid::scene {
 namespace {
 
+/// The numbers of a scene. The head of scale_numbers.h defines the symbols.
 struct ScaleNumbers {
   bool is_fluid = false, moves = false;  ///< whether the body is a fluid; whether the analysis is a motion
   double c = 1, time = 1;                ///< √(μ/ρ) and r/c; for a fluid r/t and t

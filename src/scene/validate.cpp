@@ -84,9 +84,9 @@ class Validator {
     check_models();
   }
 
-  /// Sets the constant of gravity if the scene gives γ = ρgr/μ: G = 3γμ/(4πρ²r²). Refuses γ of a fluid. Refuses a scene
-  /// that also gives another G. A trial does not refuse it, because the scene may have G from a value of γ or μ before
-  /// the change.
+  /// Sets the constant of gravity G if the scene gives γ = ρgr/μ, with the density ρ, the radius r, the shear modulus μ
+  /// and g = (4/3)πGρr. Then G = 3γμ/(4πρ²r²). Refuses γ of a fluid. Refuses a scene that also gives another G. A trial
+  /// does not refuse it, because the scene may have G from a value of γ or μ before the change.
   void set_constant_of_gravity() {
     if (scene_.gamma == 0) return;
     if (is_fluid(scene_))
@@ -200,8 +200,9 @@ class Validator {
             names_where(scene_, [&](const auto& model) { return takes_method(model, method); })});
   }
 
-  /// Checks that the units give moderate numbers. The kinetic energy of the body is proportional to ρr⁵, and the
-  /// elastic energy to μr³. These two numbers and the unit of time must be between 1/largest_unit and largest_unit.
+  /// Checks that the units give moderate numbers. Let ρ be the density, r the radius and μ the shear modulus. The
+  /// kinetic energy of the body is proportional to ρr⁵, and the elastic energy to μr³. These two numbers and the unit
+  /// of time must be between 1/largest_unit and largest_unit.
   void check_units() const {
     const double radius = scene_.body.radius, density = scene_.body.density, modulus = scene_.material.shear_modulus;
     const double inertia = density * std::pow(radius, 5), stiffness = modulus * std::pow(radius, 3);

@@ -5,8 +5,8 @@
 ///
 ///   ω² = the larger of θ̇² at the start and m|g||G|/I_e, or 1 if both are zero.
 ///
-/// In these formulas, the mass m, the centre of mass G, the second moment E₀ and the moment of inertia I_e include the
-/// weights.
+/// Here θ is the angle about the axis, and g is the acceleration of gravity. In these formulas, the mass m, the centre
+/// of mass G, the second moment E₀ and the moment of inertia I_e include the weights.
 
 #include <fmt/format.h>
 

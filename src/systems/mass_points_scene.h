@@ -1,7 +1,9 @@
 #pragma once
-/// Mass points in parameter files. The symbols are those of mass_points.h. There are n points with mutual attraction,
-/// springs, dashpots and external fields. The first point has the number 1. Let q̄ be the centre of mass of the initial
-/// positions, and c the centre of forces. Motions of any size are of order 1 in the scales
+/// Mass points in parameter files. There are n points with mutual attraction, springs, dashpots and external fields
+/// (mass_points.h). The first point has the number 1. Point i has the mass m_i and the position q_i. G is the
+/// gravitational constant, g the uniform field, and μ the strength of the attracting centre. A spring and the
+/// confinement have stiffnesses k. Let q̄ be the centre of mass of the initial positions, and c the centre of forces.
+/// Motions of any size are of order 1 in the scales
 ///
 ///   mass     M = Σ m_i
 ///   length   L = the largest of |q_i − q̄|, of |q_i − c| if c exerts forces, and of the rest lengths of springs

@@ -30,7 +30,8 @@ struct BodyLoads;
 struct FrameOfStages;  // defined in moving_frame.h
 class MassPoints;
 
-/// The data of Euler's equation on quaternions (euler_top.h). If `loads` is null, the torque N is zero.
+/// The data of Euler's equation on quaternions (euler_top.h): the inertia operator A, its inverse, and the loads that
+/// cause the torque. If `loads` is null, the torque is zero.
 struct TopOfStages {
   Eigen::Matrix3d A, A_inverse;
   const BodyLoads* loads = nullptr;
