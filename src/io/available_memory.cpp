@@ -18,7 +18,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Names of the files with the limit and the use of memory of a control group. In a group without a limit, the file
 /// `limit` of version 1 contains a number larger than any memory. In version 2 it contains the word "max", which
-/// number_in reads as infinite.
+/// left_in_group takes as an infinite limit.
 struct Names {
   const char *limit, *used;
   /// Entries of memory.stat: the bytes of files that the kernel can drop, in the group and in all groups below it.
@@ -27,7 +27,8 @@ struct Names {
 constexpr Names version_1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file", "total_active_file"};
 constexpr Names version_2{"memory.max", "memory.current", "inactive_file", "active_file"};
 
-/// The number at the beginning of a file. If the file does not exist or begins with a word, the result is `otherwise`.
+/// The number at the beginning of a file. If the file cannot be read or does not begin with a number, the result is
+/// `otherwise`.
 double number_in(const fs::path& path, double otherwise) {
   std::ifstream file(path);
   double number;
@@ -44,8 +45,8 @@ double number_named(const fs::path& path, std::string_view wanted, double otherw
   return otherwise;
 }
 
-/// The limit of a group less the memory in use, in bytes, and at least 0. It is infinite for a group without a limit in
-/// version 2. Files that the kernel can drop do not count as used.
+/// The limit of a group less the memory in use, in bytes, and at least 0. It is infinite if the file of the limit is
+/// missing or does not begin with a number. Files that the kernel can drop do not count as used.
 double left_in_group(const fs::path& group, const Names& names) {
   const double limit = number_in(group / names.limit, infinite), used = number_in(group / names.used, 0);
   const fs::path parts = group / "memory.stat";

@@ -28,7 +28,8 @@ class Points {
 
   /// The number of a point in the list. Each component of `cube` is an index of face_coordinate, with n = n_intervals.
   /// Layer 0 is inside the cube or on its surface. For the layers 1 to n_layers, `cube` is on the surface of the cube.
-  /// These layers divide the ray from that point to the surface of the ball, which is the last layer.
+  /// Along the ray from the centre through that point, these layers divide the distance from the cube to the surface of
+  /// the ball into equal parts. The last layer is this surface.
   std::int64_t number(const std::array<int, 3>& cube, int layer) {
     const auto [found, is_new] =
         numbers_.try_emplace({cube[0], cube[1], cube[2], layer}, static_cast<std::int64_t>(points_.size()));

@@ -1,7 +1,7 @@
 #pragma once
 /// Points that fill the unit ball, for pictures of models without elements. The points form blocks. One set of blocks
 /// fills a cube in the middle. Other blocks fill the six shells between the faces of the cube and the surface of the
-/// ball. On a face of the cube, the rows of points are at equal angles seen from the centre.
+/// ball. On a face of the cube, the rows of points are at equal angles seen from the centre of the ball.
 
 #include <Eigen/Core>
 #include <vector>

@@ -31,7 +31,7 @@ namespace pseudorigid::io {
 /// The rigid planes that the body can touch, and the ellipsoid that is its reference surface, in internal units.
 struct PicturedContact {
   loads::Planes planes{};
-  Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();  ///< of the reference surface
+  Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();  ///< semi-axes of the reference surface
 };
 
 /// Returns the grid with the fields that `wanted` selects. `body` has values in internal units at the points to which

@@ -34,7 +34,7 @@ struct ColumnUnits {
 class ColumnTable {
  public:
   /// Writes the rows to a new CSV file. `factor` is that of ColumnUnits. Throws WriteError if the file cannot be
-  /// created.
+  /// created or its header cannot be written.
   template <class Factor>
   ColumnTable(const std::filesystem::path& path, const std::vector<scene::Column>& columns, const Factor& factor)
       : units_(columns, factor), csv_(CsvWriter::create(path, units_.names)) {}
@@ -75,7 +75,7 @@ class ColumnTable {
 
   ColumnUnits units_;
   std::optional<CsvWriter> csv_;
-  Table* table_ = nullptr;  ///< used if there is no file
+  Table* table_ = nullptr;  ///< the table in memory; null if the rows go to a file
 };
 
 }  // namespace pseudorigid::io

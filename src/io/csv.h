@@ -1,6 +1,7 @@
 #pragma once
 /// Readers and writers of the CSV files of a run. A file has one header line and then finite numbers, separated by
-/// commas. Numbers have 17 significant digits. A reader therefore obtains the same doubles that were written.
+/// commas. Numbers are written with up to 17 significant digits. A reader therefore obtains the same doubles that were
+/// written.
 
 #include <cstdint>
 #include <filesystem>
@@ -46,11 +47,12 @@ void truncate_csv(const std::filesystem::path& path, std::span<const std::string
 
 /// Appends rows to a file. The rows are collected in memory. flush() writes them to the file. append() calls flush() if
 /// the collected rows have 64 KiB or more. Call flush() before each checkpoint, so that the file contains all rows up
-/// to the checkpoint. If a write fails, flush() throws WriteError and truncates the file to its size before this write.
-/// The unwritten rows remain in memory. A later flush may then succeed.
+/// to the checkpoint. If a write fails, flush() tries to truncate the file to its size before this write, and throws
+/// WriteError. The unwritten rows remain in memory. A later flush may then succeed.
 class CsvWriter {
  public:
-  /// Creates the file with its header, and replaces an old file. Throws WriteError.
+  /// Creates the file with its header, and replaces an old file. Throws WriteError if the file cannot be opened or
+  /// written.
   static CsvWriter create(const std::filesystem::path& path, std::span<const std::string> columns);
   /// Opens the file of a resumed run, and keeps only its first `n_rows` rows. New rows are appended. Throws the errors
   /// of truncate_csv, and WriteError if the file cannot be opened.
@@ -65,7 +67,8 @@ class CsvWriter {
   /// column. If the row makes append() call flush(), the errors of flush() are thrown as well.
   void append(std::span<const double> row);
   void flush();
-  std::int64_t n_rows() const { return n_rows_; }  ///< number of rows, including those before a resume
+  /// The number of rows in the file and in memory. After resume(), it includes the rows that resume() has kept.
+  std::int64_t n_rows() const { return n_rows_; }
 
  private:
   CsvWriter(std::filesystem::path path, int file_descriptor, std::span<const std::string> columns, std::int64_t n_rows,

@@ -49,10 +49,10 @@ std::string kind_unless_file(const std::filesystem::path& path);
 
 /// Writes the concatenated parts to the file `path`.partial and then renames this file to `path`. A reader therefore
 /// sees either the old file or the new one. If writing fails, for example because the disk is full, the function throws
-/// WriteError and the old file remains. The old file also remains if the program is killed. A power failure may damage
-/// the new file, because the function does not call fsync. If `path` is a link, its target is replaced and the link
-/// remains. Pipes and devices are written directly. A pipe without a reader causes a WriteError with the error number
-/// ENXIO.
+/// WriteError and the old file remains. The old file also remains if the program is killed before the renaming. A power
+/// failure may damage the new file, because the function does not call fsync. If `path` is a link, its target is
+/// replaced and the link remains. Pipes and devices are written directly. A pipe without a reader causes a WriteError
+/// with the error number ENXIO.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts);
 inline void write_file_atomically(const std::filesystem::path& path, std::initializer_list<std::string_view> parts) {
   write_file_atomically(path, std::span(parts.begin(), parts.size()));

@@ -40,8 +40,8 @@ std::optional<std::size_t> n_nodes_of_boundary(int type) {
   }
 }
 
-/// The end of the message about an element that the reader does not accept. It names the element and an option of Gmsh
-/// that avoids it. The result is empty for an unknown type.
+/// The end of the message about an element of Gmsh that the reader does not accept. It describes the element and names
+/// an option of Gmsh that avoids it. The result is empty for a type below 1.
 std::string other_element(int type) {
   constexpr std::string_view divided = "Gmsh divides it into hexahedra if Mesh.SubdivisionAlgorithm = 2",
                              straight = "save the mesh with -order 1";
@@ -167,8 +167,8 @@ class GmshReader {
     if (line_ != keyword) refuse(fmt::format("expected {}", keyword));
   }
 
-  /// Reads the section $MeshFormat. The section $Comments and empty lines may come before it. Throws UserError for
-  /// binary files and for versions other than 2.2.
+  /// Reads the section $MeshFormat. The section $Comments and empty lines may come before it. Throws UserError if the
+  /// section is missing or incomplete, for binary files, and for versions other than 2.2.
   void read_format() {
     constexpr const char* convert = "\"gmsh FILE -format msh22 -save\" writes it";
     bool found = next_line();
@@ -192,7 +192,7 @@ class GmshReader {
   }
 
   /// Reads the line with the number of nodes or elements of the section, and returns this number. Throws UserError if
-  /// the line contains anything else.
+  /// the line contains anything else or if the file ends.
   std::size_t read_count(std::string_view section) {
     require_line(section);
     const auto n = take<std::size_t>("how many lines the section has");
@@ -246,7 +246,8 @@ class GmshReader {
   }
 
   /// Reads the nodes of a cell. Gmsh lists the nodes around the lower face and then those around the upper face. The
-  /// cell of a HexahedralMesh has the order i₁ + 2 i₂ + 4 i₃. Throws UserError if the cell has a node twice.
+  /// cell of a HexahedralMesh has the order i₁ + 2 i₂ + 4 i₃. Throws UserError if a node is missing or does not exist,
+  /// or if the cell has a node twice.
   void read_hexahedron(long name) {
     auto& cell = mesh_.cells.emplace_back();
     for (const int i : {0, 1, 3, 2, 4, 5, 7, 6}) cell[i] = take_node();
@@ -283,8 +284,8 @@ class GmshReader {
       for (unsigned int& v : cell) v = place[v];
   }
 
-  /// Removes construction nodes and makes the cells right-handed. Throws UserError "FILE: …" if the mesh is not one
-  /// body.
+  /// Removes construction nodes, and reverses the orientation of the cells if all of them are left-handed. Throws
+  /// UserError "FILE: …" if the mesh is not one body.
   void check() {
     drop_construction_nodes();
     turn_right_handed(mesh_);

@@ -19,12 +19,13 @@ namespace {
 using Point = HexahedralMesh::Point;
 using Face = std::array<unsigned int, 4>;
 
-/// The corners of the six faces of a cell, in an order around each face. The faces are ξ₁ = 0, ξ₁ = 1, ξ₂ = 0, and so
-/// on.
+/// The corners of the six faces of a cell, in an order around each face. In the coordinates ξ ∈ [0,1]³ of the cell, the
+/// faces are ξ₁ = 0, ξ₁ = 1, ξ₂ = 0, ξ₂ = 1, ξ₃ = 0 and ξ₃ = 1.
 constexpr std::array<std::array<int, 4>, 6> corners_of_faces{
     {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
 
-/// The image X of a point ξ of the cube in a cell, and the Jacobian at ξ. The unit of length is size_of_cell.
+/// The image X in a cell of a point ξ of the cube [0,1]³, and the Jacobian at ξ. The unit of length is the size of the
+/// cell (size_of_cell).
 struct PointOfCell {
   Point X;          ///< relative to the first corner of the cell
   double jacobian;  ///< det ∂X/∂ξ
@@ -148,8 +149,8 @@ void require_one_piece(const HexahedralMesh& mesh, const CellsOfFaces& cells_of)
                                   mesh.cell_names[0], mesh.cell_names[cell]));
 }
 
-/// Two vertices have the same place if their distance is at most this fraction of a length. The length is the larger of
-/// shortest_edges at the two vertices.
+/// Two vertices have the same place if their distance is at most this fraction of a length. For each of the two
+/// vertices, take the length of its shortest edge. The length is the larger of these two.
 constexpr double same_place = 1e-6;
 
 double distance(const Point& X, const Point& Y) { return std::hypot(X[0] - Y[0], X[1] - Y[1], X[2] - Y[2]); }

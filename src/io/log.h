@@ -15,8 +15,8 @@ class logger;
 
 namespace pseudorigid::io {
 
-/// Selection of the messages on the terminal: none, warnings and errors, in addition information, or all. Ranks other
-/// than rank 0 of a parallel run have the value `silent`.
+/// Selection of the messages on the terminal. `silent` shows none, `quiet` warnings and errors, `normal` also
+/// information, and `verbose` all messages. Ranks other than rank 0 of a parallel run have the value `silent`.
 enum class Verbosity { silent, quiet, normal, verbose };
 
 /// Writes messages to the terminal and to the log file. The arguments after the text replace the places {…} in the
@@ -56,8 +56,9 @@ class Logger {
 };
 
 /// Constructs a logger that spdlog does not register globally. Without `log_file`, the logger writes to the terminal
-/// only, for example for the command `check`. If `append` is true, the logger continues the file of a resumed run;
-/// otherwise it replaces an old file. Throws WriteError if the file cannot be opened.
+/// only, for example for the command `check`. With Verbosity::silent, it does not write to the terminal. If `append` is
+/// true, the logger continues the file of a resumed run; otherwise it replaces an old file. Throws WriteError if the
+/// file cannot be opened.
 std::shared_ptr<Logger> make_logger(Verbosity verbosity, const std::optional<std::filesystem::path>& log_file,
                                     bool append = false);
 

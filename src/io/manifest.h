@@ -22,11 +22,11 @@ namespace pseudorigid::io {
 struct BallRun {
   scene::ModelRun run;
   bool discretized = false;  ///< whether the model computes on a mesh of finite elements
-  bool affine = false;       ///< whether the motion is x = QX with a matrix Q
+  bool affine = false;       ///< whether the motion is affine, x = QX + x_c with a matrix Q and the centre of mass x_c
 };
 
-/// The content of manifest.json that the caller provides. ManifestFile adds the processor, and the state, duration and
-/// memory of the run.
+/// The content of manifest.json that the caller provides. ManifestFile adds the processor, and the state, start, end,
+/// duration and memory of the run. At the end, it adds the exit code and the message if they are known.
 struct Manifest {
   /// Counters, times and method of a run of a model or a system.
   struct Model {
@@ -86,13 +86,14 @@ class ManifestFile {
 /// ManifestFile calls this function if it aborts the run. Errors are ignored.
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
-/// The names of the trajectories in a manifest. For a system this is the name of its CSV file, and for the ball the
-/// names of the runs of its models. Throws UserError if the file cannot be read or is not a manifest of this program.
-/// Also throws it if an earlier version wrote the file without the entries, which a report needs.
+/// The names of the trajectories in a manifest. For a system, the list has the name of its CSV file. For the ball, it
+/// has the names of the runs of the models. Throws UserError if the file cannot be read, is not a manifest of this
+/// program, or contains a name with a slash. Also throws it if an earlier version wrote the file without the entries,
+/// which a report needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
-/// The names of the runs of the models of the ball with the motion x = QX, Q a matrix. The result is empty if the file
-/// does not exist, is not a manifest, or belongs to a system other than the ball. Throws UserError if the file exists
-/// but cannot be read.
+/// The names of the runs of the ball whose motion is affine (BallRun::affine). The result is empty if the file does not
+/// exist, is not a manifest, or belongs to a system other than the ball. Throws UserError if the file exists but cannot
+/// be read.
 std::vector<std::string> affine_movers_in(const std::filesystem::path& manifest);
 
 /// The name of the processor in /proc/cpuinfo, or "unknown".

@@ -23,14 +23,14 @@ class Progress {
   void step(double fraction) {
     if (++n_steps_ >= next_look_) look(fraction);
   }
-  void finish();  ///< deletes the line from the terminal
+  void finish();  ///< deletes the line from the terminal if the line has been drawn
 
   static bool stderr_is_terminal();
 
  private:
   using Clock = std::chrono::steady_clock;
   /// Reads the clock, adapts `stride_`, and draws the line if the last drawing is at least 0.2 s ago. The first call
-  /// only stores the start.
+  /// stores the start and does not draw.
   void look(double fraction);
   void draw(double fraction, Clock::time_point now);
 

@@ -53,8 +53,9 @@ std::string page_of(std::string_view page, std::span<const std::string> movers) 
 }
 
 /// The text of the element with the file name `name`. For "frames-….csv" it is a table computed from the pictures of
-/// the run, and otherwise the file of the run. `affine` has the names of the models with the motion x = QX. The text is
-/// empty if there are no such files.
+/// the run, and otherwise the file of the run. `affine` has the names of the models whose motion is affine. The text is
+/// empty if the file does not exist, or in the cases of table_of_frames. Throws UserError if an existing file other
+/// than a picture cannot be read.
 std::string text_of(const RunDirectory& directory, std::string_view name, std::span<const std::string> affine) {
   constexpr std::string_view frames = "frames-", csv = ".csv";
   if (name.starts_with(frames)) {

@@ -113,7 +113,7 @@ bool have_the_points(const std::vector<UnstructuredGrid>& pieces, const std::vec
 }
 
 /// Appends a row of table_of_frames for the point with the index `point` in the grid. The row has the time, the number
-/// and plane of the face, and X, x and the von Mises stress of the point.
+/// and plane of the face, and the reference position, the position and the von Mises stress of the point.
 void add_row(std::string& text, double time, std::size_t number, int plane, const UnstructuredGrid& grid,
              std::size_t point) {
   const auto row = std::back_inserter(text);
@@ -134,7 +134,7 @@ std::vector<PvdCollection::Frame> some_of(const std::vector<PvdCollection::Frame
 
 /// The rows of table_of_frames without the header. The text is empty if a picture does not have the fields or all
 /// points of the faces. Without `is_affine`, it is also empty if the first picture has no faces, or if two pictures
-/// would exceed most_rows.
+/// would exceed most_rows. `frames` must not be empty. Throws UserError if a picture cannot be read.
 std::string rows_of_frames(std::vector<PvdCollection::Frame> frames, bool is_affine) {
   std::string text;
   std::vector<PictureFace> faces;

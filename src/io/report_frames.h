@@ -14,7 +14,8 @@ namespace pseudorigid::io {
 
 struct PictureFace {
   int plane;  ///< 0: surface; 1, 2, 3: coordinate plane with normal x, y, z
-  /// The points row by row, with p + 1 points in a row. A point is the index of its grid and its index in the grid.
+  /// The points row by row, with p + 1 points in a row. A point is given by the index of its grid in the list of grids,
+  /// and by its index in this grid.
   std::vector<std::pair<int, std::size_t>> points;
 };
 
@@ -26,11 +27,12 @@ std::vector<PictureFace> faces_of(const std::vector<UnstructuredGrid>& pieces);
 
 /// A table with the columns of shapes.csv and the additional column `von_mises`. The result is the text of a CSV file.
 /// The table contains the faces at up to eight of the times of pictures, including the first and the last time. It
-/// contains fewer times if it would otherwise have more than 60000 rows. For a body with the motion x = QX with a
-/// matrix Q (`is_affine`), the table contains one point at the times of all pictures. The text is empty if there are no
-/// pictures, or if a file cannot be read. It is also empty if a picture does not have the fields reference_coordinates
-/// and von_mises, or if it has fewer points than the first. Without `is_affine`, it is empty as well if the faces of
-/// the first picture have 0 or more than 30000 points.
+/// contains fewer times if it would otherwise have more than 60000 rows. If the motion of the body is affine
+/// (`is_affine`), the table contains one point at the times of all pictures. The text is empty if there are no
+/// pictures, or if the list or a picture cannot be read. It is also empty if a picture does not have the fields
+/// reference_coordinates and von_mises. A picture without all points of the faces of the first picture also makes the
+/// text empty. Without `is_affine`, it is empty as well if the faces of the first picture have 0 or more than 30000
+/// points.
 std::string table_of_frames(const std::filesystem::path& pvd, bool is_affine);
 
 }  // namespace pseudorigid::io

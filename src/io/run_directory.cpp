@@ -17,8 +17,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Names of results that do not depend on models or systems. The function `owns` also accepts the names of files of
-/// each model or system, and the names of checkpoints.
+/// Names of results that do not depend on models or systems. The function `owns` also accepts the names of checkpoints,
+/// of the files of each model or system, and of temporary files of a lock. It accepts names of incomplete files
+/// (partial_suffix) as well.
 constexpr std::array<std::string_view, 15> owned_names{
     "used.prm",      "manifest.json",   "log.txt",        "comparison.csv", "comparison.json",
     "modes.csv",     "modes.pvd",       "equilibria.csv", "shapes.csv",     "sweep.csv",

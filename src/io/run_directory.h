@@ -22,15 +22,16 @@ class RunDirectory {
  public:
   explicit RunDirectory(std::filesystem::path path) : path_(std::move(path)) {}
   /// The folder is `output_option` if it is given, and otherwise `output_directory`/<scene name>. Throws UserError if
-  /// the scene name is "." or "..".
+  /// there is no `output_option` and the scene name is "." or "..".
   RunDirectory(const std::filesystem::path& output_directory, const std::filesystem::path& scene_file,
                const std::optional<std::filesystem::path>& output_option);
 
   /// Creates and locks the folder, and removes the results of an earlier run. Results have fixed names such as
   /// `manifest.json`, or names such as `<name>.csv` and `modes-<name>.csv` with a model or system <name> in `movers`.
-  /// Checkpoints, and pictures of these models in the folder graphics, are results as well. Other files remain. Throws
-  /// UserError, with path and reason, if the folder cannot be created, written or cleared. Also throws it if a pipe, a
-  /// socket or a device has the name of a result, or if another run uses the folder. Throws WriteError if the lock
+  /// Checkpoints, and pictures of these models in the folder graphics, are results as well. Other files remain. The
+  /// folder graphics is removed if it is then empty and not a link. Throws UserError, with path and reason, if the
+  /// folder cannot be created, written or cleared. Also throws it if a pipe, a socket or a device has the name of a
+  /// result. Throws the UserError of RunLock if another run uses or may use the folder. Throws WriteError if the lock
   /// cannot be written. The caller may use the folder until the returned lock is destroyed.
   RunLock prepare_fresh(std::span<const std::string> movers = {}) const;
   /// Locks the folder for a resumed run, and keeps its results. Throws UserError if the folder does not exist or does

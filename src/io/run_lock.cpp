@@ -45,7 +45,7 @@ std::string first_line(const fs::path& path) {
 }
 
 struct ProcessState {
-  char state = 0;  ///< 0 if it is not known
+  char state = 0;  ///< letter of the state in proc(5), for example Z for a zombie; 0 if it is not known
   std::string start;
 };
 

@@ -17,7 +17,7 @@ enum class CellType : std::uint8_t { triangle = 5, quad = 9, hexahedron = 12, la
 struct UnstructuredGrid {
   struct Field {
     std::string name;
-    int n_components;            ///< numbers per point: 1 scalar, 3 vector, 9 tensor (row-major)
+    int n_components;            ///< numbers per point: 1 for a scalar, 3 for a vector, 9 for a tensor (row by row)
     std::vector<double> values;  ///< point by point; a constant has the numbers of one point
   };
   std::vector<double> points{};  ///< x, y, z of each point
@@ -38,7 +38,7 @@ void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid);
 
 /// Writes the .pvtu file of a picture of a parallel run, which lists the files of the pieces (`files`). All pieces must
 /// have the fields of `piece` and must be in the folder of the .pvtu file. Only the names of the fields and their
-/// numbers of components are read from `piece`. Throws WriteError.
+/// numbers of components are read from `piece`. Throws WriteError if the file cannot be written.
 void write_pvtu(const std::filesystem::path& path, const UnstructuredGrid& piece,
                 const std::vector<std::filesystem::path>& files);
 

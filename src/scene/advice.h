@@ -16,7 +16,7 @@ namespace pseudorigid::scene {
 using Accepts = std::function<bool(Scene)>;
 
 /// Returns the scene in which the entries of `settings` have the given values. Expressions in these entries are
-/// removed.
+/// removed. An entry keeps its value if the given text is not a permitted value.
 Scene with_settings(Scene scene, const std::vector<Setting>& settings);
 
 /// Returns the sentence of a refusal, the models that accept the input if the refusal lists models, and

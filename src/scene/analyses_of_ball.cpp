@@ -117,7 +117,8 @@ std::optional<Refusal> refuses_displaced_start(const Scene& scene, std::string_v
 
 /// Refuses modes or Love numbers (`what`) of bodies and sectors for which they are not computed. These are a mesh from
 /// a file, a fluid, and the cases of refuses_displaced_start. A sector that the scene sets must be the octant. Also
-/// refuses a scene without a model that offers the analysis, according to its member `is_offered`.
+/// refuses a scene without a model that offers the analysis. `is_offered` is the member of ModelDescription that is
+/// true for such a model.
 std::optional<Refusal> refuses_linear_analysis(const Scene& scene, std::string_view what,
                                                bool ModelDescription::*is_offered) {
   if (has_mesh_file(scene))

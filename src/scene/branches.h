@@ -8,7 +8,8 @@
 
 namespace pseudorigid::scene {
 
-/// Returns the violated requirement, or nothing. A scene without branches does not have requirements.
+/// Returns the violated requirement, or nothing. A scene without branches must not set relaxation times or relaxed
+/// branches.
 std::optional<Refusal> refuses_branches(const Scene& scene);
 
 }  // namespace pseudorigid::scene

@@ -121,8 +121,9 @@ struct ModelDescription {
   /// discretisation. Several processes may share its computation. The model needs the finite-element library
   /// (app/run/continuum_module.h).
   Required<bool> discretized;
-  /// Whether the model has motions other than x = QX, Q a matrix. Sectors and the columns `nonaffine` are for such
-  /// models. A model without such motions is the pseudo-rigid body, and the exact results for this body apply.
+  /// Whether the model has motions that are not affine. An affine motion is x = QX + x_c with a matrix Q and the centre
+  /// of mass x_c. Sectors and the columns `nonaffine` are for models with other motions. A model without other motions
+  /// is the pseudo-rigid body, and the exact results for this body apply.
   Required<bool> has_nonaffine;
   /// Whether the model offers Analysis = modes, love numbers and equilibrium.
   bool has_modes = false, has_love_numbers = false, has_equilibria = false;
@@ -139,8 +140,9 @@ struct ModelDescription {
   std::function<std::vector<ModelRun>(const Scene&)> runs{};
   /// Returns the names of the columns of the model's CSV file for the selected groups. The first name is `time`.
   std::function<std::vector<std::string>(const mechanics::Quantities&)> header;
-  /// Returns a text about the discretisation of the companion run, from which the error in space is estimated. The text
-  /// is empty if a search chooses the discretisation. The function is null for a model without an error in space.
+  /// Returns a text about the discretisation of the companion run, from which the error in space is estimated. The
+  /// result is empty if a search chooses the discretisation. The function is null for a model without an error in
+  /// space.
   std::function<std::optional<std::string>(const Scene&)> companion{};
   /// Return the line for the user about the model: `needed` if the scene runs the model, otherwise `skipped`.
   std::function<std::string(const Scene&)> needed, skipped;

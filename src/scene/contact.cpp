@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char *normals_path = "Loads/Plane normals", *points_path = "Loads/Plane points";
 
-/// An initial penetration counts as round-off if it is at most this fraction of the sum of two lengths. They are the
-/// extent of the body along the normal and the distance of the plane from the origin.
+/// An initial penetration counts as round-off if it is at most this fraction of the sum of two lengths. The lengths are
+/// the extent of the body along the normal and the distance of the plane from the origin.
 constexpr double round_off = 1e-12;
 
 Eigen::Vector3d vector_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
@@ -88,8 +88,8 @@ namespace {
 
 /// Length of the cells at a pole, along the axis, in radii (continuum/mesh/ball_mesh.h). The outer cells of the
 /// unrefined mesh reach from 0.528 to 1 on the axis. Refinement divides an outer cell into n = 2^refinements cells
-/// along the axis. With a grading g < 1, the outermost of them has the fraction (exp(β/n) − 1)/(exp β − 1) of the
-/// length. A bisection finds β from β/(exp β − 1) = g.
+/// along the axis. With the grading g = 1, they have equal lengths. With a grading g < 1, the outermost of them has the
+/// fraction (exp(β/n) − 1)/(exp β − 1) of the length. A bisection finds β from β/(exp β − 1) = g.
 double cell_at_pole(const Scene& scene, int refinements) {
   constexpr double unrefined = 1 - 0.528;
   const double size = scene.continuum.grading, part = std::ldexp(1.0, -refinements);

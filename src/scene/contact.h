@@ -16,7 +16,8 @@
 
 namespace pseudorigid::scene {
 
-/// Returns the violated requirement, or nothing. A scene without planes does not have requirements.
+/// Returns the violated requirement, or nothing. A scene that sets neither normals, points, speeds nor amplitudes of
+/// planes does not have requirements.
 std::optional<Refusal> refuses_planes(const Scene& scene);
 
 /// The stiffness of the planes compared with the largest stiffness that the builtin mesh resolves. For elements of
@@ -34,8 +35,8 @@ struct MeshedContact {
   std::string warning() const;  ///< a sentence for the user; empty if the ratio is at most `most`
 };
 /// The contact of the finite-element model of the scene. The result is empty if the scene has no planes or no
-/// finite-element model, or if the body is a fluid. It is also empty if the scene does not set the degree and the
-/// refinements.
+/// finite-element model, or if the body is a fluid. It is also empty if the scene leaves the degree or the refinements
+/// to a search.
 std::optional<MeshedContact> meshed_contact(const Scene& scene);
 
 }  // namespace pseudorigid::scene

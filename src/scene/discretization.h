@@ -2,16 +2,16 @@
 /// Discretisations of the finite-element model. A discretisation has the degree k of the elements and the number r of
 /// refinements of the mesh. If the scene does not set both numbers, a search tries discretisations by increasing cost.
 ///
-/// The matrix Q = ∫ρxXᵀ dV E₀⁻¹ with E₀ = ∫ρXXᵀ dV is the matrix of an affine motion x = QX. Its error decreases with
-/// the resolution
+/// The matrix Q = ∫ρxXᵀ dV E₀⁻¹ with E₀ = ∫ρXXᵀ dV is the matrix of an affine motion x = QX. The error of Q decreases
+/// with the resolution
 ///
 ///   N = k · 1.6^r.
 ///
-/// The number of intervals between nodes along an edge of an unrefined cell is k 2^r. The error does not depend on this
-/// number alone. At equal k 2^r, a high degree is more accurate. The motion is not smooth at shear fronts, which start
-/// at the surface. The error therefore decreases only with a power of N, but high degrees resolve the fronts better.
-/// The base 1.6 is fitted to measured errors of released balls (tests/app/auto_degree_test.py). The largest stable step
-/// is proportional to 1/(k² 2^r). With this step, the cost of a run is
+/// The number of intervals between nodes along an edge of an unrefined cell is k 2^r. The error does not depend on k
+/// 2^r alone. At equal k 2^r, a high degree is more accurate. The motion is not smooth at shear fronts, which start at
+/// the surface. The error therefore decreases only with a power of N, but high degrees resolve the fronts better. The
+/// base 1.6 is fitted to measured errors of released balls (tests/app/auto_degree_test.py). The largest stable step is
+/// proportional to 1/(k² 2^r). With this step, the cost of a run is
 ///
 ///   c = (k 2^r)³ · k² 2^r.
 

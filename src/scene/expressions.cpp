@@ -18,8 +18,8 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// End of the message for an unknown name. It has a parameter with a similar name, if there is one, and the list of all
-/// parameters. If the sweep does not declare parameters, the text states this instead.
+/// End of the message for an unknown name. The text proposes a parameter with a similar name, if there is one, and
+/// lists all parameters. If the sweep does not declare parameters, the text states this instead.
 std::string what_is_known(std::string_view name, const ParameterValues& parameters) {
   std::vector<std::string_view> names;
   for (const auto& [parameter, value] : parameters) names.push_back(parameter);

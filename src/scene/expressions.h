@@ -32,8 +32,9 @@ std::string evaluated(std::string_view text, const ParameterValues& parameters, 
 /// Throws UserError for an error of syntax.
 std::set<std::string> names_used(std::string_view text, const Sweep& parameters);
 
-/// Returns "a function" or "a constant" if the name has this meaning in expressions, otherwise an empty text. A
-/// parameter cannot have a name with such a meaning.
+/// Returns "a function" if muParser has a function of this name. Returns "a constant" for pi, e, _pi and _e, of which
+/// expressions can use only pi. The result is empty for other names. A parameter cannot have the name of a function or
+/// a constant.
 std::string_view meaning_in_expressions(const std::string& name);
 
 }  // namespace pseudorigid::scene

@@ -16,7 +16,8 @@ constexpr double isochoric_tolerance = 1e-8;
 constexpr const char* deformation_path = "Initial state/Deformation";
 constexpr const char* velocity_path = "Initial state/Velocity";
 
-/// The trace tr(Q⁻¹Q̇) = Q⁻ᵀ : Q̇ of the initial motion, and a bound of its round-off.
+/// The trace tr(Q⁻¹Q̇) = Q⁻ᵀ : Q̇ for the initial deformation Q and velocity Q̇, and a bound of the round-off of this
+/// trace.
 struct Divergence {
   double value, round_off_bound;
 };

@@ -68,7 +68,7 @@ inline std::vector<int> love_degrees(const Scene& scene) {
   return degrees;
 }
 
-/// Whether a model of the scene has motions other than x = QX, Q a matrix.
+/// Whether a model of the scene has motions that are not affine (ModelDescription::has_nonaffine).
 inline bool has_nonaffine(const Scene& scene) {
   return std::ranges::any_of(models_of(scene), &ModelDescription::has_nonaffine);
 }

@@ -25,10 +25,10 @@ void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped
     needs.skipped.push_back(std::move(skipped));
 }
 
-/// Adds a line about the estimate of the discretisation error of the reference model, and sets `needs.companion`. If a
-/// search chooses the discretisation, the search estimates this error. Otherwise a companion run estimates it if there
-/// is a comparison and the scene requests the estimate. Does nothing if the reference has no such error or the analysis
-/// is not a motion.
+/// Adds a line about the estimate of the discretisation error of the reference, which is the last model, and sets
+/// `needs.companion`. If a search chooses the discretisation, the search estimates this error. Otherwise a companion
+/// run estimates it if there is a comparison. For finite elements, Continuum/Error estimate must also be auto. Does
+/// nothing if the reference has no such error or the analysis is not a motion.
 void describe_error_estimate(const Scene& scene, Needs& needs) {
   const ModelDescription& richest = *needs.models.back();
   if (!richest.companion || scene.analysis != Analysis::motion) return;
@@ -42,7 +42,8 @@ void describe_error_estimate(const Scene& scene, Needs& needs) {
 }
 
 /// Adds a line about the volumetric stabilisation. Requests the column `volumetric` if the stiffness is positive and
-/// the scene writes energies of a motion.
+/// the scene writes energies. Modes and Love numbers do not write energies. Does nothing if the scene does not need a
+/// pressure space.
 void describe_stabilization(const Scene& scene, Needs& needs) {
   if (!needs.pressure_space) return;
   const bool has_elements =
@@ -65,7 +66,8 @@ std::size_t n_runs_of_models(const Scene& scene, const Needs& needs) {
 }
 
 /// Facts of the body for the lines of the loads. For an ellipsoid with the density ρ, the volume V and the semi-axes
-/// a_i in radii r, tr E₀ = ρVr²(a₁² + a₂² + a₃²)/5. Here E₀ = ∫ρXXᵀ dV is the second moment.
+/// a_i in radii r, tr E₀ = ρVr²(a₁² + a₂² + a₃²)/5. Here E₀ = ∫ρXXᵀ dV is the second moment. If the scene sets
+/// Body/Inertia, E₀ is this matrix.
 loads::BodyFacts facts_of_body(const Scene& scene) {
   const auto& [radius, density, incompressible, a, inertia] = scene.body;
   const double volume = 4 * std::numbers::pi / 3 * radius * radius * radius * a[0] * a[1] * a[2];
@@ -241,7 +243,8 @@ Needs needs(const Scene& scene) {
 }
 
 namespace {
-/// The clause about the least and the largest γ; empty without self-gravity.
+/// The clause about the least and the largest ratio γ of self-gravity to elasticity. The text is empty without
+/// self-gravity.
 std::string gravity_in_words(const std::pair<double, double>& gammas) {
   const auto [least, largest] = gammas;
   if (largest == 0) return {};

@@ -17,23 +17,24 @@ struct Needs {
   std::vector<const ModelDescription*> models;  ///< models of the ball in the order of their runs
   bool discretized = false;                     ///< whether a model needs a mesh, deal.II, MPI and PETSc
   bool constraint = false;                      ///< whether the body is incompressible, det F = 1
-  bool pressure_space = false;    ///< whether the body is incompressible and a model has motions other than x = QX
-  bool comparison = false;        ///< whether the runs of the models are compared with the last run
-  bool companion = false;         ///< whether a companion run estimates the error in space of the last model
-  bool quadrature_error = false;  ///< whether the error of Q by the quadrature of polynomial bodies is estimated
-  bool contact = false;           ///< whether the scene has rigid planes
-  bool orbit = false;             ///< whether the body has companions
+  bool pressure_space = false;  ///< whether the body is incompressible and a model has motions that are not affine
+  bool comparison = false;      ///< whether the runs of the models are compared with the last run
+  bool companion = false;       ///< whether a companion run estimates the error in space of the last model
+  /// Whether pilot runs estimate the error that the quadrature of polynomial bodies causes.
+  bool quadrature_error = false;
+  bool contact = false;  ///< whether the scene has rigid planes
+  bool orbit = false;    ///< whether the body has companions
   /// Whether the compression of the surface of finite elements is compared with Biot's limit, at which a surface
   /// wrinkles.
   bool surface_watch = false;
   bool graphics = false;                     ///< whether files for ParaView are written
   bool report = false;                       ///< whether report.html is written
   Quantities quantities;                     ///< groups of columns to compute and write
-  Sector sector;                             ///< sector of the models with motions other than x = QX
+  Sector sector;                             ///< sector of the models with motions that are not affine
   std::vector<std::string> needed, skipped;  ///< lines about needed and skipped parts, for the user
   std::vector<std::string> expected;         ///< lines about errors that are known before the run
   std::vector<std::string> warnings;         ///< sentences about valid input that is seldom intended
-  /// Least and largest γ (scene/scale_numbers.h) in a sweep; empty: one run.
+  /// Least and largest ratio γ of self-gravity to elasticity (scene/scale_numbers.h) in a sweep; empty: one run.
   std::optional<std::pair<double, double>> gammas;
 };
 
@@ -44,8 +45,9 @@ Needs needs(const Scene& scene);
 /// One line of text: the analysis, the body or system, and the end time of a motion or section.
 std::string summary(const Scene& scene, const Needs& needs);
 
-/// The text that `pseudorigid check` prints, and that a run writes to the log. It lists the scales of a ball, the
-/// needed parts, the skipped parts with the reasons, the expected errors, and warnings.
+/// The text that `pseudorigid check` prints, and that a run writes to the log. It begins with the title and the
+/// summary. It then lists the scales of a ball, the needed parts, the skipped parts with the reasons, the expected
+/// errors, and warnings.
 std::string describe(const Scene& scene, const Needs& needs);
 
 }  // namespace pseudorigid::scene

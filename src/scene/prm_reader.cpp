@@ -77,8 +77,8 @@ class PrmReader {
  public:
   explicit PrmReader(const StatementHandler& handle) : handle_(handle) {}
 
-  /// Joins continued lines and handles each statement. Throws UserError if the text does not close a subsection that it
-  /// opens, or closes another one.
+  /// Joins continued lines and handles each statement. Throws UserError for errors of syntax, or if an included file
+  /// cannot be read. Also throws it if the text does not close a subsection that it opens, or closes another one.
   void read_text(std::string_view text, const fs::path& file) {
     std::error_code ignored;
     files_.push_back({file, fs::weakly_canonical(file, ignored), 0});

@@ -96,8 +96,7 @@ void set_entry(const Statement& statement, ReadScene& read) {
                                 did_you_mean(statement.path, known_paths(std::as_const(read.scene), false))));
 }
 
-/// Throws UserError unless the value fits on one line of a parameter file. This is necessary because used.prm contains
-/// the value.
+/// Throws UserError unless the value fits on one line of a parameter file, because used.prm contains the value.
 void check_fits_file(const Statement& statement) {
   const bool control = std::any_of(statement.value->begin(), statement.value->end(),
                                    [](unsigned char c) { return std::iscntrl(c) != 0; });
@@ -106,7 +105,8 @@ void check_fits_file(const Statement& statement) {
                                 statement.path, got(*statement.value)));
 }
 
-/// The statement of an argument "Section/Entry=value" of --set. Throws UserError if the text has another form.
+/// The statement of an argument "Section/Entry=value" of --set. Throws UserError if the text has another form, or if
+/// the value does not fit on one line (check_fits_file).
 Statement override_statement(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos)

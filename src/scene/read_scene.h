@@ -21,8 +21,8 @@ class Origins {
 
   void record(const std::string& path, std::string where) { where_[path] = std::move(where); }
 
-  /// Returns the origin of the value of an entry, for example "scene.prm:12" or "--set". For an entry with its default
-  /// value, returns the name of the file.
+  /// Returns the origin of the value of an entry, for example "scene.prm:12" or "--set". For an entry that neither the
+  /// file nor --set sets, returns the name of the file.
   std::string of(const std::string& path) const;
   /// True if --set sets the entry.
   bool is_override(const std::string& path) const;
@@ -39,13 +39,14 @@ struct ReadScene {
   Scene scene;
   Origins origins;
   std::string name;                     ///< name of the scene: name of the file without ".prm"
-  std::vector<std::string> warnings{};  ///< one sentence each
+  std::vector<std::string> warnings{};  ///< read_scene adds a sentence for each entry with two values in one file
 };
 
 /// Reads the file and then the overrides ("Section/Entry=value"). If an entry has several values, the last one is used.
 /// In the result, an entry with an expression has its value in the first run of the sweep. Throws UserError if a file
 /// cannot be read, a name is unknown, or a value is wrong or out of range. The message is one sentence that begins with
-/// file:line or --set. The catalogue must outlive the scene.
+/// file:line or --set. If `file` itself cannot be read, it begins with the name of the file. The catalogue must outlive
+/// the scene.
 ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                      const Catalogue& catalogue);
 

@@ -13,9 +13,10 @@
 namespace pseudorigid::scene {
 namespace {
 
+/// The numbers of a scene. The head of scale_numbers.h defines the symbols.
 struct ScaleNumbers {
-  bool is_fluid = false, moves = false;
-  double c = 1, time = 1;                               ///< √(μ/ρ) and r/c; for a fluid r/t and t
+  bool is_fluid = false, moves = false;  ///< whether the body is a fluid; whether the analysis is a motion
+  double c = 1, time = 1;                ///< √(μ/ρ) and r/c; for a fluid r/t and t
   double duration = 0, gamma = 0, spin = 0, speed = 0;  ///< Time/End in the unit `time`, γ, ω²r²/c², v/c
 };
 

@@ -6,8 +6,8 @@
 /// with the shear modulus μ, the density ρ, the radius r and the constant of gravity G. Without self-gravity, t = r/c
 /// with c = √(μ/ρ). For a fluid, μ = 0, and t = 1/√(πGρ) is about the free-fall time. If a fluid or a body with
 /// self-gravity has loads whose rate (rate_of_loads) exceeds 1/t, the unit is the reciprocal of this rate. For a fluid
-/// without gravity and loads, the unit is the reciprocal of the largest entry of the initial velocity Q̇₀. If Q̇₀ is
-/// also zero, the unit is Time/End.
+/// without gravity and with rate_of_loads = 0, the unit is the reciprocal of the largest entry of the initial velocity
+/// Q̇₀. If Q̇₀ is also zero, the unit is Time/End.
 
 #include <fmt/format.h>
 

@@ -54,7 +54,7 @@ using mechanics::Quantities;
 struct Fields {
   bool displacement = true;  ///< displacement with and without the rotation, and reference coordinates
   bool velocity = true;
-  bool stress = true;       ///< Cauchy stress, pressure, von Mises
+  bool stress = true;       ///< Cauchy stress, pressure, von Mises stress, and contact pressure if there are planes
   bool deformation = true;  ///< deformation gradient, its determinant, principal stretches
   bool energy = true;       ///< energy density, potential of self-gravity
 };
@@ -67,7 +67,7 @@ inline constexpr int largest_number_of_samples = 10'000'000;
 inline constexpr std::string_view ball = "ball", automatic = "auto";
 
 struct Scene {
-  const Catalogue* catalogue = nullptr;  ///< null until read_scene sets it
+  const Catalogue* catalogue = nullptr;  ///< null until default_scene sets it
   std::string title;
   std::vector<std::string> models;  ///< names of models, in the order of the catalogue
   std::string system{ball};         ///< "ball" or the name of a system of the catalogue
@@ -77,7 +77,7 @@ struct Scene {
     double radius = 1, density = 1;
     bool incompressible = true;
     std::vector<double> semi_axes{1, 1, 1};  ///< semi-axes of the reference body, in radii
-    std::optional<Matrix3> inertia;          ///< second moment E₀ = ∫ρXXᵀ dV; empty: that of the ellipsoid
+    std::optional<Matrix3> inertia;  ///< second moment E₀ = ∫ρXXᵀ dV; empty: that of the ellipsoid with `semi_axes`
   } body;
   struct Material : materials::LawParameters {
     std::string law{materials::law_table[0].name};
@@ -85,23 +85,28 @@ struct Scene {
   loads::Loads loads;  ///< the headers in src/loads/ define the entries of the loads
   double gamma = 0;    ///< γ of Gravity/Gamma, from which validate() sets the constant of gravity; 0: not given
   struct InitialState {
-    Matrix3 deformation = identity3;  ///< Q₀, with which the ball starts as x = Q₀X
-    Matrix3 velocity{};               ///< Q̇₀, with which the ball starts with the velocity Q̇₀X
+    /// The body starts at x = x_c + Q₀X with the velocity ẋ_c + Q̇₀X, x_c the centre of mass. Let D be `deformation`
+    /// and V be `velocity`. If `equilibrium` is none, Q₀ = D and Q̇₀ = V. Otherwise, the equilibrium has the shape A,
+    /// the spin ω and the circulation Λ. Then Q₀ = DA and Q̇₀ = D(ω̂A − AΛ̂) + V. Here ω̂ is the matrix of ω×, and Λ̂
+    /// that of Λ×.
+    Matrix3 deformation = identity3;
+    Matrix3 velocity{};
     Family equilibrium = Family::none;
     double equilibrium_parameter = 0.5;
+    /// Centre of mass of the body and its companions, and the velocity of this centre.
     std::vector<double> center{0, 0, 0}, center_velocity{0, 0, 0};
   } initial_state;
   struct Equilibria {
     Family family = Family::maclaurin;
     double first = 0.1, last = 0.99;
     int number = 90;
-    double ratio = 0.5;  ///< a₃/a₁ of Riemann's families
+    double ratio = 0.5;  ///< ratio a₃/a₁ of the semi-axes in Riemann's families
   } equilibria;
   struct Modes {
     int number = 8;
   } modes;
   struct Love {
-    std::vector<int> degrees;  ///< increasing; empty: those of love_degrees (scene/models.h)
+    std::vector<int> degrees;  ///< increasing degrees of tides; empty: those of love_degrees (scene/models.h)
   } love;
   struct Manifolds {
     int starts = 24;
@@ -114,20 +119,20 @@ struct Scene {
   } section;
   struct Time {
     double end = 10;                ///< the end time; negative for a run backwards in time
-    std::optional<double> step;     ///< upper bound of the step; empty: a step found from the tolerance
+    std::optional<double> step;     ///< upper bound of the step; empty: a step found from `tolerance`
     std::string method{automatic};  ///< "auto" or the name of a method of the catalogue
     double tolerance = 1e-6;
     std::optional<double> constraint_tolerance{};  ///< empty: the automatic value of app/run/model_stepping.h
   } time;
   struct Polynomial {
-    std::vector<int> degrees{5};  ///< increasing; empty: degrees found from the tolerance
+    std::vector<int> degrees{5};  ///< increasing degrees of the polynomials; empty: degrees found from `tolerance`
     double tolerance = 1e-3;
     std::optional<int> gravity_points;     ///< empty: the automatic value of polynomial/body_gravity.h
     std::optional<int> quadrature_points;  ///< empty: the automatic value of app/polynomial/run_quadrature.h
     std::optional<int> contact_points;     ///< empty: the automatic value of polynomial/body_contact.h
   } polynomial;
   struct Continuum {
-    std::optional<int> degree = 4, refinements = 0;  ///< empty: a number found from the tolerance
+    std::optional<int> degree = 4, refinements = 0;  ///< empty: a number found from `tolerance`
     double tolerance = 1e-3;
     ErrorEstimate error_estimate = ErrorEstimate::automatic;
     /// Empty: the automatic value of continuum/body/surface_gravity_forces.h.
@@ -149,7 +154,7 @@ struct Scene {
     Cells cells = Cells::linear;
     bool report = false;
   } output;
-  Sweep sweep;                       ///< empty: one run
+  Sweep sweep;                       ///< parameters of the sweep; empty: one run
   SweepPart sweep_part;              ///< the part of the runs to make
   std::optional<int> sweep_threads;  ///< number of runs at the same time; empty: number of cores
   bool sweep_lanes = true;           ///< true if similar runs are integrated together in SIMD lanes

@@ -40,9 +40,9 @@ std::vector<std::pair<std::string_view, const Value*>> of_loads(const Scene& sce
   return found;
 }
 
-/// Describes the first matrix entry that breaks the symmetry about the plane with normal e_i; empty if there is none.
-/// The function does not check vectors, which affect the centre of mass but not Q. It does not check loads with a
-/// function `breaks_plane` either.
+/// Describes the first matrix entry that breaks the symmetry about the plane with the normal x, y or z for i = 0, 1, 2.
+/// The result is empty if there is none. The function does not check vectors, which affect the centre of mass but not
+/// the deformation. It does not check loads with a function `breaks_plane` either.
 std::optional<std::string> matrix_breaks_plane(const Scene& scene, int i) {
   std::vector<std::pair<std::string_view, const Matrix3*>> matrices{
       {"Initial state/Deformation", &scene.initial_state.deformation},

@@ -4,9 +4,10 @@
 ///
 ///   κ = (2π/3) G ρ² r² + ½ρ t r² + κ_v.
 ///
-/// The first term is the pressure at the centre of a ball of radius r and density ρ at rest under its own gravity. The
-/// second term is the pressure under the potential ½t|x|² per mass. Here t is the largest eigenvalue of the tidal
-/// matrix (Loads/Tidal matrix, in 1/time²) if all eigenvalues are positive, and 0 otherwise.
+/// Here G is the constant of gravity. The first term is the pressure at the centre of a ball of radius r and density ρ
+/// at rest under its own gravity. The second term is the pressure under the potential ½t|x|² per mass. The number t is
+/// the largest eigenvalue of the tidal matrix (Loads/Tidal matrix, in 1/time²) if all eigenvalues are positive, and 0
+/// otherwise.
 ///
 /// The third term is only for motions of finite elements with an elastic law. Let W be the stored energy of the law, μ
 /// its shear modulus at rest, and D = sym(Q̇₀Q₀⁻¹). The energy density of deformation at the start, in units of μ, is

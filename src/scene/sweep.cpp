@@ -14,7 +14,7 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// True for letters, digits and underscores that do not begin with a digit.
+/// True if the text is not empty, consists of letters, digits and underscores, and does not begin with a digit.
 bool is_name(std::string_view text) {
   return !text.empty() && !std::isdigit(static_cast<unsigned char>(text.front())) &&
          std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
@@ -71,7 +71,7 @@ std::uint64_t mixed(std::uint64_t x) {
   return z ^ (z >> 31);
 }
 
-/// Converts 64 random bits to a number in [0, 1).
+/// Converts the upper 53 bits to a number in [0, 1).
 double uniform(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
 /// The image of j under a permutation of 0 … n − 1 that depends on the key. A Feistel network permutes the numbers

@@ -29,8 +29,9 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Largest semi-axis in radii. The least semi-axis is its reciprocal. The entries of E₀ are proportional to squares of
-/// semi-axes. They are therefore at most 10¹² times those of the ball.
+/// Largest semi-axis in radii. The least semi-axis is its reciprocal. For an ellipsoid, the second moment E₀ divided by
+/// the mass has entries that are proportional to squares of semi-axes. These entries are therefore at most 10¹² times
+/// those of the ball.
 constexpr double largest_axis = 1e6;
 
 /// Largest inertia, stiffness and unit of time in the units of the scene. The least values are the reciprocal of this
@@ -83,9 +84,9 @@ class Validator {
     check_models();
   }
 
-  /// Sets the constant of gravity if the scene gives γ = ρgr/μ: G = 3γμ/(4πρ²r²). Refuses γ of a fluid. Refuses a scene
-  /// that also gives another G. A trial does not refuse it, because the scene may have G from a value of γ or μ before
-  /// the change.
+  /// Sets the constant of gravity G if the scene gives γ = ρgr/μ, with the density ρ, the radius r, the shear modulus μ
+  /// and g = (4/3)πGρr. Then G = 3γμ/(4πρ²r²). Refuses γ of a fluid. Refuses a scene that also gives another G. A trial
+  /// does not refuse it, because the scene may have G from a value of γ or μ before the change.
   void set_constant_of_gravity() {
     if (scene_.gamma == 0) return;
     if (is_fluid(scene_))
@@ -199,8 +200,9 @@ class Validator {
             names_where(scene_, [&](const auto& model) { return takes_method(model, method); })});
   }
 
-  /// Checks that the units give moderate numbers. The kinetic energy of the body is proportional to ρr⁵, and the
-  /// elastic energy to μr³. These two numbers and the unit of time must be between 1/largest_unit and largest_unit.
+  /// Checks that the units give moderate numbers. Let ρ be the density, r the radius and μ the shear modulus. The
+  /// kinetic energy of the body is proportional to ρr⁵, and the elastic energy to μr³. These two numbers and the unit
+  /// of time must be between 1/largest_unit and largest_unit.
   void check_units() const {
     const double radius = scene_.body.radius, density = scene_.body.density, modulus = scene_.material.shear_modulus;
     const double inertia = density * std::pow(radius, 5), stiffness = modulus * std::pow(radius, 3);
@@ -294,7 +296,7 @@ class Validator {
                            print_upper_bound(units.to_physical(largest_stretch, unit)), print_number(value)));
     };
     scene_.loads.for_each([&]<class Load>(const Load& load) {
-      // The size of the entries of an absent load, such as the frequency of a tide, and of a rise are not checked.
+      // The sizes of the entries of an absent load, such as the frequency of a tide, and of a rise are not checked.
       const bool acts = loads::present(load) && !std::is_same_v<Load, loads::Rise>;
       const auto check = [&]<class Kind>(const auto& member, const Kind& kind, const About& about) {
         if constexpr (requires { kind.symmetric; })

@@ -38,8 +38,8 @@ AnyModel model_of(const SystemScene& in_own_scales) {
   });
 }
 
-/// The error in a scene: that of the system itself, or that of numbers whose size is extreme (sizes.h). The result is
-/// empty if the scene is valid.
+/// The error in a scene: that of the system itself, or that of refuses_sizes (sizes.h), which checks the sizes of
+/// numbers and the initial state. The result is empty if the scene is valid.
 template <class SystemScene>
 std::optional<Refusal> refuses(const scene::Scene& scene) {
   const auto system = system_scene<SystemScene>(scene);

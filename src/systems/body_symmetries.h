@@ -3,17 +3,18 @@
 /// energy, and therefore give conserved momenta (Noether's theorem):
 ///
 ///   translations of space    perpendicular to the weight, if there are no springs and no fixed point
-///   rotations of space       about an axis that is parallel to the weight and to every anchor of a spring
+///   rotations of space       about an axis through the origin that is parallel to the weight and contains every
+///                            anchor of a spring
 ///
-/// Rotations of the body, R ↦ RO with a rotation O, are not included. They map the set g = 0 of the constraints g to
-/// itself, but change the values of g outside this set.
+/// Rotations of the body, R ↦ RO with a rotation O, are not included. Such rotations map the set g = 0 of the
+/// constraints g to itself, but change the values of g outside this set.
 
 #include "systems/body_loads.h"
 #include "systems/invariant_axes.h"
 
 namespace pseudorigid::systems {
 
-/// Directions of the translations, and axes through the origin of the rotations of space.
+/// Directions of the translations, and axes of the rotations of space, which pass through the origin of space.
 struct BodySymmetries {
   Directions translations, turns_of_space;
 };

@@ -1,6 +1,6 @@
 #pragma once
 /// Planar double pendulum in multiplier form (Oliva, Geometric Mechanics, 5.5.2) with the positions q = (q₁, q₂) ∈ R⁴
-/// and the reactions R_k. The second axis (y) points downwards:
+/// and the reactions R_k of the rods on the points. The second axis (y) points downwards:
 ///
 ///   m₁q̈₁ = m₁g e_y + R₁,   m₂q̈₂ = m₂g e_y + R₂                                                        (5.43)
 ///   g₁ = ½(|q₁|²/l₁² − 1) = 0,   g₂ = ½(|q₂ − q₁|²/l₂² − 1) = 0                                (5.33), (5.34)
@@ -57,12 +57,13 @@ class DoublePendulum {
     f.head<2>() += lambda(0) / square(p_.l1) * q.head<2>() - along_second;
     f.tail<2>() += along_second;
   }
-  /// The constraints are quadratic. Therefore the rate of G(q)ᵀλ along v is G(v)ᵀλ, which this function adds to f.
+  /// Let G be the derivative of the constraints, which are quadratic. Therefore the rate of G(q)ᵀλ along v is G(v)ᵀλ,
+  /// which this function adds to f.
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
-  /// Solves G(q₁)M⁻¹G(q₀)ᵀλ = r with the derivative G of the constraints and the mass operator M. Fails if the matrix
-  /// is singular.
+  /// Solves G(q)M⁻¹G(p)ᵀλ = r for the configurations q = `q1` and p = `q0` in R⁴. M is the mass operator. Fails if λ is
+  /// not finite, for example because the matrix is singular.
   mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     const Eigen::Vector2d a1 = q1.head<2>() / square(p_.l1), a0 = q0.head<2>() / square(p_.l1);

@@ -1,6 +1,7 @@
 #pragma once
-/// The planar double pendulum in Lagrange form (Oliva, Geometric Mechanics, 5.5). The coordinates are the angles q =
-/// (θ, φ) from the downward vertical, and the y axis points downwards:
+/// The planar double pendulum in Lagrange form (Oliva, Geometric Mechanics, 5.5). The points have the masses m₁ and m₂,
+/// and the rods have the lengths l₁ and l₂. The coordinates are the angles q = (θ, φ) of the rods from the downward
+/// vertical. The y axis points downwards:
 ///
 ///   (x₁, y₁) = l₁ (sin θ, cos θ),   (x₂, y₂) = (x₁, y₁) + l₂ (sin φ, cos φ)
 ///   g_ij = [ (m₁+m₂) l₁²             m₂l₁l₂ cos(θ−φ) ]   U = −(m₁+m₂) g l₁ cos θ − m₂ g l₂ cos φ

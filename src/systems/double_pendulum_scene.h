@@ -1,8 +1,8 @@
 #pragma once
 /// The planar double pendulum in parameter files. The multiplier form (double_pendulum.h) and the Lagrange form
-/// (double_pendulum_chart.h) give the same motion. The columns contain the tensions T_k = −λ_k / l_k of the rods, with
-/// the multipliers λ_k. They also contain the reactions R₁ and R₂ of (5.43), which are computed from the second
-/// fundamental form, without multipliers.
+/// (double_pendulum_chart.h) give the same motion. The columns contain the tensions T_k = −λ_k / l_k of the rods with
+/// the lengths l_k and the multipliers λ_k. They also contain the reactions R₁ and R₂ of the rods on the points (5.43).
+/// The reactions are computed from the second fundamental form, without multipliers.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -50,8 +50,10 @@ struct DoublePendulumScene {
     visit(s.rates, scene::Numbers{2}, About{"Double pendulum/Rates", "1/time", "Initial rates of the angles."});
   }
 
-  /// The units of length and mass are l₁ and m₁. The unit of time is the smaller of √(l/g) for the shorter rod and the
-  /// reciprocal of the largest initial rate. Without gravity and at rest, it is 1.
+  /// The unit of length is the length l₁ of the upper rod, and the unit of mass is the mass m₁ of the upper point. The
+  /// unit of time is the smaller of two times. One is √(l/g) with the length l of the shorter rod and the acceleration
+  /// of gravity g. The other is the reciprocal of the largest absolute value of an initial rate. Without gravity and at
+  /// rest, it is 1.
   Scales scales() const {
     const double rate = std::max({std::sqrt(gravity / std::min(l1, l2)), std::abs(rates[0]), std::abs(rates[1])});
     return {l1, m1, rate > 0 ? 1 / rate : 1};
@@ -102,9 +104,9 @@ struct DoublePendulumScene {
     }
 
    private:
-    /// The reactions (R₁, R₂). Let X = (q₁, q₂) be the positions as functions of the angles. Then ∂X/∂θ = (l₁e_θ,
-    /// l₁e_θ) and ∂X/∂φ = (0, l₂e_φ), with unit vectors e_θ, e_φ perpendicular to the rods. The second derivative along
-    /// the rates of the angles is −(θ̇²q₁, θ̇²q₁ + φ̇²(q₂ − q₁)).
+    /// The reactions (R₁, R₂). Let X = (q₁, q₂) be the positions as functions of the angles θ and φ. Then ∂X/∂θ =
+    /// (l₁e_θ, l₁e_θ) and ∂X/∂φ = (0, l₂e_φ), with unit vectors e_θ, e_φ perpendicular to the rods. The second
+    /// derivative along the rates of the angles is −(θ̇²q₁, θ̇²q₁ + φ̇²(q₂ − q₁)).
     Eigen::Vector4d reactions(const mechanics::State<DoublePendulum>& state, const Eigen::Vector2d& rates) const {
       const auto& p = pendulum.parameters();
       const Eigen::Vector2d upper = state.q.head<2>(), rod = state.q.tail<2>() - upper;
@@ -134,7 +136,8 @@ struct DoublePendulumScene {
     }
   };
 
-  /// The model in Lagrange form, whose state has the angles and their rates. `row` converts it to the multiplier form.
+  /// The model in Lagrange form, whose state has the angles and their rates. `row` converts this state to the
+  /// multiplier form.
   struct LagrangeModel {
     using System = mechanics::ChartField<DoublePendulumChart>;
     System system;

@@ -42,7 +42,8 @@ inline EulerAngles rates_of(const EulerAngles& a, const Eigen::Vector3d& Omega) 
 /// defined. The result then has ψ = 0, and φ is this sum or difference.
 inline EulerAngles euler_angles_of(const Eigen::Matrix3d& R) {
   const double sin_theta = std::hypot(R(2, 0), R(2, 1));
-  // φ and ψ have the round-off ε/sin θ. If sin θ is below this constant, φ and ψ have less than three correct digits.
+  // φ and ψ have the round-off ε/sin θ with the machine precision ε. If sin θ is below this constant, φ and ψ have less
+  // than three correct digits.
   constexpr double smallest_sine = 2e-13;
   if (!(sin_theta > smallest_sine)) return {std::atan2(R(1, 0), R(0, 0)), R(2, 2) > 0 ? 0 : std::numbers::pi, 0};
   return {std::atan2(R(0, 2), -R(1, 2)), std::atan2(sin_theta, R(2, 2)), std::atan2(R(2, 0), R(2, 1))};

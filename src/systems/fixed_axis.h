@@ -1,7 +1,7 @@
 #pragma once
 /// A rigid body that rotates about a fixed axis (Oliva, Geometric Mechanics, 5.6.10). The axis has the unit vector e
 /// and passes through the origin of the body; ê is the matrix of e×. The body has the mass m, the centre of mass G and
-/// the inertia operator A. Under gravity g and the friction torque −cθ̇, the angle θ satisfies
+/// the inertia operator A about the origin. Under gravity g and the friction torque −cθ̇, the angle θ satisfies
 ///
 ///   I_e θ̈ = m⟨e, G × R⁻¹g⟩ − cθ̇,   R = exp(θê),   I_e = ⟨Ae, e⟩,   V = −m⟨g, RG⟩
 ///
@@ -52,6 +52,7 @@ struct FixedAxis {
     return -body.mass * (gravity.dot(along) + gravity.dot(across) * cos(q[0]) + gravity.dot(ahead) * sin(q[0]));
   }
   using Angle = Eigen::Matrix<double, 1, 1>;
+  /// The angular acceleration −cθ̇/I_e that the friction causes.
   template <class T>
   Eigen::Matrix<T, 1, 1> dissipation(const Eigen::Matrix<T, 1, 1>&, const Eigen::Matrix<T, 1, 1>& v) const {
     return Eigen::Matrix<T, 1, 1>(T(-friction / moment_of_inertia() * v[0]));

@@ -5,8 +5,8 @@
 ///
 ///   ω² = the larger of θ̇² at the start and m|g||G|/I_e, or 1 if both are zero.
 ///
-/// In these formulas, the mass m, the centre of mass G, the second moment E₀ and the moment of inertia I_e include the
-/// weights.
+/// Here θ is the angle about the axis, and g is the acceleration of gravity. In these formulas, the mass m, the centre
+/// of mass G, the second moment E₀ and the moment of inertia I_e include the weights.
 
 #include <fmt/format.h>
 
@@ -162,7 +162,7 @@ struct FixedAxisScene {
     return {body, vector(axis).stableNormalized(), vector(gravity), friction};
   }
   /// Refuses an inertia that is not symmetric, and an inertia that no body with this mass and centre of mass has. Also
-  /// refuses a moment of inertia about the axis that is not positive.
+  /// refuses a moment of inertia about the axis that is not above round-off.
   std::optional<Refusal> refuses_inertia() const {
     constexpr const char* path = "Fixed axis/Inertia";
     constexpr double round_off = 1e-12;

@@ -15,14 +15,16 @@ namespace {
 
 // This file is compiled once for each instruction set. Its solvers are the table SystemKernels (systems_in_lanes.h).
 // The fields below, except FieldOfPoints, are functions (first lane, q, v, a) over a scalar type T, which is a vector
-// of SIMD lanes. They set the accelerations a. They return a number that is positive if the accelerations are defined.
+// of SIMD lanes. These functions set the accelerations a, and return a number that is positive if the accelerations are
+// defined.
 
 template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <class T>
 using Matrix3 = Eigen::Matrix<T, 3, 3>;
 
-/// Euler's equation on quaternions q = (x, y, z, w) (euler_top.h):
+/// Euler's equation on quaternions q = (x, y, z, w) (euler_top.h), with the inertia operator A, the angular velocity Ω
+/// in the body and the torque N:
 ///   AΩ̇ = AΩ × Ω + N,   q̈ = ½(q̇Ω + qΩ̇),   Ω = 2 q⁻¹q̇.
 /// If `principal_and_free` is true, A = diag(A₁, A₂, A₃) and N is zero. Then (AΩ × Ω)₁ = (A₂ − A₃) Ω₂Ω₃, and
 /// cyclically.
@@ -76,8 +78,9 @@ struct TopField {
       return top.A_inverse.cast<T>() * torque;
     }
   }
-  /// Adds the torque mG × R⁻¹g + Σ ξ × R⁻¹f of weight and springs to N. Returns 1 if the forces of all springs are
-  /// defined (central_force.h), otherwise NaN.
+  /// Adds the torque mG × R⁻¹g + Σ ξ × R⁻¹f to N. The weight mg acts at the centre of mass G, and a spring acts on the
+  /// body point ξ with the force f. Returns 1 if the forces of all springs are defined (central_force.h), otherwise
+  /// NaN.
   template <class T>
   [[gnu::always_inline]] static T add_torque(const BodyLoads& loads, const Turn<T>& turn, Vector3<T>& N) {
     const Vector3<T> moment = (loads.mass * loads.center).cast<T>();
@@ -126,8 +129,8 @@ struct PointsField {
   }
 };
 
-/// The double pendulum in Lagrange form with the angles q = (θ, φ) (double_pendulum_chart.h). The corrected equation
-/// (5.44) is divided by l₁, and (5.45) by m₂l₂:
+/// The double pendulum in Lagrange form (double_pendulum_chart.h) with the angles q = (θ, φ), the masses m_k, the
+/// lengths l_k and the gravity g. The corrected equation (5.44) is divided by l₁, and (5.45) by m₂l₂:
 ///   (m₁+m₂) l₁ θ̈ + m₂ l₂ [φ̈ cos δ + φ̇² sin δ] + (m₁+m₂) g sin θ = 0
 ///   l₂ φ̈ + l₁ [θ̈ cos δ − θ̇² sin δ] + g sin φ = 0,   δ = θ − φ.
 struct AnglesField {
@@ -257,7 +260,8 @@ struct FieldOfPoints final : mechanics::GaussField {
   }
 };
 
-// The solvers return true, except the one for charts. This one returns false if the coordinates are too large.
+// The solvers return true, except the template for charts. The template returns false if a coordinate is too large or
+// NaN. DoublePendulumChart has an overload of its own, which returns true.
 bool solve(const TopOfStages& top, mechanics::GaussStages& stages) {
   if (is_free(top) && top.A.isDiagonal(0))
     mechanics::detail::iterate_in_lanes(TopField<true>{top}, stages);

@@ -67,9 +67,9 @@ struct GeodesicScene {
           About{"Geodesic/Velocity", "1/time", "Initial rates of the coordinates, on the paraboloid length/time."});
   }
 
-  /// The unit of length is the size of the surface. The unit of time is the reciprocal of the larger initial rate of
-  /// the coordinates. On the paraboloid, the rates are first divided by the unit of length. If the point is at rest,
-  /// the unit of time is 1.
+  /// The unit of length is the size of the surface. The unit of time is the reciprocal of the larger absolute value of
+  /// the two initial rates of the coordinates. On the paraboloid, the rates are first divided by the unit of length. If
+  /// the point is at rest, the unit of time is 1.
   Scales scales() const {
     const double rate = std::max(std::abs(velocity[0]), std::abs(velocity[1])) / coordinate_unit(size());
     return {size(), 1, rate > 0 ? 1 / rate : 1};
@@ -112,8 +112,9 @@ struct GeodesicScene {
     return columns;
   }
 
-  /// The geodesic flow in a chart. The acceleration fails if the function `reserve` of the chart (surfaces.h) is not
-  /// positive. The point is then outside the chart or at most √ε from a pole, with the machine precision ε.
+  /// The geodesic flow in a chart. If the chart has a function `reserve` (surfaces.h), the acceleration fails if
+  /// `reserve` is not positive. The point is then outside the chart, or its angle from a pole is at most √ε with the
+  /// machine precision ε.
   template <class Chart>
   class Field : public mechanics::ChartField<Chart> {
    public:
@@ -132,7 +133,8 @@ struct GeodesicScene {
     using System = Field<Chart>;
     System system;
     mechanics::State<System> initial;
-    double origin = 0;  ///< the angle w₀ of a torus; the output adds it to the first coordinate of the chart
+    /// The angle w₀ of a torus (surfaces.h), 0 for other surfaces. The output adds w₀ to the first coordinate.
+    double origin = 0;
 
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
                           std::vector<double>& row) const {
@@ -194,7 +196,8 @@ struct GeodesicScene {
   /// The unit of the coordinates: that of length on the paraboloid, and 1 for angles and on the half-plane.
   double coordinate_unit(double length) const { return surface == Surface::paraboloid ? length : 1; }
 
-  /// Fails if the function `reserve` of the chart (surfaces.h) is not positive at q.
+  /// Fails if the function `reserve` of the chart (surfaces.h) is not positive at q. Never fails for a chart without
+  /// this function.
   template <class Chart>
   static mechanics::Status inside(const Chart& chart, const Eigen::Vector2d& q) {
     if constexpr (requires { chart.reserve(q); })

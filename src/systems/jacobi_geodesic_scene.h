@@ -58,10 +58,10 @@ struct PlaneKepler : EuclideanPlane {
   }
 };
 
-/// Computes the motion from given initial data at any later time. The member `at` fails if a step of the motion fails.
-/// The steps do not depend on the requested times. A resumed run therefore repeats the same motion. The last steps are
-/// stored, because a Poincaré section requests times before the present one for its crossings. If a time is before the
-/// stored steps, the motion is computed again from its start.
+/// Computes the motion from given initial data at any later time. The member `at` fails if a step of the motion or its
+/// interpolation fails. The steps do not depend on the requested times. A resumed run therefore repeats the same
+/// motion. The last steps are stored, because a Poincaré section requests times before the present one for its
+/// crossings. If a time is before the stored steps, the motion is computed again from its start.
 template <class Field>
 class MotionFollower {
  public:

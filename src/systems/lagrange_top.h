@@ -1,8 +1,8 @@
 #pragma once
 /// Rigid body with a fixed point, or the rotation of a free body about its centre of mass, by Lagrange's equations
 /// (Oliva, Geometric Mechanics, 5.110–5.115). The coordinates are the Euler angles h = (φ, θ, ψ) with R = R_z(φ) R_x(θ)
-/// R_z(ψ). They are a chart of SO(3) with the metric g of the kinetic energy K and the potential U of the loads. With
-/// the angular velocity Ω in the body, the inertia operator A and the forces df,
+/// R_z(ψ). The angles are a chart of SO(3) with the metric g of the kinetic energy K and the potential U of the loads.
+/// With the angular velocity Ω in the body, the inertia operator A and the forces df,
 ///
 ///   Ω = B(h) ḣ,   g = BᵀAB,   U = V(R(h)),   d/dt ∂K/∂ḣ_i − ∂K/∂h_i = −∂U/∂h_i = (ω_i, ∫Rξ × df)
 ///
@@ -83,8 +83,8 @@ struct EulerAngleChart {
     }
     return U;
   }
-  /// Returns a positive number inside the chart, |sin θ| > `smallest_sine`. Near sin θ = 0, the rates of φ and ψ
-  /// increase as 1/sin θ, and so do their errors.
+  /// Returns a positive number inside the chart, |sin θ| > `smallest_sine`, and otherwise a number that is not
+  /// positive. Near sin θ = 0, the rates of φ and ψ increase as 1/sin θ, and so do their errors.
   template <class T>
   T reserve(const mechanics::Coordinates<T, 3>& h) const {
     using std::sin;

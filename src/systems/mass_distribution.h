@@ -1,6 +1,7 @@
 #pragma once
 /// Mass, centre of mass and second moment of a body (Oliva, Geometric Mechanics, 5.6). The body is a set S of points ξ
-/// in its own space K, with the mass measure m:
+/// in its own space K, with the mass measure m. The body has the mass m(S), the centre of mass G, the second moment E₀
+/// and the inertia operator A:
 ///
 ///   m(S),   G = ∫ξ dm/m(S)   (5.72),   E₀ = ∫ξξᵀ dm,
 ///   A = ∫ξ × (· × ξ) dm = tr(E₀)Id − E₀   (5.80),   E₀ = ½tr(A)Id − A.

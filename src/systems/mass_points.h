@@ -1,12 +1,13 @@
 #pragma once
 /// System of n mass points with masses m_i, positions q_i and velocities v_i (Oliva, Geometric Mechanics, 5.5.1). The
-/// points satisfy m_i q̈_i = f_i^ext + Σ_j f_ij, with internal forces f_ij = −f_ji along q_i − q_j. The comments of
-/// Parameters name the symbols. A spring has the stiffness k and the rest length l. The forces, or their potentials V,
-/// are
+/// points satisfy m_i q̈_i = f_i^ext + Σ_j f_ij, with internal forces f_ij = −f_ji along q_i − q_j. A spring has the
+/// stiffness k and the rest length l, and a dashpot has the damping d. G is the gravitational constant, g the
+/// acceleration of the uniform field, and γ the drag coefficient. The fixed centre c attracts with the strength μ. The
+/// forces, or their potentials V, are
 ///
 /// Internal:  gravity   V = −Σ_{i<j} G m_i m_j/|q_i − q_j|
 ///            springs   V = Σ ½k(|q_i − q_j| − l)²
-///            dashpots  f_ij = −d ⟨v_i − v_j, n⟩ n,  n = (q_i − q_j)/|q_i − q_j|   (zero on rigid motions: objective)
+///            dashpots  f_ij = −d ⟨v_i − v_j, n⟩ n,  n = (q_i − q_j)/|q_i − q_j|   (0 in rigid motions)
 /// External:  uniform field V = −Σ m_i⟨g, q_i⟩,  confinement ½k Σ|q_i − c|²,  fixed centre −Σ μ m_i/|q_i − c|,
 ///            linear drag f_i = −γ v_i
 ///

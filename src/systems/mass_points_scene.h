@@ -1,7 +1,9 @@
 #pragma once
-/// Mass points in parameter files. The symbols are those of mass_points.h. There are n points with mutual attraction,
-/// springs, dashpots and external fields. The first point has the number 1. Let q̄ be the centre of mass of the initial
-/// positions, and c the centre of forces. Motions of any size are of order 1 in the scales
+/// Mass points in parameter files. There are n points with mutual attraction, springs, dashpots and external fields
+/// (mass_points.h). The first point has the number 1. Point i has the mass m_i and the position q_i. G is the
+/// gravitational constant, g the uniform field, and μ the strength of the attracting centre. A spring and the
+/// confinement have stiffnesses k. Let q̄ be the centre of mass of the initial positions, and c the centre of forces.
+/// Motions of any size are of order 1 in the scales
 ///
 ///   mass     M = Σ m_i
 ///   length   L = the largest of |q_i − q̄|, of |q_i − c| if c exerts forces, and of the rest lengths of springs
@@ -33,7 +35,7 @@ struct MassPointsScene {
   std::vector<double> masses{0.5, 0.5};  // with the defaults below, two points that orbit each other in the time 2π
   std::vector<double> positions{0.5, 0, 0, -0.5, 0, 0}, velocities{0, 0.5, 0, 0, -0.5, 0};
   double gravitational_constant = 1;
-  std::vector<double> springs, dashpots;  // rows (i, j, k, l) of springs, (i, j, d) of dashpots
+  std::vector<double> springs, dashpots;  // rows (i, j, k, l) for springs, and (i, j, d) for dashpots
   std::vector<double> field{0, 0, 0}, center{0, 0, 0};
   double confinement = 0, central_attraction = 0, drag = 0;
 

@@ -6,19 +6,21 @@
 ///   Q̈ = M_t⁻¹f − M_t⁻¹r̈ − Ω̇ × Q − 2Ω × Q̇ − Ω × (Ω × Q)
 ///       force  translation  rotation  Coriolis  centrifugal
 ///
-/// The frame has the rotation M_t = exp(t p×) M₀ exp(α(t) n×) with α = ν t + ½ν̇t². The frame rotates about its axis n,
-/// which precesses with the angular velocity p in space. In the axes of K, the frame has the angular velocity Ω and the
-/// angular acceleration Ω̇:
+/// The frame has the rotation M_t = exp(t p×) M₀ exp(α(t) n×) with the spin angle α = ν t + ½ν̇t². At t = 0, the
+/// rotation is M₀. The spin about the axis n of the frame has the rate ν at t = 0 and the constant angular acceleration
+/// ν̇. The axis precesses with the angular velocity p in space. In the axes of K, the frame has the angular velocity Ω
+/// and the angular acceleration Ω̇:
 ///
 ///   Ω = α̇n + u,   Ω̇ = α̈n − α̇ n × u,   u = exp(−α n×)M₀⁻¹p.
 ///
-/// The origin of the frame has the position r = r₀ + ṙ₀t + ½at² + b sin(wt).
+/// The origin of the frame has the position r = r₀ + ṙ₀t + ½at² + b sin(wt). The acceleration a is constant, and b
+/// sin(wt) is a shaking with the amplitude b and the angular frequency w.
 ///
 /// The forces at rest in space are uniform gravity g, a spring −k(q − c) and an attraction −μ(q − c)/|q − c|³. The
-/// forces at rest in the frame are uniform gravity G and springs −diag(K₁, K₂, K₃)(Q − C).
+/// centre of both is c. The forces at rest in the frame are uniform gravity G and springs −diag(K₁, K₂, K₃)(Q − C) to
+/// the centre C.
 ///
-/// In the inertial frame, the same motion satisfies q̈ = f. The comments of FrameMotion and FrameForces name the other
-/// symbols.
+/// In the inertial frame, the same motion satisfies q̈ = f.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -39,8 +41,8 @@ using Space = Eigen::Matrix<T, 3, 1>;
 template <class T>
 struct FramePoseOver {
   Eigen::Matrix<T, 3, 3> M;
-  Space<T> Omega, Omega_rate;  // Ω and Ω̇ in the axes of K
-  Space<T> r, r_rate, r_acceleration;
+  Space<T> Omega, Omega_rate;          // Ω and Ω̇ in the axes of K
+  Space<T> r, r_rate, r_acceleration;  // r, ṙ and r̈
 
   /// Visits all entries, in the order of the members. The entries of M are visited column by column.
   template <class Visit>
@@ -55,9 +57,9 @@ using FramePose = FramePoseOver<double>;
 
 /// The motion of the frame: its pose as a function of time.
 struct FrameMotion {
-  Eigen::Matrix3d M0 = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d M0 = Eigen::Matrix3d::Identity();        // rotation M₀ of the frame at t = 0
   Eigen::Vector3d spin_axis = Eigen::Vector3d::UnitZ();    // spin axis n in the frame, of any length
-  double spin_rate = 0, spin_acceleration = 0;             // spin rate ν at t = 0, and its constant rate ν̇
+  double spin_rate = 0, spin_acceleration = 0;             // spin rate ν at t = 0, and angular acceleration ν̇
   Eigen::Vector3d precession = Eigen::Vector3d::Zero();    // angular velocity p of the precession in space
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();        // position r₀ of the origin at t = 0
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      // velocity ṙ₀ of the origin at t = 0
@@ -80,6 +82,7 @@ struct FrameMotion {
   }
 
  private:
+  /// The rotation exp(w×).
   static Eigen::Matrix3d turn(const Eigen::Vector3d& w) {
     return Eigen::AngleAxisd(w.norm(), w.stableNormalized()).toRotationMatrix();
   }
@@ -96,7 +99,7 @@ struct FrameForces {
   Eigen::Vector3d frame_stiffness = Eigen::Vector3d::Zero();  // stiffnesses K₁, K₂, K₃ of these springs
 
   /// Computes the force f in space on the point q, whose position in the frame is Q. The rotation of the frame is M.
-  /// Returns 1 if the attraction is finite, otherwise NaN.
+  /// Returns 1 if μ = 0 or if μ/|q − c|³ is finite, otherwise NaN.
   template <class T>
   T in_space(const Space<T>& q, const Space<T>& Q, const Eigen::Matrix<T, 3, 3>& M, Space<T>& f) const {
     const Space<T> in_frame =
@@ -116,7 +119,7 @@ struct FrameParameters {
 /// The forces, and the pose of the frame at each stage of a Gauss step.
 struct FrameOfStages {
   const FrameForces& forces;
-  bool moving;  ///< true if q is the position in the moving frame, false if it is the position in space
+  bool moving;  ///< true if the stages have positions in the moving frame, false if in space
   std::array<mechanics::OfStages, FramePose::n_entries> pose;  ///< the entries of FramePose, each at all stages
 };
 /// Computes the poses at the times of the stages once for a step, because the poses do not depend on the state. The
@@ -149,11 +152,12 @@ class MovingFrame {
 
   explicit MovingFrame(Parameters parameters) : p_(std::move(parameters)) {}
 
-  /// Computes the terms at the time t. Fails if the point is at the attracting centre or is not finite.
+  /// Computes the terms at the time t. Without an attraction (μ = 0), the function never fails. With an attraction, it
+  /// fails if μ/|q − c|³ is infinite or NaN. Examples are a point at the centre c, and coordinates that are NaN.
   mechanics::Status terms(double t, const Vector& Q, const Vector& V, RelativeTerms& terms) const {
     return status_of_force(terms_over(p_.forces, p_.frame.at(t), Q, V, terms));
   }
-  /// Computes the terms for any scalar type. Returns 1 if the attraction is finite, otherwise NaN.
+  /// Computes the terms for any scalar type. Returns the result of FrameForces::in_space.
   template <class T>
   static T terms_over(const FrameForces& forces, const FramePoseOver<T>& pose, const Space<T>& Q, const Space<T>& V,
                       RelativeTermsOver<T>& terms) {
@@ -199,7 +203,7 @@ class InertialFrame {
   mechanics::Status acceleration(double t, const Vector& q, const Vector&, Workspace&, Vector& a) const {
     return status_of_force(acceleration_over(p_.forces, p_.frame.at(t), q, a));
   }
-  /// Computes the acceleration for any scalar type. Returns 1 if the attraction is finite, otherwise NaN.
+  /// Computes the acceleration for any scalar type. Returns the result of FrameForces::in_space.
   template <class T>
   static T acceleration_over(const FrameForces& forces, const FramePoseOver<T>& pose, const Space<T>& q, Space<T>& a) {
     return forces.in_space<T>(q, pose.M.transpose() * (q - pose.r), pose.M, a);

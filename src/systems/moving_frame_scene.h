@@ -1,8 +1,8 @@
 #pragma once
 /// A point in a moving frame (moving_frame.h; Oliva, Geometric Mechanics, 5.6.7) in parameter files. The program
-/// integrates either the equation for (Q, Q̇) with inertial forces, or the equation for (q, q̇) in space. Both forms
-/// write the same columns. Let U be the potential of all forces, including the forces at rest in the frame. With the
-/// angular velocity Ω and the origin r of the frame, the two energies are
+/// integrates either the equation for the position Q in the frame, with inertial forces, or the equation for the
+/// position q in space. Both forms write the same columns. Let U be the potential of all forces, including the forces
+/// at rest in the frame. With the angular velocity Ω and the origin r of the frame, the two energies are
 ///
 ///   E = ½|q̇|² + U                      constant if all forces are at rest in space,
 ///   J = ½|Q̇|² + U − ½|Ω × Q|²          (Jacobi) constant if Ω is constant, r̈ = 0, and all forces rest in the frame.
@@ -110,8 +110,8 @@ struct MovingFrameScene {
     return columns;
   }
 
-  /// Appends the values of all columns for a state, which is given in the frame and in space. Fails if the force is not
-  /// finite (MovingFrame::terms).
+  /// Appends the values of all columns for a state, which is given in the frame and in space. Fails if
+  /// MovingFrame::terms fails.
   static mechanics::Status append(const FrameParameters& p, const mechanics::State<MovingFrame>& relative,
                                   const mechanics::State<InertialFrame>& inertial, std::vector<double>& row) {
     RelativeTerms terms;

@@ -6,11 +6,12 @@
 /// kinetic energy K and the equations of motion are
 ///
 ///   K = ½tr(ṘE₀Ṙᵀ) + ½m|ẋ|²   (5.98),   E₀ = ∫ξξᵀdm,   A = tr(E₀)Id − E₀
-///   [R̈E₀ | mẍ] = ∫df ξ̃ᵀ + [RΛ | 0],   RᵀR = Id,   ξ̃ = (ξ, 1) or ξ
+///   [R̈E₀ | mẍ] = ∫df ξ̃ᵀ + [RΛ | 0],   RᵀR = Id,   ξ̃ = (ξ, 1), or ξ with a fixed point
 ///
 /// With the columns c_i of R, the six constraints are g_ii = ½(|c_i|² − 1), g_jk = ⟨c_j, c_k⟩. Their order is 11 22 33
-/// 23 13 12. Their six multipliers are the entries of the symmetric matrix Λ in the same order. With the mass operator
-/// M and the derivative G of the constraints, the matrix S = G(q₁)M⁻¹G(q₀)ᵀ is the map
+/// 23 13 12. Their six multipliers are the entries of the symmetric matrix Λ in the same order. Let M be the mass
+/// operator and G the derivative of the constraints. For two configurations q₁ and q₀ with the matrices R₁ and R₀, the
+/// matrix S = G(q₁)M⁻¹G(q₀)ᵀ is the map
 ///
 ///   Λ ↦ sym₂(R₁ᵀR₀ΛE₀⁻¹)   with sym₂(Y)_ii = Y_ii,  sym₂(Y)_jk = Y_jk + Y_kj.
 
@@ -131,7 +132,7 @@ class RigidBody {
   }
 
   /// The number of symmetries. The first symmetries are translations. The others are rotations of space about axes
-  /// through its origin.
+  /// through the origin of space.
   int n_symmetries() const {
     return static_cast<int>(symmetries_.translations.size() + symmetries_.turns_of_space.size());
   }
@@ -212,6 +213,7 @@ using FreeBody = RigidBody<false>;
 inline mechanics::State<FixedPointBody> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega) {
   return {0, R, R * mechanics::cross_matrix(Omega)};
 }
+/// The same for a free body, whose centre of mass has the position x and the given velocity.
 inline mechanics::State<FreeBody> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega,
                                           const Eigen::Vector3d& x, const Eigen::Vector3d& velocity) {
   mechanics::State<FreeBody> state;

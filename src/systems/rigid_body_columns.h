@@ -1,6 +1,7 @@
 #pragma once
 /// The columns of a rigid body. R is the rotation, Ω the angular velocity in the body, and A the inertia operator. The
-/// mass is m, and the centre of mass is at x:
+/// mass is m, and the centre of mass is at x. The columns have the angular velocity ω and the angular momentum J in
+/// space, the kinetic energy K and the potential energy V:
 ///
 ///   ω = RΩ,   J = RAΩ (+ m x × ẋ of a free body),   K = ½Ω·AΩ (+ ½m|ẋ|²),   V the potential of weight and springs.
 

@@ -17,7 +17,7 @@ namespace detail {
 
 inline constexpr double largest_size = 1e70;
 
-/// True for zero and for numbers in the range.
+/// True if x = 0 or if |x| is between 1/largest_size and largest_size.
 inline bool sound(double x) { return x == 0 || (std::abs(x) >= 1 / largest_size && std::abs(x) <= largest_size); }
 
 /// Calls visitor(path, x) for each number x in the entries.
@@ -65,9 +65,9 @@ Farthest farthest_number(SystemScene system) {
 }  // namespace detail
 
 /// Refuses a scene with numbers outside the range, or with an initial state that is not finite. The refusal names the
-/// entry with the number farthest from 1. This number is in the scales of the scene if such a scaled number is outside
-/// the range. Otherwise it is in the units of the user. The function `starts_finite` receives the system in the scales
-/// of the scene, and returns whether its initial state is finite.
+/// entry with the number farthest from 1. If a number in the scales of the scene is outside the range, the refusal
+/// shows the number in these scales. Otherwise it shows the number in the units of the user. The function
+/// `starts_finite` receives the system in the scales of the scene, and returns whether its initial state is finite.
 template <class SystemScene, class StartsFinite>
 std::optional<Refusal> refuses_sizes(SystemScene system, const StartsFinite& starts_finite) {
   const Scales scales = system.scales();

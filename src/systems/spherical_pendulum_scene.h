@@ -132,7 +132,7 @@ struct SphericalPendulumScene {
   }
 
   /// The units of length and mass are l and m. The unit of time is √(l/g). Without gravity, it is the reciprocal of the
-  /// largest initial rate, or 1 at rest.
+  /// largest absolute value of an initial rate, or 1 at rest.
   Scales scales() const {
     const double rate = std::max(std::abs(rates[0]), std::abs(rates[1]));
     return {l, m, gravity > 0 ? std::sqrt(l / gravity) : rate > 0 ? 1 / rate : 1};

@@ -30,14 +30,15 @@ struct BodyLoads;
 struct FrameOfStages;  // defined in moving_frame.h
 class MassPoints;
 
-/// The data of Euler's equation on quaternions (euler_top.h). If `loads` is null, the torque N is zero.
+/// The data of Euler's equation on quaternions (euler_top.h): the inertia operator A, its inverse, and the loads that
+/// cause the torque. If `loads` is null, the torque is zero.
 struct TopOfStages {
   Eigen::Matrix3d A, A_inverse;
   const BodyLoads* loads = nullptr;
 };
 
-/// The spherical pendulum (spherical_pendulum_scene.h) with its explicit multiplier λ, gravity g and drag coefficient
-/// c. The z axis points upwards:
+/// The spherical pendulum (spherical_pendulum_scene.h) with the mass m, the acceleration of gravity g, the drag
+/// coefficient c and an explicit multiplier λ. The z axis points upwards:
 ///   q̈ = b + λq,  b = −g e_z − c q̇/m,  λ|q|² = −|q̇|² − ⟨q, b⟩.
 struct SphericalPendulumOfStages {
   static constexpr int n = 3;

@@ -7,15 +7,15 @@
 ///   D(v) = −c(q) (v + β ⟨v, e⟩ e),   c(q) = c (1 + a cos w + b cos u),   e = cos γ e_w + sin γ e_u,
 ///   V = g ⟨q, up⟩,   up = (sin α, 0, cos α),
 ///
-/// with the velocity v, the unit vectors e_w, e_u along the circles, and the acceleration g of gravity. The numbers
-/// satisfy |a| + |b| < 1 and β ≥ 0. The friction D varies with the position (5.8.9) and is greater along the grain
-/// direction e. For a = b = β = 0 it is the friction of 5.8.8.
+/// with the velocity v, the unit vectors e_w, e_u along the circles, the acceleration g of gravity and the tilt α. The
+/// numbers a, b and β satisfy |a| + |b| < 1 and β ≥ 0. The friction D varies with the position (5.8.9) and is greater
+/// along the grain direction e. For a = b = β = 0 it is the friction of 5.8.8.
 ///
-/// For α = 0, the potential V = g (3 + cos w) cos u is even in x = sin w. The circle w = π is therefore invariant. It
-/// connects the two saddles, whose stable and unstable manifolds are not transversal there. A tilt α ≠ 0 removes the
-/// symmetry, and breaks the connection without a change of D. A grain oblique to the circle breaks the connection
-/// without a change of V (the two halves of 5.8.6). A variable c(q) alone does not break it, because the force −c(q) v
-/// on a motion along the circle is tangent to the circle.
+/// For α = 0, the potential V = g (3 + cos w) cos u is even in x = sin w. The circle w = π is therefore invariant. This
+/// circle connects the two saddles, whose stable and unstable manifolds are not transversal there. A tilt α ≠ 0 removes
+/// the symmetry, and breaks the connection without a change of D. A grain oblique to the circle breaks the connection
+/// without a change of V. Theorem 5.8.6 treats these two cases, with D fixed and with V fixed. A variable c(q) alone
+/// does not break it, because the force −c(q) v on a motion along the circle is tangent to the circle.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -41,6 +41,7 @@ struct Torus : TorusSurface {
     using std::cos;
     return c * (1.0 + c_w * outward * cos(q[0]) + c_u * cos(q[1]));
   }
+  /// The components of the friction D(v) in the coordinates (w, u).
   template <class T>
   SurfacePoint<T> dissipation(const SurfacePoint<T>& q, const SurfacePoint<T>& v) const {
     using std::cos;
