@@ -77,7 +77,7 @@ struct SurfaceTotals {
 SurfaceTotals totals(const SurfacePoints& targets, const PairSums& sums);
 
 /// Returns Ê of the part of the body with these targets. `strength` is Gρ², and `rest_volume` is V₀ of this part. The
-/// result is NaN if the volume V is negative.
+/// result is not finite if the volume V is zero or negative.
 double surface_energy(const SurfaceTotals& totals, double strength, double rest_volume);
 
 /// The derivative of Ê with respect to the points and area vectors of the targets: [component][target]. The sources

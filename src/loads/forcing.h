@@ -1,15 +1,17 @@
 #pragma once
 /// All loads on an elastic body, as numbers, vectors and matrices. Each load (list.h) sets some members. External
-/// forces per mass are affine in x and ẋ, and surface tractions derive from stresses without divergence. All models of
-/// the body can represent such loads. On motions x = x_c + QX, the work of the loads is therefore the same in all
-/// models, up to the quadrature of surface integrals. The full potential of companions is an exception, because only
-/// finite-element bodies have it:
+/// forces per mass are affine in the position x and the velocity ẋ. Surface tractions other than contact derive from
+/// stresses without divergence. All models of the body can represent such loads. On motions x = x_c + QX with the
+/// centre x_c, the work of the loads is therefore the same in all models, up to the quadrature of surface integrals.
+/// The full potential of companions is an exception, because only finite-element bodies have it. With the deformation
+/// gradient F and the current volume V, the loads are
 ///
-///   per mass       b − T x − c ẋ              energy ½ xᵀTx − b·x per mass; the drag dissipates c|ẋ|²
+///   per mass       the force b − T x − c ẋ with the acceleration b, the tidal matrix T and the drag coefficient c;
+///                  energy ½ xᵀTx − b·x per mass; the drag dissipates c|ẋ|²
 ///   on the surface the nominal stress P̄ − p cof F, which is a dead traction P̄N per reference area and the follower
-///                  pressure −p n per current area; energy −P̄:∫F dX + p V
-///   inside         the objective viscosity σ = 2ηd with the symmetric part d of the velocity gradient, and
-///                  self-gravity with the constant G
+///                  pressure −p n per current area, with the normals N and n; energy −P̄:∫F dX + p V
+///   inside         the stress σ = 2ηd with the viscosity η and the symmetric part d of the velocity gradient, and
+///                  self-gravity with Newton's constant G
 ///   branches       viscoelastic branches with internal strains (materials/maxwell_branch.h)
 ///   at planes      the pressure and the friction of contact with rigid planes (plane.h)
 ///   companions     point masses in orbit, with the quadratic potential of their tides (mechanics/core/orbit.h)
@@ -77,12 +79,13 @@ struct Forcing {
     return *this;
   }
 
-  /// Returns true if a force depends on the velocity. The stresses of viscoelastic branches depend on internal strains
-  /// and not on the velocity.
+  /// Returns true if a force depends on the velocity: viscosity, drag, damping of planes or friction. The stresses of
+  /// viscoelastic branches depend on internal strains and not on the velocity.
   bool damped() const { return viscosity != 0 || drag != 0 || planes.damped() || planes.rough(); }
+  /// Returns true if a force or a branch can dissipate energy.
   bool dissipative() const { return damped() || !branches.empty(); }
-  /// Returns true if there is a load other than a pressure. The motion of a body of constant volume does not depend on
-  /// a pressure.
+  /// Returns true if there is a load other than the follower pressure. The motion of a body of constant volume does not
+  /// depend on a pressure.
   bool acts_at_constant_volume() const {
     Forcing others = *this;
     others.pressure = 0;

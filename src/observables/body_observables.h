@@ -14,7 +14,8 @@
 ///
 /// To add an observable, add a member, and set it in the models that have it (reduced/observe.h,
 /// polynomial/observe.cpp, continuum/output/observe.cpp). An observable that is not set stays NaN. If its column is
-/// requested, the run then ends at its first sample.
+/// requested, the run then ends at its first sample. The observables of contact and the two energies of orbits are 0
+/// instead.
 
 #include <Eigen/Core>
 #include <array>
@@ -112,14 +113,15 @@ struct VibrationObservables {
   }();
 };
 
-/// The motion of the companions (mechanics/core/orbit.h), set by observables/orbit.h, which defines the members.
-/// Without companions, the energies are 0 and the other members are NaN. If finite elements use the full potential of
-/// the companions, `interaction` and `torque` are those of this potential.
+/// The motion of the companions relative to the centre of the body. The header observables/orbit.h has the formulas of
+/// the members, and the columns below have their meaning. Without companions, the energies are 0 and the other members
+/// are NaN. If finite elements use the full potential of the companions, `interaction` and `torque` are those of this
+/// potential.
 struct OrbitObservables {
-  double kinetic = 0;                                                                       ///< ½ Σ μ_k |Ṙ_k|²
-  double interaction = 0;                                                                   ///< U
-  Eigen::Vector3d position = Eigen::Vector3d::Constant(not_observed), velocity = position;  ///< r₁, ṙ₁
-  Eigen::Vector3d second_position = position, second_velocity = position;                   ///< r₂, ṙ₂
+  double kinetic = 0;      ///< kinetic energy of the orbits
+  double interaction = 0;  ///< energy of their gravity
+  Eigen::Vector3d position = Eigen::Vector3d::Constant(not_observed), velocity = position;  ///< of the first companion
+  Eigen::Vector3d second_position = position, second_velocity = position;                   ///< of the second companion
   KeplerElements elements{not_observed, not_observed, not_observed, not_observed, not_observed, not_observed};
   double lag = not_observed, k2 = not_observed, inverse_Q = not_observed, obliquity = not_observed;
   Eigen::Vector3d torque = position, spin = position, total_momentum = position;

@@ -56,6 +56,7 @@ class HeldField final : public FieldInterface {
 
 }  // namespace detail
 
+/// Any second-order field. Copies share the concrete field.
 class AnyField {
  public:
   using Vector = Eigen::VectorXd;

@@ -113,9 +113,10 @@ Status project_residual(const S& system, const typename S::Vector& q, double eno
 }
 
 /// Sets w.solution to u for the projected residual P r = w.residual. On return w.residual is the remaining residual.
-/// The operator C is taken at `state`. The iteration ends when the remaining residual is at most `enough`,
-/// w.round_off or 64 units of round-off of P r. The function fails if a projection fails, if 2000 iterations are not
-/// enough, or if 1 + s M⁻¹C is not positive. The last case occurs in a long step backwards in time, s < 0.
+/// The operator C is taken at `state`. The iteration ends when the remaining residual is at most `enough`, w.round_off
+/// or 64 units of round-off of P r. The function fails if a projection fails, if 2000 iterations are not enough, or if
+/// 1 + s M⁻¹C is not positive. The last case occurs in a long step backwards in time, s < 0, and for numbers that are
+/// not finite.
 template <Damped S>
 Status solve_damping(const S& system, double s, const State<S>& state, double enough,
                      typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,

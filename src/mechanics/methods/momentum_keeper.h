@@ -48,8 +48,8 @@ class MomentumKeeper {
     for (std::size_t i = 0; i < xi_.size(); ++i) start_[i] = dot(momentum_, xi_[i]);
   }
 
-  /// Corrects state.v and its remainder v_rounding as in the head of this file. Does nothing if all errors of momenta
-  /// are round-off.
+  /// Corrects state.v and its remainder v_rounding as in the head of this file. Does nothing without symmetries, or if
+  /// all errors of momenta are round-off.
   void keep(const S& system, State<S>& state, Vector& v_rounding) {
     const auto n = static_cast<Eigen::Index>(xi_.size());
     if (n == 0) return;
@@ -66,6 +66,7 @@ class MomentumKeeper {
     if (beyond_round_off) give_back(system, lost, state, v_rounding);
   }
 
+  /// Passes each member that a checkpoint must contain to `visit`.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     visit(std::span<double>(start_));

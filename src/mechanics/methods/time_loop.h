@@ -36,7 +36,7 @@ struct Cursor {
 
 struct RunResult {
   Outcome outcome = Outcome::finished;
-  std::string reason;  ///< the reason of a failure in one sentence, or "interrupted"
+  std::string reason;  ///< the reason of a failure in one sentence, or "interrupted"; empty for a finished run
   double t = 0;        ///< time reached
 };
 

@@ -91,8 +91,8 @@ class MethodChoice {
     n_force_ += search.n_force();
   }
 
-  /// Returns the adaptive method if its doubled cost is least, otherwise the best method with fixed steps. Without
-  /// both, the status is a failure.
+  /// Returns the accepted adaptive method if its cost by adaptive_cost is least, or if no method with fixed steps is
+  /// accepted. Otherwise returns the best method with fixed steps. If no method is accepted, the status is a failure.
   StepChoice result() {
     if (adaptive_ && (!best_ || adaptive_cost() < best_->n_forces_of_run)) best_ = adaptive_;
     StepChoice choice{.rattle_limit = request_.rattle_limit, .n_force = n_force_};

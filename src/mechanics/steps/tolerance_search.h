@@ -26,8 +26,9 @@
 namespace pseudorigid::mechanics::detail {
 
 /// Searches for the local tolerance and returns the result. The verdict is `failed` if a pilot run fails, or if six
-/// local tolerances do not give the required error. `compensated` is true if sums of the system's vectors are
-/// compensated. The function adds the number of force evaluations of its pilot runs to n_force.
+/// local tolerances do not give the required error. The least local tolerance, 64 units of round-off, is accepted with
+/// any error. `compensated` is true if sums of the system's vectors are compensated. The function adds the number of
+/// force evaluations of its pilot runs to n_force.
 Trial search_tolerance(const StepRequest& request, bool compensated, const AdaptiveMethod& method, long& n_force);
 
 }  // namespace pseudorigid::mechanics::detail
