@@ -34,8 +34,8 @@ namespace pseudorigid::mechanics {
 
 inline constexpr double not_observed = std::numeric_limits<double>::quiet_NaN();
 
-/// A column with the least or the largest value of a function of the deformation gradient over the quadrature points of
-/// the whole body.
+/// A column with the largest value(F) over the quadrature points of the whole body if `largest` is true, otherwise with
+/// the least. F is the deformation gradient.
 struct OverPoints {
   bool largest;
   double (*value)(const Eigen::Matrix3d& F);
@@ -295,8 +295,7 @@ inline constexpr BodyColumn<O> common_columns[] = {
 struct ReducedObservables : BodyObservables {
   double central_pressure = not_observed;  ///< p_c of the pressure p_c(1 − |ξ|²), the reaction to
                                            ///< det Q = 1; |ξ| = 1 is the surface
-  Eigen::Vector3d axes =
-      Eigen::Vector3d::Constant(not_observed);  ///< a_i of Q = TᵀAS, continued along the path, times r
+  Eigen::Vector3d axes = Eigen::Vector3d::Constant(not_observed);  ///< r A_ii of Q = TᵀAS, continuous along the path
   /// Rotations T and S of the bipolar decomposition Q = TᵀAS.
   Eigen::Matrix3d T = Eigen::Matrix3d::Constant(not_observed), S = T;
   Eigen::Vector3d Omega_star = Eigen::Vector3d::Constant(not_observed);   ///< entries 12, 13, 23 of Ω* = ṪTᵀ

@@ -1,7 +1,7 @@
 #pragma once
-/// Point masses, the companions, that move under the gravity of the body and of each other. The body has the mass M,
-/// the centre of mass x_c and the second moment S = ∫ρ(x − x_c)(x − x_c)ᵀ. Companion i has the mass m_i and the
-/// position r_i relative to x_c. To second degree in the size of the body, the energy is
+/// Point masses, the companions, that move under the gravity of the body and of each other. G is the gravitational
+/// constant. The body has the mass M, the centre of mass x_c and the second moment S = ∫ρ(x − x_c)(x − x_c)ᵀ. Companion
+/// i has the mass m_i and the position r_i relative to x_c. To second degree in the size of the body, the energy is
 ///
 ///   U = −Σ_i G m_i [M/|r_i| + (3 r̂_iᵀS r̂_i − tr S)/(2|r_i|³)] − Σ_{i<j} G m_i m_j/|r_i − r_j|.
 ///
@@ -162,7 +162,8 @@ class Orbit {
     for (int i = 0; i < n_; ++i) on_r.col(i) = attraction(i, S, r.col(i));
     return force_on_coordinates(r, on_r);
   }
-  /// Returns the forces on s_k, for the positions r_i and the forces of the body on the companions.
+  /// Returns the forces on s_k, for the positions r_i and the forces of the body on the companions. The function adds
+  /// the forces between the companions.
   Columns force_on_coordinates(const Columns& r, const Columns& of_body) const {
     Columns on_r = Columns::Zero(3, n_);  // −∂U/∂r_i
     for (int i = 0; i < n_; ++i) {

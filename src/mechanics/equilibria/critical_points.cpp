@@ -147,7 +147,8 @@ class CriticalPointFinder {
     return q;
   }
 
-  /// Returns true if a and b count as one point (critical_points.h).
+  /// Returns true if a and b are at the same place modulo the periods, or are points of one critical orbit
+  /// (critical_points.h).
   bool same(const CriticalPoint& a, const CriticalPoint& b) const {
     const double scale = 1 + a.hessian_eigenvalues.cwiseAbs().maxCoeff();
     if (a.nullity > 0 && a.nullity == b.nullity && std::abs(a.V - b.V) < same_place * scale &&

@@ -161,7 +161,7 @@ struct Gauss16 {
   }
 
   /// Projects position and velocity onto the constraints or the invariant manifold, if there are any. Fails if the
-  /// projection does not converge.
+  /// projection fails.
   template <class S>
   static Status project_velocity(const S& system, State<S>& state, Workspace<S>& w) {
     w.n_unprojected = 0;
@@ -314,7 +314,8 @@ struct Gauss16 {
   }
 
   /// Projects position and velocity by the formulas of the head of this file. The velocity is not lifted if the system
-  /// has no `add_reaction_rate`. Fails if one of the iterations does not converge.
+  /// has no `add_reaction_rate`. Fails if the constraint or a Gram solve fails, or if one of the iterations does not
+  /// converge.
   template <ConstrainedSystem S>
   static Status project_with_momenta(const S& system, State<S>& state, Workspace<S>& w) {
     ++w.counters.n_projections;

@@ -22,7 +22,7 @@ namespace pseudorigid::mechanics {
 
 struct RattleVelocity {
   /// v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v, until G v is below the tolerance or round-off. The projection completes the step of
-  /// RATTLE. Fails if it does not converge. Does nothing without constraints.
+  /// RATTLE. Fails if a Gram solve fails or the projection does not converge. Does nothing without constraints.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {

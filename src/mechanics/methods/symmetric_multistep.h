@@ -213,9 +213,10 @@ struct SymmetricMultistep {
   }
 
   /// Computes d_{n+1} and q_{n+1} with a_n from the extrapolated multiplier, and then corrects all three until
-  /// g(q_{n+1}) = 0. Fails if the iteration for the constraint does not converge. For dense vectors, also fails if the
-  /// result is not finite. All calls are inlined, because calls kept the temporaries of small systems in memory. In a
-  /// measurement, accesses to these temporaries took a sixth of the time of a step of the pseudo-rigid body.
+  /// g(q_{n+1}) = 0. Fails if the constraint or a Gram solve fails, or if the iteration for the constraint does not
+  /// converge. For dense vectors, also fails if the result is not finite. All calls are inlined, because calls kept the
+  /// temporaries of small systems in memory. In a measurement, accesses to these temporaries took a sixth of the time
+  /// of a step of the pseudo-rigid body.
   template <class S>
   PSEUDORIGID_FLATTEN static Status make_step(const S& system, State<S>& state, Workspace<S>& w) {
     constexpr bool dense = VectorSpace<typename S::Vector>::dense;
@@ -259,7 +260,8 @@ struct SymmetricMultistep {
 
   /// Returns the residual |g| below which the iteration ends after one more correction, without a check. For a fixed
   /// number of constraints the Gram matrix is exact. An iteration of Newton then reduces the residual to its square
-  /// times the curvature of g. The factor 1e-4 permits curvatures up to 10⁴.
+  /// times the curvature of g. The factor 1e-4 permits curvatures up to 10⁴. For a dynamic number of constraints, the
+  /// result is 0, so that every residual is checked.
   template <class S>
   static double foregone(const S&, const Workspace<S>& w) {
     return S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * w.constraint_tolerance);

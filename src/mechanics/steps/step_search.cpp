@@ -209,7 +209,8 @@ bool StepSearch::accept(const FixedStepMethod& method, Trial& trial, double step
 
 /// Returns the error e₀ of round-off with the step h (step_search.h).
 double StepSearch::round_off(const FixedStepMethod& method, double speed, double h) const {
-  // If the system has no constrained form, its frequency is not known and rattle_limit is infinite.
+  // If the system has no constrained form, its frequency is not known and rattle_limit is infinite. hω then counts as
+  // 1.
   const double h_omega = std::isfinite(request_.rattle_limit)
                              ? Rattle::stability_limit * h / (method.n_stages * request_.rattle_limit)
                              : 1;

@@ -59,7 +59,7 @@ class MethodChoice {
   MethodChoice(bool compensated, const StepRequest& request) : compensated_(compensated), request_(request) {}
 
   /// Searches for the local tolerance of each adaptive method, and keeps the method if it is accepted. The table has
-  /// one such method. Sets `hopeless_` if the method fails or its error is above 0.1.
+  /// one such method. Sets `hopeless_` to true if the method fails or its error is above asymptotic_difference.
   void try_adaptive(const std::vector<AdaptiveMethod>& methods) {
     for (const AdaptiveMethod& method : methods) {
       trials_.push_back(search_tolerance(request_, compensated_, method, n_force_));

@@ -13,7 +13,7 @@
 /// pilot runs have the same rounding errors, their difference does not show this growth. If force evaluations are
 /// cheap, the search therefore makes two more pilot runs. These runs are perturbed by round-off after every step, in
 /// opposite directions (kicked_method.h). Their distance from the run with tolerance τ is part of the estimate. On a
-/// regular motion this distance grows like t^(3/2), because the perturbations have random signs. If the distance is
+/// regular motion this distance grows like t^(3/2), because the perturbations have irregular signs. If the distance is
 /// more than a thousand times as large as on a regular motion, the motion amplifies round-off. The result then contains
 /// the first time at which the distance exceeds (w/T)² times the tolerance. If the distance stays below this bound
 /// within the window, the result does not contain a time.
