@@ -104,8 +104,8 @@ Block<L> block_at(const SurfacePoints& points, std::size_t first) {
   return block;
 }
 
-/// Sums over the images of one point, with the symbols of PairWithImages below. The members a, b and w are Σ a/|d|, Σ
-/// b/|d| and Σ ab/|d|³.
+/// Sums over the images of one point. A pair has the distance vector d, and its products with the two area vectors are
+/// a and b. The members a, b and w are Σ a/|d|, Σ b/|d| and Σ ab/|d|³.
 struct ImageSums {
   L a = 0.0, b = 0.0, w = 0.0;
 };

@@ -14,7 +14,7 @@ struct CompanionMasses {
   /// mass of the body.
   std::vector<double> masses, positions, velocities;
   /// Orbital elements in place of r_i and ṙ_i, with angles in radians. Each orbit is about the centre of mass of the
-  /// body and the companions before. Missing rows are 0.
+  /// body and the companions before. Missing rows other than those of the semi-major axis are 0.
   std::vector<double> semi_major_axes, eccentricities, inclinations, ascending_nodes, arguments_of_pericentre,
       mean_anomalies;
   bool full_potential = false;  ///< true if finite elements use the whole potential, not only its second degree

@@ -19,9 +19,8 @@
 ///
 ///   z₀(t) = a + u t + A sin Ωt,   a = z₀(0).
 ///
-/// The force of the plane on the body has the power ∫p ż₀ dA at the speed of the plane, with the pressure p that
-/// includes the damping. Damping dissipates a part of this power. The remainder changes the energies of the body and of
-/// the contact.
+/// The motion of the plane gives the power ∫p ż₀ dA to the body and the contact, with the pressure p that includes the
+/// damping. Damping dissipates a part of this power. The remainder changes the energies of the body and of the contact.
 
 #include <Eigen/Core>
 #include <algorithm>

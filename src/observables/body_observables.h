@@ -118,10 +118,12 @@ struct VibrationObservables {
 /// are NaN. If finite elements use the full potential of the companions, `interaction` and `torque` are those of this
 /// potential.
 struct OrbitObservables {
-  double kinetic = 0;      ///< kinetic energy of the orbits
-  double interaction = 0;  ///< energy of their gravity
-  Eigen::Vector3d position = Eigen::Vector3d::Constant(not_observed), velocity = position;  ///< of the first companion
-  Eigen::Vector3d second_position = position, second_velocity = position;                   ///< of the second companion
+  double kinetic = 0;  ///< kinetic energy of the orbits about the common centre of mass
+  /// Energy of the gravity between the body and the companions, and of the companions between each other.
+  double interaction = 0;
+  /// Positions and velocities of the first and of the second companion, relative to the centre of the body.
+  Eigen::Vector3d position = Eigen::Vector3d::Constant(not_observed), velocity = position;
+  Eigen::Vector3d second_position = position, second_velocity = position;
   KeplerElements elements{not_observed, not_observed, not_observed, not_observed, not_observed, not_observed};
   double lag = not_observed, k2 = not_observed, inverse_Q = not_observed, obliquity = not_observed;
   Eigen::Vector3d torque = position, spin = position, total_momentum = position;
@@ -327,8 +329,9 @@ inline constexpr BodyColumn<ReducedObservables> reduced_columns[] = {
 /// Observables that only bodies with non-affine motions have.
 struct ContinuumObservables : BodyObservables {
   Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean deformation gradient F̄ = ∫F dV / Vol
-  double nonaffine_kinetic_fraction = not_observed;             ///< η_K = K_nonaffine / K about x_c, with 0/0 = 0
-  double nonaffine_displacement = not_observed;  ///< e_x = |y − Q_M X| / |y|, y = x − x_c, ρ-weighted
+  /// Fraction of the kinetic energy about x_c that is not in the affine motion, or 0 if this energy is 0.
+  double nonaffine_kinetic_fraction = not_observed;
+  double nonaffine_displacement = not_observed;  ///< |y − Q_M X|/|y| with y = x − x_c, norms weighted with ρ
   double volumetric = not_observed;              ///< energy of the volumetric stabilisation, a part of `elastic`
   double min_jacobian = not_observed;            ///< least det F over the quadrature points
   double volume_error = not_observed;            ///< (∫(ln det F)² dV / Vol)^½

@@ -231,7 +231,7 @@ class Orbit {
   /// one period. Changes of the pericentre by tides are not known before the run. The search also ends if two
   /// companions, or a companion and the centre of the body, are nearer than the radius of the ball. In the run, a
   /// distance below the longest semi-axis of the body is a collision (app/run/orbit_of_run.h). The search also ends
-  /// after 100,000 steps, which bounds its time, or if a step is not positive and finite.
+  /// after 100,000 steps, which bounds its time, or if the size of a step is 0 or NaN.
   Motion near_closest_approach(double end, double before) const {
     if (const auto period = kepler_period()) end = std::min(end, *period);
     constexpr int most_steps = 100'000;

@@ -14,11 +14,12 @@
 /// 0.60, which is not in the test, had an error of 1.12 times its tolerance. This motion magnifies a change of the
 /// initial state 2000 times in the time 6.4 r/c. Here r is the radius, and c the speed of shear waves.
 ///
-/// The search starts at the stability limit and halves the step. It ends if e is at most the target or the error e₀ of
-/// round-off (below). It also ends if a difference of at most 0.1 falls at a halving by a factor of at least 2^p/√2.
-/// When the search has ended, the relation e ~ hᵖ gives the step. If this step is smaller than h, no pilot run has
-/// tested it, so e is multiplied by a reserve of 2^(p/4). The search fails if 12 halvings or 4·10⁶ force evaluations
-/// are not enough. It also fails if the motion ends within the window or the caller ends the search.
+/// The search starts at the stability limit and halves the step. It ends if e is at most the target or e₀, the error
+/// that the random walk of round-off causes (formula at the end of this text). It also ends if a difference of at most
+/// 0.1 falls at a halving by a factor of at least 2^p/√2. When the search has ended, the relation e ~ hᵖ gives the
+/// step. If this step is smaller than h, no pilot run has tested it, so e is multiplied by a reserve of 2^(p/4). The
+/// search fails if 12 halvings or 4·10⁶ force evaluations are not enough. It also fails if the motion ends within the
+/// window, if the caller ends the search, or if the run would need more than 10¹¹ force evaluations.
 ///
 /// A multistep method of order p begins with p − 1 steps of another method. These steps do not show the error of the
 /// multistep method. Therefore the window contains at least 4p steps, or the whole run.
