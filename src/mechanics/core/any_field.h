@@ -21,7 +21,7 @@ requires(!ConstrainedSystem<F>) typename F::Workspace& own_workspace(AnyWorkspac
   return w.as<typename F::Workspace>();
 }
 
-/// Functions of a field that methods call. The vectors are those of dynamic_vectors.h.
+/// Functions of a field that methods call. The vectors have dynamic size, and dynamic_vectors.h converts them.
 struct FieldInterface {
   using Vector = Eigen::VectorXd;
   virtual ~FieldInterface() = default;

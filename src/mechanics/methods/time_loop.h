@@ -85,8 +85,9 @@ requires(!Method::adaptive) RunResult
   return {Outcome::finished, "", state.t};
 }
 
-/// Makes the same run with a method that chooses the sizes of its steps. The steps do not end at the samples, so the
-/// state at a sample is interpolated. The last step ends at T. cursor.step counts the steps since the last sample.
+/// Makes the run as the function above, with a method that chooses the sizes of its steps. The steps do not end at the
+/// samples, so the state at a sample is interpolated. The last step ends at T. cursor.step counts the steps since the
+/// last sample.
 template <class Method, class F, TimeLoopHooks<F, typename Method::template Workspace<F>> Hooks>
 requires(Method::adaptive) RunResult
     run_time_loop(const F& field, const SampleTimes& times, State<F>& state, Cursor& cursor,
