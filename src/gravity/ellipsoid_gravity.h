@@ -63,8 +63,8 @@ struct EllipsoidGravity {
   }
 
  private:
-  /// Returns the factor by which F is scaled. If the largest entry of F is between 2⁻²⁰ and 2²⁰, the factor is 1.
-  /// Otherwise the factor is the power of two that brings the largest entry into [½, 1).
+  /// Returns the factor by which F is scaled. Let m be the largest absolute value of an entry. If m is between 2⁻²⁰ and
+  /// 2²⁰, the factor is 1. Otherwise the factor is the power of two that brings m into [½, 1).
   static double unit_scale(const Eigen::Matrix3d& F) {
     const double largest = F.cwiseAbs().maxCoeff();
     if (largest > 0x1p-20 && largest < 0x1p+20) return 1;

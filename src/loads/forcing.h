@@ -56,8 +56,8 @@ struct Forcing {
   mechanics::Companions companions{};                          ///< point masses in orbit about the body
   Branches branches{};                                         ///< viscoelastic branches
 
-  /// Calls visit(member of a, member of b) for every member except `by_name`. If the lists below lack a new member, the
-  /// function does not compile.
+  /// Calls visit(member of a, member of b) for every member except `by_name`. If the two lists of names in the function
+  /// lack a new member, the function does not compile.
   template <class A, class B, class Visit>
   static void visit_pairs(A& a, B& b, Visit&& visit) {
     auto& [name_a, G_a, T_a, b_a, P_a, p_a, eta_a, c_a, planes_a, companions_a, branches_a] = a;
@@ -101,8 +101,8 @@ struct Forcing {
 
   /// Returns the potential energy of the loads other than self-gravity, contact, companions and branches. The arguments
   /// are the moments ∫ρ x xᵀ dX and ∫ρ x dX of the body, the integral ∫F dX and the current volume V. The arguments
-  /// must have the units of the forcing. If the members are the time derivatives of a forcing, the result is the power
-  /// that the body receives from the change of the forcing.
+  /// must have the units of the forcing. If the pressure is 0, the volume is not used. If the members are the time
+  /// derivatives of a forcing, the result is the power that the body receives from the change of the forcing.
   double potential(const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const {
     const double energy = 0.5 * quadratic.cwiseProduct(second_moment).sum() - acceleration.dot(first_moment) -

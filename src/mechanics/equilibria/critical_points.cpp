@@ -58,8 +58,8 @@ class CriticalPointFinder {
   static constexpr double same_place = 1e-6;
   static constexpr double singular = 1e-10;  // bound of zero pivots in Newton's matrix, relative to the largest pivot
 
-  /// Moves q to a critical point and sets λ to its multiplier. Returns false if the iteration does not converge from q
-  /// or if a derivative fails. In these cases q and λ are not valid.
+  /// Moves q to a critical point and sets λ to its multiplier. Returns false if the iteration does not converge from q,
+  /// or if a derivative, the constraint or Newton's step fails. In these cases q and λ are not valid.
   bool newton(Vector& q, Vector& lambda) const {
     const Eigen::Index n = q.size();
     Vector r;

@@ -55,7 +55,8 @@ concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cur
 };
 
 /// Runs from `cursor` (the start or a checkpoint) to the last sample, to an interruption or to a failure. Advances
-/// `cursor` and `state`, and returns the outcome and the time reached. After a failed step `state` is not valid.
+/// `cursor` and `state`, and returns the outcome and the time reached. Fails if a hook, a step or the projection of the
+/// velocity fails, or if a step is shorter than the round-off of the time. After a failed step `state` is not valid.
 template <class Method, class S, TimeLoopHooks<S, typename Method::template Workspace<S>> Hooks>
 requires(!Method::adaptive) RunResult
     run_time_loop(const S& system, const SampleTimes& times, State<S>& state, Cursor& cursor,
