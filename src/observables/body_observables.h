@@ -133,8 +133,8 @@ struct OrbitObservables {
 struct BodyObservables {
   Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);       ///< Q; for non-affine motions the mass moment Q_M
   Eigen::Matrix3d Qdot = Eigen::Matrix3d::Constant(not_observed);    ///< time derivative of Q
-  Eigen::Vector3d center = Eigen::Vector3d::Constant(not_observed);  ///< centre of mass x
-  Eigen::Vector3d velocity = Eigen::Vector3d::Constant(not_observed);  ///< velocity v of the centre of mass
+  Eigen::Vector3d center = Eigen::Vector3d::Constant(not_observed);  ///< centre of mass x_c
+  Eigen::Vector3d velocity = Eigen::Vector3d::Constant(not_observed);  ///< velocity ẋ_c of the centre of mass
   double kinetic = not_observed, elastic = not_observed, gravitational = not_observed, external = not_observed,
          dissipated = not_observed;
   double viscoelastic = not_observed;  ///< energy stored by viscoelastic branches, a part of `elastic`
@@ -328,13 +328,13 @@ inline constexpr BodyColumn<ReducedObservables> reduced_columns[] = {
 
 /// Observables that only bodies with non-affine motions have.
 struct ContinuumObservables : BodyObservables {
-  Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean deformation gradient F̄ = ∫F dV / Vol
+  Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean of F over the reference volume
   /// Fraction of the kinetic energy about x_c that is not in the affine motion, or 0 if this energy is 0.
   double nonaffine_kinetic_fraction = not_observed;
   double nonaffine_displacement = not_observed;  ///< |y − Q_M X|/|y| with y = x − x_c, norms weighted with ρ
   double volumetric = not_observed;              ///< energy of the volumetric stabilisation, a part of `elastic`
   double min_jacobian = not_observed;            ///< least det F over the quadrature points
-  double volume_error = not_observed;            ///< (∫(ln det F)² dV / Vol)^½
+  double volume_error = not_observed;            ///< root mean square of ln det F
   double max_volume_error = not_observed;        ///< largest |ln det F| over the quadrature points
 };
 

@@ -235,7 +235,7 @@ class Orbit {
   Motion near_closest_approach(double end, double before) const {
     if (const auto period = kepler_period()) end = std::min(end, *period);
     constexpr int most_steps = 100'000;
-    constexpr double part = 0.02, nearer = 0.9;  // step per time of fall or passage; ratio of distances
+    constexpr double part = 0.02, nearer = 0.9;  // step divided by a time of fall or passage; ratio of distances
     std::vector<std::pair<double, Motion>> path{{0.0, {s_, sdot_}}};
     double t = 0, closest_time = 0, closest = nearer * least_distance(s_, s_);
     const double radius = radius_of_ball();

@@ -129,7 +129,7 @@ class CriticalPointFinder {
   Vector random_start() {
     const auto uniform = [&] {
       return static_cast<double>(generator_() >> 11) * 0x1p-53;
-    };  // the same numbers on every platform
+    };  // unlike std::uniform_real_distribution, gives the same numbers on every platform
     if (search_.start) return search_.start(uniform);
     Vector q = search_.center;
     for (Eigen::Index i = 0; i < q.size(); ++i)

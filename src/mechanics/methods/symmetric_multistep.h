@@ -67,7 +67,7 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   Start<S> start;
   typename S::Multiplier multiplier;  // λ_n, extrapolated and then corrected
   std::array<typename S::Vector, n_slots> d, a;
-  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // of the last steps, in a ring
+  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // λ of the last steps, in a ring
   double h = 0;               // size of the steps in the history; 0: there was no step
   int newest = 0;             // slot of d_n, the difference of the last step to q_n
   int n_known = 0;            // number of differences d in the history
