@@ -131,10 +131,11 @@ struct OrbitObservables {
 
 /// Observables that every model of the ball has. The energies are those of the columns with the same names below.
 struct BodyObservables {
-  Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);       ///< Q; for non-affine motions the mass moment Q_M
-  Eigen::Matrix3d Qdot = Eigen::Matrix3d::Constant(not_observed);    ///< time derivative of Q
-  Eigen::Vector3d center = Eigen::Vector3d::Constant(not_observed);  ///< centre of mass x_c
-  Eigen::Vector3d velocity = Eigen::Vector3d::Constant(not_observed);  ///< velocity ẋ_c of the centre of mass
+  Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);     ///< Q; for non-affine motions the mass moment Q_M
+  Eigen::Matrix3d Qdot = Eigen::Matrix3d::Constant(not_observed);  ///< time derivative of Q
+  /// Centre of mass x_c and its velocity. With companions, both are those of the body and the companions together.
+  Eigen::Vector3d center = Eigen::Vector3d::Constant(not_observed);
+  Eigen::Vector3d velocity = Eigen::Vector3d::Constant(not_observed);
   double kinetic = not_observed, elastic = not_observed, gravitational = not_observed, external = not_observed,
          dissipated = not_observed;
   double viscoelastic = not_observed;  ///< energy stored by viscoelastic branches, a part of `elastic`
