@@ -1,15 +1,15 @@
 #pragma once
 /// Self-gravity of the homogeneous ellipsoid F B, with the unit ball B (docs/oliva.md, correction 8; Carlson's form of
-/// Chandrasekhar's integrals). G is the gravitational constant and M the mass. Let k = (3/5) G M², F = U diag(a) Wᵀ
+/// Chandrasekhar's integrals). G is the gravitational constant and M the mass. Let κ = (3/5) G M², F = U diag(a) Wᵀ
 /// with orthogonal U and W, A = UᵀF and x_i = a_i². With the integrals d_i and t_k of ellipsoid_integrals.h, the
 /// potential energy V and its derivative are
 ///
-///   V = −k R_F(x_1, x_2, x_3) = −(k/3) Σ x_i d_i,      ∂V/∂F = (k/3) U diag(d) A = (k/3) U diag(d) Uᵀ F.
+///   V = −κ R_F(x_1, x_2, x_3) = −(κ/3) Σ x_i d_i,      ∂V/∂F = (κ/3) U diag(d) A = (κ/3) U diag(d) Uᵀ F.
 ///
 /// Let ĥ = UᵀH, and let ċ = ĥAᵀ + Aĥᵀ be the derivative of C = FFᵀ in the frame of the axes. The derivative of ∂V/∂F
 /// along Ḟ = H is, for different indices i, j, k,
 ///
-///   D(∂V/∂F)[H] = (k/3) U (gA + diag(d)ĥ),   g_ij = −t_k ċ_ij,   g_ii = −(3/2) t_ii ċ_ii − ½ Σ_{j≠i} t_k ċ_jj,
+///   D(∂V/∂F)[H] = (κ/3) U (gA + diag(d)ĥ),   g_ij = −t_k ċ_ij,   g_ii = −(3/2) t_ii ċ_ii − ½ Σ_{j≠i} t_k ċ_jj,
 ///   x_i t_ii = d_i − ⅓ Σ_{j≠i} x_j t_k    (Euler's identity; at least ⅓ d_i, so that there is no cancellation).
 ///
 /// The formulas do not divide by differences of the axes, so the axes may coincide. The force is computed from the
@@ -28,7 +28,7 @@
 namespace pseudorigid::gravity {
 
 struct EllipsoidGravity {
-  double strength;  ///< k = (3/5) G M²
+  double strength;  ///< κ = (3/5) G M²
 
   /// Returns V for a regular F.
   double energy(const Eigen::Matrix3d& F) const {
@@ -63,8 +63,8 @@ struct EllipsoidGravity {
   }
 
  private:
-  /// Returns the factor by which F is scaled. If the largest entry of F is between 2⁻²⁰ and 2²⁰, the factor is 1.
-  /// Otherwise the factor is the power of two that brings the largest entry into [½, 1).
+  /// Returns the factor by which F is scaled. Let m be the largest absolute value of an entry. If m is between 2⁻²⁰ and
+  /// 2²⁰, the factor is 1. Otherwise the factor is the power of two that brings m into [½, 1).
   static double unit_scale(const Eigen::Matrix3d& F) {
     const double largest = F.cwiseAbs().maxCoeff();
     if (largest > 0x1p-20 && largest < 0x1p+20) return 1;

@@ -1,4 +1,8 @@
-/// The sums over pairs of points, compiled for several instruction sets (mechanics/core/kernel_builds.h).
+/// The sums over pairs of points of surface_gravity.h, compiled for several instruction sets
+/// (mechanics/core/kernel_builds.h). The target i and the source j have the points x_i, x_j and the area vectors N_i,
+/// N_j. With d = x_i − x_j, a = d·N_i and b = d·N_j, the sums are
+///
+///   g_i = Σ_j [(N_i b + a N_j)/|d| − a b d/|d|³],   h_i = Σ_j d b/|d|,   e_i = N_i·h_i.
 
 #include "gravity/pair_kernels.h"
 
@@ -35,8 +39,8 @@ struct Rated {
   }
 };
 
-/// A block of targets, one in each lane, with their sums (surface_gravity.h). `g` does not contain the terms of g_i
-/// along N_i. `along_N` is the factor of N_i in these terms.
+/// A block of targets, one in each lane, with their sums. `g` does not contain the terms of g_i along N_i. `along_N` is
+/// the factor of N_i in these terms.
 template <class S>
 struct Block {
   S x[3], N[3], along_N, g[3], h[3];
@@ -100,8 +104,8 @@ Block<L> block_at(const SurfacePoints& points, std::size_t first) {
   return block;
 }
 
-/// Sums over the images of one point, with the symbols of PairWithImages below. The members a, b and w are Σ a/|d|, Σ
-/// b/|d| and Σ ab/|d|³.
+/// Sums over the images of one point. A pair has the distance vector d, and its products with the two area vectors are
+/// a and b. The members a, b and w are Σ a/|d|, Σ b/|d| and Σ ab/|d|³.
 struct ImageSums {
   L a = 0.0, b = 0.0, w = 0.0;
 };

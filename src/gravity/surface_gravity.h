@@ -15,7 +15,7 @@
 /// which is equal to E if V = V₀ and does not change under dilations. The force of Ê has no component that only a
 /// pressure could balance. The following derivative of Ê is exact for the sums over points:
 ///
-///   ∂Ê/∂x_i = (V₀/V)^{5/3} (Gρ²/6) g_i − (5Ê/9V) N_i,    g_i = Σ_j (N_i b + a N_j)/|d| − a b d/|d|³,
+///   ∂Ê/∂x_i = (V₀/V)^{5/3} (Gρ²/6) g_i − (5Ê/9V) N_i,    g_i = Σ_j [(N_i b + a N_j)/|d| − a b d/|d|³],
 ///   ∂Ê/∂N_i = (V₀/V)^{5/3} (Gρ²/6) h_i − (5Ê/9V) x_i,    h_i = Σ_j d b/|d|,        a = d·N_i, b = d·N_j,
 ///
 /// Here d = x_i − x_j, and the area vectors N_i include the quadrature weights. The energy is Ê = (V₀/V)^{5/3} (Gρ²/12)
@@ -77,7 +77,7 @@ struct SurfaceTotals {
 SurfaceTotals totals(const SurfacePoints& targets, const PairSums& sums);
 
 /// Returns Ê of the part of the body with these targets. `strength` is Gρ², and `rest_volume` is V₀ of this part. The
-/// result is NaN if the volume V is negative.
+/// result is not finite if the volume V is zero or negative.
 double surface_energy(const SurfaceTotals& totals, double strength, double rest_volume);
 
 /// The derivative of Ê with respect to the points and area vectors of the targets: [component][target]. The sources

@@ -10,10 +10,13 @@
 namespace pseudorigid::loads {
 
 struct CompanionMasses {
-  std::vector<double> masses, positions, velocities;  ///< mass m_i, and three numbers each of r_i and ṙ_i, for each
-                                                      ///< companion
+  /// Mass m_i of each companion, and three numbers each of its position r_i and velocity ṙ_i relative to the centre of
+  /// mass of the body.
+  std::vector<double> masses, positions, velocities;
+  /// Orbital elements in place of r_i and ṙ_i, with angles in radians. Each orbit is about the centre of mass of the
+  /// body and the companions before. Missing rows other than those of the semi-major axis are 0.
   std::vector<double> semi_major_axes, eccentricities, inclinations, ascending_nodes, arguments_of_pericentre,
-      mean_anomalies;           ///< elements of Jacobi's R_i, in place of r_i and ṙ_i
+      mean_anomalies;
   bool full_potential = false;  ///< true if finite elements use the whole potential, not only its second degree
 
   template <class Self, class Visit>

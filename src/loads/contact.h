@@ -1,7 +1,8 @@
 #pragma once
 /// Contact of a surface with rigid planes (plane.h), as sums over the quadrature points of the reference surface. A
-/// point has the position x, the penetration d, the pressure p = k d and the quadrature weight w. The plane has the
-/// normal n and the stiffness k. The sums over the points with d > 0 are
+/// plane n·x = z₀ has the unit normal n toward the body, the position z₀, the speed ż₀ along n and the stiffness k. A
+/// point has the position x, the quadrature weight w, the penetration d = z₀ − n·x and the pressure p = k d. The sums
+/// over the points with d > 0 are
 ///
 ///   energy V = Σ w k d²/2,   force along n  N = Σ w p,   area Σ w,   moments Σ w p x and Σ w p |x − (n·x) n|².
 ///
@@ -10,8 +11,8 @@
 /// and the pressure radius is the radius a of the contact. Points near the edge have a small pressure, so the pressure
 /// radius is more accurate than the area.
 ///
-/// A plane that moves with the speed ż₀ along n gives the power N ż₀ to the body. In this power, N includes the damping
-/// force.
+/// A plane with the speed ż₀ gives the power N ż₀ to the body and to the energy of the contact. In this power, N
+/// includes the damping force, which dissipates a part of the power.
 ///
 /// A model may compute these sums only for a sector of the body between symmetry planes. The set of planes then has the
 /// same symmetry, so reflections give the sums for the whole body.
@@ -28,12 +29,12 @@
 
 namespace pseudorigid::loads {
 
-/// Contact of a surface with one plane, without the damping force. The members are V, N and the sums of the head of
-/// this file. `area` is an area of the reference surface.
+/// Contact of a surface with one plane, without the damping force. The members are the sums of the head of this file
+/// for this plane, and the least height of the points. The default is the contact of no points.
 struct PlaneContact {
-  double energy = 0, force = 0, area = 0;
+  double energy = 0, force = 0, area = 0;                   ///< V, N and the area of the reference surface in contact
   double spread = 0;                                        ///< ∫p |x − (n·x) n|² dA
-  double height = std::numeric_limits<double>::infinity();  ///< least n·x − z₀
+  double height = std::numeric_limits<double>::infinity();  ///< least n·x − z₀ of all points; infinite without points
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< integral of the pressure times the position, ∫p x dA
 
   /// Adds a point with the position x and the quadrature weight w = `weight`. A point with d ≤ 0 changes only `height`.
@@ -60,8 +61,8 @@ struct PlaneContact {
   }
 };
 
-/// Powers of all planes at one time. `taken` is the power that damping and friction dissipate. `given` is the power
-/// that the motion of the planes gives to the body.
+/// Powers of the damping force and of the friction at one time, for one plane or several. `taken` is the power that
+/// both dissipate. `given` is the part of N ż₀ due to the damping force.
 struct ContactPower {
   double taken = 0, given = 0;
 
@@ -73,8 +74,8 @@ struct ContactPower {
 };
 
 /// Contact in the columns of the output. `energy` is the sum over all planes, and `height` is the least height. The
-/// other members are for the plane with the largest force. Without contact, `normal` is the normal of the nearest
-/// plane, and `force`, `point` and both radii are 0.
+/// other members are for the plane with the largest force N. Without contact, `normal` and `speed` are those of the
+/// nearest plane, and `force`, `point` and both radii are 0.
 struct Contact {
   double energy = 0, force = 0;
   double height = std::numeric_limits<double>::infinity();  ///< least height over all planes
@@ -83,8 +84,9 @@ struct Contact {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();          ///< centre of pressure; 0 without contact
   /// Unit normal of the plane with the largest force, or of the nearest plane without contact.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  double speed = 0;  ///< speed ż₀ of the plane with this normal
+  double speed = 0;  ///< speed ż₀ of the plane with this normal, 0 without planes
 
+  /// Returns the largest penetration, or 0 without contact.
   double penetration() const { return std::max(0.0, -height); }
 };
 
@@ -94,9 +96,10 @@ inline Plane mirrored_plane(Plane plane, const Eigen::Vector3d& signs) {
   return plane;
 }
 
-/// Returns the contact of the whole body from the contact of its computed sector. `reflect[i]` is true if the body is
-/// symmetric under the reflection of x_i. For such a reflection R, plane j touches the image R x of a point x as the
-/// mirror image of plane j touches x. The set of planes must contain all mirror images.
+/// Returns the contact of the whole body with each plane. `computed` has the contact of the computed sector with each
+/// plane. `reflect[i]` is true if the body is symmetric under the reflection of x_i. The sector is then on one side of
+/// the plane x_i = 0. For such a reflection R, plane j touches the image R x of a point x as the mirror image of plane
+/// j touches x. The set of planes must contain all mirror images.
 inline std::vector<PlaneContact> of_whole_body(const Planes& planes, const std::vector<PlaneContact>& computed,
                                                const std::array<bool, 3>& reflect) {
   std::vector<PlaneContact> whole(planes.size());

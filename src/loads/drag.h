@@ -6,7 +6,7 @@
 namespace pseudorigid::loads {
 
 struct Drag {
-  double drag = 0;  ///< the coefficient c, in 1/time
+  double drag = 0;  ///< the drag coefficient c, in 1/time
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

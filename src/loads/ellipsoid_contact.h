@@ -1,13 +1,13 @@
 #pragma once
 /// Contact of an ellipsoid x = c + Q S ξ, |ξ| = 1, with a plane in closed form. The matrix S is the reference shape, Q
-/// the affine deformation and c the centre. The header plane.h defines n, z₀, k and β of the plane. The area element of
-/// the sphere |ξ| = 1 is dA. With
+/// the affine deformation and c the centre. The plane n·x = z₀ (plane.h) has the unit normal n toward the body, the
+/// position z₀, the stiffness k and the damping coefficient β. The area element of the sphere |ξ| = 1 is dA. With
 ///
 ///   g = SᵀQᵀn,   G = |g|,   h = z₀ − n·c,   u = −g·ξ/G,   d(ξ) = h + G u,
 ///
-/// the penetration of the point ξ is d(ξ). The largest penetration is δ = h + G. If the whole body is beyond the plane,
-/// the least penetration is μ = h − G; otherwise μ = 0. The points with u > −h/G are in contact. The integral over the
-/// angle about g gives dA = 2π du. The energy V and its derivatives are
+/// the penetration of the point ξ is d(ξ). The largest penetration is δ = h + G. If the whole body is behind the plane,
+/// the least penetration is μ = h − G; otherwise μ = 0. If δ ≤ 0, there is no contact, and V = 0. The points with u >
+/// −h/G are in contact. The integral over the angle about g gives dA = 2π du. The energy V and its derivatives are
 ///
 ///   V = πk (δ³ − μ³)/(3G),
 ///   ∂V/∂h = N = πk (δ² − μ²)/G,                 the force along n,
@@ -52,10 +52,10 @@ class EllipsoidContact {
   const Plane& plane() const { return plane_; }
   const Eigen::Matrix3d& shape() const { return S_; }
   const Eigen::Matrix3d& deformation() const { return Q_; }
-  const Eigen::Vector3d& direction() const { return direction_; }  ///< ĝ
+  const Eigen::Vector3d& direction() const { return direction_; }  ///< ĝ = g/G
   double slope() const { return G_; }                              ///< G
   double deepest() const { return deepest_; }                      ///< δ
-  /// Returns the power N ż₀ of the motion of the plane with the speed ż₀, without the damping force.
+  /// Returns the power N ż₀ for the speed ż₀ of the plane, without the damping force.
   double given() const { return touches() ? by_h() * plane_.speed : 0; }
 
   /// Returns the sums of contact.h in closed form, without the damping force. Without contact, only `height` is set.
@@ -68,8 +68,9 @@ class EllipsoidContact {
     result.area = 2 * std::numbers::pi * std::min(2.0, deepest_ / G_);
     // The moment is N c + Q S ∫p ξ dA, and ∫p ξ dA = −ĝ ∂V/∂G since ∂d/∂G = u.
     result.moment = result.force * c_ - by_G() * (Q_ * (S_ * direction_));
-    // With the parts along the plane, x = c + Tξ and ∫p |x|² = N|c|² + 2c·T∫p ξ + tr(T ∫p ξξᵀ Tᵀ). The integral of
-    // 1 − u² is taken from its parts of t = 1 − u, so that small penetrations have no cancellation.
+    // Let c_t and T be the parts of c and Q S along the plane. The part c_t + Tξ of x has the integral N|c_t|² +
+    // 2c_t·T∫p ξ dA + tr(T ∫p ξξᵀ dA Tᵀ) of p times its square. The factor 1 − u² is written in t = 1 − u, so that
+    // small penetrations have no cancellation.
     const Eigen::Matrix3d along = Eigen::Matrix3d::Identity() - plane_.normal * plane_.normal.transpose();
     const Eigen::Matrix3d T = along * Q_ * S_;
     const Eigen::Vector3d of_center = along * c_, of_axis = T * direction_, of_t = strength() * moments_of_t();
@@ -101,8 +102,8 @@ class EllipsoidContact {
               by_G() / G_ * plane_.normal * (S_ * (dg - direction_ * dG)).transpose();
   }
 
-  /// Adds the damping force for the velocities Qdot and cdot to f. Returns the power that this force dissipates and the
-  /// power that the moving plane gives by it.
+  /// Adds the damping force for the velocities Qdot and cdot to f. Returns the power that this force dissipates, and
+  /// its part of the power N ż₀ of the plane. Without contact or damping, adds nothing and returns 0.
   ContactPower add_damping(const Eigen::Matrix3d& Qdot, const Eigen::Vector3d& cdot, AffineForce& f) const {
     if (!touches() || plane_.damping == 0) return {};
     const double factor = plane_.stiffness * plane_.damping;

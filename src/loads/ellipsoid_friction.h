@@ -1,19 +1,21 @@
 #pragma once
 /// Friction of a plane on an ellipsoid x = c + Q S ξ, |ξ| = 1, as a sum over the part of the sphere that is in contact.
-/// The symbols are those of ellipsoid_contact.h and friction.h. The points and their penetration are
+/// The reference shape is S, the affine deformation Q and the centre c. The plane (plane.h) has the unit normal n, the
+/// stiffness k and the slip speed s. Let g = SᵀQᵀn, G = |g| and ĝ = g/G, and let δ be the largest penetration. The
+/// points and their penetration d are
 ///
 ///   ξ = −(1 − τ) ĝ + √(τ(2 − τ)) (e₁ cos φ + e₂ sin φ),   d = δ − G τ,   0 ≤ τ ≤ min(2, δ/G),   dA = dτ dφ,
 ///
-/// with unit vectors e₁ and e₂ that are orthogonal to ĝ and to each other. With the traction F for the pressure k d,
-/// the forces are
+/// with unit vectors e₁ and e₂ that are orthogonal to ĝ and to each other. With the traction F of the friction for the
+/// pressure k d (friction.h), the forces are
 ///
 ///   on c  ∫F dA,   on Q  ∫F (S ξ)ᵀ dA.
 ///
 /// The sum has the 8 points of Gauss in τ and n_angles equidistant angles φ. The sum is exact for polynomials F of ξ up
-/// to the degree 13. F is smooth, but varies over distances at which v_t changes by the slip speed s. If v_t vanishes
-/// within the contact and changes by more than s, the error of the sum is larger (docs/contact.md has numbers). The
-/// vector e₁ is the part of (QS)ᵀa orthogonal to ĝ, with a fixed tangent vector a of the plane. The points therefore do
-/// not turn with a body that turns rigidly.
+/// to the degree 13. F is smooth, but varies over distances at which the tangential velocity v_t changes by s. If v_t
+/// vanishes within the contact and changes by more than s, the error of the sum is larger (docs/contact.md has
+/// numbers). The vector e₁ is the part of (QS)ᵀa orthogonal to ĝ, with a fixed tangent vector a of the plane. The
+/// points therefore do not turn with a body that turns rigidly.
 
 #include <array>
 #include <cmath>
@@ -29,7 +31,8 @@ class EllipsoidFriction {
  public:
   static constexpr int n_angles = 16;
 
-  /// The friction at the velocities Qdot and cdot. The object keeps references to the arguments.
+  /// Sets the velocities Qdot and cdot at which the friction is evaluated. The object keeps references to the
+  /// arguments.
   EllipsoidFriction(const EllipsoidContact& contact, const Eigen::Matrix3d& Qdot, const Eigen::Vector3d& cdot)
       : contact_(contact), Qdot_(Qdot), cdot_(cdot) {}
 

@@ -1,15 +1,17 @@
 #pragma once
 /// All loads on an elastic body, as numbers, vectors and matrices. Each load (list.h) sets some members. External
-/// forces per mass are affine in x and ẋ, and surface tractions derive from stresses without divergence. All models of
-/// the body can represent such loads. On motions x = x_c + QX, the work of the loads is therefore the same in all
-/// models, up to the quadrature of surface integrals. The full potential of companions is an exception, because only
-/// finite-element bodies have it:
+/// forces per mass are affine in the position x and the velocity ẋ. Surface tractions other than contact derive from
+/// stresses without divergence. All models of the body can represent such loads. On motions x = x_c + QX with the
+/// centre x_c, the work of the loads is therefore the same in all models, up to the quadrature of surface integrals.
+/// The full potential of companions is an exception, because only finite-element bodies have it. With the deformation
+/// gradient F and the current volume V, the loads are
 ///
-///   per mass       b − T x − c ẋ              energy ½ xᵀTx − b·x per mass; the drag dissipates c|ẋ|²
+///   per mass       the force b − T x − c ẋ with the acceleration b, the tidal matrix T and the drag coefficient c;
+///                  energy ½ xᵀTx − b·x per mass; the drag dissipates c|ẋ|²
 ///   on the surface the nominal stress P̄ − p cof F, which is a dead traction P̄N per reference area and the follower
-///                  pressure −p n per current area; energy −P̄:∫F dX + p V
-///   inside         the objective viscosity σ = 2ηd with the symmetric part d of the velocity gradient, and
-///                  self-gravity with the constant G
+///                  pressure −p n per current area, with the normals N and n; energy −P̄:∫F dX + p V
+///   inside         the stress σ = 2ηd with the viscosity η and the symmetric part d of the velocity gradient, and
+///                  self-gravity with Newton's constant G
 ///   branches       viscoelastic branches with internal strains (materials/maxwell_branch.h)
 ///   at planes      the pressure and the friction of contact with rigid planes (plane.h)
 ///   companions     point masses in orbit, with the quadratic potential of their tides (mechanics/core/orbit.h)
@@ -54,8 +56,8 @@ struct Forcing {
   mechanics::Companions companions{};                          ///< point masses in orbit about the body
   Branches branches{};                                         ///< viscoelastic branches
 
-  /// Calls visit(member of a, member of b) for every member except `by_name`. If the lists below lack a new member, the
-  /// function does not compile.
+  /// Calls visit(member of a, member of b) for every member except `by_name`. If the two lists of names in the function
+  /// lack a new member, the function does not compile.
   template <class A, class B, class Visit>
   static void visit_pairs(A& a, B& b, Visit&& visit) {
     auto& [name_a, G_a, T_a, b_a, P_a, p_a, eta_a, c_a, planes_a, companions_a, branches_a] = a;
@@ -77,12 +79,13 @@ struct Forcing {
     return *this;
   }
 
-  /// Returns true if a force depends on the velocity. The stresses of viscoelastic branches depend on internal strains
-  /// and not on the velocity.
+  /// Returns true if a force depends on the velocity: viscosity, drag, damping of planes or friction. The stresses of
+  /// viscoelastic branches depend on internal strains and not on the velocity.
   bool damped() const { return viscosity != 0 || drag != 0 || planes.damped() || planes.rough(); }
+  /// Returns true if a force or a branch can dissipate energy.
   bool dissipative() const { return damped() || !branches.empty(); }
-  /// Returns true if there is a load other than a pressure. The motion of a body of constant volume does not depend on
-  /// a pressure.
+  /// Returns true if there is a load other than the follower pressure. The motion of a body of constant volume does not
+  /// depend on a pressure.
   bool acts_at_constant_volume() const {
     Forcing others = *this;
     others.pressure = 0;
@@ -98,8 +101,8 @@ struct Forcing {
 
   /// Returns the potential energy of the loads other than self-gravity, contact, companions and branches. The arguments
   /// are the moments ∫ρ x xᵀ dX and ∫ρ x dX of the body, the integral ∫F dX and the current volume V. The arguments
-  /// must have the units of the forcing. If the members are the time derivatives of a forcing, the result is the power
-  /// that the body receives from the change of the forcing.
+  /// must have the units of the forcing. If the pressure is 0, the volume is not used. If the members are the time
+  /// derivatives of a forcing, the result is the power that the body receives from the change of the forcing.
   double potential(const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const {
     const double energy = 0.5 * quadratic.cwiseProduct(second_moment).sum() - acceleration.dot(first_moment) -

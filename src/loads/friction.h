@@ -18,7 +18,7 @@ namespace pseudorigid::loads {
 
 class Friction {
  public:
-  /// The friction of a plane on a point with the velocity v. The plane must exist as long as the object.
+  /// Sets the plane and the velocity v of the point. The plane must exist as long as the object.
   Friction(const Plane& plane, const Eigen::Vector3d& v)
       : plane_(plane), tangential_(tangential(v)), w_(std::hypot(tangential_.norm(), plane.slip_speed)) {}
 
@@ -38,7 +38,7 @@ class Friction {
 
   const Plane& plane_;
   Eigen::Vector3d tangential_;  ///< v_t
-  double w_;
+  double w_;                    ///< √(|v_t|² + s²)
 };
 
 }  // namespace pseudorigid::loads

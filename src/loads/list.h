@@ -94,8 +94,8 @@ inline bool any_present(const Loads& loads) {
   return any;
 }
 
-/// Returns the sum of the forcings of all loads that are constant after the rise of the loads (rise.h), at full
-/// strength.
+/// Returns the sum of the forcings of all loads whose forcing does not depend on time after the rise of the loads
+/// (rise.h), at full strength.
 inline Forcing full_forcing(const Loads& loads) {
   Forcing sum;
   loads.for_each([&]<class L>(const L& load) {

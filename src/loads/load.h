@@ -18,11 +18,12 @@
 ///
 /// A load that only changes other loads, such as Rise, has a forcing() that is zero. It has is_present() in addition.
 ///
-/// A load that depends on time has forcing(t) and its derivative forcing_rate(t) instead of forcing(). It also has
-/// largest_forcing(), the forcing of largest size over all times. A periodic load also has angular_frequency(), so that
-/// the program does not mistake the forced motion for a pulsation of the body. The frequency 0 means no oscillation.
-/// The program computes everything else from the forcing, for example the energy and its rate, the dissipation and the
-/// scale of time.
+/// A load with a forcing that depends on time has forcing(t) and its derivative forcing_rate(t) instead of forcing().
+/// It also has largest_forcing(), the forcing of largest size over all times. A periodic load also has
+/// angular_frequency(), so that the program does not mistake the forced motion for a pulsation of the body. The
+/// frequency 0 means no oscillation. Moving planes have a constant forcing(), which contains their speeds. The program
+/// computes everything else from the forcing, for example the energy and its rate, the dissipation and the scale of
+/// time.
 
 #include <concepts>
 #include <string>
@@ -45,6 +46,7 @@ struct IgnoresEntries {
   void operator()(auto&, const auto&, const scene::About&) const {}
 };
 
+/// True for loads whose forcing depends on time.
 template <class L>
 concept DependsOnTime = requires(const L load, double t) {
   { load.forcing(t) } -> std::same_as<Forcing>;
@@ -75,6 +77,7 @@ Forcing largest_forcing(const L& load) {
     return load.forcing();
 }
 
+/// Returns true if the load is present. By default, this is the case if its largest forcing is not zero.
 template <Load L>
 bool present(const L& load) {
   if constexpr (requires { load.is_present(); })

@@ -1,23 +1,26 @@
 #pragma once
-/// Rigid planes n·x = z₀(t), with the body on the side n·x > z₀, and the law of contact with a plane. At a point of the
-/// surface with the penetration d = z₀ − n·x > 0 and the velocity v, the plane exerts the traction
+/// Rigid planes n·x = z₀ with the unit normal n, and the law of contact with a plane. The body is on the side n·x > z₀.
+/// A plane can move along n with the speed ż₀. At a point of the surface with the penetration d = z₀ − n·x > 0 and the
+/// velocity v, the plane exerts the traction
 ///
 ///   p n − f k d v_t/√(|v_t|² + s²),   p = k d (1 + β ḋ),   ḋ = ż₀ − n·v,   v_t = v − (n·v) n,
 ///
-/// per area of the reference surface. For a reference ellipsoid X = S ξ, the reference area is the area of the sphere
-/// |ξ| = 1. The energy k d²/2 of the contact is a penalty for d > 0, and k → ∞ enforces n·x ≥ z₀. The coefficient β of
-/// Hunt and Crossley (1975) is 0 for a conservative contact. The damping dissipates the power k β d ḋ² per area. At
-/// fast separation, ḋ < −1/β, the plane attracts the body.
+/// per area of the reference surface, with the stiffness k. For a reference ellipsoid X = S ξ, the reference area is
+/// the area of the sphere |ξ| = 1. The energy k d²/2 of the contact is a penalty for d > 0, and k → ∞ enforces n·x ≥
+/// z₀. The damping coefficient β of Hunt and Crossley (1975) is 0 for a pressure without damping. The damping
+/// dissipates the power k β d ḋ² per area. If β > 0 and the separation is fast, ḋ < −1/β, the plane attracts the body.
 ///
 /// The second term is Coulomb's friction with the coefficient f, regularised by the slip speed s. For |v_t| ≫ s the
-/// point slides, and the friction is f k d. For |v_t| ≪ s the point sticks, and creeps with a part of s. The friction
-/// dissipates the power f k d |v_t|²/√(|v_t|² + s²) per area. The friction does not depend on β.
+/// point slides, and the friction is f k d. For |v_t| ≪ s the friction is f k d v_t/s, so a point that sticks creeps
+/// with a speed below s. The friction dissipates the power f k d |v_t|²/√(|v_t|² + s²) per area. The friction does not
+/// depend on β.
 ///
-/// A plane can move along its normal,
+/// The position of a plane at the time t is
 ///
-///   z₀(t) = z₀ + u t + A sin Ωt.
+///   z₀(t) = a + u t + A sin Ωt,   a = z₀(0).
 ///
-/// The plane then gives the power ∫p ż₀ dA to the body and to the energy of the contact.
+/// The motion of the plane gives the power ∫p ż₀ dA to the body and the contact, with the pressure p that includes the
+/// damping. Damping dissipates a part of this power. The remainder changes the energies of the body and of the contact.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -28,17 +31,19 @@ namespace pseudorigid::loads {
 
 struct Plane {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit normal n, pointing to the side of the body
-  double position = 0;                                ///< position z₀
+  double position = 0;                                ///< position z₀: a, or z₀(t) in a result of `at`
   double stiffness = 0;                               ///< stiffness k, a pressure per length
   double damping = 0;                                 ///< damping coefficient β, in time/length
   double friction = 0;                                ///< coefficient of friction f
   double slip_speed = 1;                              ///< slip speed s
-  double speed = 0;                                   ///< speed u along n
+  double speed = 0;                                   ///< speed u along n, or ż₀(t) in a result of `at`
   double amplitude = 0, frequency = 0;                ///< amplitude A and angular frequency Ω
 
+  /// Returns true if z₀(t) is not constant.
   bool moves() const { return speed != 0 || (amplitude != 0 && frequency != 0); }
-  /// Returns the plane with the position z₀(t) and the speed ż₀(t), without an oscillation. The functions below need
-  /// such a plane if the plane moves.
+  /// Returns the plane with the position z₀(t) and the speed ż₀(t), and without an oscillation. A plane that does not
+  /// move is returned unchanged. If a plane moves, call the functions `height`, `rate` and `pressure` for the result of
+  /// `at`.
   Plane at(double t) const {
     Plane now = *this;
     if (!moves()) return now;
@@ -58,7 +63,7 @@ struct Plane {
   /// Returns the rate ḋ of the penetration of a point with the velocity v.
   double rate(const Eigen::Vector3d& v) const { return speed - normal.dot(v); }
   /// Returns the pressure p at a point of the surface with the position x and the velocity v. The pressure is 0 without
-  /// penetration, and negative at fast separation.
+  /// penetration, and negative if β > 0 and ḋ < −1/β.
   double pressure(const Eigen::Vector3d& x, const Eigen::Vector3d& v) const {
     const double d = std::max(0.0, -height(x));
     return stiffness * d * (1 + damping * rate(v));
@@ -74,7 +79,8 @@ struct Planes : std::vector<Plane> {
     insert(end(), others.begin(), others.end());
     return *this;
   }
-  /// damped() returns true if at least one plane has damping, rough() if one has friction, and moving() if one moves.
+  /// damped() returns true if at least one plane has damping, rough() if at least one has friction, and moving() if at
+  /// least one moves.
   bool damped() const {
     return std::any_of(begin(), end(), [](const Plane& plane) { return plane.damping != 0; });
   }
@@ -95,10 +101,10 @@ struct Planes : std::vector<Plane> {
     for (Plane& plane : now) plane = plane.stopped_at(t);
     return now;
   }
-  /// Returns an upper bound for the contact stiffness of a point of the surface, in any direction and with any number
-  /// of planes. The stiffnesses of planes with the same normal n add up. A point cannot touch two planes that face each
-  /// other, so the larger sum counts for n and −n. The bound is the smaller of the Frobenius norm of Σ k n nᵀ and its
-  /// largest sum of absolute values in a row.
+  /// Returns an upper bound for the contact stiffness of a point of the surface, per reference area, in any direction
+  /// and with any number of planes. The bound is 0 without planes. The stiffnesses of planes with the same normal n add
+  /// up. A point cannot touch two planes that face each other, so the larger sum counts for n and −n. The bound is the
+  /// smaller of the Frobenius norm of Σ k n nᵀ and its largest sum of absolute values in a row.
   double stiffness_of_all() const {
     constexpr double parallel = 1 - 1e-12;
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();

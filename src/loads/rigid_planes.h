@@ -9,12 +9,12 @@
 namespace pseudorigid::loads {
 
 struct RigidPlanes {
-  std::vector<double> normals, points;         ///< n (of any length) and a point of each plane, three numbers each
+  std::vector<double> normals, points;         ///< normal (any length > 0) and a point of each plane, 3 numbers each
   std::optional<double> stiffness;             ///< stiffness k; empty: `usual_stiffness`
   double damping = 0;                          ///< damping coefficient β
   double friction = 0;                         ///< coefficient of friction f
   std::optional<double> slip_speed{};          ///< slip speed s; empty: `usual_slip_speed`
-  std::vector<double> speeds{}, amplitudes{};  ///< u and A of each plane; empty: 0
+  std::vector<double> speeds{}, amplitudes{};  ///< speed u and amplitude A of each plane; missing: 0
   double frequency = 0;                        ///< angular frequency Ω of all planes
 
   /// Default stiffness in internal units. For an elastic body without self-gravity it is 1000 shear moduli per radius.

@@ -1,6 +1,6 @@
 #pragma once
-/// The tides, the acceleration, the traction and the pressure rise from 0 to their full strength until the time T, by
-/// the factor
+/// The tidal matrix, the periodic tide, the acceleration, the traction and the pressure rise from 0 to their full
+/// strength until the time T. Other loads do not rise. The factor is
 ///
 ///   s(t) = x³ (10 − 15x + 6x²) with x = t/T until T,   s(t) = 1 from then on.
 ///
@@ -38,7 +38,7 @@ struct Rise {
   Forcing forcing() const { return {}; }
   bool is_present() const { return time > 0; }
 
-  /// Returns s(t), and factor_rate(t) its derivative. T must not be 0.
+  /// factor(t) returns s(t), and factor_rate(t) returns its derivative. Both are 0 before t = 0. T must not be 0.
   double factor(double t) const {
     const double x = part(t);
     return x * x * x * (10 - x * (15 - 6 * x));

@@ -9,8 +9,8 @@
 ///   Ċ_i = (1/τ_b)(Ĉ − ⅓ tr(Ĉ C_i⁻¹) C_i),
 ///
 /// which is the finite viscoelasticity of Simo (1987) and Reese and Govindjee (1998) for one neo-Hookean spring. The
-/// branch dissipates (μ_b/(2τ_b))(tr (Ĉ C_i⁻¹)² − ⅓ tr²(Ĉ C_i⁻¹)) ≥ 0 per reference volume. For small strains,
-/// ε̇_i = (ε − ε_i)/τ_b.
+/// branch dissipates (μ_b/(2τ_b))(tr (Ĉ C_i⁻¹)² − ⅓ tr²(Ĉ C_i⁻¹)) ≥ 0 per reference volume. For small strains, the
+/// strain ε_i of the dashpot and the deviatoric strain ε of the body satisfy ε̇_i = (ε − ε_i)/τ_b.
 ///
 /// For constant Ĉ the flow has an exact solution. Up to the factor D, it is on the straight line from C_i(0) to Ĉ.
 /// After the time t,

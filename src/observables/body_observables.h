@@ -14,7 +14,8 @@
 ///
 /// To add an observable, add a member, and set it in the models that have it (reduced/observe.h,
 /// polynomial/observe.cpp, continuum/output/observe.cpp). An observable that is not set stays NaN. If its column is
-/// requested, the run then ends at its first sample.
+/// requested, the run then ends at its first sample. The observables of contact and the two energies of orbits are 0
+/// instead.
 
 #include <Eigen/Core>
 #include <array>
@@ -33,8 +34,8 @@ namespace pseudorigid::mechanics {
 
 inline constexpr double not_observed = std::numeric_limits<double>::quiet_NaN();
 
-/// A column with the least or the largest value of a function of the deformation gradient over the quadrature points of
-/// the whole body.
+/// A column with the largest value(F) over the quadrature points of the whole body if `largest` is true, otherwise with
+/// the least. F is the deformation gradient.
 struct OverPoints {
   bool largest;
   double (*value)(const Eigen::Matrix3d& F);
@@ -112,14 +113,17 @@ struct VibrationObservables {
   }();
 };
 
-/// The motion of the companions (mechanics/core/orbit.h), set by observables/orbit.h, which defines the members.
-/// Without companions, the energies are 0 and the other members are NaN. If finite elements use the full potential of
-/// the companions, `interaction` and `torque` are those of this potential.
+/// The motion of the companions relative to the centre of the body. The header observables/orbit.h has the formulas of
+/// the members, and the columns below have their meaning. Without companions, the energies are 0 and the other members
+/// are NaN. If finite elements use the full potential of the companions, `interaction` and `torque` are those of this
+/// potential.
 struct OrbitObservables {
-  double kinetic = 0;                                                                       ///< ½ Σ μ_k |Ṙ_k|²
-  double interaction = 0;                                                                   ///< U
-  Eigen::Vector3d position = Eigen::Vector3d::Constant(not_observed), velocity = position;  ///< r₁, ṙ₁
-  Eigen::Vector3d second_position = position, second_velocity = position;                   ///< r₂, ṙ₂
+  double kinetic = 0;  ///< kinetic energy of the orbits about the common centre of mass
+  /// Energy of the gravity between the body and the companions, and of the companions between each other.
+  double interaction = 0;
+  /// Positions and velocities of the first and of the second companion, relative to the centre of the body.
+  Eigen::Vector3d position = Eigen::Vector3d::Constant(not_observed), velocity = position;
+  Eigen::Vector3d second_position = position, second_velocity = position;
   KeplerElements elements{not_observed, not_observed, not_observed, not_observed, not_observed, not_observed};
   double lag = not_observed, k2 = not_observed, inverse_Q = not_observed, obliquity = not_observed;
   Eigen::Vector3d torque = position, spin = position, total_momentum = position;
@@ -127,10 +131,11 @@ struct OrbitObservables {
 
 /// Observables that every model of the ball has. The energies are those of the columns with the same names below.
 struct BodyObservables {
-  Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);       ///< Q; for non-affine motions the mass moment Q_M
-  Eigen::Matrix3d Qdot = Eigen::Matrix3d::Constant(not_observed);    ///< time derivative of Q
-  Eigen::Vector3d center = Eigen::Vector3d::Constant(not_observed);  ///< centre of mass x
-  Eigen::Vector3d velocity = Eigen::Vector3d::Constant(not_observed);  ///< velocity v of the centre of mass
+  Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);     ///< Q; for non-affine motions the mass moment Q_M
+  Eigen::Matrix3d Qdot = Eigen::Matrix3d::Constant(not_observed);  ///< time derivative of Q
+  /// Centre of mass x_c and its velocity. With companions, both are those of the body and the companions together.
+  Eigen::Vector3d center = Eigen::Vector3d::Constant(not_observed);
+  Eigen::Vector3d velocity = Eigen::Vector3d::Constant(not_observed);
   double kinetic = not_observed, elastic = not_observed, gravitational = not_observed, external = not_observed,
          dissipated = not_observed;
   double viscoelastic = not_observed;  ///< energy stored by viscoelastic branches, a part of `elastic`
@@ -293,8 +298,7 @@ inline constexpr BodyColumn<O> common_columns[] = {
 struct ReducedObservables : BodyObservables {
   double central_pressure = not_observed;  ///< p_c of the pressure p_c(1 − |ξ|²), the reaction to
                                            ///< det Q = 1; |ξ| = 1 is the surface
-  Eigen::Vector3d axes =
-      Eigen::Vector3d::Constant(not_observed);  ///< a_i of Q = TᵀAS, continued along the path, times r
+  Eigen::Vector3d axes = Eigen::Vector3d::Constant(not_observed);  ///< r A_ii of Q = TᵀAS, continuous along the path
   /// Rotations T and S of the bipolar decomposition Q = TᵀAS.
   Eigen::Matrix3d T = Eigen::Matrix3d::Constant(not_observed), S = T;
   Eigen::Vector3d Omega_star = Eigen::Vector3d::Constant(not_observed);   ///< entries 12, 13, 23 of Ω* = ṪTᵀ
@@ -325,12 +329,13 @@ inline constexpr BodyColumn<ReducedObservables> reduced_columns[] = {
 
 /// Observables that only bodies with non-affine motions have.
 struct ContinuumObservables : BodyObservables {
-  Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean deformation gradient F̄ = ∫F dV / Vol
-  double nonaffine_kinetic_fraction = not_observed;             ///< η_K = K_nonaffine / K about x_c, with 0/0 = 0
-  double nonaffine_displacement = not_observed;  ///< e_x = |y − Q_M X| / |y|, y = x − x_c, ρ-weighted
+  Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean of F over the reference volume
+  /// Fraction of the kinetic energy about x_c that is not in the affine motion, or 0 if this energy is 0.
+  double nonaffine_kinetic_fraction = not_observed;
+  double nonaffine_displacement = not_observed;  ///< |y − Q_M X|/|y| with y = x − x_c, norms weighted with ρ
   double volumetric = not_observed;              ///< energy of the volumetric stabilisation, a part of `elastic`
   double min_jacobian = not_observed;            ///< least det F over the quadrature points
-  double volume_error = not_observed;            ///< (∫(ln det F)² dV / Vol)^½
+  double volume_error = not_observed;            ///< root mean square of ln det F
   double max_volume_error = not_observed;        ///< largest |ln det F| over the quadrature points
 };
 

@@ -3,8 +3,9 @@
 /// and the velocity v relative to the body. The body has the second moment S and the angular momentum J about its
 /// centre. The elements are those of the Kepler orbit of two point masses with r and v (mechanics/core/kepler.h).
 ///
-/// Let n̂ be the unit vector along r × v, r̂ that along r, and t̂ = n̂ × r̂. The lag of the bulge is ½ atan2(2 r̂ᵀS t̂, r̂ᵀS r̂
-/// − t̂ᵀS t̂). The spin ω is that of a rigid body, (tr S Id − S) ω = J, and the obliquity is its angle to n̂.
+/// Let n̂ be the unit vector along r × v, r̂ that along r, and t̂ = n̂ × r̂. If r × v = 0, n̂ and t̂ are 0. The lag of
+/// the bulge is ½ atan2(2 r̂ᵀS t̂, r̂ᵀS r̂ − t̂ᵀS t̂). The spin ω is that of a rigid body, (tr S Id − S) ω = J, and the
+/// obliquity is its angle to n̂.
 ///
 /// The tide of the companion has the potential ½xᵀTx with t̂ᵀT t̂ − r̂ᵀT r̂ = 3Gm/|r|³ in the plane of the orbit. By this
 /// tide, a ball of the radius R with the Love number k₂ has the second moment −(k₂R⁵/(3G)) T, up to a multiple of Id.

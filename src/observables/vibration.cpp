@@ -18,7 +18,8 @@ constexpr Eigen::Index n_scalars = 1 + 9 + 9;  // kinetic energy, ∫ρ x xᵀ, 
 }  // namespace
 
 /// With f = r^{p + 1}, a motion has the radial part U Y and the tangential part V r∇Y. Here U = N r^p, V = (p + 2) r^p
-/// and N = n(n + 1). For small strains and the shear modulus 1, its elastic energy is ½∫₀¹ k dr with k =
+/// and N = n(n + 1). For small strains and the shear modulus 1, its elastic energy is ½∫₀¹ k dr. With the derivatives
+/// U' and V' by r, k is
 ///
 ///   2 U'² r² + N (r V' − V + U)² + 2N(N − 1) V² − 4N U V + 4U².
 SpheroidalModes::SpheroidalModes(int n) {

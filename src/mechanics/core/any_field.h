@@ -21,7 +21,7 @@ requires(!ConstrainedSystem<F>) typename F::Workspace& own_workspace(AnyWorkspac
   return w.as<typename F::Workspace>();
 }
 
-/// Functions of a field that methods call. The vectors are those of dynamic_vectors.h.
+/// Functions of a field that methods call. The vectors have dynamic size, and dynamic_vectors.h converts them.
 struct FieldInterface {
   using Vector = Eigen::VectorXd;
   virtual ~FieldInterface() = default;
@@ -56,6 +56,7 @@ class HeldField final : public FieldInterface {
 
 }  // namespace detail
 
+/// Any second-order field. Copies share the concrete field.
 class AnyField {
  public:
   using Vector = Eigen::VectorXd;

@@ -1,6 +1,6 @@
 #pragma once
-/// The generalized Newton law in intrinsic form (Oliva, Geometric Mechanics, 5.1, 5.3). On a chart with metric g, and
-/// with the symbols of chart.h, it is
+/// The generalized Newton law in intrinsic form (Oliva, Geometric Mechanics, 5.1, 5.3). A chart has the metric g, the
+/// Christoffel symbols Γ, the mass operator μ and the force F (chart.h). With the covariant derivative D/dt, the law is
 ///
 ///   μ(Dq̇/dt) = F(q̇)                                                                              (5.7)
 ///   q̈ᵏ = −Γᵏ_ij q̇ⁱq̇ʲ + (μ⁻¹F)ᵏ                                                                    (5.19)

@@ -1,8 +1,8 @@
 #pragma once
-/// Newton's iteration that changes q or v by constraint reactions until a constraint holds. M, g and G = Dg are those
-/// of constrained_system.h. The reactions act at the fixed configuration q₀. For positions, the unknown is x = q, the
-/// residual is r = g(q), and q₁ is the present q. For velocities, the unknown is x = v, the residual is r = G(q) v, and
-/// q₁ = q₀ = q. The iteration repeats
+/// Newton's iteration that changes q or v by constraint reactions until a constraint holds. The constraint is g(q) = 0
+/// with the derivative G = Dg, and the mass is M. The reactions act at the fixed configuration q₀. For positions, the
+/// unknown is x = q, the residual is r = g(q), and q₁ is the present q. For velocities, the unknown is x = v, the
+/// residual is r = G(q) v, and q₁ = q₀ = q. The iteration repeats
 ///
 ///   G(q₁) M⁻¹ G(q₀)ᵀ δ = −r,   x ← x + M⁻¹G(q₀)ᵀ δ,
 ///
@@ -32,7 +32,7 @@ inline constexpr double noise_reserve = 16;
 
 /// Judges the residual of each iteration. The iteration is done if the residual is at most `tolerance`. It is also done
 /// if the residual did not halve and is at most `round_off` or noise_reserve · noise(). It is stuck if the residual is
-/// NaN, grows at least tenfold, or is too large after max_constraint_iterations. Since noise() costs several
+/// not finite, grows at least tenfold, or is too large after max_constraint_iterations. Since noise() costs several
 /// evaluations of the constraint, it is called only for a residual above `round_off` that did not halve.
 struct ConvergenceMonitor {
   double tolerance, round_off, previous = HUGE_VAL;
@@ -100,7 +100,7 @@ void set_reaction(const S& system, const typename S::Vector& q0, const typename 
 }
 
 /// Solves G(q₁) M⁻¹ G(q₀)ᵀ δ = −w.residual, and sets w.delta = δ and w.reaction = M⁻¹G(q₀)ᵀ δ. Changes w.residual.
-/// Fails if the Gram solve fails.
+/// Fails if the Gram solve fails. For a single constraint the solve is a division, which does not fail.
 template <ConstrainedSystem S>
 Status react(const S& system, const typename S::Vector& q1, const typename S::Vector& q0,
              typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {

@@ -87,8 +87,8 @@ namespace detail {
 /// Tolerance of the projections as a fraction of the permitted residual of `solve_damping`.
 inline constexpr double left_by_projections = 0.1;
 
-/// Replaces x by P x at the configuration q, up to the residual |G x|_∞ ≤ `tolerance`. Fails if the iteration for the
-/// constraint does not converge.
+/// Replaces x by P x at the configuration q, up to the residual |G x|_∞ ≤ `tolerance`. Does nothing without
+/// constraints. Fails if a Gram solve fails or the iteration for the constraint does not converge.
 template <ConstrainedSystem S>
 Status project_onto_tangent_space(const S& system, double tolerance, const typename S::Vector& q, typename S::Vector& x,
                                   typename S::Workspace& system_workspace, ConstraintTemporaries<S>& constraint) {
@@ -102,7 +102,7 @@ Status project_onto_tangent_space(const S& system, double tolerance, const typen
 }  // namespace detail
 
 /// Replaces r = w.residual by P r, and sets w.round_off. `enough` is the permitted residual of solve_damping, which
-/// follows. Fails if the iteration for the constraint does not converge.
+/// follows. Fails if a Gram solve fails or the iteration for the constraint does not converge.
 template <Damped S>
 Status project_residual(const S& system, const typename S::Vector& q, double enough,
                         typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
@@ -113,9 +113,10 @@ Status project_residual(const S& system, const typename S::Vector& q, double eno
 }
 
 /// Sets w.solution to u for the projected residual P r = w.residual. On return w.residual is the remaining residual.
-/// The operator C is taken at `state`. The iteration ends when the remaining residual is at most `enough`,
-/// w.round_off or 64 units of round-off of P r. The function fails if a projection fails, if 2000 iterations are not
-/// enough, or if 1 + s M⁻¹C is not positive. The last case occurs in a long step backwards in time, s < 0.
+/// The operator C is taken at `state`. The iteration ends when the remaining residual is at most `enough`, w.round_off
+/// or 64 units of round-off of P r. The function fails if a projection fails, if 2000 iterations are not enough, or if
+/// 1 + s M⁻¹C is not positive. The last case occurs in a long step backwards in time, s < 0, and for numbers that are
+/// not finite.
 template <Damped S>
 Status solve_damping(const S& system, double s, const State<S>& state, double enough,
                      typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,

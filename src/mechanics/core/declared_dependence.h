@@ -10,8 +10,8 @@ namespace pseudorigid::mechanics {
 /// Compares the force at `state` with the force at another time and with the force at another velocity. The other
 /// velocity is zero, or a vector of ones if the state is at rest. If one of these forces differs from the force at
 /// `state`, the system must declare the dependence. If the system does not, the function returns a failure. If a force
-/// cannot be evaluated, the function succeeds without a check. For a field only the time is tested, since accelerations
-/// of charts always depend on the velocity.
+/// fails or is not finite, the function succeeds without a check. For a field only the time is tested, since
+/// accelerations of charts always depend on the velocity.
 template <class S>
 Status check_declared_dependence(const S& system, const State<S>& state) {
   auto workspace = system.make_workspace();

@@ -1,6 +1,7 @@
 #pragma once
 /// A constrained system as a second-order field with an invariant manifold (Oliva, Geometric Mechanics, 5.29). The
-/// multiplier λ of the motion is an explicit function of the state,
+/// system has the mass M, the force f and the constraint g = 0 with G = Dg. The multiplier λ of the motion is an
+/// explicit function of the state,
 ///
 ///   q̈ = M⁻¹[f + G(q)ᵀλ],   G M⁻¹Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f,
 ///

@@ -24,8 +24,8 @@ enum GaussSum : std::size_t { velocity, position, legendre_6, legendre_7, veloci
 /// One number for each stage, aligned to 64 bytes for vector instructions.
 struct alignas(64) OfStages : std::array<double, gauss::n_stages> {};
 
-/// Coefficients of a step of size h, from gauss_coefficients.h. Column j of a matrix contains the coefficients for all
-/// stages i and is one vector.
+/// Coefficients of a step of size h, from the c_i, b_j, A = (a_ij) and Lagrange polynomials ℓ_j of
+/// gauss_coefficients.h. Column j of a matrix contains the coefficients for all stages i and is one vector.
 struct GaussTables {
   using Columns = std::array<OfStages, gauss::n_stages>;
   Columns a{};                       ///< h a_ij

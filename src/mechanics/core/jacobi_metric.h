@@ -38,8 +38,8 @@ template <Chart C>
 using CurveWithIntegral = Coordinates<double, C::dimension + 1>;
 
 /// Geodesics of g_h, with the time t of the motion as the last coordinate. The functions fail at points with U ≥ h.
-/// `acceleration` also fails if g is not positive definite. A geodesic that starts with unit speed keeps unit speed.
-/// The prime denotes d/ds̃:
+/// `acceleration` also fails if g is not positive definite or a derivative is not finite. A geodesic that starts with
+/// unit speed keeps unit speed. The prime denotes d/ds̃:
 ///   q″ = −Γ(q′, q′) − 2 dρ(q′) q′ + ⟨q′, q′⟩ grad ρ,   t′ = 1/(2(h − U)),   t″ = 2 dU(q′)/(2(h − U))².
 template <Chart C>
 class JacobiGeodesicField {

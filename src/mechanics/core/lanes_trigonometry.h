@@ -33,8 +33,8 @@ struct SineCosine {
 #endif
 }
 
-/// Largest |x| of the reduction. The integer k then has at most 20 bits, so its products with the parts of π/2 are
-/// exact.
+/// Largest |x| of the reduction. The integer k then has at most 20 bits, so its products with the first two parts of
+/// π/2 are exact.
 inline constexpr double most_of_moderate = 0x1p20;
 
 /// Returns the sine and the cosine in the lanes with |x| ≤ most_of_moderate. Lanes with larger |x| have wrong results.

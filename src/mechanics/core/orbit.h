@@ -1,7 +1,7 @@
 #pragma once
-/// Point masses, the companions, that move under the gravity of the body and of each other. The body has the mass M,
-/// the centre of mass x_c and the second moment S = ∫ρ(x − x_c)(x − x_c)ᵀ. Companion i has the mass m_i and the
-/// position r_i relative to x_c. To second degree in the size of the body, the energy is
+/// Point masses, the companions, that move under the gravity of the body and of each other. G is the gravitational
+/// constant. The body has the mass M, the centre of mass x_c and the second moment S = ∫ρ(x − x_c)(x − x_c)ᵀ. Companion
+/// i has the mass m_i and the position r_i relative to x_c. To second degree in the size of the body, the energy is
 ///
 ///   U = −Σ_i G m_i [M/|r_i| + (3 r̂_iᵀS r̂_i − tr S)/(2|r_i|³)] − Σ_{i<j} G m_i m_j/|r_i − r_j|.
 ///
@@ -70,6 +70,7 @@ class Orbit {
   using Columns = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, most_companions>;
 
   Orbit() = default;
+  /// Computes the initial states of at most most_companions companions of a body with the mass M = `mass`.
   Orbit(const Companions& companions, double gravity_constant, double mass)
       : G_(gravity_constant),
         mass_(mass),
@@ -161,7 +162,8 @@ class Orbit {
     for (int i = 0; i < n_; ++i) on_r.col(i) = attraction(i, S, r.col(i));
     return force_on_coordinates(r, on_r);
   }
-  /// Returns the forces on s_k, for the positions r_i and the forces of the body on the companions.
+  /// Returns the forces on s_k, for the positions r_i and the forces of the body on the companions. The function adds
+  /// the forces between the companions.
   Columns force_on_coordinates(const Columns& r, const Columns& of_body) const {
     Columns on_r = Columns::Zero(3, n_);  // −∂U/∂r_i
     for (int i = 0; i < n_; ++i) {
@@ -229,11 +231,11 @@ class Orbit {
   /// one period. Changes of the pericentre by tides are not known before the run. The search also ends if two
   /// companions, or a companion and the centre of the body, are nearer than the radius of the ball. In the run, a
   /// distance below the longest semi-axis of the body is a collision (app/run/orbit_of_run.h). The search also ends
-  /// after 100,000 steps, which bounds its time.
+  /// after 100,000 steps, which bounds its time, or if the size of a step is 0 or NaN.
   Motion near_closest_approach(double end, double before) const {
     if (const auto period = kepler_period()) end = std::min(end, *period);
     constexpr int most_steps = 100'000;
-    constexpr double part = 0.02, nearer = 0.9;  // step per time of fall or passage; ratio of distances
+    constexpr double part = 0.02, nearer = 0.9;  // step divided by a time of fall or passage; ratio of distances
     std::vector<std::pair<double, Motion>> path{{0.0, {s_, sdot_}}};
     double t = 0, closest_time = 0, closest = nearer * least_distance(s_, s_);
     const double radius = radius_of_ball();

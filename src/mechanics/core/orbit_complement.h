@@ -1,10 +1,10 @@
 #pragma once
 /// The orthogonal complement of the orbit of the symmetries. The orbit is the set of all states that the symmetries
 /// make from a state X = (q, v). The energy-momentum method removes the components along the tangent space of the orbit
-/// from the change ΔX in a step. With the fields ξ_i and ξ̇_i of conservative_system.h, this tangent space and the
-/// inner product are
+/// from the change ΔX in a step. Symmetry i changes (q, v) along (ξ_i(q), ξ̇_i(v)), as in conservative_system.h. The
+/// tangent space of the orbit and the inner product are
 ///
-///   span{(ξ_i(q), ξ̇_i(v))},   ⟨(a, α), (b, β)⟩ = a·b + α·β   (time in the system's unit).
+///   span{(ξ_i(q), ξ̇_i(v))},   ⟨(a, α), (b, β)⟩ = a·b + α·β   with the system's unit of time.
 ///
 /// The components are computed by Gram–Schmidt with reorthogonalisation ("twice is enough": Giraud, Langou, Rozložník,
 /// Comput. Math. Appl. 50 (2005) 1069). The dimension of an orbit may be less than the number of symmetries. Examples

@@ -47,7 +47,7 @@ double largest_change(const S& system, Evaluate&& evaluate) {
 inline constexpr double last_place = std::numeric_limits<double>::epsilon();
 inline constexpr auto last_place_kept = static_cast<double>(std::numeric_limits<long double>::epsilon());
 
-/// Returns the noise of G(q) v if q and v change in their last places.
+/// Returns the noise of G(q) v, the rate of the constraint g with G = Dg, if q and v change in their last places.
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_rate(const S& system, const typename S::Vector& q,
                                                   const typename S::Vector& v) {
@@ -62,7 +62,7 @@ template <ConstrainedSystem S>
   });
 }
 
-/// Returns the noise of g(q) if q changes in its last place.
+/// Returns the noise of the constraint g(q) if q changes in its last place. Returns 0 if g(q) cannot be evaluated.
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_constraint(const S& system, const typename S::Vector& q) {
   return largest_change(system, [&](int pattern, auto& r) {
@@ -72,8 +72,9 @@ template <ConstrainedSystem S>
   });
 }
 
-/// Returns the noise of g(q + q_rounding) if q_rounding changes by the last place of the sum q + q_rounding. The system
-/// computes this constraint with the precision of long double.
+/// Returns the noise of the constraint g(q + q_rounding) if q_rounding changes by the last place of the sum q +
+/// q_rounding. Returns 0 if the constraint cannot be evaluated. The system computes this constraint with the precision
+/// of long double.
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_constraint(const S& system, const typename S::Vector& q,
                                                         const typename S::Vector& q_rounding) {

@@ -4,8 +4,9 @@
 ///   q̈ = a(t, q, q̇)
 ///
 /// on the vector space of the configuration. The field of a chart with a metric is −Γ(q̇, q̇) + g⁻¹F (5.19, 5.22;
-/// chart.h). In a moving frame, the field also contains the inertial terms. By the explicit multiplier (5.29), the
-/// field of a system with constraints (constrained_system.h) is
+/// chart.h). In a moving frame, the field also contains the inertial terms. A system with the mass M, the force f and
+/// the constraint g = 0 (constrained_system.h) has the derivative G = Dg. By the explicit multiplier (5.29), its field
+/// is
 ///
 ///   q̈ = M⁻¹[f + Gᵀλ],   G M⁻¹Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f,
 ///
@@ -28,7 +29,7 @@ concept SecondOrderField = requires(const F field, double t, const typename F::V
 };
 
 /// A field with an invariant manifold. `project` moves the position and velocity of a nearby state to the manifold, and
-/// fails if the iteration does not converge.
+/// fails if this is not possible.
 template <class F>
 concept ProjectedField = SecondOrderField<F> &&
     requires(const F field, typename F::Vector q, typename F::Vector v, typename F::Workspace w) {

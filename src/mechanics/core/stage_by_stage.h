@@ -70,7 +70,8 @@ double cost_of_iteration(const F& field) {
 }
 
 /// Solves for the stages of any field, evaluated one by one. If an evaluation of the field fails, returns its failure.
-/// Sets stages.converged, which is false after success if the iteration does not converge.
+/// Sets stages.converged, which is false after success if the iteration does not converge. Throws NoKernels as
+/// solve_gauss_stages does.
 template <SecondOrderField F>
 Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspace& w) {
   const detail::StageByStage<F> by_stage(field, w);
@@ -80,7 +81,7 @@ Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspa
 
 /// Solves for the stages in the fastest way that the field supports. Fails if the field cannot be evaluated. Sets
 /// stages.converged to true if the stages are found. After success the flag is false if the iteration does not
-/// converge.
+/// converge. Throws NoKernels as solve_gauss_stages does.
 template <SecondOrderField F>
 Status solve_stages(const F& field, GaussStages& stages, typename F::Workspace& w) {
   if constexpr (requires { field.solve_stages(stages, w); }) {

@@ -58,8 +58,8 @@ class CriticalPointFinder {
   static constexpr double same_place = 1e-6;
   static constexpr double singular = 1e-10;  // bound of zero pivots in Newton's matrix, relative to the largest pivot
 
-  /// Moves q to a critical point and sets λ to its multiplier. Returns false if the iteration does not converge from q
-  /// or if a derivative fails. In these cases q and λ are not valid.
+  /// Moves q to a critical point and sets λ to its multiplier. Returns false if the iteration does not converge from q,
+  /// or if a derivative, the constraint or Newton's step fails. In these cases q and λ are not valid.
   bool newton(Vector& q, Vector& lambda) const {
     const Eigen::Index n = q.size();
     Vector r;
@@ -129,7 +129,7 @@ class CriticalPointFinder {
   Vector random_start() {
     const auto uniform = [&] {
       return static_cast<double>(generator_() >> 11) * 0x1p-53;
-    };  // the same numbers on every platform
+    };  // unlike std::uniform_real_distribution, gives the same numbers on every platform
     if (search_.start) return search_.start(uniform);
     Vector q = search_.center;
     for (Eigen::Index i = 0; i < q.size(); ++i)
@@ -147,7 +147,8 @@ class CriticalPointFinder {
     return q;
   }
 
-  /// Returns true if a and b count as one point (critical_points.h).
+  /// Returns true if a and b are at the same place modulo the periods, or are points of one critical orbit
+  /// (critical_points.h).
   bool same(const CriticalPoint& a, const CriticalPoint& b) const {
     const double scale = 1 + a.hessian_eigenvalues.cwiseAbs().maxCoeff();
     if (a.nullity > 0 && a.nullity == b.nullity && std::abs(a.V - b.V) < same_place * scale &&

@@ -48,9 +48,9 @@ struct CriticalPoints {
 /// number of starting points from which the iteration converged.
 Status find_critical_points(const AnyLandscape& landscape, const CriticalPointSearch& search, CriticalPoints& found);
 
-/// Searches for critical points, with n_unstable and n_stable as in Oliva 5.8.3. If the system has no dissipation,
-/// n_unstable and n_stable are counted with the additional force −M v. The rates and directions are those without this
-/// force. Fails in the same cases as find_critical_points.
+/// Searches for critical points, with n_unstable and n_stable as in Oliva 5.8.3. If `dissipative` is false, n_unstable
+/// and n_stable are counted with the additional force −M v, which replaces `added_damping`. The rates and directions
+/// are those without this force. Fails in the same cases as find_critical_points.
 Status find_equilibria(const AnyLandscape& landscape, bool dissipative, CriticalPointSearch search,
                        CriticalPoints& found);
 

@@ -50,7 +50,7 @@ struct LinearStability {
   Eigen::VectorXd second_variation;  ///< eigenvalues of S, increasing: second variation of the energy at fixed momenta
   int n_negative = 0;  ///< number of negative eigenvalues; if none is negative or 0, the motion is stable (Dirichlet)
   double growth_rate = 0;  ///< largest real part, 0 if it is round-off
-  bool stable = true;      ///< spectral stability: no rate has a positive real part
+  bool stable = true;      ///< spectral stability: no rate has a positive real part above round-off
 };
 
 /// Real parts of at most this fraction of the largest rate count as zero. The energy of a rate also counts as zero if

@@ -20,6 +20,7 @@
 
 namespace pseudorigid::mechanics {
 
+/// A displacement (x, y) of position and velocity.
 struct PhaseVector {
   Eigen::VectorXd q, v;
   double rate = 0;  ///< growth or decay rate |Re z|
@@ -59,8 +60,8 @@ inline std::vector<PhaseVector> both_ways(const std::vector<PhaseVector>& basis,
 }
 
 /// Returns n displacements (x, y), whose component along each basis vector has at most the initial size defined at the
-/// top of this file. The directions are at equal angles if the basis has two vectors. Otherwise they are random with a
-/// fixed seed. The basis must not be empty.
+/// top of this file, or 1e-12 if this is larger. The directions are at equal angles if the basis has two vectors.
+/// Otherwise they are random with a fixed seed. The basis must not be empty.
 inline std::vector<PhaseVector> all_around(const std::vector<PhaseVector>& basis, int n, double epsilon) {
   constexpr double least = 1e-12;  // least size for a fast direction, above the round-off of q*
   std::vector<double> sizes;

@@ -18,8 +18,9 @@
 /// the size before the shortening. A trial with error > tolerance is rejected. The next trial has 0.2 to 0.9 of its
 /// size. After a rejection, the next accepted trial does not increase the size.
 ///
-/// If the force fails or is not finite in a trial, the next trial has a quarter of the size. If the size falls below
-/// the round-off of the time, the step fails. The increments of q and v are summed with compensation (vector_space.h).
+/// If the force or the projection fails in a trial, or the force is not finite, the next trial has a quarter of the
+/// size. If the size falls below the round-off of the time, the step fails. The increments of q and v are summed with
+/// compensation (vector_space.h).
 
 #include <algorithm>
 #include <array>
@@ -65,9 +66,9 @@ struct DormandPrince8Workspace {
   Vector q_rounding_end, v_rounding_end;  // remainders at the end of a trial step
   Vector q_stage, v_stage;
   std::array<Vector, dop853::n_all_stages> A;  // A[12] is the acceleration at the end of the step
-  std::array<Vector, 4> dense_q, dense_v;
+  std::array<Vector, 4> dense_q, dense_v;      // F₃ … F₆ of the dense output (`evaluate`) for q and v
   bool acceleration_known = false;  // A[12] is the acceleration at the state; clear this flag if you change the state
-  bool dense_known = false;
+  bool dense_known = false;         // dense_q and dense_v belong to the last step
   Counters counters;
 
   /// Passes each member that a checkpoint must contain to `visit`.
@@ -108,9 +109,9 @@ struct DormandPrince8 {
   }
 
   /// Makes one accepted step that ends at t_limit at the latest, or none if state.t is t_limit. The step goes backwards
-  /// if t_limit < state.t. Fails if the acceleration at the start fails, if `tolerance` or `h_max` is below round-off,
-  /// or if trials fail down to the shortest step. A failure leaves the state unchanged. Every trial counts as a
-  /// substep.
+  /// if t_limit < state.t. Fails if the acceleration at the start fails or is not finite, if `tolerance` or `h_max` is
+  /// below round-off, or if trials fail down to the shortest step. A failure leaves the state unchanged. Every trial
+  /// counts as a substep.
   template <SecondOrderField F>
   static Status step(const F& field, double t_limit, State<F>& state, Workspace<F>& w) {
     if (t_limit == state.t) return {};
@@ -181,9 +182,9 @@ struct DormandPrince8 {
   }
 
   /// Returns the size of the first step by Hairer, Nørsett, Wanner, II.4. With this size, h⁸ times the larger of the
-  /// norms of (v, a) and (a, ȧ) is a hundredth of the tolerance. Norms are relative to 1 + |q| and 1 + |v|. The size is
-  /// at most 100 times a first guess and at most the distance to t_limit. If the acceleration at the first guess fails
-  /// or is not finite, the size is a hundredth of the guess.
+  /// norms of (v, a) and (a, ȧ) is a hundredth of the tolerance. Norms are relative to 1 + |q| and 1 + |v|, and count
+  /// as at least 1e-10. The size is at most 100 times a first guess and at most the distance to t_limit. If the
+  /// acceleration at the first guess fails or is not finite, the size is a hundredth of the guess.
   template <class F>
   static double first_step(const F& field, double t_limit, const State<F>& state, Workspace<F>& w) {
     const auto norm = [&](const auto& x, const auto& y) {

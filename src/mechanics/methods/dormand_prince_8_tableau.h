@@ -76,7 +76,8 @@ inline constexpr Rows<16> a_exact{
       7.68342119606259904184240953878L, 4.06898981839711007970213554331L, 3.56727187455281109270669543021e-1L, 0, 0, 0,
       -1.39902416515901462129418009734e-3L, 2.9475147891527723389556272149L, -9.15095847217987001081870187138L}}};
 
-/// Minus the weights of the embedded formula of order 3, and the weights of the error estimate of order 5.
+/// `minus_b3` has the negative weights of the embedded formula of order 3, and `e5_exact` the weights of the error
+/// estimate of order 5.
 inline constexpr Row<long double> minus_b3{
     -0.244094488188976377952755905512L,   0, 0, 0, 0, 0, 0, 0, -0.733846688281611857341361741547L, 0, 0,
     -0.220588235294117647058823529412e-1L};

@@ -2,8 +2,8 @@
 /// The method energy-momentum: a step of any size conserves energy, momenta and constraints up to round-off. The method
 /// uses the discrete gradients of O. Gonzalez (J. Nonlinear Sci. 6 (1996) 449), with constraints as in Physica D 132
 /// (1999) 165. The step is in phase space and also satisfies the constraint of the velocity. With X = (q, p) and p = M
-/// v, Hamilton's function is H = K(p) + V(q). The constraints are g(q) = 0 and, for their rates, γ(X) = G(q) M⁻¹p = 0
-/// with G = Dg. A step of size h from X₀ to X₁ is
+/// v, Hamilton's function is H = K(p) + V(q), and the force is f = −∇V. The constraints are g(q) = 0 and, for their
+/// rates, γ(X) = G(q) M⁻¹p = 0 with G = Dg. A step of size h from X₀ to X₁ is
 ///
 ///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,   X_m = (X₀ + X₁)/2,
 ///   ∇̄F = ∇F(X_m) + C,   C = ΠD + θP,   θ = [ΔF − (∇F(X_m) + ΠD)·ΔX]/|P|²,   P = Π ΔX,
@@ -155,8 +155,9 @@ struct EnergyMomentum {
                            "; use a smaller step");
   }
 
-  /// Returns the largest change of V if the entries of q change by up to two units of size 2ε max|q_i|. The round-off
-  /// of V alone does not show the round-off of its terms, which may be larger and cancel.
+  /// Returns the largest change of V among eight fixed small changes of q. Change k adds (7i + 3k) mod 5 − 2 units to
+  /// entry i, and a unit is 2ε max|q_i|. The round-off of V alone does not show the round-off of its terms, which may
+  /// be larger and cancel.
   template <ConservativeSystem S>
   static double noise_of_potential(const S& system, const typename S::Vector& q) {
     const double V = system.potential_energy(q), unit = 2 * epsilon * max_norm(q);
@@ -164,13 +165,14 @@ struct EnergyMomentum {
     for (int k = 1; k <= 8; ++k) {
       typename S::Vector near = q;
       int i = 0;
-      for (double& x : local_values(near)) x += unit * ((7 * ++i + 3 * k) % 5 - 2);  // −2 … 2, pseudo-random
+      for (double& x : local_values(near)) x += unit * ((7 * ++i + 3 * k) % 5 - 2);  // −2 … 2 units
       noise = std::max(noise, std::abs(system.potential_energy(near) - V));
     }
     return noise;
   }
 
-  /// Sets the initial guess: ΔX from the acceleration of the last step, λ by extrapolation, and μ = 0.
+  /// Sets the initial guess: ΔX from the acceleration of the last step, λ by extrapolation, and μ = 0. In the first
+  /// step of a run this acceleration is 0.
   template <ConservativeSystem S>
   static void predict(double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     w.dv = w.acceleration;
@@ -297,8 +299,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Corrects the end state such that g(q₁) = 0 and γ(q₁, v₁) = 0 to first order, by reactions at q_m. Fails if the
-  /// constraint or a Gram solve fails.
+  /// Corrects the end state such that g(q₁) = 0 and γ(q₁, v₁) = 0 to first order, by reactions at q_m. Does nothing
+  /// without constraints. Fails if the constraint or a Gram solve fails.
   template <ConservativeSystem S>
   static Status constrain(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {

@@ -11,7 +11,8 @@
 /// bilinear in q and v are conserved up to round-off if the stages are iterated to round-off. Examples are the angular
 /// momentum J and the circulation Z of a body. Forces may depend on velocity and time and may dissipate. A system with
 /// constraints is integrated with its explicit multiplier (explicit_multiplier.h). The multiplier keeps g = 0 to the
-/// error of the step. Every 32 steps, and before a state is observed, the state is projected,
+/// error of the step. Every 32 steps, and before a state is observed, the state is projected with G = Dg and
+/// multipliers δ and μ,
 ///
 ///   q ← q + M⁻¹Gᵀδ,   v ← v − M⁻¹D²(δ·g)(v),   then  v ← v + M⁻¹Gᵀμ.
 ///
@@ -143,7 +144,8 @@ struct Gauss16 {
   }
 
   /// Makes one step, and projects the state if 32 steps have been made since the last projection. Fails if the
-  /// projection fails, or if the stages cannot be found after all permitted halvings. The force may be the reason.
+  /// projection fails, if the stages cannot be found after all permitted halvings, or if the step is not finite. The
+  /// reason for missing stages may be the force.
   template <class S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     // A step starts with one halving less than the last step, but with at least 0 and at most 2 halvings. In a violent
@@ -159,7 +161,7 @@ struct Gauss16 {
   }
 
   /// Projects position and velocity onto the constraints or the invariant manifold, if there are any. Fails if the
-  /// projection does not converge.
+  /// projection fails.
   template <class S>
   static Status project_velocity(const S& system, State<S>& state, Workspace<S>& w) {
     w.n_unprojected = 0;
@@ -182,7 +184,8 @@ struct Gauss16 {
   };
 
   /// Makes the part as one step if it has been halved n_expected times or more and its stages are found. Otherwise
-  /// makes two halves. Fails if the stages are not found in a part that must not be halved again.
+  /// makes two halves. Fails if the stages are not found in a part that must not be halved again, or if the step is not
+  /// finite.
   template <class S>
   static Status advance_in_parts(const S& system, Part part, int n_expected, State<S>& state, Workspace<S>& w) {
     const auto [outer_h, h, depth] = part;
@@ -311,7 +314,8 @@ struct Gauss16 {
   }
 
   /// Projects position and velocity by the formulas of the head of this file. The velocity is not lifted if the system
-  /// has no `add_reaction_rate`. Fails if one of the iterations does not converge.
+  /// has no `add_reaction_rate`. Fails if the constraint or a Gram solve fails, or if one of the iterations does not
+  /// converge.
   template <ConstrainedSystem S>
   static Status project_with_momenta(const S& system, State<S>& state, Workspace<S>& w) {
     ++w.counters.n_projections;

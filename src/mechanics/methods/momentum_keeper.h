@@ -1,9 +1,9 @@
 #pragma once
-/// Correction of the round-off of the momenta p_i = ⟨M v, ξ_i(q)⟩, for a method that conserves them. The field ξ_i(q)
-/// is the velocity field of the i-th symmetry. By round-off, each step changes the momenta by about 10⁻¹⁸ in internal
-/// units, and these errors would accumulate. If the error of a momentum exceeds the round-off of this momentum, the
-/// correction changes the velocity along the orbit of the symmetries. In the metric of the kinetic energy this is the
-/// smallest change that restores the momenta:
+/// Correction of the round-off of the momenta p_i = ⟨M v, ξ_i(q)⟩, for a method that conserves them. Here M is the
+/// mass, q the position, v the velocity, and ξ_i(q) the velocity field of the i-th symmetry. By round-off, each step
+/// changes the momenta by about 10⁻¹⁸ in internal units, and these errors would accumulate. If the error of a momentum
+/// exceeds the round-off of this momentum, the correction changes the velocity along the orbit of the symmetries. In
+/// the metric of the kinetic energy this is the smallest change that restores the momenta:
 ///
 ///   v ← v + Σ α_i ξ_i(q),   Σ_j ⟨M ξ_i, ξ_j⟩ α_j = p_i(0) − p_i,
 ///
@@ -48,8 +48,8 @@ class MomentumKeeper {
     for (std::size_t i = 0; i < xi_.size(); ++i) start_[i] = dot(momentum_, xi_[i]);
   }
 
-  /// Corrects state.v and its remainder v_rounding as in the head of this file. Does nothing if all errors of momenta
-  /// are round-off.
+  /// Corrects state.v and its remainder v_rounding as in the head of this file. Does nothing without symmetries, or if
+  /// all errors of momenta are round-off.
   void keep(const S& system, State<S>& state, Vector& v_rounding) {
     const auto n = static_cast<Eigen::Index>(xi_.size());
     if (n == 0) return;
@@ -66,6 +66,7 @@ class MomentumKeeper {
     if (beyond_round_off) give_back(system, lost, state, v_rounding);
   }
 
+  /// Passes each member that a checkpoint must contain to `visit`.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     visit(std::span<double>(start_));

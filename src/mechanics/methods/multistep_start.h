@@ -6,7 +6,7 @@
 /// Each starting method is a type Start<S> for a system S. An object exists as long as the run and has these functions:
 ///
 ///   begin(system, w)                       prepares steps from a new state or with a new h
-///   acceleration(system, state, w, a)      a ← M⁻¹(f + Gᵀλ) at the state
+///   acceleration(system, state, w, a)      sets a to the acceleration at the state, including the reaction
 ///   step(system, h, state, w)              makes one step of size h
 ///   project(system, state, w)              makes the velocity valid if the steps do not
 ///   visit_memory(visit)                    passes the members that a checkpoint must contain to `visit`

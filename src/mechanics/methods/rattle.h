@@ -67,8 +67,8 @@ struct Rattle {
   }
 
   /// Makes one substep. The final projection of the velocity is omitted unless a force depends on the velocity. Fails
-  /// if the force fails, or if the iteration for the constraint or for the velocity does not converge. After a failure
-  /// the state is not valid.
+  /// if the force, the constraint or a Gram solve fails, or if the iteration for the constraint or for the velocity
+  /// does not converge. After a failure the state is not valid.
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if (Status status = kick(system, h, state, w); !status) return status;
@@ -81,8 +81,8 @@ struct Rattle {
     return kick_again(system, h, state, w);
   }
 
-  /// Completes the step of RATTLE by the projection of v (rattle_velocity.h). Fails if the projection does not
-  /// converge.
+  /// Completes the step of RATTLE by the projection of v (rattle_velocity.h). Fails if a Gram solve fails or the
+  /// projection does not converge.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
     return RattleVelocity::project_velocity(system, state, w);
@@ -148,8 +148,8 @@ struct Rattle {
     return 0.5 * s * (dot(state.v, w.force) - dot(start, w.force));
   }
 
-  /// q ← q + h v, with v corrected along M⁻¹G(q_n)ᵀ such that g(q) = 0 at the new q. Fails if the iteration does not
-  /// converge.
+  /// q ← q + h v, with v corrected along M⁻¹G(q_n)ᵀ such that g(q) = 0 at the new q. Without constraints, v does not
+  /// change. Fails if the constraint or a Gram solve fails, or if the iteration does not converge.
   template <ConstrainedSystem S>
   static Status move_on_constraint(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (unconstrained<S>) {

@@ -22,7 +22,7 @@ namespace pseudorigid::mechanics {
 
 struct RattleVelocity {
   /// v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v, until G v is below the tolerance or round-off. The projection completes the step of
-  /// RATTLE. Fails if it does not converge. Does nothing without constraints.
+  /// RATTLE. Fails if a Gram solve fails or the projection does not converge. Does nothing without constraints.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {
@@ -104,8 +104,8 @@ struct RattleVelocity {
 
   /// Solves the equation of `settle_velocity` if the force is damping. If the damping is not linear in v, Newton's
   /// method solves it. If the damping is linear, one solve suffices up to a residual, and a second solve removes this
-  /// residual. The last force, and the dissipated power in it, is then that of a v which is final up to the residual.
-  /// Fails if the force, a projection or a linear system fails.
+  /// residual. The last force and its dissipated power then belong to a v that is final up to the residual. Fails if
+  /// the force, a projection or a linear system fails.
   template <Damped S>
   static Status solve_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     const typename S::Vector rounding_half = w.v_rounding;
@@ -122,11 +122,11 @@ struct RattleVelocity {
     return {};
   }
 
-  /// Solves the equation of `settle_velocity` for damping that is not linear in v. The iteration starts from the
-  /// velocity v_n before the step, for which the present v is the extrapolation 2 v_half − v_n. If a body sticks, v_n
-  /// has the right size, but v_half and the extrapolation do not. The iteration ends if the residual is small enough,
-  /// or if the last correction was round-off. Fails if 100 corrections are not enough, or if the force, a projection or
-  /// a linear system fails.
+  /// Solves the equation of `settle_velocity` for damping that is not linear in v. On entry, v is the extrapolation 2
+  /// v_half − v_n from the velocity v_n before the step. The iteration starts from v_n. If a body sticks, v_n has the
+  /// right size, but v_half and the extrapolation do not. The iteration ends if the residual is small enough, or if the
+  /// last correction was round-off. Fails if 100 corrections are not enough, or if the force, a projection or a linear
+  /// system fails.
   template <Damped S>
   static Status solve_velocity_by_newton(const S& system, double h, const typename S::Vector& rounding_half,
                                          State<S>& state, RattleWorkspace<S>& w) {
@@ -148,7 +148,8 @@ struct RattleVelocity {
   /// Adds a correction αu to v, with the solution u of the linear system for the residual r at v. The convex function
   /// of the head of this file, as a function of α, has the derivative −uᵀM r. The factor α is 1 if v + u is not far
   /// beyond the minimum, and is found by bisection otherwise. Sets w.damping.residual to r at the new v, and `change`
-  /// to the size of αu.
+  /// to the size of αu. After 60 bisections, the last α is used. Fails if the force, a projection or the linear system
+  /// fails.
   template <Damped S>
   static Status search_along_correction(const S& system, double h, const typename S::Vector& rounding_half,
                                         State<S>& state, RattleWorkspace<S>& w, double& change) {

@@ -1,6 +1,7 @@
 #pragma once
-/// The workspace of RATTLE (rattle.h): counters, temporaries, cached values and initial guesses. rattle.h defines the
-/// symbols v_n, v_{n+1/2}, q_n and Λ.
+/// The workspace of RATTLE (rattle.h): counters, temporaries, cached values and initial guesses. A step begins at q_n
+/// and v_n, and the velocity after its first half step is v_{n+1/2}. Λ is the multiplier times the length of the half
+/// steps in which it acts (rattle.h).
 
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/core/constraint_newton.h"

@@ -1,6 +1,6 @@
 #pragma once
-/// Explicit symmetric linear multistep methods with k steps for conservative systems with constraints (Console, Hairer,
-/// Lubich, Numer. Math. 124 (2013) 517),
+/// Explicit symmetric linear multistep methods with k steps for conservative systems M q̈ = f(q) + Gᵀλ with constraints
+/// g(q) = 0 and G = Dg (Console, Hairer, Lubich, Numer. Math. 124 (2013) 517). With the step h they are
 ///
 ///   Σ_j α_j q_{n+j} = h² Σ_j β_j M⁻¹[f(q_{n+j}) + G(q_{n+j})ᵀ λ_{n+j}],   g(q_{n+k}) = 0,   β_0 = β_k = 0.
 ///
@@ -65,14 +65,14 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   }
 
   Start<S> start;
-  typename S::Multiplier multiplier;
+  typename S::Multiplier multiplier;  // λ_n, extrapolated and then corrected
   std::array<typename S::Vector, n_slots> d, a;
-  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // of the last steps, in a ring
-  double h = 0;
+  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // λ of the last steps, in a ring
+  double h = 0;               // size of the steps in the history; 0: there was no step
   int newest = 0;             // slot of d_n, the difference of the last step to q_n
   int n_known = 0;            // number of differences d in the history
   int newest_multiplier = 0;  // slot of λ_{n−1}
-  int n_multipliers = 0;
+  int n_multipliers = 0;      // number of multipliers in the history
 
   /// Passes each member that a checkpoint must contain to `visit`.
   template <class Visit>
@@ -124,7 +124,8 @@ struct SymmetricMultistep {
   }
 
   /// Makes one step. The velocity is valid only after a call of `project_velocity`. Fails if the force or the starting
-  /// method fails, or if the iteration for the constraint does not converge.
+  /// method fails, or if an iteration for the constraints does not converge. For dense vectors, also fails if the
+  /// result is not finite.
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     if (!same_step(h, w.h)) {
@@ -158,7 +159,7 @@ struct SymmetricMultistep {
   static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
 
   /// Empties the history, so that the starting method makes the next k − 1 steps of size h. The first of these steps
-  /// starts from the projected state.
+  /// starts from the projected state, except at the start of a run. Fails if the projection fails.
   template <class S>
   static Status restart(const S& system, double h, State<S>& state, Workspace<S>& w) {
     if (w.h != 0)
@@ -212,9 +213,10 @@ struct SymmetricMultistep {
   }
 
   /// Computes d_{n+1} and q_{n+1} with a_n from the extrapolated multiplier, and then corrects all three until
-  /// g(q_{n+1}) = 0. Fails if the iteration for the constraint does not converge. For dense vectors, also fails if the
-  /// result is not finite. All calls are inlined, because calls kept the temporaries of small systems in memory. In a
-  /// measurement, accesses to these temporaries took a sixth of the time of a step of the pseudo-rigid body.
+  /// g(q_{n+1}) = 0. Fails if the constraint or a Gram solve fails, or if the iteration for the constraint does not
+  /// converge. For dense vectors, also fails if the result is not finite. All calls are inlined, because calls kept the
+  /// temporaries of small systems in memory. In a measurement, accesses to these temporaries took a sixth of the time
+  /// of a step of the pseudo-rigid body.
   template <class S>
   PSEUDORIGID_FLATTEN static Status make_step(const S& system, State<S>& state, Workspace<S>& w) {
     constexpr bool dense = VectorSpace<typename S::Vector>::dense;
@@ -258,7 +260,8 @@ struct SymmetricMultistep {
 
   /// Returns the residual |g| below which the iteration ends after one more correction, without a check. For a fixed
   /// number of constraints the Gram matrix is exact. An iteration of Newton then reduces the residual to its square
-  /// times the curvature of g. The factor 1e-4 permits curvatures up to 10⁴.
+  /// times the curvature of g. The factor 1e-4 permits curvatures up to 10⁴. For a dynamic number of constraints, the
+  /// result is 0, so that every residual is checked.
   template <class S>
   static double foregone(const S&, const Workspace<S>& w) {
     return S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * w.constraint_tolerance);

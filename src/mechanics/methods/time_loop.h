@@ -36,7 +36,7 @@ struct Cursor {
 
 struct RunResult {
   Outcome outcome = Outcome::finished;
-  std::string reason;  ///< the reason of a failure in one sentence, or "interrupted"
+  std::string reason;  ///< the reason of a failure in one sentence, or "interrupted"; empty for a finished run
   double t = 0;        ///< time reached
 };
 
@@ -55,7 +55,8 @@ concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cur
 };
 
 /// Runs from `cursor` (the start or a checkpoint) to the last sample, to an interruption or to a failure. Advances
-/// `cursor` and `state`, and returns the outcome and the time reached. After a failed step `state` is not valid.
+/// `cursor` and `state`, and returns the outcome and the time reached. Fails if a hook, a step or the projection of the
+/// velocity fails, or if a step is shorter than the round-off of the time. After a failed step `state` is not valid.
 template <class Method, class S, TimeLoopHooks<S, typename Method::template Workspace<S>> Hooks>
 requires(!Method::adaptive) RunResult
     run_time_loop(const S& system, const SampleTimes& times, State<S>& state, Cursor& cursor,
@@ -85,8 +86,9 @@ requires(!Method::adaptive) RunResult
   return {Outcome::finished, "", state.t};
 }
 
-/// Makes the same run with a method that chooses the sizes of its steps. The steps do not end at the samples, so the
-/// state at a sample is interpolated. The last step ends at T. cursor.step counts the steps since the last sample.
+/// Makes the run as the function above, with a method that chooses the sizes of its steps. The steps do not end at the
+/// samples, so the state at a sample is interpolated. The last step ends at T. cursor.step counts the steps since the
+/// last sample.
 template <class Method, class F, TimeLoopHooks<F, typename Method::template Workspace<F>> Hooks>
 requires(Method::adaptive) RunResult
     run_time_loop(const F& field, const SampleTimes& times, State<F>& state, Cursor& cursor,

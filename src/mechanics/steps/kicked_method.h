@@ -3,7 +3,7 @@
 ///
 ///   x ← x (1 ± ε part)   for each component x of q and q̇,
 ///
-/// with `part` = 1, or −1 to reverse all kicks. The pseudo-random signs are the same in every run, and ε is the spacing
+/// with `part` = 1, or −1 to reverse all kicks. The signs are irregular but the same in every run, and ε is the spacing
 /// of floating-point numbers at 1. The perturbed motion could also result from other rounding errors. As in
 /// floating-point arithmetic, an exact 0 remains 0.
 
@@ -38,8 +38,8 @@ struct Kicked : Method {
   }
 
  private:
-  /// Returns the sign of kick k. The sign is the parity of the bits of k times the odd number next to 2⁶⁴/φ, with the
-  /// golden ratio φ. This product makes the signs irregular.
+  /// Returns the sign of kick k. The product of k and the odd number next to 2⁶⁴/φ, modulo 2⁶⁴, has irregular bits; φ
+  /// is the golden ratio. The sign is positive if an even number of these bits is 1.
   static double sign(std::uint64_t k) { return std::popcount(k * 0x9e3779b97f4a7c15u) % 2 == 0 ? 1 : -1; }
 };
 

@@ -75,7 +75,8 @@ void fill_irregular(const S& system, typename S::Vector& x) {
   }
 }
 
-/// The operator K, or C if `of_velocity` is true, computed by differences of the force.
+/// The operator K, or C if `of_velocity` is true. Both are computed by differences of the force, except the C of
+/// damping that is not linear in v.
 template <ConstrainedSystem S>
 class TangentOperator {
  public:
@@ -139,7 +140,7 @@ class TangentOperator {
  private:
   /// Computes w = K u, or w = C u if `of_velocity_` is true, by a difference of forces. If the damping is not linear in
   /// the velocity, the system computes its tangent C. A difference would need changes far below the slip speed of
-  /// friction.
+  /// friction. Fails if the force fails.
   Status difference(const typename S::Vector& u, typename S::Vector& w) {
     if constexpr (Damped<S>)
       if (of_velocity_ && !damping_is_linear(system_)) {
@@ -252,7 +253,7 @@ Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_ite
 /// Returns ω from at most `n_iterations` steps of Lanczos. The iteration ends earlier if the relative uncertainty of ω²
 /// is at most `accuracy`. The residual is added to the eigenvalue. A short iteration therefore usually gives an ω that
 /// is too large and a step that is too small, which is safe. If the number of steps is the number of modes, only the
-/// differences have errors. If no motion oscillates, ω is 0.
+/// differences have errors. If the sum of the eigenvalue and its residual is negative, ω is 0.
 template <ConstrainedSystem S>
 FrequencyReport largest_frequency(const S& system, const State<S>& state, typename S::Workspace& workspace,
                                   int n_iterations, double accuracy = 0) {

@@ -233,8 +233,8 @@ struct Trial {
   double local_tolerance = 0;  ///< for adaptive methods only
   /// Estimated error of the configuration over the run, and number of force evaluations of the run.
   double error = 0, n_forces_of_run = 0;
-  bool at_round_off = false;
-  bool set_by_energy = false;  ///< the energy error determines the step
+  bool at_round_off = false;   ///< round-off prevents the method from meeting the tolerance
+  bool set_by_energy = false;  ///< the error of the energy determines the step
   /// Time after which round-off exceeds the tolerance; empty if no such time is known.
   std::optional<double> round_off_rules_from{};
   std::string reason{};

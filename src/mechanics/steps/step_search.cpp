@@ -11,9 +11,9 @@ constexpr int max_step_halvings = 12;
 /// Largest number of force evaluations in a run. With 100 ns for a force, such a run takes 3 hours.
 constexpr double max_run_forces = 1e11;
 
-/// Division of a window into n_samples intervals of n_steps steps, none longer than h. The constructor chooses the
-/// number of samples from 16 to 32 such that the total number of steps is smallest. If a window needs at most 32 steps,
-/// each step ends at a sample.
+/// Division of a window into n_samples intervals of n_steps steps, none longer than h. If a window needs at most 32
+/// steps, each step ends at a sample. Otherwise the constructor chooses the number of samples from 16 to 32 such that
+/// the total number of steps is smallest.
 struct Grid {
   long n_samples, n_steps;
   Grid(double window, double h) {
@@ -121,7 +121,7 @@ double StepSearch::predicted_forces(const FixedStepMethod& method, double h, dou
 /// Estimates the error at the stability limit over a part of the window. Multiplies the estimate by its possible growth
 /// in the rest of the window. If the product is permitted, accepts the stability limit and returns true. Tries the
 /// longer part only if the estimate of the shorter part would be permitted with the smaller factor. Returns false if no
-/// part is sufficient or if a pilot run fails.
+/// part is sufficient, if a part would be longer than the window, or if a pilot run fails.
 bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
   double error = 0;
   for (double part : {1.0 / 8, 1.0 / 2}) {
@@ -172,7 +172,7 @@ PilotRun StepSearch::pilot(const FixedStepMethod& method, double window, long n_
 
 /// Sets the step and returns true if the difference d at h is sufficient. One sufficient condition is that the error
 /// estimate of d is at most the target or the round-off. The other condition is that d is small and has decreased
-/// according to the order from d_before, the difference at 2h. A d_before of 0 is not known.
+/// according to the order from d_before, the difference at 2h. If d_before is 0, no earlier difference is known.
 bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, double d, double d_before,
                         double speed) const {
   const double p = method.order;
@@ -209,7 +209,8 @@ bool StepSearch::accept(const FixedStepMethod& method, Trial& trial, double step
 
 /// Returns the error e₀ of round-off with the step h (step_search.h).
 double StepSearch::round_off(const FixedStepMethod& method, double speed, double h) const {
-  // If the system has no constrained form, its frequency is not known and rattle_limit is infinite.
+  // If the system has no constrained form, its frequency is not known and rattle_limit is infinite. hω then counts as
+  // 1.
   const double h_omega = std::isfinite(request_.rattle_limit)
                              ? Rattle::stability_limit * h / (method.n_stages * request_.rattle_limit)
                              : 1;

@@ -14,10 +14,12 @@
 /// 0.60, which is not in the test, had an error of 1.12 times its tolerance. This motion magnifies a change of the
 /// initial state 2000 times in the time 6.4 r/c. Here r is the radius, and c the speed of shear waves.
 ///
-/// The search starts at the stability limit and halves the step. It ends if e is at most the target or the error e₀ of
-/// round-off (below). It also ends if a difference of at most 0.1 falls at a halving by a factor of at least 2^p/√2.
-/// The search fails if 12 halvings are not enough. Then the relation e ~ hᵖ gives the step. If this step is smaller
-/// than h, no pilot run has tested it, so e is multiplied by a reserve of 2^(p/4).
+/// The search starts at the stability limit and halves the step. It ends if e is at most the target or e₀, the error
+/// that the random walk of round-off causes (formula at the end of this text). It also ends if a difference of at most
+/// 0.1 falls at a halving by a factor of at least 2^p/√2. When the search has ended, the relation e ~ hᵖ gives the
+/// step. If this step is smaller than h, no pilot run has tested it, so e is multiplied by a reserve of 2^(p/4). The
+/// search fails if 12 halvings or 4·10⁶ force evaluations are not enough. It also fails if the motion ends within the
+/// window, if the caller ends the search, or if the run would need more than 10¹¹ force evaluations.
 ///
 /// A multistep method of order p begins with p − 1 steps of another method. These steps do not show the error of the
 /// multistep method. Therefore the window contains at least 4p steps, or the whole run.
@@ -25,9 +27,9 @@
 /// If force evaluations are costly, the search first makes a shorter estimate over a part w' of the window. The errors
 /// have hardly begun to grow in w', so the estimate is multiplied by (w/w')^(3/2). The first part is w/8 with the
 /// factor 23. If this product is too large, but 2.8 times the estimate is not, the search also tries w/2 with the
-/// factor 2.8. These factors were tested in releases, spins, tides and figures of equilibrium of the ball. Without a
-/// factor, the estimate was too small by a factor of 0.07 to 9 at w/8, and of 0.4 to 2.1 at w/2. A method of high order
-/// at its stability limit often passes this test. Its pilot runs then cost only a fifth or a half as much.
+/// factor 2.8. These factors were tested in releases, spins, tides and figures of equilibrium of the ball. The error
+/// was 0.07 to 9 times the estimate without a factor at w/8, and 0.4 to 2.1 times this estimate at w/2. A method of
+/// high order at its stability limit often passes this test. Its pilot runs then cost only a fifth or a half as much.
 ///
 /// A symmetric multistep method conserves a modified energy. For a mode of frequency ω and energy E_ω, the modified
 /// energy is

@@ -59,7 +59,7 @@ class MethodChoice {
   MethodChoice(bool compensated, const StepRequest& request) : compensated_(compensated), request_(request) {}
 
   /// Searches for the local tolerance of each adaptive method, and keeps the method if it is accepted. The table has
-  /// one such method. Sets `hopeless_` if the method fails or its error is above 0.1.
+  /// one such method. Sets `hopeless_` to true if the method fails or its error is above asymptotic_difference.
   void try_adaptive(const std::vector<AdaptiveMethod>& methods) {
     for (const AdaptiveMethod& method : methods) {
       trials_.push_back(search_tolerance(request_, compensated_, method, n_force_));
@@ -91,8 +91,8 @@ class MethodChoice {
     n_force_ += search.n_force();
   }
 
-  /// Returns the adaptive method if its doubled cost is least, otherwise the best method with fixed steps. Without
-  /// both, the status is a failure.
+  /// Returns the accepted adaptive method if its cost by adaptive_cost is least, or if no method with fixed steps is
+  /// accepted. Otherwise returns the best method with fixed steps. If no method is accepted, the status is a failure.
   StepChoice result() {
     if (adaptive_ && (!best_ || adaptive_cost() < best_->n_forces_of_run)) best_ = adaptive_;
     StepChoice choice{.rattle_limit = request_.rattle_limit, .n_force = n_force_};

@@ -4,11 +4,11 @@
 /// samples.
 ///
 /// An adaptive method (tolerance_search.h) is tried first. Its cost bounds the cost of the search among the other
-/// methods. If it fails, or if its estimated error is above 0.1, other methods are not tried. The motion then ends
-/// early or is too sensitive for every method. An adaptive method does not conserve the invariants of the motion. If
-/// another method meets the tolerance, the adaptive method is therefore chosen only if it needs less than half of the
-/// force evaluations. This occurs on short runs, because the error of an adaptive method grows like T², and on motions
-/// with short violent phases.
+/// methods. If it fails, or if its estimated error is above 0.1 units of length, other methods are not tried. The
+/// motion then ends early or is too sensitive for every method. An adaptive method does not conserve the invariants of
+/// the motion. If another method meets the tolerance, the adaptive method is therefore chosen only if it needs less
+/// than half of the force evaluations. This occurs on short runs, because the error of an adaptive method grows like
+/// T², and on motions with short violent phases.
 ///
 /// Then methods with fixed steps are tried (step_search.h), in the order of their least cost, which is the cost at the
 /// stability limit. For methods of order 2 this cost counts twice. A method is skipped if its least cost exceeds the

@@ -14,7 +14,7 @@ double size_of(const PilotRun& pilot) { return pilot.q.empty() ? 0 : max_norm<Ei
 /// Largest distance of a pilot run from two pilot runs that are perturbed by round-off in opposite directions.
 struct RoundOff {
   double difference = 0;
-  bool magnified = false;               ///< the distance is much larger than that of a random walk
+  bool magnified = false;               ///< the distance is more than 1000 times that of a random walk
   std::optional<double> beyond_from{};  ///< time of the first sample at which the distance exceeds the bound
 };
 

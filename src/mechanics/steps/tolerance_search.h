@@ -13,7 +13,7 @@
 /// pilot runs have the same rounding errors, their difference does not show this growth. If force evaluations are
 /// cheap, the search therefore makes two more pilot runs. These runs are perturbed by round-off after every step, in
 /// opposite directions (kicked_method.h). Their distance from the run with tolerance τ is part of the estimate. On a
-/// regular motion this distance grows like t^(3/2), because the perturbations have random signs. If the distance is
+/// regular motion this distance grows like t^(3/2), because the perturbations have irregular signs. If the distance is
 /// more than a thousand times as large as on a regular motion, the motion amplifies round-off. The result then contains
 /// the first time at which the distance exceeds (w/T)² times the tolerance. If the distance stays below this bound
 /// within the window, the result does not contain a time.
@@ -26,8 +26,9 @@
 namespace pseudorigid::mechanics::detail {
 
 /// Searches for the local tolerance and returns the result. The verdict is `failed` if a pilot run fails, or if six
-/// local tolerances do not give the required error. `compensated` is true if sums of the system's vectors are
-/// compensated. The function adds the number of force evaluations of its pilot runs to n_force.
+/// local tolerances do not give the required error. The least local tolerance, 64 units of round-off, is accepted with
+/// any error. `compensated` is true if sums of the system's vectors are compensated. The function adds the number of
+/// force evaluations of its pilot runs to n_force.
 Trial search_tolerance(const StepRequest& request, bool compensated, const AdaptiveMethod& method, long& n_force);
 
 }  // namespace pseudorigid::mechanics::detail
