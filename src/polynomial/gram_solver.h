@@ -7,9 +7,10 @@
 /// preconditioner is the Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an earlier position q_f. Products with S are
 /// computed without a matrix.
 ///
-/// The first call computes and factors S_f at its position q₀. Later calls do this again in two cases. In the first
-/// case, an iteration does not converge. In the second case, the iterations that a new factor could have saved have
-/// cost more than a factorisation. Therefore the cost is at most about twice the optimum.
+/// The first call computes and factors S_f at its position q₀, or at the position in the memory of a checkpoint. Later
+/// calls do this again at their q₀ in two cases. In the first case, an iteration does not converge. In the second case,
+/// the iterations that a new factor could have saved have cost more than a factorisation. Therefore the cost is at most
+/// about twice the optimum.
 
 #include <Eigen/Cholesky>
 #include <array>

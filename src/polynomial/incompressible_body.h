@@ -38,7 +38,7 @@ class IncompressibleBody : public PolynomialBody {
 
   explicit IncompressibleBody(BodySetup setup) : PolynomialBody(without_pressure(setup)) {}
 
-  /// The force f without reactions. Fails if q is not an admissible deformation.
+  /// Sets f to all forces without the reactions. Fails if q is not an admissible deformation.
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& workspace, Vector& f) const {
     return applied_force(t, q, v, workspace.held_at, f);
   }

@@ -1,18 +1,21 @@
 #pragma once
-/// Figures of a polynomial ball that rotate uniformly about axis 3. In the rotating frame,
+/// Figures of a polynomial ball that rotate uniformly about axis 3 with the spin Ω. In the rotating frame, the position
+/// x of the figure satisfies
 ///
 ///   r = f(x) + Ω²Px + Gᵀλ = 0,   g(x) = 0,      P the projection onto the plane normal to axis 3
 ///
-/// without λ and g for a compressible body. f contains all forces without the reactions, and G = Dg. The equations are
-/// solved in the octant, whose symmetry planes exclude rotations of space and of the ball. A spheroid is sought among
-/// motions with rotational symmetry about axis 3,
+/// without λ and g for a compressible body. f contains all forces without the reactions, g is the constraint with the
+/// multiplier λ, and G = Dg. The equations are solved in the octant, whose symmetry planes exclude rotations of space
+/// and of the ball. A spheroid is sought among motions with rotational symmetry about axis 3,
 ///
 ///   x = Σ u_nl (φ_nl1 e₁ + φ_nl,−1 e₂) + Σ w_nl φ_nl0 e₃.
 ///
 /// Within these motions the equations are not singular at a bifurcation to figures without this symmetry. Quadrature by
 /// midpoints in the longitude keeps the symmetry, so a solution satisfies all equations. A figure of the family is
 /// determined by its spin Ω, or by the ratio of two axes of its mass moment. In the second case Ω² is an unknown. The
-/// equations are solved by Newton's iteration with dense matrices and exact derivatives.
+/// equations are solved by Newton's iteration with dense matrices and exact derivatives. The columns of a matrix U are
+/// a basis of the permitted positions, and the columns of V are a basis of the permitted pressures. With the unknowns
+/// y, μ and Ω², x = U y and λ = V μ.
 ///
 /// The equations of a fluid do not determine x, because a fluid does not resist motions that only exchange matter
 /// within its surface. However, a fluid ellipsoid is an exact figure for every degree N (Dirichlet, Riemann). Therefore
@@ -68,7 +71,7 @@ class SteadyRotations {
   double slope(const FigureCondition& condition, const SteadyRotation& rotation) const;
 
  private:
-  /// The equations Uᵀr = 0, Vᵀg = 0 and the condition, for the unknowns y, μ and Ω² with x = U y, λ = V μ.
+  /// The equations Uᵀr = 0, Vᵀg = 0 and the condition, for the unknowns y, μ and Ω² (head of this file).
   struct Equations {
     Eigen::VectorXd values;
     Eigen::MatrixXd derivative;
@@ -82,8 +85,7 @@ class SteadyRotations {
                               Equations& result) const;
   Eigen::MatrixXd tangent_matrix(const SteadyRotation& rotation) const;
   void add_condition(const FigureCondition& condition, const SteadyRotation& rotation, Equations& result) const;
-  /// Derivatives of (y, μ, Ω²) with respect to the parameter, with x = U y and λ = V μ. The derivatives are NaN if the
-  /// force fails.
+  /// Derivatives of (y, μ, Ω²) with respect to the parameter. The derivatives are NaN if the force fails.
   Eigen::VectorXd tangent(const FigureCondition& condition, const SteadyRotation& rotation) const;
   void add(double factor, const Eigen::VectorXd& step, SteadyRotation& rotation) const;
   /// Newton's iteration from `rotation`. Fails if the residual does not reach round-off, or if a force cannot be
@@ -93,7 +95,7 @@ class SteadyRotations {
 
   bool incompressible_, is_fluid_;
   std::shared_ptr<const CompressibleBody> body_;  ///< all forces without reactions, in the octant
-  Eigen::MatrixXd U_, V_;                         ///< bases of the figures: x = U y, λ = V μ
+  Eigen::MatrixXd U_, V_;                         ///< U and V; V has no columns if λ is not an unknown
 };
 
 /// `setup` with only the loads that a steady rotation can have: gravity, and the pressure on a compressible body.

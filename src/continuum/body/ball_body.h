@@ -74,9 +74,9 @@ class BallBody {
   /// True if there are viscoelastic branches.
   bool relaxes() const { return !branches_.empty(); }
   const materials::MaxwellBranches& branches() const { return branches_.list; }
-  /// Replaces the internal metrics of x by their values after the time h, for the mean strain of the positions `before`
-  /// and x. Adds the energy that the branches dissipate to the dissipated energies in v, in total and for each branch.
-  /// Collective.
+  /// Replaces the internal metrics of the branches in x (kernels/branch_kernels.h) by their values after the time h,
+  /// for the mean strain of the positions `before` and x. Adds the energy that the branches dissipate to the dissipated
+  /// energies in v, in total and for each branch. Collective.
   void relax(double h, const Vector& before, Vector& x, Vector& v) const;
   /// Sets the internal metrics of x. If `relaxed` is true, they become Ĉ = J^{−2/3} FᵀF at x and the branches have no
   /// stress. Otherwise they become the identity, which belongs to the undeformed body.
@@ -147,8 +147,8 @@ class BallBody {
   /// Least reserve of the law over the quadrature points of all ranks, with its reference position. The reserve is
   /// positive if the law admits F, and infinite for a law without limits (materials/law_limits.h). Collective.
   LeastPlace least_reserve(const Vector& x) const;
-  /// Integrals over the sector, least value and largest (ln J)², each over all ranks, at the position x and the
-  /// velocity v. Collective.
+  /// The integrals and extreme values of CellIntegrals over the sector on all ranks, at the position x and the velocity
+  /// v. Collective.
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
   /// Fails if the smallest `least` of all ranks is not a positive finite number. `least` is the smallest value of det F
   /// and of the reserve of the law at the points of this rank. For a law with limits and det F > 0 everywhere, the

@@ -177,7 +177,8 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
   const auto interrupted = [&] { return give_up && give_up(); };
   const auto stopped = [] { return mechanics::Status::failure("interrupted while looking for the modes"); };
   // The fundamental frequencies of the sphere rise by about 1 per degree, in internal units
-  // (analysis/sphere_frequencies.h). Among the lowest n frequencies, no degree is therefore above n + 2.
+  // (analysis/sphere_frequencies.h). Among the lowest n frequencies, no degree is therefore above n + 2. Degrees above
+  // 30 are not considered.
   const int max_degree = std::min(n_frequencies + 2, 30);
   std::vector<SectorSpectrum> sectors;
   for (const SectorClass& sector_class : sector_classes(problem.space)) {
