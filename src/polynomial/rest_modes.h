@@ -1,5 +1,6 @@
 #pragma once
-/// Small motions u of a polynomial ball about rest. The squares of the frequencies ω are the eigenvalues of
+/// Small motions u of a polynomial ball of degree N about rest. With the stiffness K and the derivative G of the
+/// constraint, the squares of the frequencies ω are the eigenvalues of
 ///
 ///   K u = ω² u on ker G     (rest_problem.h).
 ///
@@ -30,8 +31,9 @@ struct RestFrequency {
   Eigen::VectorXd shape;  ///< coefficients of one of the modes on the whole body, of norm 1
 };
 
-/// Computes the lowest `number` frequencies in ascending order. `setup.reflect` is not used. Fails if make_rest_problem
-/// (rest_problem.h) fails, or if the modes cannot be grouped into complete frequencies.
+/// Computes the lowest `number` frequencies in ascending order, or all frequencies if there are fewer. `setup.reflect`
+/// is not used. Fails if make_rest_problem (rest_problem.h) fails, or if the modes cannot be grouped into complete
+/// frequencies.
 mechanics::Status rest_frequencies(BodySetup setup, bool incompressible, std::size_t number,
                                    std::vector<RestFrequency>& frequencies);
 

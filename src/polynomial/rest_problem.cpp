@@ -31,7 +31,8 @@ Eigen::MatrixXd rigid_motions(const PolynomialSpace& space, const Turns& turns, 
   return rigid;
 }
 
-/// Sets λ to the multiplier at rest. Fails if a force of the law remains.
+/// Sets λ to the multiplier at rest if the body is incompressible. Fails if a force remains, or if the forces or the
+/// multiplier cannot be computed.
 template <class Body>
 mechanics::Status at_rest(const Body& body, double shear_modulus, Eigen::VectorXd& lambda) {
   const Eigen::VectorXd X = body.affine(Eigen::Matrix3d::Identity());

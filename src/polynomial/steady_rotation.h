@@ -65,7 +65,8 @@ class SteadyRotations {
   /// Moves `rotation`, a known figure with the parameter `from`, along the family to the figure with `condition`. A
   /// step is halved if Newton's iteration fails or does not stay close to the prediction. After a step that succeeds,
   /// the next step is doubled up to a bound. Fails if a step becomes shorter than 1/512 of the way, for example because
-  /// the family ends or turns back before `condition`. `rotation` is then the last figure found.
+  /// the family ends or turns back before `condition`. `rotation` is then the last figure found. Also fails if a force
+  /// cannot be computed at the end.
   mechanics::Status follow(double from, const FigureCondition& condition, SteadyRotation& rotation) const;
   /// Derivative of Ω² with respect to the parameter along the family; NaN if the force fails.
   double slope(const FigureCondition& condition, const SteadyRotation& rotation) const;
@@ -75,7 +76,7 @@ class SteadyRotations {
   struct Equations {
     Eigen::VectorXd values;
     Eigen::MatrixXd derivative;
-    double scale;  ///< size of the terms whose sums are `values`
+    double scale;  ///< 1 plus the largest entry of the terms of r; `values` are small compared with it at a solution
   };
   /// Sets the three terms f, Ω²Px and Gᵀλ of r. Fails if the force cannot be computed.
   mechanics::Status terms(const SteadyRotation& rotation, Eigen::VectorXd& f, Eigen::VectorXd& centrifugal,

@@ -186,8 +186,8 @@ EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_
 }
 
 /// Spheroids with given angular velocities (spins). The first motion is found from the sphere at rest, and each other
-/// motion from the last motion found. Between two motions the spin changes in eight steps. No spheroid has a spin
-/// beyond the largest one, which is a fold of the family.
+/// motion from the last motion found. Between two motions the spin changes in eight steps. If the spin has a maximum in
+/// the family, this is a fold, and larger spins are missing.
 template <SmoothPotential V>
 EquilibriumFamily spheroids_of_spin(const IsotropicBody<V>& body, const ParameterRange& Omega) {
   constexpr int n_steps = 8;  // for small steps, Newton's iteration does not change to another branch

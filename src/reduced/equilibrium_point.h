@@ -27,7 +27,8 @@ struct EquilibriumPoint {
   double vorticity_ratio() const { return vorticity[2] == 0 ? 0 : vorticity[2] / motion.omega[2]; }
 };
 
-/// Sets `point` to the quantities of the steady motion m. Fails if the linear stability cannot be computed.
+/// Sets `point` to the quantities of the steady motion m. Fails if the linear stability cannot be computed
+/// (analyse_stability).
 template <SmoothPotential V>
 mechanics::Status describe_equilibrium(const IsotropicBody<V>& body, const SteadyMotion& m, double parameter,
                                        EquilibriumPoint& point) {

@@ -15,8 +15,9 @@
 ///
 /// with (…)^ for the matrix of the cross product. The rates on N are 0, ±i|ω| and ±i|Λ|, and contain no information on
 /// the motion. The remainder is the space of fixed momenta J and Z modulo the group that keeps J and Z. Its dimension
-/// is 8 for a generic motion. The dimension is 10 for a sphere at rest and for a spheroid that rotates about its axis.
-/// Some combinations of rotations do not move these bodies.
+/// on SL(3) is 8 for a generic motion. The dimension is 10 for a sphere at rest and for a spheroid that rotates about
+/// its axis, because some combinations of rotations do not move these bodies. On GL⁺(3), the dimensions are larger by
+/// 2.
 
 #include <Eigen/Core>
 #include <utility>
@@ -67,7 +68,8 @@ ReducedLinearSystem reduce_linearisation(const IsotropicBody<V>& body, const Ste
   return mechanics::reduce(std::move(K), std::move(G), detail::turns(m, T), detail::absent);
 }
 
-/// Sets `result` to the rates and the stability of m. Fails if an eigenvalue problem cannot be solved.
+/// Sets `result` to the rates and the stability of m. Fails if a matrix is not finite, or if the eigenvalues do not
+/// converge.
 template <SmoothPotential V>
 mechanics::Status analyse_stability(const IsotropicBody<V>& body, const SteadyMotion& m, LinearStability& result) {
   return analyse_stability(reduce_linearisation(body, m), result);

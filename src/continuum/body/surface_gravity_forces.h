@@ -43,7 +43,8 @@ class SurfaceGravityForces {
   /// s_c R_c u(X) under each reflection R_c of the sector. It is even under R_c if s_c = 1, and odd if s_c = −1.
   /// Collective.
   void add_rate(const Vector& x, const Vector& u, const std::array<int, 3>& s, Vector& f) const;
-  /// Ê of the computed sector, which is Ê of the ball divided by the number of images. Collective.
+  /// Ê of the computed sector, which is Ê of the ball divided by the number of images. The result is NaN if the volume
+  /// inside the surface is negative. Collective.
   double energy(const Vector& x) const;
   /// The gravitational potential per mass at points of the computed sector, for the position x of the ball. Each rank
   /// has its own points. Collective.

@@ -8,8 +8,8 @@
 /// R_c restricts the multipliers to one cell c, and S_cc is the block of S of this cell. The N_i ∈ Q_m are continuous
 /// functions that vanish on the free surface. For elements of degree k, m = 1 if k ≤ 4, and otherwise m = 2. P is the
 /// L²-projection of the N_i onto the multipliers, which have the orthonormal basis ψ_j in each cell. S is the weak form
-/// of −div(ρ⁻¹ grad) in the current coordinates x, with the density ρ and with λ = 0 on the free surface. Therefore
-/// K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX with F = ∂x/∂X. The matrices of the cells have single precision. A decrease of the
+/// of −div(ρ⁻¹ grad) in the current coordinates x, with λ = 0 on the free surface. ρ is the density. Therefore K_ij =
+/// ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX with F = ∂x/∂X. The matrices of the cells have single precision. A decrease of the
 /// residual by a factor of 10⁴ takes 7–10 iterations for k = 2. It takes 14–19 iterations for k = 4, and 16–21 for k =
 /// 6. These numbers are for an octant with one to three refinements, at rest and sheared.
 ///

@@ -96,7 +96,8 @@ class ConstraintTangents {
   struct PlaneOfPoints {
     Number T[9][plane];
   };
-  /// Prefetches part q of the plane `next`, as many numbers as one point has. `next` may point behind the last plane.
+  /// Prefetches part q of the plane `next`. A part has as many numbers as one point. `next` may point behind the last
+  /// plane.
   template <class Number>
   static void prefetch_values(const PlaneOfPoints<Number>* next, int q) {
     constexpr int per_point = 9 * sizeof(Number), cache_line = 64;
