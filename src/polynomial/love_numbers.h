@@ -6,7 +6,8 @@
 ///
 ///   h_n = g ∮(u·e) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS.
 ///
-/// P_N contains the exact response if N > n. Because P_N is invariant under rotations, one m is enough.
+/// The space P_N of polynomials of degree at most N contains the exact response if N > n. Because P_N is invariant
+/// under rotations, one m is enough.
 
 #include <vector>
 

@@ -8,10 +8,10 @@
 /// that are orthogonal to the six rigid motions. The result therefore has all frequencies except those of rigid
 /// motions, and includes unstable motions.
 ///
-/// The kind and the degree n of a mode are computed from its shape. P_N is invariant under rotations. With the joint
-/// rotations J_e (turns.h), the operator −Σ_e J_e² has the eigenvalues n(n + 1). Its eigenvectors divide the motions of
-/// a parity by degree. The degree of a mode is the degree with the largest share in the mode. A mode is spheroidal if
-/// u(−X) = (−1)^(n+1) u(X), and otherwise toroidal.
+/// The kind and the degree n of a mode are computed from its shape. The polynomials of degree at most N are invariant
+/// under rotations. With the joint rotations J_e of space and ball about the axes e (turns.h), the operator −Σ_e J_e²
+/// has the eigenvalues n(n + 1). Its eigenvectors divide the motions of a parity by degree. The degree of a mode is the
+/// degree with the largest share in the mode. A mode is spheroidal if u(−X) = (−1)^(n+1) u(X), and otherwise toroidal.
 
 #include <vector>
 

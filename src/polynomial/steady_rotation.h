@@ -10,6 +10,7 @@
 ///
 ///   x = Σ u_nl (φ_nl1 e₁ + φ_nl,−1 e₂) + Σ w_nl φ_nl0 e₃.
 ///
+/// The φ_nlm are the functions of ball_polynomials.h, the e_i are the unit vectors, and u_nl and w_nl are coefficients.
 /// Within these motions the equations are not singular at a bifurcation to figures without this symmetry. Quadrature by
 /// midpoints in the longitude keeps the symmetry, so a solution satisfies all equations. A figure of the family is
 /// determined by its spin Ω, or by the ratio of two axes of its mass moment. In the second case Ω² is an unknown. The

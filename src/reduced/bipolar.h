@@ -9,7 +9,8 @@
 ///
 /// The equation of motion in these frames is (5.120) of pseudo_rigid_body.h, multiplied by T from the left and by Sᵀ
 /// from the right. The result is equation (5.121) of Oliva, corrected (docs/oliva.md). Let V be the potential energy,
-/// m̄ = ⅓ tr E₀, λ the multiplier per m̄, and N = SE₀Sᵀ/m̄ (Id for the ball). Divided by m̄, the equation is
+/// E₀ the inertia of the reference body, m̄ = ⅓ tr E₀, λ the multiplier per m̄, and N = SE₀Sᵀ/m̄. For the ball, N = Id.
+/// Divided by m̄, the equation is
 ///
 ///   (u̇ − Ω*u + uΛ*) N + T ∂V/∂Q Sᵀ/m̄ − λA⁻¹ = 0.
 ///

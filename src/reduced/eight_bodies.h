@@ -139,7 +139,8 @@ class EightBodies {
     stress_ = std::visit([]<class Law>(const Law&) { return &stress_of<Law>; }, law_);
   }
 
-  /// f = −∂V/∂Q of each body. Fails if the law does not admit the deformation of one of the bodies.
+  /// f = −∂V/∂Q of each body, with the elastic energy V. Fails if the law does not admit the deformation of one of the
+  /// bodies.
   mechanics::Status force(double, const Vector& Q, const Vector&, Workspace&, Vector& f) const {
     Tensor P;
     if (!stress_(law_, tensor(Q), P)) return beyond_limit();

@@ -1,6 +1,7 @@
 #pragma once
 /// Steady motions of a body with given semi-axes a₁, a₂, a₃, in closed form for every isotropic potential V on SL(3).
-/// The angular velocity ω of the axes, the internal rotation Λ and the residual R are defined in steady_motion.h.
+/// The angular velocity ω of the axes, the internal rotation Λ, the multiplier λ and the residual R are defined in
+/// steady_motion.h. The body has the inertia m̄ Id.
 ///
 /// The entries of R off the diagonal do not contain the potential. They vanish if
 /// ω_iω_ja_j − 2a_kω_jΛ_i + a_iΛ_iΛ_j = 0 for i ≠ j, with the third index k. If the axes are different, ω and Λ

@@ -1,6 +1,7 @@
 #pragma once
-/// Linear stability of a steady motion (steady_motion.h). With Q = exp(tω̂)(A + εH)exp(−tΛ̂), the equation of motion
-/// (5.120) of pseudo_rigid_body.h is in first order of ε
+/// Linear stability of a steady motion exp(tω̂) A exp(−tΛ̂) (steady_motion.h) of a body with the potential V and the
+/// inertia m̄ Id. The multiplier per m̄ is λ. With Q = exp(tω̂)(A + εH)exp(−tΛ̂), the equation of motion (5.120) of
+/// pseudo_rigid_body.h is in first order of ε
 ///
 ///   Ḧ + 2(ω̂Ḣ − ḢΛ̂) + (ω̂²H − 2ω̂HΛ̂ + HΛ̂²) + D(∂V)(A)[H]/m̄ + λA⁻ᵀHᵀA⁻ᵀ = δλ A⁻ᵀ,   tr(A⁻¹H) = 0.
 ///

@@ -1,6 +1,7 @@
 #pragma once
-/// The pseudo-rigid body with every load and every further coordinate. With the mass M, the volume Vol, the internal
-/// metrics C_b of viscoelastic branches and the coordinates s_k of companions,
+/// The pseudo-rigid body with every load and every further coordinate. The body has the mass M, the volume Vol, the
+/// inertia E₀ and the multiplier Λ. Viscoelastic branches have the internal metrics C_b and the relaxation times τ_b,
+/// and companions have the coordinates s_k:
 ///
 ///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ − ∂V_t/∂Q − T_s Q E₀ − Vol Σ P_b(Q, C_b) + Λ Q⁻ᵀ,
 ///   M c̈  = M (b − T c) − ∂V_c/∂c − ∂R/∂ċ − ∂V_t/∂c,      if there are planes,

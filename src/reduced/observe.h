@@ -1,6 +1,6 @@
 #pragma once
-/// Observables of the pseudo-rigid body at one state (the columns of reduced.csv), in internal units. Angular momentum
-/// and circulation are
+/// Observables of the pseudo-rigid body at one state (the columns of reduced.csv), in internal units. With the inertia
+/// E₀ of the reference body, angular momentum and circulation are
 ///
 ///   J_i = ε_ijk (Q E₀ Q̇ᵀ)_jk,   Z_A = ε_ABC (E₀ Q̇ᵀQ)_BC   (docs/oliva.md, section 1, with general E₀)
 
