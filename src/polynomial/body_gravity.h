@@ -51,6 +51,8 @@ class BodyGravity {
 
   bool is_affine() const { return space_->degree() == 1; }
   SurfaceJets jets(const Eigen::VectorXd& q) const;
+  /// `points` computes the points and area vectors of the computed sector from the jets of x. `rates` computes the
+  /// derivatives of these points and area vectors along u. `with_images` adds their mirror images.
   gravity::SurfacePoints points(const SurfaceJets& x) const;
   gravity::SurfacePoints rates(const SurfaceJets& x, const SurfaceJets& u) const;
   gravity::SurfacePoints with_images(const gravity::SurfacePoints& points) const;

@@ -16,9 +16,9 @@
 
 namespace pseudorigid::polynomial {
 
-/// Sets `numbers` to the Love numbers of `degrees`, for a ball with self-gravity. For degrees n > N + 1 they are 0,
-/// because P_N does not contain the displacement of the surface. `setup.reflect` is not used. Fails if the ball is not
-/// in a stable equilibrium at rest.
+/// Sets `numbers` to the Love numbers of `degrees`, for a ball with self-gravity. `degrees` must not be empty. For
+/// degrees n > N + 1 they are 0, because P_N does not contain the displacement of the surface. `setup.reflect` is not
+/// used. Fails if make_rest_problem (rest_problem.h) fails, or if the ball at rest is unstable.
 mechanics::Status love_numbers(BodySetup setup, const std::vector<int>& degrees,
                                std::vector<gravity::LoveNumbers>& numbers);
 

@@ -187,8 +187,8 @@ class PolynomialBody {
   materials::AnyLaw law_;
   double volumetric_stiffness_;
   loads::Loads loads_;
-  loads::Forcing constant_;  ///< loads that do not depend on time
-  bool driven_;              ///< true if a load depends on time
+  loads::Forcing constant_;  ///< loads that do not depend on time, with all planes
+  bool driven_;              ///< true if a load depends on time or a plane moves
   std::vector<int> turns_;   ///< axes of the symmetries
   std::shared_ptr<const BodyGravity> gravity_;
   std::shared_ptr<const BodyContact> contact_;  ///< null without planes

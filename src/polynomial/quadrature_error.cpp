@@ -48,6 +48,8 @@ class QuadratureSearch {
     return request.adds_points ? request.end : std::min(request.end, std::max(least_window, part_of_run * request.end));
   }
 
+  /// Returns the estimate for the rule in the volume, and adds points if this is requested. If a pilot run fails, sets
+  /// the reason and returns 0.
   double of_volume(const Body& body) {
     if (!find_step(body)) return 0;
     const int most = choice_.n_points + most_points_more;
@@ -71,6 +73,7 @@ class QuadratureSearch {
     }
   }
 
+  /// Returns the estimate for the rule on the surface. If the pilot run fails, sets the reason.
   double of_gravity() {
     constexpr int fewest = 4;
     BodySetup other = setup_;

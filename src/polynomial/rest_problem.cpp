@@ -101,7 +101,7 @@ SurfaceRows surface_rows(const PolynomialSpace& space, int max_degree) {
                    Eigen::MatrixXd::Zero(n_harmonics, space.n_unknowns())};
   Eigen::RowVectorXd component(space.n_functions());
   Eigen::VectorXd radial(n_harmonics), tangential(n_harmonics);
-  for (const SurfacePoint& point : octant_surface_points((n_exact + 4) / 4))  // exact for the degree 4q − 1
+  for (const SurfacePoint& point : octant_surface_points((n_exact + 4) / 4))  // q points are exact to degree 4q − 1
     for (int image = 0; image < n_parities; ++image) {
       std::array<double, 3> xi = point.xi;
       for (int i = 0; i < 3; ++i)

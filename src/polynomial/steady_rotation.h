@@ -89,6 +89,7 @@ class SteadyRotations {
   void add_condition(const FigureCondition& condition, const SteadyRotation& rotation, Equations& result) const;
   /// Derivatives of (y, μ, Ω²) with respect to the parameter. The derivatives are NaN if the force fails.
   Eigen::VectorXd tangent(const FigureCondition& condition, const SteadyRotation& rotation) const;
+  /// Adds `factor` times a step of the unknowns (y, μ, Ω²) to `rotation`.
   void add(double factor, const Eigen::VectorXd& step, SteadyRotation& rotation) const;
   /// Newton's iteration from `rotation`. Fails if the residual does not reach round-off, or if a force cannot be
   /// computed. `rotation` becomes the iterate with the least residual, unless a force fails.

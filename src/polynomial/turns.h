@@ -31,7 +31,8 @@ class Turns {
  private:
   const PolynomialSpace& space_;
   std::vector<BallPolynomial> functions_;
-  std::array<std::vector<Eigen::MatrixXd>, 3> of_harmonics_;  ///< [axis][l](m', m): ∫Y_lm' (ê×ω)·∇Y_lm dω
+  /// [axis][l](m', m): ∫Y_lm' (ê×ω)·∇Y_lm dω over the points ω of the unit sphere.
+  std::array<std::vector<Eigen::MatrixXd>, 3> of_harmonics_;
 };
 
 }  // namespace pseudorigid::polynomial

@@ -56,10 +56,10 @@ class LoadedBody {
   using Multiplier = typename Body::Multiplier;
   struct Workspace {
     typename Body::Workspace body{};
-    /// If this pointer is not null, springs on the whole surface replace the pressure, the damping and the friction of
-    /// contact. The springs pull each point of the surface towards its position for the coordinates `*held_at`, with
-    /// the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the stiffness with
-    /// contact, which the search for a stable step needs.
+    /// If this pointer is not null and there are planes, springs on the whole surface replace the pressure, the damping
+    /// and the friction of contact. The springs pull each point of the surface towards its position for the coordinates
+    /// `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the
+    /// stiffness with contact, which the search for a stable step needs.
     const Vector* held_at = nullptr;
   };
   static constexpr int n_constraints = Body::n_constraints;
@@ -289,7 +289,7 @@ class LoadedBody {
   }
 
   Body body_;
-  loads::Forcing constant_;  ///< loads that do not depend on time
+  loads::Forcing constant_;  ///< loads that do not depend on time, with all planes
   Dissipation dissipation_;
   PlaneForces planes_;
   mechanics::Orbit orbit_;

@@ -46,7 +46,7 @@ class BallBody {
 
   /// The body of a sector of the unit ball. `degree` is the degree k, from 1 to 8, or from 2 to 8 with the constraint.
   /// An octant has 4 coarse cells, each of which is refined uniformly n_refinements times. The ranks of the
-  /// communicator share the cells.
+  /// communicator share the cells. Both constructors throw the exceptions of make_cell_kernels.
   BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
            const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
   /// The body of a mesh. `n_gravity_points` and `n_contact_points` are the numbers of quadrature points in each

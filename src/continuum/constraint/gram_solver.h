@@ -38,7 +38,8 @@ class GramSolver {
   /// positive, f is not valid. With the dense preconditioner, it also stores the tangent of the constraint at x for a
   /// later solve at x.
   double force_with_reaction(const Vector& x, const Vector& lambda, Vector& f);
-  /// f ← f + G(x)ᵀλ. With the dense preconditioner, it reuses or stores the tangent of the constraint at x.
+  /// f ← f + G(x)ᵀλ. With the dense preconditioner, the function uses the stored tangent of the constraint if this is
+  /// the tangent at x. Otherwise it computes and stores the tangent at x.
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f);
 
   /// The part of the solver's memory on which later solves depend, for checkpoints. The residuals depend on the

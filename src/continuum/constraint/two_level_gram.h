@@ -13,8 +13,8 @@
 /// residual by a factor of 10⁴ takes 7–10 iterations for k = 2. It takes 14–19 iterations for k = 4, and 16–21 for k =
 /// 6. These numbers are for an octant with one to three refinements, at rest and sheared.
 ///
-/// K⁻¹ is a KSP solver of PETSc with the options' prefix gram_coarse_. By default it is one V-cycle of the algebraic
-/// multigrid of PETSc (GAMG).
+/// A KSP solver of PETSc with the options' prefix gram_coarse_ applies K⁻¹. By default the solver is one V-cycle of the
+/// algebraic multigrid of PETSc (GAMG).
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>

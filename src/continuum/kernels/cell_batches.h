@@ -89,6 +89,8 @@ class CellBatches {
     }
   }
 
+  /// Sets `values` to the multipliers of the cells of the batch. Lanes without a cell of their own get the multipliers
+  /// of the first cell.
   void load_multiplier(const double* lambda, std::size_t batch, L* values) const {
     const Batch& b = batches[batch];
     const double* entries = lambda + b.first_cell * n_pressure;

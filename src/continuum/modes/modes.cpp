@@ -44,6 +44,7 @@ bool has_threefold_axis(const BallSpace& space) {
   });
 }
 
+/// The sectors to solve: one sector of each spectrum if the mesh has the threefold axis, and otherwise all eight.
 std::vector<SectorClass> sector_classes(const BallSpace& space) {
   if (has_threefold_axis(space)) return {{0, 1}, {1, 3}, {3, 3}, {7, 1}};
   std::vector<SectorClass> all;
@@ -98,6 +99,7 @@ class SectorSpectrum {
   }
 
   double complete_below() const { return complete_below_; }
+  /// True if `extend` has found an eigenpair.
   bool asked() const { return !pairs_.empty(); }
 
  private:

@@ -123,7 +123,7 @@ void interpolate_along(const std::vector<double>& to_equidistant, int n, std::si
   std::vector<double> line(n);
   const std::size_t n_points = cell.size() / n_components;
   for (std::size_t point = 0; point < n_points; ++point) {
-    if (point / stride % n != 0) continue;  // a line starts at the index 0
+    if (point / stride % n != 0) continue;  // a line starts at a point with the index 0 in this direction
     for (int c = 0; c < n_components; ++c) {
       const auto value = [&](int i) -> double& { return cell[n_components * (point + i * stride) + c]; };
       for (int q = 0; q < n; ++q) {
