@@ -19,9 +19,9 @@
 ///
 /// With dissipation or loads that depend on time, the body has two further coordinates s and s'. Their accelerations s̈
 /// and s̈' are the dissipated power and the power that loads give by their change in time. Planes in motion are such
-/// loads. Therefore the velocities ṡ and ṡ' are the dissipated and the given energy. The next coordinates have as
-/// velocities the energies that each branch has dissipated. The coordinates of companions follow. The internal metrics
-/// are the last entries, which have no velocity (mechanics/core/relaxation.h).
+/// loads. Therefore the velocities ṡ and ṡ' are the dissipated and the given energy. Each viscoelastic branch has a
+/// further coordinate. Its velocity is the energy that the branch has dissipated. The coordinates of companions follow.
+/// The internal metrics are the last entries, which have no velocity (mechanics/core/relaxation.h).
 ///
 /// All integrals are over the whole body, in internal units.
 

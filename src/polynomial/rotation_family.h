@@ -62,7 +62,7 @@ class RotationFinder {
 
   /// Finds the members with these parameters, in this order, and the special points between successive members.
   /// Parameters for which no member is found are listed in `missing`. `give_up` is called before each member and each
-  /// trial figure near a special point. If `give_up` returns true, the family ends.
+  /// trial member near a special point. If `give_up` returns true, the family ends.
   RotationFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {});
   /// Finds the member with this parameter. Fails if there is none, if its stability cannot be computed, or if the
   /// `give_up` of the last call of `family` returns true.

@@ -77,7 +77,7 @@ class SteadyRotations {
   struct Equations {
     Eigen::VectorXd values;
     Eigen::MatrixXd derivative;
-    double scale;  ///< 1 plus the largest entry of the terms of r; `values` are small compared with it at a solution
+    double scale;  ///< 1 plus the largest entry of the terms of r, for comparison with `values`
   };
   /// Sets the three terms f, Ω²Px and Gᵀλ of r. Fails if the force cannot be computed.
   mechanics::Status terms(const SteadyRotation& rotation, Eigen::VectorXd& f, Eigen::VectorXd& centrifugal,

@@ -63,7 +63,7 @@ class GramSolver {
   }
 
   /// Counts since the construction of the solver. n_iterations_at_most is the largest number of iterations of one
-  /// solve. Solves whose preconditioner cannot be computed count only in n_renewals.
+  /// solve. A solve does not count if its preconditioner cannot be computed. n_renewals includes failed renewals.
   struct Statistics {
     long n_solves = 0, n_iterations = 0, n_iterations_at_most = 0, n_renewals = 0;
     std::size_t memory = 0;  ///< memory of the preconditioner on this rank in bytes

@@ -60,8 +60,8 @@ class BallSpace {
   /// 1 if the coordinate is used, and otherwise 0.
   const Vector& inverse_mass() const { return inverse_mass_; }
   const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
-  /// Local index of the coordinate of the dissipated energy. The next indices belong to the coordinate of the given
-  /// energy and to one coordinate for the energy that each branch dissipates. The inverse masses of all these
+  /// Local index of the coordinate of the dissipated energy. The next index is that of the given energy. The following
+  /// indices belong to the energies that the branches dissipate, one for each branch. The inverse masses of all these
   /// coordinates are 1. The result is empty if there are no such coordinates, and on ranks that do not own them.
   std::optional<unsigned int> account() const { return account_; }
   /// Local index of the first coordinate of the first companion. The other coordinates of the companions follow, and
