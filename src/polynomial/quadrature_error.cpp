@@ -15,10 +15,10 @@ namespace {
 
 using mechanics::detail::PilotRun;
 
-/// Least window in units r/c, and as a part of the run. In these units the lowest mode of the incompressible ball has
-/// the period 2.36.
+/// Least window in units r/c, with the radius r and the speed c of shear waves, and as a part of the run. In these
+/// units the lowest mode of the incompressible ball has the period 2.36.
 constexpr double least_window = 3, part_of_run = 1.0 / 16;
-constexpr double caution = 6;             ///< factor in the estimate e
+constexpr double caution = 6;             ///< factor in the estimate e (quadrature_error.h)
 constexpr double caution_of_volume = 60;  ///< factor in e for the volume if points are added
 /// Largest number of points in each direction that the search adds.
 constexpr int most_points_more = 8;

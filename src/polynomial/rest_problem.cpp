@@ -10,8 +10,8 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Rows ∮(u·e) Y_nm dS, each multiplied by the square root of its stiffness ρg (1 − 3/(2n + 1)). The rows of n ≤ 1 are
-/// 0.
+/// The rows ∮(u·e) Y_nm dS of the self-gravity (rest_problem.h), each multiplied by the square root of its stiffness ρg
+/// (1 − 3/(2n + 1)). The rows of n ≤ 1 are 0.
 Eigen::MatrixXd gravity_rows(const PolynomialSpace& space, double gravity_constant) {
   const int max_degree = space.degree() + 1;
   const double weight_of_density = 4 * std::numbers::pi / 3 * gravity_constant;

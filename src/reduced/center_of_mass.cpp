@@ -42,7 +42,8 @@ double CenterOfMass::driven(const Motion& m, double t) const {
   return potential_of(loads::driving(driving, t), m.x) - m.work;
 }
 
-/// Integrates q = (x, s) and v = (ẋ, w). The work w is the velocity of a further coordinate s, with ẇ = ∂φ/∂t.
+/// Integrates q = (x, s) and v = (ẋ, w). The work w is the velocity of a further coordinate s, with ẇ = ∂φ/∂t and the
+/// potential φ of the loads.
 struct CenterPath::Integration {
   struct Field {
     using Vector = Eigen::Vector4d;
