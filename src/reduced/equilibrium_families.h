@@ -170,8 +170,8 @@ EquilibriumFamily type_s(const IsotropicBody<V>& body, const ParameterRange& a2_
   return equilibrium_family(body, a2_to_a1, {{quantities::axis_ratio_31, a3_to_a1}, quantities::omega_3}, motion);
 }
 
-/// Returns the family of the motions with ω and Λ in the plane of axes 2 and 3, for the root |p| ≤ 1 of
-/// ellipsoidal_motions.h. If `dual` is true, returns the family for the other root.
+/// Returns the family of the motions with ω and Λ in the plane of axes 2 and 3, for the root p with |p| ≤ 1 of the
+/// equation in ellipsoidal_motions.h. If `dual` is true, returns the family for the other root.
 template <SmoothPotential V>
 EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1, double a3_to_a1,
                          bool dual = false) {

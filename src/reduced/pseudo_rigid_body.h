@@ -215,7 +215,7 @@ class PseudoRigidBody {
   }
 
   /// Functions that all forms of the body have (diagonal_body.h, dissipative_body.h). They return the body, the matrix
-  /// Q, the state as (Q, Q̇), and the dissipated energy.
+  /// Q, the state as (Q, Q̇), and the dissipated energy, which is 0 here.
   const PseudoRigidBody& body() const { return *this; }
   static const Eigen::Matrix3d& matrix(const Vector& q) { return q; }
   const mechanics::VectorState<Vector>& motion(const mechanics::VectorState<Vector>& state) const { return state; }

@@ -38,7 +38,8 @@ class StaticLandscape {
   /// The periods of the coordinates: 0, because no coordinate is periodic.
   Vector periods() const { return Vector::Zero(9); }
   double potential(const Vector& q) const { return potential_.energy(matrix(q)); }
-  /// Sets dV = ∂V/∂Q. Fails if Q is not admissible or if a derivative is not finite.
+  /// Sets dV = ∂V/∂Q. Fails if Q is not admissible (the private function `admissible`), or if a derivative is not
+  /// finite.
   mechanics::Status gradient(const Vector& q, Vector& dV) const;
   /// Sets g = ln det Q, or an empty g on GL⁺(3). Fails if det Q is not positive and finite.
   mechanics::Status constraint(const Vector& q, Vector& g) const;
@@ -59,7 +60,8 @@ class StaticLandscape {
   bool rises_at(double s) const;
 
  private:
-  /// Fails if det Q is not positive and finite, if a compressible body has collapsed, or if the law does not admit Q.
+  /// Fails if det Q is not positive and finite, if det Q of a compressible body is at most 1e-8, or if the law does not
+  /// admit Q.
   mechanics::Status admissible(const Eigen::Matrix3d& Q) const;
   double outward_slope(double s, const Eigen::VectorXd& direction) const;
 
