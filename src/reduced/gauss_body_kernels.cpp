@@ -60,9 +60,9 @@ template <class Law>
     return J;
 }
 
-/// The field Q̈ = −(Vol/m̄) P + Λ Q⁻ᵀ/m̄ of a body with the stress P, the volume Vol, the multiplier Λ and the inertia
-/// E₀ = m̄ Id, without loads. Some laws have a stress of the form αQ + β cof Q. Then β has no effect on SL(3), and with
-/// C = cof Q
+/// The field Q̈ = −(Vol/m̄) P + Λ Q⁻ᵀ/m̄ of a body without loads and with the inertia E₀ = m̄ Id. P is the stress, Vol
+/// is the volume, and Λ is the multiplier, which is 0 on GL⁺(3). Some laws have a stress of the form αQ + β cof Q. Then
+/// β has no effect on SL(3), and with C = cof Q
 ///
 ///   Q̈ = sC − (Vol/m̄) αQ,   s = [tr((CᵀQ̇)²) + 3 (Vol/m̄) α J²] / (J C:C).
 template <class Law, bool incompressible>
