@@ -1,5 +1,5 @@
 #pragma once
-/// Orthonormal polynomials on the unit ball, ∫φ_a φ_b dξ = δ_ab, in order of increasing degree:
+/// Orthonormal polynomials of the point ξ of the unit ball, ∫φ_a φ_b dξ = δ_ab, in order of increasing degree:
 ///
 ///   φ_nlm(ξ) = √(2n+3) P_s(2|ξ|² − 1) |ξ|^l Y_lm(ξ/|ξ|),   l = n, n − 2, … ≥ 0,   s = (n − l)/2,   m = −l … l,
 ///

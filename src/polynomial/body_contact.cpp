@@ -97,7 +97,7 @@ void BodyContact::spread(Field& by_point, Eigen::VectorXd& f) const {
 }
 
 /// Adds the generalised force of an affine force to f. The coefficients of x = c + A X are c √Vol and A_ij √E₀_j, with
-/// the diagonal entries E₀_j of the inertia.
+/// the volume Vol and the diagonal entries E₀_j of the inertia.
 void BodyContact::spread(const loads::AffineForce& force, Eigen::VectorXd& f) const {
   Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(space_->n_unknowns());
   space_->set_affine(force.on_Q * space_->inertia().cwiseInverse().asDiagonal(), force.on_center / space_->volume(),

@@ -1,15 +1,16 @@
 #pragma once
-/// Contact of a polynomial body with rigid planes (loads/plane.h), by quadrature on the unit sphere of ξ. An octant of
-/// the sphere has n_points points in each direction, and the weight w of a point is its area on the sphere. A plane n·x
-/// = z₀(t) has the stiffness k, and the position x has the coefficients q_a. With sums over the points with d > 0, the
-/// energy V and its force are
+/// Contact of a polynomial body with rigid planes (loads/plane.h). The reference position is X = S ξ, with the diagonal
+/// matrix S of the semi-axes and a point ξ of the unit ball. The contact is computed by quadrature on the unit sphere
+/// of ξ. An octant of the sphere has n_points points in each direction, and the weight w of a point is its area on the
+/// sphere. A plane n·x = z₀(t) has the stiffness k. The position x has the coefficients q_a of the basis functions φ_a.
+/// With sums over the points with d > 0, the energy V and its force are
 ///
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ q_a φ_a,   −∂V/∂q_a = Σ w k d n φ_a.
 ///
 /// Damping and friction are sums over the same points. A body of degree 1 has the closed form of the pseudo-rigid body
 /// (loads/ellipsoid_contact.h), and its friction (loads/ellipsoid_friction.h). For higher degrees, the sum converges to
 /// this form on affine motions as n_points increases. The force is not computed if a lower bound of n·x shows that the
-/// body does not reach any plane. With X = S ξ (polynomial_space.h) and the affine part c + A X of x, the bound is
+/// body does not reach any plane. With the affine part c + A X of x, the bound is
 ///
 ///   n·x ≥ n·c − |SAᵀn| − Σ_ia |n_i q_ia| max|φ_a|,   a over the functions of degree 2 and higher,
 ///

@@ -22,7 +22,8 @@ std::vector<double> cross(const Vector3& a, const Vector3& b, int c, const std::
   return product;
 }
 
-/// E_A = V_g(A S) (det A)^{1/3} with its derivatives.
+/// The energy E_A = V_g(A S) (det A)^{1/3} of the affine part A (body_gravity.h), with its derivatives. V_g is the
+/// energy of an ellipsoid.
 struct AffineEnergy {
   const gravity::EllipsoidGravity& ellipsoid;
   Eigen::Matrix3d S;

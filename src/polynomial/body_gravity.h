@@ -1,14 +1,16 @@
 #pragma once
 /// Self-gravity of an incompressible polynomial body, computed from its surface (gravity/surface_gravity.h). The
-/// quadrature points are on the unit sphere, with weights w and tangents e_θ, e_φ. At these points, the position is
-/// x = Σ q_a φ_a and the area vector is N = w ∂x/∂e_θ × ∂x/∂e_φ. The energy Ê_h of the discrete surface has only the
-/// error of the quadrature. Most of the motion is affine, and the energy V_g of an ellipsoid is known
-/// (gravity/ellipsoid_gravity.h). Therefore the error of the affine part is subtracted:
+/// quadrature points are on the unit sphere, with weights w and tangents e_θ, e_φ. At these points, the position is x =
+/// Σ q_a φ_a with the coefficients q_a of the basis functions φ_a. The area vector is N = w ∂x/∂e_θ × ∂x/∂e_φ. The
+/// energy Ê_h of the discrete surface has only the error of the quadrature. Most of the motion is affine, and the
+/// energy V_g of an ellipsoid is known (gravity/ellipsoid_gravity.h). Therefore the error of the affine part is
+/// subtracted:
 ///
 ///   Ê(q) = Ê_h(x) + E_A(A) − Ê_h(A X),   E_A(A) = V_g(A S) (det A)^{1/3},
 ///
-/// with the affine part A of x, and with X = S ξ (polynomial_space.h). Like Ê, E_A does not change under dilations of
-/// x. For degree 1, only E_A remains, and no sums are computed. The force is the exact derivative of Ê(q).
+/// with the affine part A of x and the diagonal matrix S of the semi-axes of the reference body. Like Ê, E_A does not
+/// change under dilations of x. For degree 1, only E_A remains, and no sums are computed. The force is the exact
+/// derivative of Ê(q).
 
 #include <Eigen/Core>
 #include <array>
@@ -38,7 +40,7 @@ class BodyGravity {
   void add_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
   /// f ← f − D²Ê(q)[u]
   void add_force_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
-  /// The potential φ(x) per mass at points on the surface or in the interior.
+  /// The gravitational potential per mass at points on the surface or in the interior.
   std::vector<double> potential(const Eigen::VectorXd& q, const std::vector<Eigen::Vector3d>& points) const;
 
  private:
@@ -49,6 +51,8 @@ class BodyGravity {
 
   bool is_affine() const { return space_->degree() == 1; }
   SurfaceJets jets(const Eigen::VectorXd& q) const;
+  /// `points` computes the points and area vectors of the computed sector from the jets of x. `rates` computes the
+  /// derivatives of these points and area vectors along u. `with_images` adds their mirror images.
   gravity::SurfacePoints points(const SurfaceJets& x) const;
   gravity::SurfacePoints rates(const SurfaceJets& x, const SurfaceJets& u) const;
   gravity::SurfacePoints with_images(const gravity::SurfacePoints& points) const;

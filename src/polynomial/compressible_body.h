@@ -16,7 +16,7 @@ class CompressibleBody : public PolynomialBody, public mechanics::Unconstrained 
   };
   using PolynomialBody::PolynomialBody;
 
-  /// f without reactions. Fails if q is not an admissible deformation.
+  /// Sets f to all forces. Fails if q is not an admissible deformation.
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& workspace, Vector& f) const {
     return applied_force(t, q, v, workspace.held_at, f);
   }

@@ -18,7 +18,7 @@ void inverse_gradient(const PolynomialSpace& space, const Eigen::VectorXd& q, do
   gradient(space, q, F);
   dense().inverse_transposed(space.n_points(), F, A);
 }
-/// r_b ← Σ ψ_b y over the quadrature points. Overwrites y.
+/// r_b ← Σ ψ_b y over the quadrature points, with the basis ψ_b of the pressures. Overwrites y.
 void test_with_pressures(const PolynomialSpace& space, double* y, Eigen::VectorXd& r) {
   r.setZero();
   space.pressures().add_transposed(space.pressure_blocks(), 1, y, r.data());

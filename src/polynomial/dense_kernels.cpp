@@ -105,7 +105,7 @@ void for_each_vector(const materials::AnyLaw& law, int n, Visitor&& visitor) {
       law);
 }
 
-/// ∂U/∂F = (κ/4)(J − 1/J³) cof F
+/// The stress ∂U/∂F = (κ/4)(J − 1/J³) cof F of the volumetric stabilisation U, with J = det F.
 [[gnu::always_inline]] inline Tensor volumetric_stress(double kappa, const Tensor& F) {
   const Tensor cof = materials::cofactor(F);
   const L J = materials::determinant(F, cof), inverse = 1.0 / J;

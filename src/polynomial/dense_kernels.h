@@ -106,7 +106,7 @@ struct DenseKernels {
 /// One table of functions for each instruction set, the fastest first. A source file that CMake generates defines
 /// `builds_of_dense_kernels`.
 std::span<const mechanics::KernelBuild<DenseKernels>> builds_of_dense_kernels();
-/// The kernels that this process uses. Throws mechanics::NoKernels if none can run.
+/// The kernels that this process uses. Throws mechanics::NoKernels if no build can be chosen.
 const DenseKernels& dense();
 
 }  // namespace pseudorigid::polynomial

@@ -16,8 +16,9 @@ double multiplier_at(const PolynomialSpace& space, const std::vector<Jet>& funct
   return value;
 }
 
-/// The least-squares approximation of Σ μ_b C_b⁻¹ by polynomials of degree N: a row of coefficients for each φ_a.
-/// Entries (i, j) have the parities of x_i x_j. A symmetric sector therefore has no coefficients of other parities.
+/// The least-squares approximation of Σ μ_b C_b⁻¹ by the functions φ_a of the space: a row of coefficients for each
+/// φ_a. Branch b has the modulus μ_b and the internal metric C_b. Entries (i, j) have the parities of x_i x_j. A
+/// symmetric sector therefore has no coefficients of other parities.
 Eigen::MatrixXd coefficients_of_branches(const PolynomialBody& body, const Eigen::VectorXd& q) {
   const PolynomialSpace& space = body.space();
   constexpr std::array<std::array<int, 2>, 6> axes{{{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};

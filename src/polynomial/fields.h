@@ -20,7 +20,8 @@ namespace pseudorigid::polynomial {
 
 class FieldsAtPoints {
  public:
-  /// `points` are points ξ of the unit ball, X = S ξ.
+  /// `points` are points ξ of the unit ball. The reference positions are X = S ξ, with the diagonal matrix S of the
+  /// semi-axes.
   FieldsAtPoints(const PolynomialSpace& space, const std::vector<Eigen::Vector3d>& points);
 
   /// Sets `fields` to the fields at the points. q and v are the coefficients of the position and of the velocity.

@@ -15,7 +15,7 @@ namespace {
 /// −1 if the number of common bits of a and b is odd, otherwise 1.
 double sign(unsigned int a, unsigned int b) { return std::popcount(a & b) % 2 == 0 ? 1.0 : -1.0; }
 
-/// ψ_b at all points of the computed sector, multiplied by `factor`, one row for each function.
+/// The pressure functions ψ_b at all points of the computed sector, multiplied by `factor`, one row for each function.
 std::vector<double> pressure_rows(const PolynomialSpace& space, const std::vector<double>& factor) {
   const PointTables& tables = space.pressures();
   const int stride = tables.stride(), n_points = tables.n_points();
@@ -46,7 +46,7 @@ std::vector<double> gradients_by_point(const PolynomialSpace& space, const Block
   return by_point;
 }
 
-/// R ← F⁻ᵀ:∇(φ_a e_i) at all points, for the functions of a block: [point][function]. A is F⁻ᵀ.
+/// R ← F⁻ᵀ:∇(φ_a e_i) at all points, for the functions φ_a and the component i of a block: [point][function]. A is F⁻ᵀ.
 void reactions_at_points(const PolynomialSpace& space, const Block& block, const std::vector<double>& gradients,
                          const double* A, double* R) {
   const int stride = space.gradients().stride(), n_points = space.n_points(), width = filled_up(block.n());
@@ -73,8 +73,8 @@ GramMatrix::GramMatrix(const PolynomialSpace& space)
     if (gradients_[block.parity].empty()) gradients_[block.parity] = gradients_by_point(space, block);
 }
 
-/// Calls visitor(block, columns) for each block, with the columns of G that belong to the block. The columns are padded
-/// with zeros to whole SIMD vectors.
+/// Calls visitor(block, columns) for each block, with the columns of the constraint matrix G that belong to the block.
+/// The columns are padded with zeros to whole SIMD vectors.
 template <class Visitor>
 void GramMatrix::for_each_part(const Eigen::VectorXd& q, Visitor&& visitor) const {
   const int n_points = space_->n_points(), n_pressures = space_->n_pressures();
@@ -143,7 +143,7 @@ double GramSolver::iteration_cost() const {
   for (const Block& block : space_->pressure_blocks()) of_tables += space_->pressures().n_multiplications(block);
   return 2 * of_tables + n * n + 60.0 * space_->n_points();
 }
-/// Number of operations to compute S_f and its Cholesky factor.
+/// Number of operations to compute the matrix S_f of the preconditioner and its Cholesky factor.
 double GramSolver::factorization_cost() const {
   const double n = space_->n_pressures(), n_unknowns = space_->n_unknowns();
   return n_unknowns * space_->n_points() * (n + 9) + n * n * (n_unknowns + n / 3);

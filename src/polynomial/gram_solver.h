@@ -3,13 +3,15 @@
 ///
 ///   S(q₁, q₀) λ = r,   S = G(q₁) G(q₀)ᵀ,   G_b,ia(q) = ∫ψ_b F⁻ᵀ:∇(φ_a e_i) dX     (the mass is the identity)
 ///
-/// S is small and dense. The systems are solved by conjugate residuals (mechanics/core/conjugate_residuals.h). The
-/// preconditioner is the Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an earlier position q_f. Products with S are
-/// computed without a matrix.
+/// The pressures have the basis ψ_b, the positions have the basis φ_a, and the e_i are the unit vectors. F is the
+/// deformation gradient, and J = det F. S is small and dense. The systems are solved by conjugate residuals
+/// (mechanics/core/conjugate_residuals.h). The preconditioner is the Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an
+/// earlier position q_f. Products with S are computed without a matrix.
 ///
-/// The first call computes and factors S_f at its position q₀. Later calls do this again in two cases. In the first
-/// case, an iteration does not converge. In the second case, the iterations that a new factor could have saved have
-/// cost more than a factorisation. Therefore the cost is at most about twice the optimum.
+/// The first call computes and factors S_f at its position q₀, or at the position in the memory of a checkpoint. Later
+/// calls do this again at their q₀ in two cases. In the first case, an iteration does not converge. In the second case,
+/// the iterations that a new factor could have saved have cost more than a factorisation. Therefore the cost is at most
+/// about twice the optimum.
 
 #include <Eigen/Cholesky>
 #include <array>

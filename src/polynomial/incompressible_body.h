@@ -3,10 +3,10 @@
 ///
 ///   q̈ = f + Gᵀλ,   g_b(q) = ∫ψ_b ln J dX = 0,   ψ_b ∈ P_{N−1}               (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// with the L²-orthonormal basis ψ_b of the multipliers, J = det F and G = Dg. The multiplier λ = Σλ_bψ_b is the
-/// Kirchhoff pressure Jp, with the pressure p of the body. The constraint balances a pressure on the surface, so this
-/// load is not a force of the system. The divergence maps (P_N)³ onto P_{N−1}. Therefore small motions have zero
-/// divergence at every point.
+/// with the L²-orthonormal basis ψ_b of the multipliers, J = det F and G = Dg. P_N is the space of polynomials of
+/// degree at most N. The multiplier λ = Σλ_bψ_b is the Kirchhoff pressure Jp, with the pressure p of the body. The
+/// constraint balances a pressure on the surface, so this load is not a force of the system. The divergence maps (P_N)³
+/// onto P_{N−1}. Therefore small motions have zero divergence at every point.
 
 #include <cmath>
 
@@ -38,7 +38,7 @@ class IncompressibleBody : public PolynomialBody {
 
   explicit IncompressibleBody(BodySetup setup) : PolynomialBody(without_pressure(setup)) {}
 
-  /// The force f without reactions. Fails if q is not an admissible deformation.
+  /// Sets f to all forces without the reactions. Fails if q is not an admissible deformation.
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& workspace, Vector& f) const {
     return applied_force(t, q, v, workspace.held_at, f);
   }

@@ -1,7 +1,7 @@
 #pragma once
 /// Observables of polynomial bodies at one state. The finite-element ball has the same observables
 /// (continuum/output/observe.h). The observables are for the whole body, in internal units. The mass moment Q_M, the
-/// momenta J and Z, and the non-affine quantities are computed relative to the centre of mass.
+/// angular momentum J, the circulation Z and the non-affine quantities are relative to the centre of mass.
 
 #include "observables/body_observables.h"
 #include "polynomial/compressible_body.h"
@@ -12,8 +12,8 @@ namespace pseudorigid::polynomial {
 using BodyState = mechanics::VectorState<Eigen::VectorXd>;
 
 /// Sets the observables that `request` contains. Always sets the centre of mass, its velocity, Q_M and its time
-/// derivative, the mean of F, the volume ratio and the contact. Fails if the deformation is not admissible, or if the
-/// multiplier is requested and cannot be computed.
+/// derivative, the mean of F, the volume ratio and the contact. The multiplier of a compressible body is 0. Fails if
+/// the deformation is not admissible, or if the multiplier is requested and cannot be computed.
 mechanics::Status observe(const IncompressibleBody& body, const BodyState& state,
                           IncompressibleBody::Workspace& workspace, const mechanics::ObservableRequest& request,
                           mechanics::ContinuumObservables& observables);

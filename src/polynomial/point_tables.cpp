@@ -21,7 +21,7 @@ double along(const Jet& jet, const std::array<double, 3>& direction) {
   return jet.gradient[0] * direction[0] + jet.gradient[1] * direction[1] + jet.gradient[2] * direction[2];
 }
 
-/// Y and its derivatives along e_θ and e_φ on the unit sphere.
+/// A harmonic Y and its derivatives along e_θ and e_φ on the unit sphere. `jet` contains Y with its gradient.
 std::array<double, 3> angular_terms(const Jet& jet, const SurfacePoint& direction) {
   return {jet.value, along(jet, direction.e_theta), along(jet, direction.e_phi)};
 }
@@ -70,7 +70,7 @@ void PointTables::set_rows(const Block& block, Factors& f) const {
   f.rows = std::move(rows);
 }
 
-/// The linear function is φ = √5 X_k/(s_k √V) with the volume V, because the mass moment ∫X_k² dX is s_k² V/5.
+/// The linear function is φ = √5 X_k/(s_k √V) with the semi-axes s_k and the volume V, because ∫X_k² dX = s_k² V/5.
 void PointTables::set_linear(const Block& block, const std::vector<BallPolynomial>& functions,
                              const Eigen::Vector3d& semi_axes, Factors& f) const {
   const double volume = 4.0 / 3.0 * std::numbers::pi * semi_axes.prod();
@@ -82,7 +82,7 @@ void PointTables::set_linear(const Block& block, const std::vector<BallPolynomia
   }
 }
 
-/// Sets D_kt in ∂/∂X_k = Σ_t D_kt ∂_t, with the derivatives ∂_t along e_r, e_θ, e_φ.
+/// Sets the coefficients D_kt in ∂/∂X_k = Σ_t D_kt ∂_t at each direction, with the derivatives ∂_t along e_r, e_θ, e_φ.
 void PointTables::set_frames(const Eigen::Vector3d& semi_axes, const PointGrid& grid) {
   frames_.assign(static_cast<std::size_t>(9) * width_, 0.0);
   for (int s = 0; s < n_directions_; ++s) {

@@ -19,8 +19,9 @@
 ///
 /// With dissipation or loads that depend on time, the body has two further coordinates s and s'. Their accelerations s̈
 /// and s̈' are the dissipated power and the power that loads give by their change in time. Planes in motion are such
-/// loads. Therefore the velocities ṡ and ṡ' are the dissipated and the given energy. The coordinates of companions
-/// follow. The internal metrics are the last entries, which have no velocity (mechanics/core/relaxation.h).
+/// loads. Therefore the velocities ṡ and ṡ' are the dissipated and the given energy. Each viscoelastic branch has a
+/// further coordinate. Its velocity is the energy that the branch has dissipated. The coordinates of companions follow.
+/// The internal metrics are the last entries, which have no velocity (mechanics/core/relaxation.h).
 ///
 /// All integrals are over the whole body, in internal units.
 
@@ -96,7 +97,7 @@ class PolynomialBody {
   /// The parts of the potential energy at the time t. The deformation q must be admissible.
   PotentialEnergies potential_energies(double t, const Vector& q) const;
   /// Number of axes about which rotations of space are symmetries. The rotations must keep the symmetry planes of the
-  /// sector. The number is 0 if a load depends on direction or time.
+  /// sector. The number is 0 with planes or companions, or if a load depends on direction or time.
   int n_symmetries() const { return static_cast<int>(turns_.size()); }
   /// Sets dq = ê×x and dv = ê×ẋ as coefficients, for the axis ê of symmetry i.
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
@@ -149,7 +150,8 @@ class PolynomialBody {
   /// Fails if q is not an admissible deformation of this body. If the law has a limit and det F is positive at all
   /// points, the reason is this limit. Otherwise the reason contains the least det F and its place.
   mechanics::Status admissible(const Vector& q) const;
-  /// The least det F over the quadrature points as text, such as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
+  /// The least det F over the quadrature points as text, such as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)". NaN
+  /// counts as the least value.
   std::string least_jacobian_in_words(const Vector& q) const;
   /// The least value of a function of F over the quadrature points, or NaN if the function is NaN at a point.
   double least(const Vector& q, const std::function<double(const Eigen::Matrix3d& F)>& value) const;
@@ -178,14 +180,15 @@ class PolynomialBody {
   void add_companions(const Vector& q, Vector& f) const;
   void add_loads(const loads::Forcing& forcing, const Vector& q, Vector& f) const;
   double external_energy(const loads::Forcing& forcing, const Vector& q, const double* F) const;
+  /// Adds the viscous stress at the velocity v, times the weights of the points, to T. Returns the dissipated power.
   double add_dissipation(const Vector& v, const double* F, double* T) const;
 
   std::shared_ptr<const PolynomialSpace> space_;
   materials::AnyLaw law_;
   double volumetric_stiffness_;
   loads::Loads loads_;
-  loads::Forcing constant_;  ///< loads that do not depend on time
-  bool driven_;              ///< true if a load depends on time
+  loads::Forcing constant_;  ///< loads that do not depend on time, with all planes
+  bool driven_;              ///< true if a load depends on time or a plane moves
   std::vector<int> turns_;   ///< axes of the symmetries
   std::shared_ptr<const BodyGravity> gravity_;
   std::shared_ptr<const BodyContact> contact_;  ///< null without planes

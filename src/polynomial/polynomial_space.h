@@ -100,6 +100,8 @@ class PolynomialSpace {
 
  private:
   PointTables make_tables(Fields fields, const std::vector<Block>& blocks) const;
+  /// The blocks of a field with n_components components and functions up to `degree`. Sets `places` to the indices of
+  /// the coefficients, [component][function], with −1 for omitted functions. Sets `size` to the number of coefficients.
   std::vector<Block> make_blocks(int n_components, int degree, std::vector<std::vector<int>>& places, int& size) const;
   int linear_function(int axis) const;
 

@@ -15,10 +15,10 @@ namespace {
 
 using mechanics::detail::PilotRun;
 
-/// Least window in units r/c, and as a part of the run. In these units the lowest mode of the incompressible ball has
-/// the period 2.36.
+/// Least window in units r/c, with the radius r and the speed c of shear waves, and as a part of the run. In these
+/// units the lowest mode of the incompressible ball has the period 2.36.
 constexpr double least_window = 3, part_of_run = 1.0 / 16;
-constexpr double caution = 6;             ///< factor in the estimate e
+constexpr double caution = 6;             ///< factor in the estimate e (quadrature_error.h)
 constexpr double caution_of_volume = 60;  ///< factor in e for the volume if points are added
 /// Largest number of points in each direction that the search adds.
 constexpr int most_points_more = 8;
@@ -48,6 +48,8 @@ class QuadratureSearch {
     return request.adds_points ? request.end : std::min(request.end, std::max(least_window, part_of_run * request.end));
   }
 
+  /// Returns the estimate for the rule in the volume, and adds points if this is requested. If a pilot run fails, sets
+  /// the reason and returns 0.
   double of_volume(const Body& body) {
     if (!find_step(body)) return 0;
     const int most = choice_.n_points + most_points_more;
@@ -71,6 +73,7 @@ class QuadratureSearch {
     }
   }
 
+  /// Returns the estimate for the rule on the surface. If the pilot run fails, sets the reason.
   double of_gravity() {
     constexpr int fewest = 4;
     BodySetup other = setup_;

@@ -1,20 +1,21 @@
 #pragma once
-/// Error of Q due to the quadrature of a polynomial body, and the number of points that a tolerance requires. The
-/// motion of a body depends on the quadrature rule. Two pilot runs with different rules cover a window w of a run of
-/// length T. The pilot runs use RATTLE with the same long steps, so that the errors of the steps cancel. One estimate
-/// is for the rule in the volume. With self-gravity, a second estimate is for the rule on the surface, and the error is
-/// the sum of both. With the results Q and Q' of the two runs at the times t_k, and the largest absolute value |…| of
-/// the entries, an estimate is
+/// Error of the affine part Q of a motion due to the quadrature of a polynomial body. The functions also find the
+/// number of points that a tolerance requires. The motion of a body depends on the quadrature rule. Two pilot runs with
+/// different rules cover a window w of a run of length T. The pilot runs use RATTLE with the same long steps, so that
+/// the errors of the steps cancel. One estimate is for the rule in the volume. With self-gravity, a second estimate is
+/// for the rule on the surface, and the error is the sum of both. With the results Q and Q' of the two runs at the
+/// times t_k, and the largest absolute value |…| of the entries, an estimate is
 ///
 ///   e = 6 max_k |Q(t_k) − Q'(t_k)| (T/w)^(3/2).
 ///
 /// Every rule is exact for affine states, and the body is affine at first. Therefore the window is at least 3 r/c,
 /// which is more than a period of the lowest mode. Here r is the radius, and c is the speed of shear waves. The window
-/// is also at least a sixteenth of the run. Shorter runs are covered completely. After the window, the errors of the
-/// phases grow as t, but inside the window this growth has only begun. Therefore the power is 3/2, as in the pilot runs
-/// that choose a step (mechanics/steps/step_search.h). If points are added, w = T. The factor for the volume is
-/// then 60 instead of 6, because the long steps hide more of the difference. The error was at most 0.75 e in the
-/// motions from which the factors were chosen. docs/theory.md has the motions that test the factors.
+/// is also at least a sixteenth of the run. Shorter runs are covered completely. If the pilot run fails for every step,
+/// the window becomes half of the time that the last attempt reached. After the window, the errors of the phases grow
+/// as t, but inside the window this growth has only begun. Therefore the power is 3/2, as in the pilot runs that choose
+/// a step (mechanics/steps/step_search.h). If points are added, w = T. The factor for the volume is then 60 instead of
+/// 6, because the long steps hide more of the difference. The error was at most 0.75 e in the motions from which the
+/// factors were chosen. docs/theory.md has the motions that test the factors.
 ///
 /// For the volume, the rule of Q' has one point more in each direction of an octant. For self-gravity, the rule of Q'
 /// has two points less in each direction of an octant of the surface. Its sums therefore take about a quarter of the
@@ -45,7 +46,7 @@ struct QuadratureRequest {
 };
 
 struct QuadratureChoice {
-  int n_points = 0;               ///< number of points in each direction of an octant
+  int n_points = 0;               ///< number of points in the volume, in each direction of an octant
   std::optional<double> error{};  ///< e; empty if the pilot runs fail
   std::string reason{};           ///< reason of the failure, or empty
   long n_force = 0;               ///< number of force evaluations in all pilot runs

@@ -25,7 +25,8 @@ class ModesOfParity {
   ModesOfParity(const Turns& turns, Parity parity, const std::vector<int>& unknowns)
       : turns_(turns), unknowns_(unknowns), n_odd_(std::popcount(parity)) {}
 
-  /// Appends the eigenmodes of K to `modes`. The columns of `basis` are an orthonormal basis of the motions.
+  /// Appends the eigenmodes of the stiffness K to `modes`. The columns of `basis` are an orthonormal basis of the
+  /// motions.
   void add(const Eigen::MatrixXd& K, const Eigen::MatrixXd& basis, std::vector<Mode>& modes) const {
     if (basis.cols() == 0) return;
     const mechanics::SymmetricSpectrum degrees = mechanics::symmetric_spectrum(basis.transpose() * square(basis));

@@ -1,5 +1,6 @@
 #pragma once
-/// Small motions u of a polynomial ball about rest. The squares of the frequencies ω are the eigenvalues of
+/// Small motions u of a polynomial ball of degree N about rest. With the stiffness K and the derivative G of the
+/// constraint, the squares of the frequencies ω are the eigenvalues of
 ///
 ///   K u = ω² u on ker G     (rest_problem.h).
 ///
@@ -7,10 +8,10 @@
 /// that are orthogonal to the six rigid motions. The result therefore has all frequencies except those of rigid
 /// motions, and includes unstable motions.
 ///
-/// The kind and the degree n of a mode are computed from its shape. P_N is invariant under rotations. With the joint
-/// rotations J_e (turns.h), the operator −Σ_e J_e² has the eigenvalues n(n + 1). Its eigenvectors divide the motions of
-/// a parity by degree. The degree of a mode is the degree with the largest share in the mode. A mode is spheroidal if
-/// u(−X) = (−1)^(n+1) u(X), and otherwise toroidal.
+/// The kind and the degree n of a mode are computed from its shape. The polynomials of degree at most N are invariant
+/// under rotations. With the joint rotations J_e of space and ball about the axes e (turns.h), the operator −Σ_e J_e²
+/// has the eigenvalues n(n + 1). Its eigenvectors divide the motions of a parity by degree. The degree of a mode is the
+/// degree with the largest share in the mode. A mode is spheroidal if u(−X) = (−1)^(n+1) u(X), and otherwise toroidal.
 
 #include <vector>
 
@@ -30,8 +31,9 @@ struct RestFrequency {
   Eigen::VectorXd shape;  ///< coefficients of one of the modes on the whole body, of norm 1
 };
 
-/// Computes the lowest `number` frequencies in ascending order. `setup.reflect` is not used. Fails if make_rest_problem
-/// (rest_problem.h) fails, or if the modes cannot be grouped into complete frequencies.
+/// Computes the lowest `number` frequencies in ascending order, or all frequencies if there are fewer. `setup.reflect`
+/// is not used. Fails if make_rest_problem (rest_problem.h) fails, or if the modes cannot be grouped into complete
+/// frequencies.
 mechanics::Status rest_frequencies(BodySetup setup, bool incompressible, std::size_t number,
                                    std::vector<RestFrequency>& frequencies);
 

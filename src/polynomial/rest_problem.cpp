@@ -10,8 +10,8 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Rows ∮(u·e) Y_nm dS, each multiplied by the square root of its stiffness ρg (1 − 3/(2n + 1)). The rows of n ≤ 1 are
-/// 0.
+/// The rows ∮(u·e) Y_nm dS of the self-gravity (rest_problem.h), each multiplied by the square root of its stiffness ρg
+/// (1 − 3/(2n + 1)). The rows of n ≤ 1 are 0.
 Eigen::MatrixXd gravity_rows(const PolynomialSpace& space, double gravity_constant) {
   const int max_degree = space.degree() + 1;
   const double weight_of_density = 4 * std::numbers::pi / 3 * gravity_constant;
@@ -31,7 +31,8 @@ Eigen::MatrixXd rigid_motions(const PolynomialSpace& space, const Turns& turns, 
   return rigid;
 }
 
-/// Sets λ to the multiplier at rest. Fails if a force of the law remains.
+/// Sets λ to the multiplier at rest if the body is incompressible. Fails if a force remains, or if the forces or the
+/// multiplier cannot be computed.
 template <class Body>
 mechanics::Status at_rest(const Body& body, double shear_modulus, Eigen::VectorXd& lambda) {
   const Eigen::VectorXd X = body.affine(Eigen::Matrix3d::Identity());
@@ -100,7 +101,7 @@ SurfaceRows surface_rows(const PolynomialSpace& space, int max_degree) {
                    Eigen::MatrixXd::Zero(n_harmonics, space.n_unknowns())};
   Eigen::RowVectorXd component(space.n_functions());
   Eigen::VectorXd radial(n_harmonics), tangential(n_harmonics);
-  for (const SurfacePoint& point : octant_surface_points((n_exact + 4) / 4))  // exact for the degree 4q − 1
+  for (const SurfacePoint& point : octant_surface_points((n_exact + 4) / 4))  // q points are exact to degree 4q − 1
     for (int image = 0; image < n_parities; ++image) {
       std::array<double, 3> xi = point.xi;
       for (int i = 0; i < 3; ++i)

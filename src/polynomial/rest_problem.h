@@ -1,7 +1,7 @@
 #pragma once
-/// The linear problem of small displacements u of a polynomial ball about rest. It has dense matrices of the whole
-/// ball, separated by parity (parity_parts.h). With the potential energy V, the constraints g_b and G = Dg, the
-/// displacements are in ker G, and the stiffness is
+/// The linear problem of small displacements u of a polynomial ball of degree N about rest. It has dense matrices of
+/// the whole ball, separated by parity (parity_parts.h). With the potential energy V, the constraints g_b and G = Dg,
+/// the displacements are in ker G, and the stiffness is
 ///
 ///   K = D²V − Σ_b λ_b D²g_b   at x = X, with the multiplier λ at rest.
 ///

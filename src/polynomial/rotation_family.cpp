@@ -11,8 +11,8 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Relative width of the bracket at which the search for a special point ends. Each step of the search solves an
-/// eigenvalue problem.
+/// Half of the relative width of the bracket at which the search for a special point ends. Each step of the search
+/// solves an eigenvalue problem.
 constexpr double resolution = 1e-12;
 
 }  // namespace

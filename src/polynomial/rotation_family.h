@@ -61,11 +61,11 @@ class RotationFinder {
   RotationFinder(const BodySetup& setup, bool incompressible, FamilyOfRotations family);
 
   /// Finds the members with these parameters, in this order, and the special points between successive members.
-  /// Parameters for which no member is found are listed in `missing`. `give_up` is called before each member is
-  /// computed. If `give_up` returns true, the family ends.
+  /// Parameters for which no member is found are listed in `missing`. `give_up` is called before each member and each
+  /// trial member near a special point. If `give_up` returns true, the family ends.
   RotationFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {});
-  /// Finds the member with this parameter. Fails if there is none, or if the `give_up` of the last call of `family`
-  /// returns true.
+  /// Finds the member with this parameter. Fails if there is none, if its stability cannot be computed, or if the
+  /// `give_up` of the last call of `family` returns true.
   mechanics::Status member(double parameter, RotationMember& member);
 
   const RotationSpectrum& spectrum() const { return spectrum_; }
@@ -73,8 +73,8 @@ class RotationFinder {
  private:
   bool gives_up() const { return give_up_ && give_up_(); }
   mechanics::Status first(double parameter, SteadyRotation& rotation) const;
-  /// Finds the figure with this parameter from the nearest known figure. Fails if there is no such figure, or if its Ω²
-  /// is negative.
+  /// Finds the figure with this parameter from the nearest known figure, or by `first` if no figure is known. Fails if
+  /// the condition has no finite value, if no figure is found, or if its Ω² is negative.
   mechanics::Status find(double parameter, SteadyRotation& rotation);
   void locate_special(double a, double b, std::vector<SpecialRotation>& special);
 

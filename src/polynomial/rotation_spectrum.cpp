@@ -18,7 +18,8 @@ namespace {
 
 constexpr Parity half_turn = 3;  // changes the parity in x and in y
 
-/// A singular value of G or of the symmetries counts as zero if it is less than this fraction of the largest one.
+/// A singular value of the constraint matrix G or of the symmetries counts as zero if it is less than this fraction of
+/// the largest one.
 constexpr double dependent = 1e-8;
 
 /// Indices of the coefficients of each parity, without uniform motions.
@@ -120,8 +121,8 @@ Eigen::VectorXd RotationSpectrum::whole_multiplier(const Eigen::VectorXd& lambda
   return all;
 }
 
-/// Directions and rates of the rotations of space and of the ball. A rotation of space about the axis ζ = ê₁, ê₂ or ê₃
-/// has the direction ζ×x and the rate −(ω×ζ)×x with ω = Ω ê₃. The rotations of the ball have the rate 0.
+/// Directions and rates of the rotations of space and of the ball. A rotation of space about a coordinate axis ζ has
+/// the direction ζ×x and the rate −(ω×ζ)×x with ω = Ω ê₃ and the spin Ω. The rotations of the ball have the rate 0.
 mechanics::SymmetryDirections RotationSpectrum::turns(const Eigen::VectorXd& x, double spin) const {
   mechanics::SymmetryDirections N{Eigen::MatrixXd(x.size(), 6), Eigen::MatrixXd::Zero(x.size(), 6)};
   for (int axis = 0; axis < 3; ++axis) {

@@ -103,7 +103,7 @@ mechanics::Status SteadyRotations::terms(const SteadyRotation& rotation, Eigen::
   return {};
 }
 
-/// Derivative of f + Ω²Px + Gᵀλ along the columns of U.
+/// Derivative of the residual r = f + Ω²Px + Gᵀλ (steady_rotation.h) along the columns of U, one column for each.
 Eigen::MatrixXd SteadyRotations::tangent_matrix(const SteadyRotation& rotation) const {
   Eigen::MatrixXd D(U_.rows(), U_.cols());
   for (Eigen::Index j = 0; j < U_.cols(); ++j) {
@@ -140,7 +140,7 @@ mechanics::Status SteadyRotations::equations(const FigureCondition& condition, c
   return {};
 }
 
-/// Sets the last row of the equations: Ω² − value, or a_k − exp(value) a₁.
+/// Sets the last row of the equations: Ω² − value, or a_k − exp(value) a₁ with the semi-axes a of the affine part.
 void SteadyRotations::add_condition(const FigureCondition& condition, const SteadyRotation& rotation,
                                     Equations& result) const {
   const Eigen::Index last = result.values.size() - 1;

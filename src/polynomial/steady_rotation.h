@@ -1,18 +1,22 @@
 #pragma once
-/// Figures of a polynomial ball that rotate uniformly about axis 3. In the rotating frame,
+/// Figures of a polynomial ball that rotate uniformly about axis 3 with the spin Ω. In the rotating frame, the position
+/// x of the figure satisfies
 ///
 ///   r = f(x) + Ω²Px + Gᵀλ = 0,   g(x) = 0,      P the projection onto the plane normal to axis 3
 ///
-/// without λ and g for a compressible body. f contains all forces without the reactions, and G = Dg. The equations are
-/// solved in the octant, whose symmetry planes exclude rotations of space and of the ball. A spheroid is sought among
-/// motions with rotational symmetry about axis 3,
+/// without λ and g for a compressible body. f contains all forces without the reactions, g is the constraint with the
+/// multiplier λ, and G = Dg. The equations are solved in the octant, whose symmetry planes exclude rotations of space
+/// and of the ball. A spheroid is sought among motions with rotational symmetry about axis 3,
 ///
 ///   x = Σ u_nl (φ_nl1 e₁ + φ_nl,−1 e₂) + Σ w_nl φ_nl0 e₃.
 ///
+/// The φ_nlm are the functions of ball_polynomials.h, the e_i are the unit vectors, and u_nl and w_nl are coefficients.
 /// Within these motions the equations are not singular at a bifurcation to figures without this symmetry. Quadrature by
 /// midpoints in the longitude keeps the symmetry, so a solution satisfies all equations. A figure of the family is
 /// determined by its spin Ω, or by the ratio of two axes of its mass moment. In the second case Ω² is an unknown. The
-/// equations are solved by Newton's iteration with dense matrices and exact derivatives.
+/// equations are solved by Newton's iteration with dense matrices and exact derivatives. The columns of a matrix U are
+/// a basis of the permitted positions, and the columns of V are a basis of the permitted pressures. With the unknowns
+/// y, μ and Ω², x = U y and λ = V μ.
 ///
 /// The equations of a fluid do not determine x, because a fluid does not resist motions that only exchange matter
 /// within its surface. However, a fluid ellipsoid is an exact figure for every degree N (Dirichlet, Riemann). Therefore
@@ -62,17 +66,18 @@ class SteadyRotations {
   /// Moves `rotation`, a known figure with the parameter `from`, along the family to the figure with `condition`. A
   /// step is halved if Newton's iteration fails or does not stay close to the prediction. After a step that succeeds,
   /// the next step is doubled up to a bound. Fails if a step becomes shorter than 1/512 of the way, for example because
-  /// the family ends or turns back before `condition`. `rotation` is then the last figure found.
+  /// the family ends or turns back before `condition`. `rotation` is then the last figure found. Also fails if a force
+  /// cannot be computed at the end.
   mechanics::Status follow(double from, const FigureCondition& condition, SteadyRotation& rotation) const;
   /// Derivative of Ω² with respect to the parameter along the family; NaN if the force fails.
   double slope(const FigureCondition& condition, const SteadyRotation& rotation) const;
 
  private:
-  /// The equations Uᵀr = 0, Vᵀg = 0 and the condition, for the unknowns y, μ and Ω² with x = U y, λ = V μ.
+  /// The equations Uᵀr = 0, Vᵀg = 0 and the condition, for the unknowns y, μ and Ω² (head of this file).
   struct Equations {
     Eigen::VectorXd values;
     Eigen::MatrixXd derivative;
-    double scale;  ///< size of the terms whose sums are `values`
+    double scale;  ///< 1 plus the largest entry of the terms of r, for comparison with `values`
   };
   /// Sets the three terms f, Ω²Px and Gᵀλ of r. Fails if the force cannot be computed.
   mechanics::Status terms(const SteadyRotation& rotation, Eigen::VectorXd& f, Eigen::VectorXd& centrifugal,
@@ -82,9 +87,9 @@ class SteadyRotations {
                               Equations& result) const;
   Eigen::MatrixXd tangent_matrix(const SteadyRotation& rotation) const;
   void add_condition(const FigureCondition& condition, const SteadyRotation& rotation, Equations& result) const;
-  /// Derivatives of (y, μ, Ω²) with respect to the parameter, with x = U y and λ = V μ. The derivatives are NaN if the
-  /// force fails.
+  /// Derivatives of (y, μ, Ω²) with respect to the parameter. The derivatives are NaN if the force fails.
   Eigen::VectorXd tangent(const FigureCondition& condition, const SteadyRotation& rotation) const;
+  /// Adds `factor` times a step of the unknowns (y, μ, Ω²) to `rotation`.
   void add(double factor, const Eigen::VectorXd& step, SteadyRotation& rotation) const;
   /// Newton's iteration from `rotation`. Fails if the residual does not reach round-off, or if a force cannot be
   /// computed. `rotation` becomes the iterate with the least residual, unless a force fails.
@@ -93,7 +98,7 @@ class SteadyRotations {
 
   bool incompressible_, is_fluid_;
   std::shared_ptr<const CompressibleBody> body_;  ///< all forces without reactions, in the octant
-  Eigen::MatrixXd U_, V_;                         ///< bases of the figures: x = U y, λ = V μ
+  Eigen::MatrixXd U_, V_;                         ///< U and V; V has no columns if λ is not an unknown
 };
 
 /// `setup` with only the loads that a steady rotation can have: gravity, and the pressure on a compressible body.

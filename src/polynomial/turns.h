@@ -1,8 +1,8 @@
 #pragma once
 /// Infinitesimal rotations of a polynomial ball, which act on coefficients of the whole body. Let ê be the unit vector
 /// of an axis e. The rotations of space are x ↦ ê×x, and the rotations of the reference ball are x ↦ ∂x/∂X (ê×X). Both
-/// rotations map P_N to itself. The rotations of the reference ball map R_nl Y_lm (ball_polynomials.h) to functions
-/// with the same n and l.
+/// rotations map polynomials of degree at most N to such polynomials. The rotations of the reference ball map R_nl Y_lm
+/// (ball_polynomials.h) to functions with the same n and l.
 ///
 /// The joint rotation of a field u is J_e u = ê×u − ∂u/∂X (ê×X). The joint rotations determine the degree n of a
 /// toroidal or spheroidal motion by −Σ_e J_e² u = n(n + 1) u.
@@ -31,7 +31,8 @@ class Turns {
  private:
   const PolynomialSpace& space_;
   std::vector<BallPolynomial> functions_;
-  std::array<std::vector<Eigen::MatrixXd>, 3> of_harmonics_;  ///< [axis][l](m', m): ∫Y_lm' (ê×ω)·∇Y_lm dω
+  /// [axis][l](m', m): ∫Y_lm' (ê×ω)·∇Y_lm dω over the points ω of the unit sphere.
+  std::array<std::vector<Eigen::MatrixXd>, 3> of_harmonics_;
 };
 
 }  // namespace pseudorigid::polynomial

@@ -9,7 +9,8 @@
 ///
 /// The equation of motion in these frames is (5.120) of pseudo_rigid_body.h, multiplied by T from the left and by Sᵀ
 /// from the right. The result is equation (5.121) of Oliva, corrected (docs/oliva.md). Let V be the potential energy,
-/// m̄ = ⅓ tr E₀, λ the multiplier per m̄, and N = SE₀Sᵀ/m̄ (Id for the ball). Divided by m̄, the equation is
+/// E₀ the inertia of the reference body, and m̄ = ⅓ tr E₀. λ is the multiplier per m̄, and N = SE₀Sᵀ/m̄. For the ball,
+/// N = Id. Divided by m̄, the equation is
 ///
 ///   (u̇ − Ω*u + uΛ*) N + T ∂V/∂Q Sᵀ/m̄ − λA⁻¹ = 0.
 ///
@@ -60,7 +61,7 @@ inline double overlap(const Bipolar& b, int i, const Bipolar& before, int j) {
 }
 
 /// Rotates the frames of coincident axes to the frames nearest to `before`. If two entries of A are equal to round-off,
-/// a rotation of their rows in T and in S by a common angle does not change TᵀAS. If three entries are equal, the pairs
+/// their rows in T and S may be rotated by a common angle. TᵀAS does not change. If three entries are equal, the pairs
 /// are rotated in turn, and a few sweeps are necessary.
 inline void turn_coincident_axes(Bipolar& b, const Bipolar& before) {
   constexpr int n_sweeps = 8;

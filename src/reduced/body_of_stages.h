@@ -1,6 +1,7 @@
 #pragma once
 /// Parameters of a pseudo-rigid body as plain numbers, for the kernels of gauss_body_kernels.h. These kernels evaluate
-/// the body at the eight stages of a Gauss step at once. Matrices are stored by columns, as in Eigen.
+/// the body at the eight stages of a Gauss step at once. Matrices are stored by columns, as in Eigen. E₀ is the inertia
+/// of the reference body (reference_body.h).
 
 #include <array>
 #include <cstddef>
@@ -24,8 +25,8 @@ struct BodyOfStages {
   double volume = 1, inverse_m_bar = 1;  ///< Vol and 1/m̄, with m̄ = ⅓ tr E₀
   Numbers9 E0{}, E0_inverse{};
 
-  bool loaded = false;          ///< true if self-gravity, T, P̄ or the pressure is not 0
-  double gravity_strength = 0;  ///< k = (3/5) G M²
+  bool loaded = false;          ///< true if one of the following loads is not 0
+  double gravity_strength = 0;  ///< (3/5) G M², with the gravitational constant G and the mass M
   Numbers9 shape{};             ///< matrix S of the shape (reference_body.h)
   Numbers9 quadratic{};         ///< quadratic potential T per mass (external_potential.h)
   Numbers9 nominal_traction{};  ///< nominal traction P̄ (external_potential.h)

@@ -29,7 +29,7 @@ double potential_of(const loads::Forcing& forcing, const Eigen::Vector3d& x) {
   return 0.5 * x.dot(forcing.quadratic * x) - forcing.acceleration.dot(x);
 }
 
-/// True if the centre stays at the origin: it starts there at rest, and there is no uniform acceleration.
+/// True if the centre stays at the origin: it starts there at rest, and no load is a uniform acceleration.
 bool rests(const CenterOfMass& c) {
   const bool driven =
       loads::depend_on_time(c.driving, [](const loads::Forcing& f) { return !f.acceleration.isZero(0); });
@@ -42,7 +42,8 @@ double CenterOfMass::driven(const Motion& m, double t) const {
   return potential_of(loads::driving(driving, t), m.x) - m.work;
 }
 
-/// Integrates q = (x, s) and v = (ẋ, w). The work w is the velocity of a further coordinate s, with ẇ = ∂φ/∂t.
+/// Integrates q = (x, s) and v = (ẋ, w). The work w is the velocity of a further coordinate s, with ẇ = ∂φ/∂t and the
+/// potential φ of the loads.
 struct CenterPath::Integration {
   struct Field {
     using Vector = Eigen::Vector4d;

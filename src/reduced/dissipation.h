@@ -1,6 +1,6 @@
 #pragma once
 /// Dissipative forces on the pseudo-rigid body, from Rayleigh's function R(Q, Q̇) (docs/physics.md, section 0; Oliva
-/// 5.8):
+/// 5.8). E₀ and Vol are the inertia and the volume of the reference body, and ρ is its density:
 ///
 ///   objective viscosity (Kelvin–Voigt, σ = 2ηd):  R = η Vol det Q tr d²,   d = sym(Q̇Q⁻¹)
 ///       −∂R/∂Q̇ = −2η Vol det Q d Q⁻ᵀ;  it vanishes on rigid motions and keeps the angular momentum J

@@ -139,7 +139,8 @@ class EightBodies {
     stress_ = std::visit([]<class Law>(const Law&) { return &stress_of<Law>; }, law_);
   }
 
-  /// f = −∂V/∂Q of each body. Fails if the law does not admit the deformation of one of the bodies.
+  /// f = −∂V/∂Q of each body, with the elastic energy V. Fails if the law does not admit the deformation of one of the
+  /// bodies.
   mechanics::Status force(double, const Vector& Q, const Vector&, Workspace&, Vector& f) const {
     Tensor P;
     if (!stress_(law_, tensor(Q), P)) return beyond_limit();
@@ -148,8 +149,8 @@ class EightBodies {
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const { set(by_inverse_inertia(tensor(f)), a); }
 
-  /// Sets g to ln det Q of each body, or to NaN if det Q ≤ 0. No iteration accepts NaN as converged, so the step then
-  /// fails.
+  /// Sets g to ln det Q of each body, or to NaN if det Q is not positive. No iteration accepts NaN as converged, so the
+  /// step then fails.
   mechanics::Status constraint(const Vector& Q, Multiplier& g) const {
     const BodyLanes J = materials::determinant(tensor(Q));
     g.x = J.v > 0.0 ? log_near_one(J).v : BodyLanes(std::numeric_limits<double>::quiet_NaN()).v;

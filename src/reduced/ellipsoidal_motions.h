@@ -1,6 +1,7 @@
 #pragma once
 /// Steady motions of a body with given semi-axes a₁, a₂, a₃, in closed form for every isotropic potential V on SL(3).
-/// The angular velocity ω of the axes, the internal rotation Λ and the residual R are defined in steady_motion.h.
+/// The angular velocity ω of the axes, the internal rotation Λ, the multiplier λ and the residual R are defined in
+/// steady_motion.h. The body has the inertia m̄ Id.
 ///
 /// The entries of R off the diagonal do not contain the potential. They vanish if
 /// ω_iω_ja_j − 2a_kω_jΛ_i + a_iΛ_iΛ_j = 0 for i ≠ j, with the third index k. If the axes are different, ω and Λ
@@ -94,8 +95,8 @@ TypeSSquares type_s_squares(const IsotropicBody<V>& body, const Eigen::Vector3d&
   return {D(1, 0), D(0, 1) + lambda / (a[0] * a[1]), lambda};
 }
 
-/// Sets m to the motion of type S with ω ≥ |Λ|. Fails if (ω + Λ)² or (ω − Λ)² is negative. In the dual motion ω and Λ
-/// are exchanged.
+/// Sets m to the motion of type S with ω ≥ |Λ|. Fails if (ω + Λ)² or (ω − Λ)² is negative beyond round-off. In the dual
+/// motion ω and Λ are exchanged.
 template <SmoothPotential V>
 mechanics::Status type_s_motion(const IsotropicBody<V>& body, const Eigen::Vector3d& a, SteadyMotion& m) {
   const auto [sum, product, lambda] = type_s_squares(body, a);
@@ -130,7 +131,8 @@ mechanics::Status spheroid_motion(const IsotropicBody<V>& body, double a1, doubl
 }
 
 /// Sets m to the motion of types I–III with ω and Λ in the plane of axes 2 and 3. The function uses the root p with |p|
-/// ≤ 1, and ω₂, ω₃ ≥ 0. Fails if p is not real or if ω₂² or ω₃² is negative. The dual motion belongs to the other root.
+/// ≤ 1, and ω₂, ω₃ ≥ 0. Fails if p is not real, or if ω₂² or ω₃² is negative beyond round-off. The dual motion belongs
+/// to the other root.
 template <SmoothPotential V>
 mechanics::Status planar_motion(const IsotropicBody<V>& body, const Eigen::Vector3d& a, SteadyMotion& m) {
   const double half = (4 * a[0] * a[0] - a[1] * a[1] - a[2] * a[2]) / (2 * a[1] * a[2]);  // p + 1/p = 2 half

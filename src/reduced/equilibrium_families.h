@@ -170,8 +170,8 @@ EquilibriumFamily type_s(const IsotropicBody<V>& body, const ParameterRange& a2_
   return equilibrium_family(body, a2_to_a1, {{quantities::axis_ratio_31, a3_to_a1}, quantities::omega_3}, motion);
 }
 
-/// Returns the family of the motions with ω and Λ in the plane of axes 2 and 3, for the root |p| ≤ 1 of
-/// ellipsoidal_motions.h. If `dual` is true, returns the family for the other root.
+/// Returns the family of the motions with ω and Λ in the plane of axes 2 and 3, for the root p with |p| ≤ 1 of the
+/// equation in ellipsoidal_motions.h. If `dual` is true, returns the family for the other root.
 template <SmoothPotential V>
 EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1, double a3_to_a1,
                          bool dual = false) {
@@ -186,8 +186,8 @@ EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_
 }
 
 /// Spheroids with given angular velocities (spins). The first motion is found from the sphere at rest, and each other
-/// motion from the last motion found. Between two motions the spin changes in eight steps. No spheroid has a spin
-/// beyond the largest one, which is a fold of the family.
+/// motion from the last motion found. Between two motions the spin changes in eight steps. If the spin has a maximum in
+/// the family, this is a fold, and larger spins are missing.
 template <SmoothPotential V>
 EquilibriumFamily spheroids_of_spin(const IsotropicBody<V>& body, const ParameterRange& Omega) {
   constexpr int n_steps = 8;  // for small steps, Newton's iteration does not change to another branch

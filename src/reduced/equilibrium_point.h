@@ -1,11 +1,11 @@
 #pragma once
-/// Quantities of one steady motion that the program reports. These are the momenta and energies in internal units
-/// (E₀ = m̄ Id, not divided by m̄),
+/// Quantities of one steady motion Q(t) (steady_motion.h) that the program reports. The body has the inertia m̄ Id. The
+/// momenta and energies are in internal units and are not divided by m̄,
 ///
 ///   K = (m̄/2)|Q̇|²,   J_i = m̄ ε_ijk Q_jA Q̇_kA,   Z_A = m̄ ε_ABC (QᵀQ̇)_CB,   at t = 0,
 ///
-/// the vorticity ζ_k = −Λ_k (a_i² + a_j²)/(a_i a_j) of the circulation, relative to the rotating axes, and the linear
-/// stability. The indices i, j, k are different.
+/// The vorticity of the circulation, relative to the rotating axes, is ζ_k = −Λ_k (a_i² + a_j²)/(a_i a_j). Here Λ is
+/// the internal rotation, the a_i are the semi-axes, and the indices i, j, k are different.
 
 #include "reduced/linear_stability.h"
 
@@ -27,7 +27,8 @@ struct EquilibriumPoint {
   double vorticity_ratio() const { return vorticity[2] == 0 ? 0 : vorticity[2] / motion.omega[2]; }
 };
 
-/// Sets `point` to the quantities of the steady motion m. Fails if the linear stability cannot be computed.
+/// Sets `point` to the quantities of the steady motion m. Fails if the linear stability cannot be computed
+/// (analyse_stability).
 template <SmoothPotential V>
 mechanics::Status describe_equilibrium(const IsotropicBody<V>& body, const SteadyMotion& m, double parameter,
                                        EquilibriumPoint& point) {

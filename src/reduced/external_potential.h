@@ -1,6 +1,7 @@
 #pragma once
 /// The energy of a forcing on the motions x = QX, without self-gravity. The forcing has the quadratic potential T per
-/// mass, the nominal traction P̄ and the pressure p (loads/forcing.h):
+/// mass, the nominal traction P̄ and the pressure p (loads/forcing.h). E₀ and Vol are the inertia and the volume of the
+/// reference body:
 ///
 ///   V(Q) = ½ tr(T Q E₀ Qᵀ) − Vol P̄:Q + p Vol det Q
 ///

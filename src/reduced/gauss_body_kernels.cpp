@@ -60,8 +60,9 @@ template <class Law>
     return J;
 }
 
-/// The field Q̈ = −(Vol/m̄) P + Λ Q⁻ᵀ/m̄ of a body with the stress P, without loads and with E₀ = m̄ Id. Some laws
-/// have a stress of the form αQ + β cof Q. Then β has no effect on SL(3), and with C = cof Q
+/// The field Q̈ = −(Vol/m̄) P + Λ Q⁻ᵀ/m̄ of a body without loads and with the inertia E₀ = m̄ Id. P is the stress, Vol
+/// is the volume, and Λ is the multiplier, which is 0 on GL⁺(3). Some laws have a stress of the form αQ + β cof Q. Then
+/// β has no effect on SL(3), and with C = cof Q
 ///
 ///   Q̈ = sC − (Vol/m̄) αQ,   s = [tr((CᵀQ̇)²) + 3 (Vol/m̄) α J²] / (J C:C).
 template <class Law, bool incompressible>
@@ -120,8 +121,8 @@ StageLanes stress_of(const materials::AnyLaw& any, const Tensor& Q, StageLanes J
          volume * (pressure * J - materials::dot(traction, Q));
 }
 
-/// Derivative of the energy of gravity with respect to Q, with F = QS. The function is not inlined, so that it does not
-/// take registers from the remaining code.
+/// Derivative of the energy of gravity with respect to Q. The ellipsoid is QS B, with the matrix S of the shape and the
+/// unit ball B. The function is not inlined, so that it does not take registers from the remaining code.
 [[gnu::noinline]] Tensor gravity_of(const BodyOfStages& body, const Tensor& Q) {
   const Tensor S = matrix(body.shape);
   const Tensor S_transposed{{{S(0, 0), S(1, 0), S(2, 0)}, {S(0, 1), S(1, 1), S(2, 1)}, {S(0, 2), S(1, 2), S(2, 2)}}};

@@ -11,8 +11,8 @@
 ///
 ///   D(C) = 3 (r₁C + r₃)⁻¹ + 2 D(C'),   C' = C + r₂,   r₃' = r₁r₂ − r₃.
 ///
-/// R itself is not computed. The invariants are r₃ = √det C and r₂ = (r₁² − tr C)/2, and r₁ is the largest root of
-/// r₂² − 2r₁r₃ − tr cof C. Each duplication makes r₁ about twice as large. When Z = Id − C/A with A = ⅓ tr C is small,
+/// R itself is not computed. The invariants are r₃ = √det C and r₂ = (r₁² − tr C)/2, and r₁ is the largest root of r₂²
+/// − 2r₁r₃ − tr cof C. Each duplication makes r₁ about twice as large. Let A = ⅓ tr C and Z = Id − C/A. If Z is small,
 /// the series of ellipsoid_integrals.h give D = A^(−3/2) (h₀ Id + h₁ Z + h₂ cof Z).
 ///
 /// All terms of the sum for D are positive definite. For a flat body, D F has relative errors of cond(F) ε, with the

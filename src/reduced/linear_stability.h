@@ -1,6 +1,7 @@
 #pragma once
-/// Linear stability of a steady motion (steady_motion.h). With Q = exp(tω̂)(A + εH)exp(−tΛ̂), the equation of motion
-/// (5.120) of pseudo_rigid_body.h is in first order of ε
+/// Linear stability of a steady motion exp(tω̂) A exp(−tΛ̂) (steady_motion.h) of a body with the potential V and the
+/// inertia m̄ Id. The multiplier per m̄ is λ. With Q = exp(tω̂)(A + εH)exp(−tΛ̂), the equation of motion (5.120) of
+/// pseudo_rigid_body.h is in first order of ε
 ///
 ///   Ḧ + 2(ω̂Ḣ − ḢΛ̂) + (ω̂²H − 2ω̂HΛ̂ + HΛ̂²) + D(∂V)(A)[H]/m̄ + λA⁻ᵀHᵀA⁻ᵀ = δλ A⁻ᵀ,   tr(A⁻¹H) = 0.
 ///
@@ -15,8 +16,9 @@
 ///
 /// with (…)^ for the matrix of the cross product. The rates on N are 0, ±i|ω| and ±i|Λ|, and contain no information on
 /// the motion. The remainder is the space of fixed momenta J and Z modulo the group that keeps J and Z. Its dimension
-/// is 8 for a generic motion. The dimension is 10 for a sphere at rest and for a spheroid that rotates about its axis.
-/// Some combinations of rotations do not move these bodies.
+/// on SL(3) is 8 for a generic motion. For a sphere at rest and for a spheroid that rotates about its axis, the
+/// dimension is 10. Some combinations of rotations do not move these two bodies. On GL⁺(3), the dimensions are larger
+/// by 2.
 
 #include <Eigen/Core>
 #include <utility>
@@ -67,7 +69,8 @@ ReducedLinearSystem reduce_linearisation(const IsotropicBody<V>& body, const Ste
   return mechanics::reduce(std::move(K), std::move(G), detail::turns(m, T), detail::absent);
 }
 
-/// Sets `result` to the rates and the stability of m. Fails if an eigenvalue problem cannot be solved.
+/// Sets `result` to the rates and the stability of m. Fails if a matrix is not finite, or if the eigenvalues do not
+/// converge.
 template <SmoothPotential V>
 mechanics::Status analyse_stability(const IsotropicBody<V>& body, const SteadyMotion& m, LinearStability& result) {
   return analyse_stability(reduce_linearisation(body, m), result);

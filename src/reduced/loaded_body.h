@@ -1,6 +1,7 @@
 #pragma once
-/// The pseudo-rigid body with every load and every further coordinate. With the mass M, the volume Vol, the internal
-/// metrics C_b of viscoelastic branches and the coordinates s_k of companions,
+/// The pseudo-rigid body with every load and every further coordinate. The body has the mass M, the volume Vol, the
+/// inertia E₀ and the multiplier Λ. Viscoelastic branches have the internal metrics C_b and the relaxation times τ_b,
+/// and companions have the coordinates s_k:
 ///
 ///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ − ∂V_t/∂Q − T_s Q E₀ − Vol Σ P_b(Q, C_b) + Λ Q⁻ᵀ,
 ///   M c̈  = M (b − T c) − ∂V_c/∂c − ∂R/∂ċ − ∂V_t/∂c,      if there are planes,
@@ -55,10 +56,10 @@ class LoadedBody {
   using Multiplier = typename Body::Multiplier;
   struct Workspace {
     typename Body::Workspace body{};
-    /// If this pointer is not null, springs on the whole surface replace the pressure, the damping and the friction of
-    /// contact. The springs pull each point of the surface towards its position for the coordinates `*held_at`, with
-    /// the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the stiffness with
-    /// contact, which the search for a stable step needs.
+    /// If this pointer is not null and there are planes, springs on the whole surface replace the pressure, the damping
+    /// and the friction of contact. The springs pull each point of the surface towards its position for the coordinates
+    /// `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the
+    /// stiffness with contact, which the search for a stable step needs.
     const Vector* held_at = nullptr;
   };
   static constexpr int n_constraints = Body::n_constraints;
@@ -288,7 +289,7 @@ class LoadedBody {
   }
 
   Body body_;
-  loads::Forcing constant_;  ///< loads that do not depend on time
+  loads::Forcing constant_;  ///< loads that do not depend on time, with all planes
   Dissipation dissipation_;
   PlaneForces planes_;
   mechanics::Orbit orbit_;

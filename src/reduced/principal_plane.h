@@ -1,7 +1,8 @@
 #pragma once
-/// Steady motions as zeros of a function of eight numbers. By Riemann's theorem (ellipsoidal_motions.h), rotations can
-/// make A diagonal in every steady motion, with ω and Λ in the plane of axes 2 and 3. With the residual R of
-/// steady_motion.h, the unknowns u and the function F are
+/// Steady motions as zeros of a function of eight numbers. A steady motion has the deformation A, the angular velocity
+/// ω, the internal rotation Λ and the multiplier λ (steady_motion.h). By Riemann's theorem (ellipsoidal_motions.h),
+/// rotations can make A diagonal in every steady motion, with ω and Λ in the plane of axes 2 and 3. With A = diag(a)
+/// and the residual R of the equation of motion, the unknowns u and the function F are
 ///
 ///   u = (ln a₁, ln a₂, ln a₃, ω₂, ω₃, Λ₂, Λ₃, λ),
 ///   F = ((RA)₁₁, (RA)₂₂, (RA)₃₃, (RA)₂₃, (RA)₃₂, ln a₁a₂a₃)      (on GL⁺(3): λ in the last place).
@@ -51,7 +52,7 @@ using Quantity = PlaneDual (*)(const PlaneDuals&);
 namespace quantities {
 inline PlaneDual axis_ratio_21(const PlaneDuals& u) { return exp(u[1] - u[0]); }
 inline PlaneDual axis_ratio_31(const PlaneDuals& u) { return exp(u[2] - u[0]); }
-/// e = √(1 − a₃²/a₁²), which is not differentiable at the sphere.
+/// e = √(1 − a₃²/a₁²), which is not differentiable at the sphere and is NaN if a₃ > a₁.
 inline PlaneDual eccentricity(const PlaneDuals& u) { return sqrt(1.0 - exp(2.0 * (u[2] - u[0]))); }
 inline PlaneDual omega_2(const PlaneDuals& u) { return u[3]; }
 inline PlaneDual omega_3(const PlaneDuals& u) { return u[4]; }
@@ -98,8 +99,9 @@ void steady_equations(const IsotropicBody<V>& body, const PlaneVector& u, PlaneV
 
 namespace detail {
 
-/// Newton's step DF⁻¹F by the singular value decomposition of DF. Components of F at round-off are set to 0. At a
-/// bifurcation, these components would be divided by a singular value near 0 and would lead to another branch.
+/// Newton's step DF⁻¹F by the singular value decomposition of DF. Components of F along left singular vectors are set
+/// to 0 if they are at round-off. At a bifurcation, these components would be divided by a singular value near 0 and
+/// would lead to another branch.
 PlaneVector newton_step(const PlaneMatrix& DF, const PlaneVector& F, double round_off);
 
 /// Newton's iteration for F = 0. equations(u, F, DF) sets F and its derivative DF. The iteration ends if |F| is small

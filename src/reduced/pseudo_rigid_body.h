@@ -7,8 +7,8 @@
 ///
 /// E₀ and Vol are the inertia and the volume of reference_body.h, and W is the stored energy. On SL(3) the constraint g
 /// = ln det Q has G(Q)Q̇ = tr(Q⁻¹Q̇), GᵀΛ = ΛQ⁻ᵀ and D²g(Q̇,Q̇) = −tr((Q⁻¹Q̇)²). The equation G(Q₁) M⁻¹ G(Q₀)ᵀ Λ = r is
-/// therefore tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r, and its solution is a division. The multiplier of Oliva is λ = Λ/m̄ with m̄ = ⅓
-/// tr E₀. On GL⁺(3) there is no constraint and no multiplier.
+/// therefore tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r. Its solution is a division. The multiplier of Oliva is λ = Λ/m̄ with m̄ = ⅓ tr
+/// E₀. On GL⁺(3) there is no constraint and no multiplier.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -215,7 +215,7 @@ class PseudoRigidBody {
   }
 
   /// Functions that all forms of the body have (diagonal_body.h, dissipative_body.h). They return the body, the matrix
-  /// Q, the state as (Q, Q̇), and the dissipated energy.
+  /// Q, the state as (Q, Q̇), and the dissipated energy, which is 0 here.
   const PseudoRigidBody& body() const { return *this; }
   static const Eigen::Matrix3d& matrix(const Vector& q) { return q; }
   const mechanics::VectorState<Vector>& motion(const mechanics::VectorState<Vector>& state) const { return state; }

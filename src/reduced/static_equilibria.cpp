@@ -27,8 +27,8 @@ Eigen::Matrix3d uniform_rotation(const std::function<double()>& uniform) {
   return Eigen::Quaterniond(p * std::sin(a), p * std::cos(a), q * std::sin(b), q * std::cos(b)).toRotationMatrix();
 }
 
-/// The four rotations R at which P̄:R is critical. With P̄ = U diag(σ) Vᵀ, they are the matrices R = U diag(±1) Vᵀ with
-/// det R = 1. If entries of σ are equal, there are more critical rotations.
+/// The four rotations R at which P̄:R is critical, with the nominal traction P̄. With P̄ = U diag(σ) Vᵀ, they are the
+/// matrices R = U diag(±1) Vᵀ with det R = 1. If entries of σ are equal, there are more critical rotations.
 std::vector<Eigen::Matrix3d> critical_rotations(const Eigen::Matrix3d& P) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(P, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double sign = svd.matrixU().determinant() * svd.matrixV().determinant() > 0 ? 1 : -1;

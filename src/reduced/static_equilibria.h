@@ -1,5 +1,6 @@
 #pragma once
-/// The pseudo-rigid body at rest: critical points of its potential energy on SL(3) or GL⁺(3) (Oliva 5.7 and 5.8),
+/// The pseudo-rigid body at rest: critical points of its potential energy V on SL(3) or GL⁺(3) (Oliva 5.7 and 5.8).
+/// With the multiplier Λ they satisfy
 ///
 ///   ∂V/∂Q = Λ Q⁻ᵀ,   ln det Q = 0     (on GL⁺(3), Λ = 0 replaces the second equation)
 ///
@@ -7,9 +8,9 @@
 ///
 ///   D(∂V)(Q)[H] + Λ Q⁻ᵀHᵀQ⁻ᵀ,   ⟨H, H⟩ = tr(H E₀ Hᵀ),   −C H = −∂R/∂Q̇ at Q̇ = H
 ///
-/// with Rayleigh's function R (dissipation.h). These derivatives are exact. Morse index, nullity and rates are defined
-/// in mechanics/equilibria/critical_point.h. If rotations of space or of the reference body do not change V, the
-/// nullity includes the directions of these rotations.
+/// with the inertia E₀ of the reference body and Rayleigh's function R (dissipation.h). The derivatives are exact.
+/// Morse index, nullity and rates are defined in mechanics/equilibria/critical_point.h. If rotations of space or of the
+/// reference body do not change V, the nullity includes the directions of these rotations.
 
 #include <Eigen/Dense>
 
@@ -34,9 +35,11 @@ class StaticLandscape {
 
   int n_coordinates() const { return 9; }
   int n_constraints() const { return incompressible_ ? 1 : 0; }
+  /// The periods of the coordinates: 0, because no coordinate is periodic.
   Vector periods() const { return Vector::Zero(9); }
   double potential(const Vector& q) const { return potential_.energy(matrix(q)); }
-  /// Sets dV = ∂V/∂Q. Fails if Q is not admissible or if a derivative is not finite.
+  /// Sets dV = ∂V/∂Q. Fails if Q is not admissible (the private function `admissible`), or if a derivative is not
+  /// finite.
   mechanics::Status gradient(const Vector& q, Vector& dV) const;
   /// Sets g = ln det Q, or an empty g on GL⁺(3). Fails if det Q is not positive and finite.
   mechanics::Status constraint(const Vector& q, Vector& g) const;
@@ -57,7 +60,8 @@ class StaticLandscape {
   bool rises_at(double s) const;
 
  private:
-  /// Fails if det Q is not positive and finite, if a compressible body has collapsed, or if the law does not admit Q.
+  /// Fails if det Q is not positive and finite, if det Q of a compressible body is at most 1e-8, or if the law does not
+  /// admit Q.
   mechanics::Status admissible(const Eigen::Matrix3d& Q) const;
   double outward_slope(double s, const Eigen::VectorXd& direction) const;
 

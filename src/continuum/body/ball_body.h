@@ -46,7 +46,7 @@ class BallBody {
 
   /// The body of a sector of the unit ball. `degree` is the degree k, from 1 to 8, or from 2 to 8 with the constraint.
   /// An octant has 4 coarse cells, each of which is refined uniformly n_refinements times. The ranks of the
-  /// communicator share the cells.
+  /// communicator share the cells. Both constructors throw the exceptions of make_cell_kernels.
   BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
            const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
   /// The body of a mesh. `n_gravity_points` and `n_contact_points` are the numbers of quadrature points in each
@@ -59,7 +59,7 @@ class BallBody {
 
   /// a = M⁻¹f, with 0 for components that a symmetry plane fixes. f and a may be the same vector.
   void apply_inverse_mass(const Vector& f, Vector& a) const;
-  /// f = M v, with the mass 1 for the coordinates of the account and of the companions. Components without an inverse
+  /// f = M v, with the mass 1 for the coordinates of the energies and of the companions. Components without an inverse
   /// mass, which are fixed or not used, get 0.
   void apply_mass(const Vector& v, Vector& f) const;
   /// f ← f − C u for viscosity, drag, and the damping and friction of contacts. C is the linearisation `kind` of the
@@ -74,9 +74,9 @@ class BallBody {
   /// True if there are viscoelastic branches.
   bool relaxes() const { return !branches_.empty(); }
   const materials::MaxwellBranches& branches() const { return branches_.list; }
-  /// Replaces the internal metrics of x by their values after the time h, for the mean strain of the positions `before`
-  /// and x. Adds the energy that the branches dissipate to the dissipated energies in v, in total and for each branch.
-  /// Collective.
+  /// Replaces the internal metrics of the branches in x (kernels/branch_kernels.h) by their values after the time h.
+  /// The strain is the mean strain of the positions `before` and x. Adds the energy that the branches dissipate to the
+  /// dissipated energies in v, in total and for each branch. Collective.
   void relax(double h, const Vector& before, Vector& x, Vector& v) const;
   /// Sets the internal metrics of x. If `relaxed` is true, they become Ĉ = J^{−2/3} FᵀF at x and the branches have no
   /// stress. Otherwise they become the identity, which belongs to the undeformed body.
@@ -101,11 +101,11 @@ class BallBody {
   Eigen::Vector3d mean(const Vector& x) const;
   /// `add_taken` adds to the dissipated energy in v, and `add_given` to the given energy in v. The argument is the
   /// energy of the sector on all ranks. The functions multiply this energy by the number of images of the sector. If v
-  /// is a force, `energy` is a power. Without the node of the account, v does not change.
+  /// is a force, `energy` is a power. On ranks without the coordinates of BallSpace::account, v does not change.
   void add_taken(double energy, Vector& v) const { add_to_account(energy, 0, v); }
   void add_given(double energy, Vector& v) const { add_to_account(energy, 1, v); }
   /// The dissipated energy and the energy given by loads and by moving planes, for the whole ball. Both are entries of
-  /// the velocity v, or 0 without the node of the account. Collective.
+  /// the velocity v, or 0 if no rank has the coordinates of BallSpace::account. Collective.
   double dissipated(const Vector& v) const;
   double given(const Vector& v) const;
   /// The energy that each branch has dissipated in the whole ball. Collective.
@@ -147,8 +147,8 @@ class BallBody {
   /// Least reserve of the law over the quadrature points of all ranks, with its reference position. The reserve is
   /// positive if the law admits F, and infinite for a law without limits (materials/law_limits.h). Collective.
   LeastPlace least_reserve(const Vector& x) const;
-  /// Integrals over the sector, least value and largest (ln J)², each over all ranks, at the position x and the
-  /// velocity v. Collective.
+  /// The integrals and extreme values of CellIntegrals over the sector on all ranks, at the position x and the velocity
+  /// v. Collective.
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
   /// Fails if the smallest `least` of all ranks is not a positive finite number. `least` is the smallest value of det F
   /// and of the reserve of the law at the points of this rank. For a law with limits and det F > 0 everywhere, the
@@ -174,8 +174,8 @@ class BallBody {
                                    Vector& f) const;
 
  private:
-  /// Index of the first branch among the coordinates of the account. Index 0 is the dissipated energy, and index 1 is
-  /// the given energy.
+  /// Index of the first branch among the coordinates from BallSpace::account on. Index 0 is the dissipated energy, and
+  /// index 1 is the given energy.
   static constexpr unsigned int first_branch_account = 2;
   double account_entry(const Vector& v, unsigned int component) const;
   void add_companions(const Vector& x, Vector& f) const;

@@ -5,8 +5,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// ∫∇φ_n dX for every node n, from the kernel for the viscous force −2η∫J d F⁻ᵀ∇φ_n. With x = X and ẋ = X, F = d = Id.
-/// With 2η = −1, the force is then the integral.
+/// ∫∇φ_n dX for every node n with its basis function φ_n, from the kernel for the viscous force −2η∫J d F⁻ᵀ∇φ_n. With x
+/// = X and ẋ = X, F = d = Id. With 2η = −1, the force is then the integral.
 Vector integrated_gradients(const BallSpace& space, const CellKernels& kernels) {
   const Vector& X = space.reference_positions();
   Vector gradients = space.make_vector();

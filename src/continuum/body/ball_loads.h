@@ -50,7 +50,7 @@ class LoadForces {
 
   /// `add_driving` computes f ← f − ∂V/∂x for the potential V of `forcing`. `driving_power` returns the contribution of
   /// the nodes of this rank to ∂V/∂t. Its argument `rate` contains the time derivatives of the loads. Both need the
-  /// member gradients_, so a load must depend on time. Collective.
+  /// member gradients_, so a load must depend on time or a plane must move. Collective.
   void add_driving(const loads::Forcing& forcing, const Vector& x, Vector& f) const;
   double driving_power(const loads::Forcing& rate, const Vector& x) const;
 
@@ -59,11 +59,11 @@ class LoadForces {
   void add_pressure(double pressure, const Vector& x, Vector& f) const;
 
   loads::Loads loads_;
-  loads::Forcing constant_;  ///< sum of the loads that do not depend on time
-  bool driven_;              ///< true if a load depends on time
+  loads::Forcing constant_;  ///< sum of the loads that do not depend on time, with all planes
+  bool driven_;              ///< true if a load depends on time or a plane moves
   const BallSpace& space_;
   const CellKernels& kernels_;
-  std::optional<Vector> gradients_;  ///< ∫∇φ_n dX; empty if no load depends on time
+  std::optional<Vector> gradients_;  ///< ∫∇φ_n dX; empty if no load depends on time and no plane moves
   std::optional<Vector> traction_;   ///< P̄ ∫∇φ_n dX; empty without a constant traction
 };
 

@@ -27,7 +27,8 @@ std::vector<Eigen::Vector3d> signs_of_images(const Sector& sector) {
   return signs;
 }
 
-/// The force of a companion on a node at y per mass of the node, G m_i (r − y)/|r − y|³.
+/// The force Gm (r − y)/|r − y|³ of a companion at r on a node at y, per mass of the node. `Gm` is the gravitational
+/// constant times the mass of the companion.
 Eigen::Vector3d pull(double Gm, const Eigen::Vector3d& r, const Eigen::Vector3d& y) {
   const Eigen::Vector3d apart = r - y;
   const double square = apart.squaredNorm();

@@ -1,7 +1,8 @@
 #pragma once
 /// The gravity between companions (mechanics/core/orbit.h) and the nodes of the finite-element ball, without expansion
 /// in the size of the ball. Node n has the mass m_n and the position y_n relative to the centre of mass. Companion i
-/// has the mass m_i and the relative position r_i. With the gravitational constant G, the energy and the forces are
+/// has the mass m_i and the position r_i relative to this centre. With the gravitational constant G, the energy and the
+/// forces are
 ///
 ///   U = −Σ_i Σ_n G m_i m_n/|r_i − y_n|,   F_i = −∂U/∂r_i,   f_n = −∂U/∂y_n + (m_n/M) Σ_i F_i,
 ///

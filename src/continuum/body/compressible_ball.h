@@ -3,8 +3,9 @@
 ///
 ///   M ẍ = −∫P:∇φ + loads,
 ///
-/// with the symbols of ball_body.h. The restriction to motions x = QX is the pseudo-rigid body with det Q > 0 and
-/// without a constraint. This ball has neither a multiplier nor a Gram solver.
+/// with the lumped mass M, the first Piola–Kirchhoff stress P, and the basis functions φ of the displacements. The
+/// restriction to motions x = QX is the pseudo-rigid body with det Q > 0 and without a constraint. This ball has
+/// neither a multiplier nor a Gram solver.
 
 #include "continuum/body/ball_body.h"
 #include "mechanics/core/unconstrained.h"

@@ -22,7 +22,7 @@
 namespace pseudorigid::continuum {
 
 /// Number of points in each direction of a face for which the error of gravity is below the discretisation error. With
-/// the degree k the number is k + 2, or k + 1 if the faces of an elastic body are refined. A fluid needs k + 2, because
+/// the degree k the number is k + 2, or k + 1 if the mesh of an elastic body is refined. A fluid needs k + 2, because
 /// only gravity makes the shortest waves on its surface stable. With k + 1 points, the computed waves were seen to grow
 /// by a factor of 2.3 in the time 1/√(Gρ). With k + 2 points the quadrature resolves the gravity of these waves.
 int n_gravity_points(const BallSpace& space, bool is_fluid);
@@ -43,9 +43,10 @@ class SurfaceGravityForces {
   /// s_c R_c u(X) under each reflection R_c of the sector. It is even under R_c if s_c = 1, and odd if s_c = −1.
   /// Collective.
   void add_rate(const Vector& x, const Vector& u, const std::array<int, 3>& s, Vector& f) const;
-  /// Ê of the computed sector, which is Ê of the ball divided by the number of images. Collective.
+  /// Ê of the computed sector, which is Ê of the ball divided by the number of images. The result is NaN if the volume
+  /// inside the surface is negative. Collective.
   double energy(const Vector& x) const;
-  /// The gravitational potential φ per mass at points of the computed sector, at the position x of the ball. Each rank
+  /// The gravitational potential per mass at points of the computed sector, for the position x of the ball. Each rank
   /// has its own points. Collective.
   std::vector<double> potential(const Vector& x, const std::vector<Eigen::Vector3d>& points) const;
 

@@ -1,5 +1,6 @@
 #pragma once
-/// A preconditioner of the Gram operator S = G M⁻¹Gᵀ at given positions.
+/// A preconditioner of the Gram operator S = G M⁻¹Gᵀ at given positions, with the derivative G of the constraint and
+/// the mass M.
 
 #include <cstddef>
 
@@ -18,7 +19,7 @@ class GramPreconditioner {
   virtual mechanics::Status renew(const Vector& x) = 0;
   /// result ≈ S⁻¹ r, a symmetric positive definite approximation. Collective.
   virtual void apply(Vector& result, const Vector& r) const = 0;
-  /// Time of `renew`; the unit is the time of one iteration of a solve with S.
+  /// Estimate of the time of `renew`; the unit is the time of one iteration of a solve with S.
   virtual double renewal_cost() const = 0;
   /// Memory on this rank in bytes.
   virtual std::size_t memory() const = 0;

@@ -77,8 +77,9 @@ class GramSolver::Impl {
     history_.stale = !status;
     return status;
   }
-  /// Computes the preconditioner at the positions of the history, unless this process has already computed it. The
-  /// computation is necessary after a restart from a checkpoint. Fails if the preconditioner cannot be computed.
+  /// Computes the preconditioner at the positions of the history, unless this process has already computed a
+  /// preconditioner. The computation is necessary after a restart from a checkpoint. Fails if the preconditioner cannot
+  /// be computed.
   mechanics::Status restore() {
     return std::exchange(is_made_, true) ? mechanics::Status() : preconditioner_->renew(history_.renewed_at);
   }
@@ -112,15 +113,15 @@ class GramSolver::Impl {
             n_iterations};
   }
 
-  /// The precision of the tangents. For small problems the tangent stays in the cache and also gives the reactions, in
-  /// double precision. For large problems only the iterations use the tangent, and the methods check the constraint
-  /// after each solve. Single precision then halves the memory to read.
+  /// The precision of the tangents of the constraint. For small problems a tangent stays in the cache and also gives
+  /// the reactions, in double precision. For large problems only the iterations use the tangent, and the methods check
+  /// the constraint after each solve. Single precision then halves the memory to read.
   static Precision precision_of(GramMethod method) {
     return method == GramMethod::dense ? Precision::double_precision : Precision::single_precision;
   }
 
-  /// The tangent of the constraint at the positions of the last call. In double precision it is computed again only if
-  /// the positions change, and in single precision at each call of move_to.
+  /// The tangent of the constraint at the positions of the last call of move_to or to_be_set_at. In double precision,
+  /// move_to computes the tangent only if the positions change. In single precision, every call of move_to computes it.
   class TangentAt {
    public:
     TangentAt(const CellKernels& kernels, Precision precision)
@@ -156,7 +157,7 @@ class GramSolver::Impl {
   mechanics::ConjugateResiduals<Vector> iteration_;
   Vector reaction_, residual_;
   History history_;
-  bool is_made_ = false;  // true if this process has computed the preconditioner
+  bool is_made_ = false;  // true after the first attempt of this process to compute the preconditioner
   Statistics statistics_;
 };
 

@@ -19,7 +19,7 @@ namespace pseudorigid::continuum {
 /// The preconditioner: the inverse of S as a dense matrix, or two levels.
 enum class GramMethod { dense, two_level };
 
-/// The method for a space: dense for up to `n_dense` multipliers in one process, otherwise two levels.
+/// The method for a space: dense for up to GramSolver::n_dense multipliers in one process, otherwise two levels.
 GramMethod fitting_gram_method(const BallSpace& space);
 
 class GramSolver {
@@ -38,15 +38,17 @@ class GramSolver {
   /// positive, f is not valid. With the dense preconditioner, it also stores the tangent of the constraint at x for a
   /// later solve at x.
   double force_with_reaction(const Vector& x, const Vector& lambda, Vector& f);
-  /// f ← f + G(x)ᵀλ. With the dense preconditioner, it reuses or stores the tangent of the constraint at x.
+  /// f ← f + G(x)ᵀλ. With the dense preconditioner, the function uses the stored tangent of the constraint if this is
+  /// the tangent at x. Otherwise it computes and stores the tangent at x.
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f);
 
   /// The part of the solver's memory on which later solves depend, for checkpoints. The residuals depend on the
   /// preconditioner. A resumed run therefore needs this memory to repeat the uninterrupted run.
   struct History {
     Vector renewed_at;  ///< positions at which the preconditioner was last computed
-    /// `n_iterations_fresh` is the number of iterations of the first converged solve after a renewal, or −1 before this
-    /// solve. `n_iterations_lost` is the sum, over all later converged solves, of the iterations beyond this number.
+    /// `n_iterations_fresh` is the number of iterations of the first solve after a renewal, or −1 before this solve.
+    /// `n_iterations_lost` is the sum, over all later solves, of the iterations beyond this number. Solves that renew
+    /// the preconditioner at q₁ do not count.
     int n_iterations_fresh = -1, n_iterations_lost = 0;
     bool stale = true;  ///< true if the next solve must compute or renew the preconditioner
   };
@@ -61,15 +63,16 @@ class GramSolver {
   }
 
   /// Counts since the construction of the solver. n_iterations_at_most is the largest number of iterations of one
-  /// solve.
+  /// solve. A solve does not count if its preconditioner cannot be computed. n_renewals includes failed renewals.
   struct Statistics {
     long n_solves = 0, n_iterations = 0, n_iterations_at_most = 0, n_renewals = 0;
     std::size_t memory = 0;  ///< memory of the preconditioner on this rank in bytes
   };
   Statistics statistics() const;
 
-  /// The factor by which one call of `solve` reduces the residual. The constraint loops of the methods repeat the call
-  /// until their own residual is small. A call therefore need not be more accurate than a step of Newton's iteration.
+  /// One call of `solve` reduces the residual by this factor, or to `enough` if that is larger. The constraint loops of
+  /// the methods repeat the call until their own residual is small. A call therefore need not be more accurate than a
+  /// step of Newton's iteration.
   static constexpr double reduction = 1e-4;
   /// For up to this many multipliers in one process, a step with the dense inverse is cheaper than with two levels.
   static constexpr std::size_t n_dense = 2400;

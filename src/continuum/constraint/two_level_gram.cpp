@@ -171,8 +171,8 @@ void TwoLevelGram::make_coarse_solver() {
   PetscObjectTypeCompare(reinterpret_cast<PetscObject>(coarse_solver_), KSPPREONLY, &applies_preconditioner_);
 }
 
-/// Computes K at the positions x. For Lagrange functions of nodes on the free surface, the rows and columns of K are 0
-/// except for a positive diagonal. K is therefore regular.
+/// Computes the coarse matrix K at the positions x. For Lagrange functions of nodes on the free surface, the rows and
+/// columns of K are 0 except for a positive diagonal. K is therefore regular.
 void TwoLevelGram::assemble_coarse_matrix(const Vector& x) {
   const unsigned int n_nodes = space_.nodes_per_cell();
   MatrixXd gradients(3 * n_nodes, n_functions_), K_cell(n_functions_, n_functions_);
@@ -204,7 +204,8 @@ void TwoLevelGram::assemble_coarse_matrix(const Vector& x) {
   K_->compress(dealii::VectorOperation::add);
 }
 
-/// Computes S_cc⁻¹ of all cells at the positions x. Returns false if a block of this rank is not positive definite.
+/// Computes the inverses S_cc⁻¹ of the blocks of all cells at the positions x. Returns false if a block of this rank is
+/// not positive definite.
 bool TwoLevelGram::invert_blocks(const Vector& x) {
   const Eigen::Index n = space_.n_pressure(), n_columns = 3 * space_.nodes_per_cell();
   inverse_blocks_.assign(space_.n_cells() * n_rows_ * space_.n_pressure(), 0);
@@ -239,8 +240,8 @@ mechanics::Status TwoLevelGram::renew(const Vector& x) {
   return mechanics::Status::failure("the Gram operator of the incompressibility constraint is singular");
 }
 
-/// Applies K⁻¹. If the solver only applies its preconditioner, this function calls the preconditioner directly, because
-/// KSPSolve would communicate with all ranks after each call.
+/// Applies the inverse of the coarse matrix K. If the solver only applies its preconditioner, this function calls the
+/// preconditioner directly, because KSPSolve would communicate with all ranks after each call.
 void TwoLevelGram::solve_coarse() const {
   if (!applies_preconditioner_) {
     KSPSolve(coarse_solver_, coarse_in_, coarse_out_);

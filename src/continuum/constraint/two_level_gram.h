@@ -1,19 +1,20 @@
 #pragma once
-/// A preconditioner B ≈ S⁻¹ of the Gram operator S = G M⁻¹Gᵀ for meshes of any size on any number of ranks. The number
-/// of iterations depends little on mesh size, and grows slowly with the degree. The preconditioner is
+/// A preconditioner B ≈ S⁻¹ of the Gram operator S = G M⁻¹Gᵀ for meshes of any size on any number of ranks. G is the
+/// derivative of the constraint, and M is the mass. The number of iterations depends little on mesh size, and grows
+/// slowly with the degree. The preconditioner is
 ///
 ///   B = Σ_cells R_cᵀ S_cc⁻¹ R_c + P K⁻¹ Pᵀ.
 ///
 /// R_c restricts the multipliers to one cell c, and S_cc is the block of S of this cell. The N_i ∈ Q_m are continuous
 /// functions that vanish on the free surface. For elements of degree k, m = 1 if k ≤ 4, and otherwise m = 2. P is the
-/// L²-projection of the N_i onto the multipliers. S is the weak form of −div(ρ⁻¹ grad) in current coordinates with λ =
-/// 0 on the free surface. Therefore K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX with F = ∂x/∂X. The matrices of the cells have
-/// single precision. A decrease of the residual by a factor of 10⁴ takes 7–10 iterations for k = 2. It takes 14–19
-/// iterations for k = 4, and 16–21 for k = 6. These numbers are for an octant with one to three refinements, at rest
-/// and sheared.
+/// L²-projection of the N_i onto the multipliers, which have the orthonormal basis ψ_j in each cell. S is the weak form
+/// of −div(ρ⁻¹ grad) in the current coordinates x, with λ = 0 on the free surface. ρ is the density. Therefore K_ij =
+/// ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX with F = ∂x/∂X. The matrices of the cells have single precision. A decrease of the
+/// residual by a factor of 10⁴ takes 7–10 iterations for k = 2. It takes 14–19 iterations for k = 4, and 16–21 for k =
+/// 6. These numbers are for an octant with one to three refinements, at rest and sheared.
 ///
-/// K⁻¹ is a KSP solver of PETSc with the options' prefix gram_coarse_. By default it is one V-cycle of the algebraic
-/// multigrid of PETSc (GAMG).
+/// A KSP solver of PETSc with the options' prefix gram_coarse_ applies K⁻¹. By default the solver is one V-cycle of the
+/// algebraic multigrid of PETSc (GAMG).
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
@@ -56,7 +57,7 @@ class TwoLevelGram final : public GramPreconditioner {
   int coarse_degree_;
   dealii::FE_Q<3> element_;
   dealii::DoFHandler<3> dof_handler_;
-  unsigned int n_functions_;  ///< number of the N_i of a cell
+  unsigned int n_functions_;  ///< number of the N_i of a cell, including those of nodes on the free surface
   std::vector<std::vector<dealii::types::global_dof_index>>
       cell_functions_;                         ///< global numbers of the N_i of each cell
   std::vector<unsigned int> local_functions_;  ///< local numbers of the N_i, cell by cell

@@ -2,8 +2,8 @@
 /// Batches of cells of the ball, with one cell in each lane of a SIMD vector, and the data that the kernels read. These
 /// data are the node numbers, and the weights and positions of the Gauss points for the constraint. For elements of
 /// degree k, the data also contain the basis ψ of P_{k−1}, which is orthonormal in L². With the vector m of the
-/// monomials and the Cholesky factor L of ∫m ⊗ m = LLᵀ, the basis is ψ = L⁻¹ m. If the last batch has fewer cells than
-/// lanes, its other lanes repeat its first cell. Results of these lanes are not used.
+/// monomials (pressure_basis.h) and the Cholesky factor L of ∫m ⊗ m = LLᵀ, the basis is ψ = L⁻¹ m. If the last batch
+/// has fewer cells than lanes, its other lanes repeat its first cell. Results of these lanes are not used.
 
 #include <algorithm>
 #include <array>
@@ -89,6 +89,8 @@ class CellBatches {
     }
   }
 
+  /// Sets `values` to the multipliers of the cells of the batch. Lanes without a cell of their own get the multipliers
+  /// of the first cell.
   void load_multiplier(const double* lambda, std::size_t batch, L* values) const {
     const Batch& b = batches[batch];
     const double* entries = lambda + b.first_cell * n_pressure;

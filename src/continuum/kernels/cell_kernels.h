@@ -11,8 +11,8 @@
 ///   viscous force   f_n = −∫ 2ηJ d F⁻ᵀ ∇φ_n dX,   d = sym(∇v F⁻¹),   with the power ∫ 2ηJ d:d dX
 ///
 /// Vectors may be distributed over ranks. Each rank integrates over its own cells. The kernels update the ghost entries
-/// that they read, and add contributions to the entries of other ranks. Functions of positions or velocities are
-/// therefore collective. Returned sums and minima are over the cells of this rank only.
+/// that they read, and add contributions to the entries of other ranks. Functions that read positions or velocities, or
+/// that add forces, are therefore collective. Returned sums and minima are over the cells of this rank only.
 ///
 /// local_kernels.h computes the integrals, with one implementation per degree (cell_kernels_impl.h). The implementation
 /// calls the law for all points of a batch (point_law.h).

@@ -1,7 +1,8 @@
 #pragma once
-/// The derivative G of the constraint at fixed positions, for many products. T_q = w H⁻ᵀ is stored at every Gauss point
-/// q, with H = ∂x/∂ξ and the weight w of cell_kernels_impl.h. The numbers have double precision or, for iterations,
-/// single precision. With the functions of cell_kernels.h, the products are
+/// The derivative G of the constraint at fixed positions x, for many products. T_q = w H⁻ᵀ is stored at every Gauss
+/// point q, with H = ∂x/∂ξ. w is the quadrature weight times det ∂X/∂ξ. The numbers have double precision or, for
+/// iterations, single precision. The ψ_j are the basis of the multipliers, the φ_n are the basis of the displacements,
+/// and λ_h = Σ λ_j ψ_j. The products with a velocity v and a multiplier λ are
 ///
 ///   (G v)_j = Σ_q ψ_j T_q : ∂v/∂ξ,   (Gᵀλ)_n = Σ_q λ_h T_q : ∂φ_n/∂ξ
 
@@ -96,7 +97,8 @@ class ConstraintTangents {
   struct PlaneOfPoints {
     Number T[9][plane];
   };
-  /// Prefetches part q of the plane `next`, as many numbers as one point has. `next` may point behind the last plane.
+  /// Prefetches part q of the plane `next`. A part has as many numbers as one point. `next` may point behind the last
+  /// plane.
   template <class Number>
   static void prefetch_values(const PlaneOfPoints<Number>* next, int q) {
     constexpr int per_point = 9 * sizeof(Number), cache_line = 64;

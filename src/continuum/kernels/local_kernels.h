@@ -46,8 +46,8 @@ using FunctionOfF = std::function<double(const double* F)>;
 
 enum class Precision { single_precision, double_precision };
 
-/// The derivative of the constraint at given positions, for many products. It is stored as w H⁻ᵀ at every point
-/// (cell_kernels_impl.h).
+/// The derivative of the constraint at given positions, for many products. It is stored as w H⁻ᵀ at every Gauss point,
+/// with H = ∂x/∂ξ. w is the quadrature weight times det ∂X/∂ξ.
 class ConstraintTangent {
  public:
   explicit ConstraintTangent(Precision precision) : precision_(precision) {}
@@ -61,8 +61,9 @@ class ConstraintTangent {
 class LocalKernels {
  public:
   virtual ~LocalKernels() = default;
-  /// Adds the elastic force −∂/∂x ∫(W + U) dX to f. Returns the least value of J and of `reserve(F)` of the law over
-  /// all quadrature points of this process. The reserve is positive if the law admits F (materials/law_limits.h).
+  /// Adds the elastic force −∂/∂x ∫(W + U) dX of the stored energy (stored_energy.h) to f. Returns the least value of J
+  /// and of `reserve(F)` of the law over all quadrature points of this process. The reserve is positive if the law
+  /// admits F (materials/law_limits.h).
   virtual double add_force(const double* x, double* f) const = 0;
   /// f ← f + force + G(x)ᵀλ in one pass. Returns the same value as `add_force`. If `at_x` is not null, it must have
   /// double precision and is set to the tangent at x.

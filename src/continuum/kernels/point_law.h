@@ -2,7 +2,8 @@
 /// The part of the kernels that depends on the law: the operations at the quadrature points of a batch of cells. One
 /// source file contains all laws and does not depend on the degree. The source files of the degrees do not depend on
 /// the laws. The class PointLaw stores the geometry that the stress needs (stress_points.h). The points of all batches
-/// are numbered one after the other.
+/// are numbered one after the other. W + U is the stored energy (stored_energy.h). The weight w of a point is its
+/// weight on the reference cell times det ∂X/∂ξ.
 ///
 /// A tensor at n_points points has 9 · n_points numbers, with the entry (i, j) of point q at (3i + j) n_points + q.
 /// SIMD vectors are passed only in memory.

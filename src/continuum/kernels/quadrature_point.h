@@ -18,7 +18,7 @@ using mechanics::native_lanes;
 /// set of each source file.
 constexpr int few_lanes = native_lanes > 4 ? 4 : native_lanes;
 
-/// The geometry of a point that the integrals of the constraint need, such as the reaction ∫λ_h F⁻ᵀ:∇φ.
+/// The geometry of a point that the integrals of the constraint need, such as the nodal forces of the pressure.
 template <int n_lanes>
 struct PressurePoint {
   using L = Lanes<n_lanes>;

@@ -60,9 +60,9 @@ class BallSpace {
   /// 1 if the coordinate is used, and otherwise 0.
   const Vector& inverse_mass() const { return inverse_mass_; }
   const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
-  /// Local index of the coordinate of the dissipated energy. The next indices belong to the coordinates of the given
-  /// energy and of the energies of branches. The inverse masses of all these coordinates are 1. The result is empty if
-  /// there are no such coordinates, and on ranks that do not own them.
+  /// Local index of the coordinate of the dissipated energy. The next index is that of the given energy. The following
+  /// indices belong to the energies that the branches dissipate, one for each branch. The inverse masses of all these
+  /// coordinates are 1. The result is empty if there are no such coordinates, and on ranks that do not own them.
   std::optional<unsigned int> account() const { return account_; }
   /// Local index of the first coordinate of the first companion. The other coordinates of the companions follow, and
   /// the inverse masses of all are 1. The result is empty without companions, and on ranks that do not own these
@@ -75,8 +75,8 @@ class BallSpace {
   unsigned int n_account_nodes() const { return (n_accounts_ + 2) / 3; }
   void number_nodes();
   void number_multipliers();
-  /// Sets X_. Throws std::logic_error if the positions of a shared node in two cells of this rank differ by more than
-  /// 1e-13.
+  /// Sets X_. Throws std::logic_error if two cells of this rank give a component of a shared node values that differ by
+  /// more than 1e-13.
   void place_nodes();
   void lump_mass();
 

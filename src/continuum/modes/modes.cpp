@@ -44,6 +44,7 @@ bool has_threefold_axis(const BallSpace& space) {
   });
 }
 
+/// The sectors to solve: one sector of each spectrum if the mesh has the threefold axis, and otherwise all eight.
 std::vector<SectorClass> sector_classes(const BallSpace& space) {
   if (has_threefold_axis(space)) return {{0, 1}, {1, 3}, {3, 3}, {7, 1}};
   std::vector<SectorClass> all;
@@ -98,6 +99,7 @@ class SectorSpectrum {
   }
 
   double complete_below() const { return complete_below_; }
+  /// True if `extend` has found an eigenpair.
   bool asked() const { return !pairs_.empty(); }
 
  private:
@@ -177,7 +179,8 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
   const auto interrupted = [&] { return give_up && give_up(); };
   const auto stopped = [] { return mechanics::Status::failure("interrupted while looking for the modes"); };
   // The fundamental frequencies of the sphere rise by about 1 per degree, in internal units
-  // (analysis/sphere_frequencies.h). Among the lowest n frequencies, no degree is therefore above n + 2.
+  // (analysis/sphere_frequencies.h). Among the lowest n frequencies, no degree is therefore above n + 2. Degrees above
+  // 30 are not considered.
   const int max_degree = std::min(n_frequencies + 2, 30);
   std::vector<SectorSpectrum> sectors;
   for (const SectorClass& sector_class : sector_classes(problem.space)) {

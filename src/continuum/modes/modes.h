@@ -1,5 +1,7 @@
 #pragma once
-/// The lowest eigenfrequencies of the ball at rest, from all eight parity sectors of one octant (parity_sector.h).
+/// The lowest eigenfrequencies of the ball at rest, from the eight parity sectors of one octant (parity_sector.h). If
+/// the nodes are symmetric under the cyclic permutation of the axes, only four sectors are computed. Each other sector
+/// has the frequencies of one of them.
 ///
 /// A sphere has 2n + 1 modes for each frequency of a kind (spheroidal or toroidal) and a degree n. These modes are
 /// distributed over the sectors. On a mesh, their computed frequencies differ by the error of the mesh. The modes are

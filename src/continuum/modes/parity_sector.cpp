@@ -19,7 +19,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Numbers of corrections of G u: first in the operator for the eigenvectors, then for a mode or a static response.
+/// Numbers of corrections of the constraint G u (parity_sector.h): first in the operator for the eigenvectors, then for
+/// a mode or a static response.
 constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
 /// Relative tolerances of the conjugate gradients with self-gravity, in the energy norm: first for eigenvectors and
 /// modes, then for a static response. The third constant is the largest number of iterations.
@@ -145,9 +146,9 @@ void ParitySector::number_unknowns() {
   root_mass_ = mass_.cwiseSqrt();
 }
 
-/// Computes the Cholesky factor L of B_own, the part of B for the cell's own entries. Sets cell.coupling to
-/// L⁻¹B_own,shared, and the lower triangle of `schur` to that of B_shared − couplingᵀ coupling. B_shared does not
-/// contain the shift.
+/// Computes the Cholesky factor L of B_own, the part of B = K + s M + γ GᵀG for the cell's own entries. Sets
+/// cell.coupling to L⁻¹B_own,shared, and the lower triangle of `schur` to that of B_shared − couplingᵀ coupling.
+/// B_shared does not contain the shift.
 void ParitySector::condense(Cell& cell, unsigned int number, Eigen::MatrixXd& schur) const {
   const Eigen::MatrixXd& B = problem_.stiffness[number];
   const auto n_own = static_cast<Eigen::Index>(cell.own.size());

@@ -61,7 +61,7 @@ struct RestProblem {
   bool incompressible;
   double shift;                             ///< s; may be set to 0 for sectors of a stable ball without rigid motions
   double weight_of_density;                 ///< product ρg of density and gravity at the surface
-  double penalty;                           ///< penalty γ of the augmented Lagrangian
+  double penalty;                           ///< penalty γ of the augmented Lagrangian; 0 for a compressible body
   std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell, with the springs of self-gravity
   std::vector<Eigen::MatrixXd> constraint;  ///< G of each cell; empty for a compressible body
   std::vector<int> n_cells_at_node;         ///< number of cells that contain each node

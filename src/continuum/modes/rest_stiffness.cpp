@@ -75,8 +75,8 @@ RestStiffness::PointCoefficients RestStiffness::coefficients(unsigned int cell) 
   return c;
 }
 
-/// The n³×n³ matrix Σ_de Σ_q c_de ∂_dφ_a ∂_eφ_b. In direction t, the nodes a and b and the point q have the indices
-/// a_t, b_t and q_t.
+/// The n³×n³ matrix Σ_de Σ_q c_de ∂_dφ_a ∂_eφ_b, with the basis functions φ_a and the Gauss points q. In direction t,
+/// the nodes a and b and the point q have the indices a_t, b_t and q_t.
 Eigen::MatrixXd RestStiffness::contract(const std::array<Eigen::VectorXd, 9>& c) const {
   const int n = n_, n2 = n * n;
   // The index in products_ for one direction: 2 if ∂_d differentiates in this direction, plus 1 if ∂_e does.

@@ -25,7 +25,7 @@ Harmonic harmonic(int n, int m, bool sine, const Eigen::Vector3d& e) {
     return degree < m ? 0.0 : scale * std::sph_legendre(static_cast<unsigned>(degree), static_cast<unsigned>(m), theta);
   };
   const double P = legendre(n);
-  // sin θ dP_n/dθ = n cos θ P_n − √((2n+1)/(2n−1) (n² − m²)) P_{n−1}
+  // For the normalised Legendre functions, sin θ dP_n/dθ = n cos θ P_n − √((2n+1)/(2n−1) (n² − m²)) P_{n−1}.
   const double below =
       n == 0 ? 0 : std::sqrt((2.0 * n + 1) / (2.0 * n - 1) * (1.0 * n * n - 1.0 * m * m)) * legendre(n - 1);
   const double dP = (n * c * P - below) / s;

@@ -7,7 +7,7 @@ namespace {
 
 using Metric = materials::Symmetric<double>;
 
-/// Σ μ_b C_b⁻¹ at the Gauss points of a cell.
+/// Σ μ_b C_b⁻¹ at the Gauss points of a cell, with the modulus μ_b and the internal metric C_b of each branch.
 std::vector<Metric> at_points(const materials::MaxwellBranches& branches, const Vector& x, unsigned int cell,
                               std::size_t n_points) {
   std::vector<Metric> sums(n_points, Metric{});

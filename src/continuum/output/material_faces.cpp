@@ -23,7 +23,7 @@ std::optional<int> coordinate_plane(const Eigen::Matrix3Xd& X, const std::vector
 }
 
 /// The wanted number of squares of all lattices on the whole ball. This number is a compromise: more squares make
-/// outlines smoother, and the report larger.
+/// outlines smoother, and the report larger. The number m of intervals per direction is between 1 and largest_m.
 constexpr double wanted_squares = 1700;
 constexpr int largest_m = 6;
 

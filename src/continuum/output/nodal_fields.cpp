@@ -43,7 +43,8 @@ void reflect(std::vector<double>& values, int n_components, const Sector& sector
     }
 }
 
-/// φ at the nodes of all cells of this rank, cell by cell. The result is empty without self-gravity. Collective.
+/// The potential φ of self-gravity at the nodes of all cells of this rank, cell by cell. The result is empty without
+/// self-gravity. Collective.
 std::vector<double> potential_at_nodes(const BallBody& ball, const Vector& position) {
   if (!ball.gravity()) return {};
   std::vector<Eigen::Vector3d> points;
@@ -57,14 +58,15 @@ std::vector<double> potential_at_nodes(const BallBody& ball, const Vector& posit
   return ball.gravity()->potential(position, points);
 }
 
-/// The constant ρφ̄ = (5/3)Ê/V. With self-gravity, the multiplier exceeds the pressure by ρ(φ − φ̄). Collective.
+/// The constant ρφ̄ = (5/3)Ê/V, with the energy Ê of self-gravity and the volume V. The multiplier exceeds the pressure
+/// by ρ(φ − φ̄), with the potential φ. Collective.
 double mean_potential(const BallBody& ball, const Vector& position) {
   const int n_images = ball.space().mesh().sector().n_images();
   return 5.0 / 3 * n_images * ball.gravity()->energy(position) / ball.volume();
 }
 
 /// Appends the fields at the nodes of a cell to `fields`, except the potential, which must already be set. If
-/// `multiplier` is null, λ_h is 0. Fails if det F is not positive and finite at a node.
+/// `multiplier` is null, the multiplier counts as 0. Fails if det F is not positive and finite at a node.
 mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
                            const Vector* multiplier, double mean_potential, unsigned int cell,
                            mechanics::BodyFields& fields) {
@@ -123,7 +125,7 @@ void interpolate_along(const std::vector<double>& to_equidistant, int n, std::si
   std::vector<double> line(n);
   const std::size_t n_points = cell.size() / n_components;
   for (std::size_t point = 0; point < n_points; ++point) {
-    if (point / stride % n != 0) continue;  // a line starts at the index 0
+    if (point / stride % n != 0) continue;  // a line starts at a point with the index 0 in this direction
     for (int c = 0; c < n_components; ++c) {
       const auto value = [&](int i) -> double& { return cell[n_components * (point + i * stride) + c]; };
       for (int q = 0; q < n; ++q) {

@@ -4,11 +4,11 @@
 ///
 ///   F = (∂x/∂ξ)(∂X/∂ξ)⁻¹,   σ = (P(F) − (λ_h − ρ(φ − φ̄)) F⁻ᵀ)Fᵀ / det F
 ///
-/// P is the stress of the law and of the viscoelastic branches, without volumetric stabilisation and viscosity. λ_h is
-/// the multiplier of the motion, or 0 without constraint. With self-gravity, φ is the potential. The constant φ̄
-/// follows from ρφ̄V = (5/3)Ê with the volume V and the energy Ê of self-gravity. The term with φ removes the gauge of
-/// Ê from the pressure (gravity/surface_gravity.h), and is 0 without self-gravity. All fields have internal units
-/// (entries/units.h).
+/// F is the deformation gradient, and σ is the Cauchy stress. P is the stress of the law and of the viscoelastic
+/// branches, without volumetric stabilisation and viscosity. λ_h is the multiplier of the motion, or 0 without
+/// constraint. With self-gravity, φ is the potential. The constant φ̄ follows from ρφ̄V = (5/3)Ê with the volume V and
+/// the energy Ê of self-gravity. The term with φ removes the gauge of Ê from the pressure (gravity/surface_gravity.h),
+/// and is 0 without self-gravity. All fields have internal units (entries/units.h).
 
 #include <vector>
 

@@ -13,7 +13,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Σ m_n |x_n − A X_n|² over the sector, summed over all ranks. Collective.
+/// Σ m_n |x_n − A X_n|² over the nodes n of the sector on all ranks, with the nodal masses m_n. Collective.
 double squared_distance_from_affine(const BallBody& ball, const Vector& x, const Eigen::Matrix3d& A) {
   const Vector affine = ball.affine_field(A);
   double sum = 0;
@@ -42,9 +42,10 @@ Eigen::Matrix3d to_eigen(const CellIntegrals::Matrix& t) {
   return m;
 }
 
-/// Returns (1/m̄)∫Jp dX for the pressure p, with m̄ = ⅓ tr E₀. The scalar product of the reaction of λ_h with x is ∫λ_h
-/// F⁻ᵀ:∇x dX = 3∫λ_h dX. With the potential φ of self-gravity, Jp = λ_h − ρ(φ − φ̄) (nodal_fields.h). Here ρφ̄V =
-/// (5/3)Ê and ∫ρφ dX = 2Ê, with the energy Ê of gravity/surface_gravity.h.
+/// Returns (1/m̄)∫Jp dX for the pressure p, with m̄ = ⅓ tr E₀ and the inertia E₀. λ_h is the field of the multiplier.
+/// The scalar product of the reaction of λ_h with x is ∫λ_h F⁻ᵀ:∇x dX = 3∫λ_h dX. With the potential φ of self-gravity,
+/// Jp = λ_h − ρ(φ − φ̄) (nodal_fields.h). Here ρφ̄V = (5/3)Ê and ∫ρφ dX = 2Ê, with the energy Ê of
+/// gravity/surface_gravity.h.
 double mean_multiplier(const ElasticBall& ball, const Vector& x, const Vector& lambda) {
   Vector reaction = ball.make_vector();
   ball.add_reaction(x, lambda, reaction);

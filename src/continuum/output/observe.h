@@ -12,8 +12,8 @@ namespace pseudorigid::continuum {
 using BallState = mechanics::VectorState<Vector>;
 
 /// Sets the observables that `request` contains. Always sets the centre of mass, its velocity, Q_M and its time
-/// derivative, the mean of F, the volume ratio and the contact. Fails if the deformation is not admissible, or if the
-/// multiplier is requested and cannot be computed. Collective.
+/// derivative, the mean of F, the volume ratio and the contact. The multiplier of a compressible ball is 0. Fails if
+/// the deformation is not admissible, or if the multiplier is requested and cannot be computed. Collective.
 mechanics::Status observe(const ElasticBall& ball, const BallState& state, ElasticBall::Workspace& workspace,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& observables);
 mechanics::Status observe(const CompressibleBall& ball, const BallState& state, CompressibleBall::Workspace& workspace,

@@ -14,7 +14,8 @@ namespace pseudorigid::continuum {
 
 class RankOrder {
  public:
-  /// The constructor, `collect_field` and `collect_multiplier` are collective.
+  /// The constructor, `collect_field` and `collect_multiplier` are collective. They throw std::length_error in the
+  /// cases of gather.h.
   explicit RankOrder(const BallSpace& space);
 
   /// Collects the whole vector on rank 0 in this order, from the own entries of all ranks. The result is empty on other

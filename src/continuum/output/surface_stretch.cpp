@@ -20,8 +20,8 @@ Tangents tangents(const Eigen::Matrix3d& gradient, int d) {
   return t;
 }
 
-/// The ratio λ₁²λ₂, computed from the trace and the determinant of C₀⁻¹c. `before` and `after` contain the tangents
-/// before and after the deformation.
+/// The ratio λ₁²λ₂ (surface_stretch.h), computed from the trace and the determinant of C₀⁻¹c. `before` and `after`
+/// contain the tangents before and after the deformation.
 double stretch_ratio(const Tangents& before, const Tangents& after) {
   const Eigen::Matrix2d A = (before.transpose() * before).inverse() * (after.transpose() * after);
   const double half_trace = A.trace() / 2, product = A.determinant();

@@ -34,8 +34,8 @@ class MpiType {
 };
 
 /// The numbers of entries of all ranks as MPI counts, and the offset of each rank; the last offset is the total number.
-/// Throws std::length_error if the total exceeds the type int of MPI. Every rank then throws, because all ranks have
-/// the same numbers.
+/// Throws std::length_error if the total exceeds the largest int, which is the type of MPI counts. Every rank then
+/// throws, because all ranks have the same numbers.
 struct Counts {
   explicit Counts(const std::vector<long>& n_entries) {
     long end = 0;
