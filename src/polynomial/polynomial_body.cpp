@@ -162,9 +162,8 @@ void PolynomialBody::relax(double h, const Vector& before, Vector& q, Vector& v)
   ScratchArray F0(size), F1(size);
   space_->gradients().evaluate(space_->blocks(), 3, before.data(), F0);
   space_->gradients().evaluate(space_->blocks(), 3, q.data(), F1);
-  const materials::BranchEnergies lost =
-      dense().relax_branches(constant_.branches.list, h, space_->n_points(), space_->weights().data(), F0, F1,
-                             q.data() + first_metric());
+  const materials::BranchEnergies lost = dense().relax_branches(
+      constant_.branches.list, h, space_->n_points(), space_->weights().data(), F0, F1, q.data() + first_metric());
   for (std::size_t b = 0; b < constant_.branches.list.size(); ++b) {
     add_taken(lost[b], v);
     v[first_branch_account() + static_cast<int>(b)] += lost[b];

@@ -162,7 +162,7 @@ struct EnergyMomentum {
   static double noise_of_potential(const S& system, const typename S::Vector& q) {
     const double V = system.potential_energy(q), unit = 2 * epsilon * max_norm(q);
     double noise = 0;
-    for (int k = 1; k <= 8; ++k) {
+    for (int k = 1; k <= 5; ++k) {
       typename S::Vector near = q;
       int i = 0;
       for (double& x : local_values(near)) x += unit * ((7 * ++i + 3 * k) % 5 - 2);  // −2 … 2 units
