@@ -8,8 +8,7 @@ from program_test import DONE, ProgramTest, TIME_LIMIT
 MPIRUN = ["mpirun", "--oversubscribe", "--bind-to", "none", "--quiet"]
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-               "OMPI_MCA_mpi_yield_when_idle": "1",
-               "OMPI_MCA_odls_base_sigkill_timeout": "0"}  # mpirun waits a second otherwise after a rank that failed
+               "OMPI_MCA_mpi_yield_when_idle": "1"}
 
 
 class RanksTest(ProgramTest):
