@@ -176,8 +176,8 @@ bool spins(const io::Table& table) {
   return spin > spin_threshold * bound;
 }
 
-/// Adds the series of Q and C, their error, the frequencies and the exact ratio. If a table lacks a column of Q, only
-/// adds an entry to `not_compared`.
+/// Adds the series of the differences of Q and of C, the error of Q, and the frequencies. Adds the exact ratio of the
+/// frequencies only if the body does not spin. If a table lacks a column of Q, only adds an entry to `not_compared`.
 void compare_states(Workshop& w) {
   if (!w.available("deformation and frequency", Q_columns)) return;
   Comparison& out = w.out;

@@ -1,5 +1,6 @@
 #pragma once
-/// Strains computed from H = F − Id. Their relative error is only round-off, even for a small strain:
+/// Strains computed from H = F − Id. If H is small, small strains have no cancellation. If the body is rotated, H is
+/// not small, and the absolute error of the strain is round-off. With C = FᵀF and I = tr C,
 ///
 ///   D = C − Id = FᵀF − Id = H + Hᵀ + HᵀH  (twice Green's strain),   tr D = I − 3 = 2 tr H + |H|²
 ///   DD(F)[K] = KᵀF + FᵀK, with the trace 2 F:K
@@ -23,7 +24,7 @@ template <class Entry>
   return Tensor<std::decay_t<decltype(entry(0, 0))>>{{{entry(0, 0), a, b}, {a, entry(1, 1), c}, {b, c, entry(2, 2)}}};
 }
 
-/// Returns the strain D = FᵀF − Id, from H without cancellation.
+/// Returns the strain D = FᵀF − Id, from H, without cancellation if H is small.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> strain(const Tensor<T>& F) {
   const Tensor<T> H = displacement_gradient(F);
@@ -31,7 +32,7 @@ template <class T>
       [&](int i, int j) { return (H(i, j) + H(j, i)) + (H(0, i) * H(0, j) + H(1, i) * H(1, j) + H(2, i) * H(2, j)); });
 }
 
-/// Returns the trace tr D = I − 3, from H without cancellation.
+/// Returns the trace tr D = I − 3, from H, without cancellation if H is small.
 template <class T>
 [[gnu::always_inline]] inline T trace_of_strain(const Tensor<T>& F) {
   const Tensor<T> H = displacement_gradient(F);

@@ -35,8 +35,9 @@ inline bool is_ideal_fluid(const Scene& scene) {
   return is_fluid(scene) && !loads::present(scene.loads.get<loads::Viscoelasticity>());
 }
 
-/// Whether no load acts on the ball, so that elasticity and pressure are the only forces. Self-gravity is a load. A
-/// rise alone is not a load, because it only changes other loads.
+/// Whether no load acts on the ball. The only forces are then elasticity and the pressure that keeps the volume of an
+/// incompressible body. Self-gravity and Loads/Pressure are loads. A rise alone is not a load, because it only changes
+/// other loads.
 inline bool is_free(const Scene& scene) {
   loads::Loads acting = scene.loads;
   acting.get<loads::Rise>() = {};

@@ -54,9 +54,9 @@ class AnyModel {
   /// coordinates of the motion.
   AnyModel resting_at(const Eigen::VectorXd& q) const { return held_->resting_at(q); }
 
-  /// Reverses the direction of time, at most once, for a run backwards in time. The equations of motion must be a
-  /// second-order field. A state (t, q, q̇) of the motion is then represented by (−t, q, −q̇), and `row` appends the
-  /// same columns as before.
+  /// Reverses the direction of time, for a run backwards in time. Call this function at most once. The equations of
+  /// motion must be a second-order field, and the motion must start at the time 0. A state (t, q, q̇) of the motion is
+  /// then represented by (−t, q, −q̇), and `row` appends the same columns as before.
   void reverse() {
     form_ = mechanics::AnyField(mechanics::ReversedField(std::get<mechanics::AnyField>(form_)));
     start_.v *= -1;

@@ -222,7 +222,7 @@ class Workers {
   int first_;  ///< first run without a row when the sweep starts
   int end_;
   std::mutex mutex_;          ///< protects the members below
-  int next_;                  ///< first run of the next group, a multiple of `group`; end_ after the end of the sweep
+  int next_;                  ///< first run of the next group; at least end_ after the last group
   std::vector<Group> left_;   ///< groups that threads without memory have left
   std::exception_ptr error_;  ///< first exception other than a UserError
   std::optional<std::pair<int, std::string>> wrong_input_;

@@ -10,12 +10,12 @@
 ///   Y_d = tan(π/4 y_d),   y = Σ_{i on sphere} N_i(ξ) V_i/|V_i|_∞ / s     (equiangular coordinates of the sphere)
 ///
 /// If s = 0, the second term is absent. On a face on the sphere s = 1, so that its image is exactly spherical. On a
-/// symmetry plane, the zero coordinates of the vertices give a coordinate that is exactly zero. Other sectors are
-/// reflections of the octant, so that all sectors have the same discretisation.
+/// symmetry plane, the zero coordinates of the vertices give a coordinate that is exactly zero. Other sectors
+/// consist of reflections of the octant, so that all sectors have the same discretisation.
 ///
 /// A grading reduces the size of cells at the two poles ±e_p of an axis by a factor g < 1. The grading changes local
-/// coordinates ξ of the coarse cells before the transfinite map. The changed coordinates run outwards, or along the
-/// surface from a plane through the poles. A changed coordinate becomes
+/// coordinates ξ of the coarse cells before the transfinite map. The changed coordinates run outwards to the sphere,
+/// or away from a plane through the poles. A changed coordinate becomes
 ///
 ///   ξ ← (exp(βξ) − 1)/(exp β − 1),   β/(exp β − 1) = g.
 ///

@@ -119,7 +119,7 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
 }
 
 /// Returns the failure of the iteration for `what`, the position or the velocity. The function is cold and not inlined,
-/// because building the message costs more than a step.
+/// so that the code that builds the message is not a part of the loop.
 [[gnu::cold, gnu::noinline]] inline Status without_convergence(std::string_view what) {
   std::string sentence = "the ";
   sentence += what;

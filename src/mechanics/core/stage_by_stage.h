@@ -69,9 +69,9 @@ double cost_of_iteration(const F& field) {
     return gauss::n_stages;
 }
 
-/// Solves for the stages of any field, evaluated one by one. If an evaluation of the field fails, returns its failure.
-/// Sets stages.converged, which is false after success if the iteration does not converge. Throws NoKernels as
-/// solve_gauss_stages does.
+/// Solves for the stages of any field, which is evaluated at one stage after the other. If an evaluation fails, returns
+/// its failure. Otherwise returns success, even if the iteration does not converge. stages.converged is true only if
+/// the iteration converges and no evaluation fails. Throws NoKernels as solve_gauss_stages does.
 template <SecondOrderField F>
 Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspace& w) {
   const detail::StageByStage<F> by_stage(field, w);

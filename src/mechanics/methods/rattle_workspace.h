@@ -39,7 +39,7 @@ struct VelocityIteration {
 
   typename S::Vector half;            // v_n in the first half step, v_{n+1/2} in the second
   typename S::Vector before;          // v_{n+1} of the previous iteration
-  typename S::Vector free, reaction;  // v_{n+1} before the last projection; all reactions so far
+  typename S::Vector free, reaction;  // v_{n+1} before the last projection; sum of its changes by projections
 
  private:
   static typename S::Vector vector_if(bool wanted, const S& system) {

@@ -10,9 +10,9 @@
 ///
 ///   d_{n+1} = Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i},   q_{n+1} = q_n + d_{n+1}.
 ///
-/// The sum for q is compensated. The steps do not use the velocity. The first k − 1 steps, also after a change of h,
-/// are made by another method (multistep_start.h). With c_i for `velocity` of multistep_coefficients.h, the velocity at
-/// a sample is
+/// The sum for q is compensated, except for finite elements. The steps do not use the velocity. The first k − 1 steps,
+/// also after a change of h, are made by another method (multistep_start.h). With c_i for `velocity` of
+/// multistep_coefficients.h, the velocity at a sample is
 ///
 ///   v_n = d_n/h + h Σ_i c_i a_{n−i}   (order k + 1),   then projected onto G v = 0.
 ///
