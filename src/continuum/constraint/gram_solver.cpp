@@ -81,7 +81,10 @@ class GramSolver::Impl {
   /// preconditioner. The computation is necessary after a restart from a checkpoint. Fails if the preconditioner cannot
   /// be computed.
   mechanics::Status restore() {
-    return std::exchange(is_made_, true) ? mechanics::Status() : preconditioner_->renew(history_.renewed_at);
+    if (std::exchange(is_made_, true)) return {};
+    mechanics::Status status = preconditioner_->renew(history_.renewed_at);
+    history_.stale = !status;
+    return status;
   }
 
   /// result = G(q₁) M⁻¹ G(q₀)ᵀ λ

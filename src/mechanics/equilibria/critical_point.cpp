@@ -51,17 +51,19 @@ void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::Ma
 }
 
 /// Sets the rates z and directions δq = T y of ÿ + Dẏ + Hy = 0, and the numbers of stable and unstable rates. The rates
-/// are the eigenvalues of a matrix of twice the size of H.
-void linearise(const Eigen::MatrixXd& H, const Eigen::MatrixXd& D, const Eigen::MatrixXd& T, CriticalPoint& p) {
+/// are the eigenvalues of a matrix of twice the size of H. Fails if the eigenvalues do not converge.
+Status linearise(const Eigen::MatrixXd& H, const Eigen::MatrixXd& D, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.rows();
   Eigen::MatrixXd A(2 * n, 2 * n);  // the matrix of (y, ẏ)
   A << Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Identity(n, n), -H, -D;
   const Spectrum solution = spectrum(A);
+  if (!solution.converged) return Status::failure("the rates of small motions at a critical point do not converge");
   p.rates = solution.values;
   p.directions = T * solution.vectors.topRows(n).colwise().normalized();
   const double zero = zero_rate * (n > 0 ? p.rates.cwiseAbs().maxCoeff() : 0);
   p.n_unstable = static_cast<int>((p.rates.real().array() > zero).count());
   p.n_stable = static_cast<int>((p.rates.real().array() < -zero).count());
+  return {};
 }
 
 }  // namespace
@@ -87,10 +89,8 @@ Status describe_critical_point(const AnyLandscape& landscape, const Eigen::Vecto
   const double zero = std::max(zero_curvature * largest, round_off_curvature);
   p.morse_index = static_cast<int>((p.hessian_eigenvalues.array() < -zero).count());
   p.nullity = static_cast<int>((p.hessian_eigenvalues.array().abs() <= zero).count());
-  if (D.isZero(0))
-    linearise_undamped(curvature, zero, T, p);
-  else
-    linearise(H, D, T, p);
+  if (!D.isZero(0)) return linearise(H, D, T, p);
+  linearise_undamped(curvature, zero, T, p);
   return {};
 }
 
