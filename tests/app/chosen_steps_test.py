@@ -106,7 +106,7 @@ class ChosenSteps(ProgramTest):
     def test_the_advice_after_an_inverted_element(self):
         """--resume with a smaller step goes on at once, whatever pilots over the rest of the run would say."""
         self.scene({"Models": "continuum", "Continuum/Degree": 2, "Initial state/Velocity": "2, 0, 0; 0, 2, 0; 0, 0, -4",
-                    "Time/End": 50, "Output/Samples": 1000, "Time/Step": 0.02})
+                    "Time/End": 10, "Output/Samples": 200, "Time/Step": 0.02})
         stopped = self.run_program("run", "scene.prm")
         self.assert_exit(stopped, STOPPED)
         self.assertIn("with a smaller Time/Step", stopped.stderr)
