@@ -2,7 +2,7 @@
 import re
 import unittest
 
-from program_test import DONE, STOPPED, WRONG_INPUT
+from program_test import DONE, STOPPED, WRONG_INPUT, overrides
 from refused_input import RefusedInputTest
 
 REDUCED = {"Models": "reduced", "Time/End": 10, "Output/Samples": 10,
@@ -59,6 +59,8 @@ class Limits(RefusedInputTest):
         # Samples make the steps shorter; a method that the program chooses takes the step as a bound alone.
         for entries in ("Output/Samples=20", "Time/Method=auto"):
             self.assertNotIn("stability limit", self.run_done("check", "scene.prm", "--set", entries).stdout)
+        bounded = self.run_done("check", "scene.prm", *overrides({"Time/Method": "auto", "Time/Step": 1e-5, "Time/End": 1})).stdout
+        self.assertIn("roughly 1e+05 steps", bounded)
 
     VISCOUS = {**CONTINUUM, "Material/Viscosity": 1, "Time/End": 0.2, "Output/Samples": 2}
 

@@ -165,7 +165,9 @@ scene::Needs needs_with_effort(const scene::Scene& scene) {
   const auto name = mechanics::method_name(method.value_or(mechanics::id_of<mechanics::Rattle>));
   needs.needed.back() += fmt::format("; {} is stable at rest up to a step of about {:.3g}", name, limit);
   if (!method || !scene.time.step) {
-    const double usual = usual_part_of_limit * limit, n_steps = std::ceil(scene.time.end / usual);
+    // A method that the program chooses takes Time/Step as an upper bound.
+    const double usual = std::min(usual_part_of_limit * limit, scene.time.step.value_or(limit)),
+                 n_steps = std::ceil(scene.time.end / usual);
     const double seconds = seconds_of_continuum(scene, needs, n_steps, usual);
     needs.needed.back() += fmt::format("; roughly {:.1g} steps and {:.1g} s on one core", n_steps, seconds);
     describe_effort_of_sweep(scene, seconds, needs);
