@@ -121,6 +121,25 @@ TYPED_TEST(LargestDamping, DoesNotLimitTheStep) {
   EXPECT_NEAR(fit_order(points).order, 2, 0.25);
 }
 
+template <class Ball>
+struct WithoutPreconditioner : Ball {
+  using Ball::Ball;
+  int n_damped_entries() const { return 0; }
+};
+
+/// The preconditioner of the linear systems for the velocity changes the work, not the motion.
+TYPED_TEST(LargestDamping, HasTheSameMotionWithHalfTheProducts) {
+  const loads::Loads viscous{loads::Viscosity{200}};
+  const TypeParam ball(octant, 2, 0, ciarlet_geymonat, viscous);
+  const WithoutPreconditioner<TypeParam> plain(octant, 2, 0, ciarlet_geymonat, viscous);
+  const auto start = affine_state(ball, diagonal(1.2, 1, 1 / 1.2), diagonal(0.24, 0, -0.2 / 1.2));
+  const auto fast = run<mechanics::Rattle>(ball, start, 4, 1, 100),
+             slow = run<mechanics::Rattle>(plain, start, 4, 1, 100);
+  ASSERT_TRUE(fast.finished() && slow.finished()) << fast.result.reason << slow.result.reason;
+  EXPECT_LT(distance(fast.last(), slow.last()), 1e-10);
+  EXPECT_LT(2 * fast.counters.n_force, slow.counters.n_force);
+}
+
 /// Amplitudes of a damped oscillation at equal intervals Δ obey a_{k+1} = 2e^{−δΔ}cos(νΔ) a_k − e^{−2δΔ} a_{k−1}: both
 /// coefficients by least squares.
 double decay_rate(const std::vector<double>& a, double interval) {

@@ -71,6 +71,9 @@ class BallBody {
   }
   /// True if C does not depend on the velocity. Only friction makes C depend on the velocity.
   bool damping_is_linear() const { return !loads_.rough(); }
+  /// Number of entries of a vector on all ranks if there is viscosity, otherwise 0
+  /// (mechanics/core/damping_preconditioner.h).
+  int n_damped_entries() const { return loads_.viscous() ? static_cast<int>(space_.reference_positions().size()) : 0; }
   /// True if there are viscoelastic branches.
   bool relaxes() const { return !branches_.empty(); }
   const materials::MaxwellBranches& branches() const { return branches_.list; }

@@ -32,6 +32,7 @@ class LoadForces {
 
   bool dissipative() const { return constant_.dissipative(); }
   bool damped() const { return constant_.damped(); }
+  bool viscous() const { return constant_.viscosity > 0; }
   /// True if planes have friction. The damping force is then not linear in the velocity.
   bool rough() const { return constant_.planes.rough(); }
   bool time_dependent() const { return driven_; }

@@ -19,14 +19,15 @@
 /// left is symmetric and positive in the inner product ⟨x, y⟩ = xᵀM y, so conjugate gradients solve the equation. The
 /// eigenvalues of the operator are between 1 and 1 + sγ, with the largest damping rate γ. From the lower bound, the
 /// error of u is at most the residual, both in the norm √(xᵀM x). From the upper bound, the number of iterations grows
-/// like √(sγ). The implicit step is stable for every γ.
+/// like √(sγ). For small bodies, a preconditioner (damping_preconditioner.h) makes the number small. The implicit step
+/// is stable for every γ.
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/core/constraint_newton.h"
+#include "mechanics/core/damping_preconditioner.h"
 #include "mechanics/core/linearization.h"
 
 namespace pseudorigid::mechanics {
@@ -57,7 +58,8 @@ struct DampingTemporaries {
 template <Damped S>
 struct DampingTemporaries<S> {
   explicit DampingTemporaries(const S& system, bool used)
-      : residual(vector_if(used, system)),
+      : preconditioner(system, used),
+        residual(vector_if(used, system)),
         solution(residual),
         direction(residual),
         product(residual),
@@ -65,9 +67,11 @@ struct DampingTemporaries<S> {
         momentum(residual),
         at_rest(residual) {}
 
+  [[no_unique_address]] DampingPreconditioner<S> preconditioner;
   typename S::Vector residual;  ///< r, or P r after the projection
   typename S::Vector solution;  ///< u
-  /// The direction p of conjugate gradients, P(1 + s M⁻¹C) p, −C p, and M x for a norm.
+  /// The direction p of conjugate gradients; P(1 + s M⁻¹C) p, then P T M r with the preconditioner T; −C p; and M x for
+  /// a scalar product with x.
   typename S::Vector direction, product, force, momentum;
   typename S::Vector at_rest;  ///< f(q, 0), if `rest_known` is true (rattle_velocity.h)
   bool rest_known = false;
@@ -126,21 +130,39 @@ Status solve_damping(const S& system, double s, const State<S>& state, double en
     return detail::project_onto_tangent_space(system, detail::left_by_projections * enough, state.q, x,
                                               system_workspace, constraint);
   };
-  const auto squared = [&](const typename S::Vector& x) {
-    system.apply_mass(x, w.momentum);
-    return dot(x, w.momentum);
+  const bool preconditioned = w.preconditioner.prepare(system, s, state);
+  const auto& conditioned = preconditioned ? w.product : w.residual;  // P T M r, or r
+  const auto find_conditioned = [&](double& square) {                 // sets also its scalar product with M r
+    system.apply_mass(w.residual, w.momentum);
+    if (preconditioned) {
+      w.preconditioner.apply(w.momentum, w.product);
+      if (Status status = project(w.product); !status) return status;
+    }
+    square = dot(conditioned, w.momentum);
+    return Status();
   };
   scale(0.0, w.solution);
   const double round_off = 64 * std::numeric_limits<double>::epsilon() * max_norm(w.residual);
   const double sufficient = std::max({enough, w.round_off, round_off});
-  w.direction = w.residual;
-  double square = squared(w.residual);
+  double square = 0;
   for (int i = 0; i < most_iterations; ++i) {
-    if (max_norm(w.residual) <= sufficient) return {};
+    if (max_norm(w.residual) <= sufficient) {
+      if (i > 0) w.preconditioner.count(i);
+      return {};
+    }
+    const double before = square;
+    if (Status status = find_conditioned(square); !status) return status;
+    if (i == 0) {
+      w.direction = conditioned;
+    } else {
+      scale(square / before, w.direction);
+      axpy(1.0, conditioned, w.direction);
+    }
     scale(0.0, w.force);
     system.add_damping(state, w.direction, Linearization::tangent, w.force);
     ++w.n_products;
-    const double curvature = squared(w.direction) - s * dot(w.direction, w.force);
+    system.apply_mass(w.direction, w.momentum);
+    const double curvature = dot(w.direction, w.momentum) - s * dot(w.direction, w.force);
     if (!(curvature > 0)) break;
     system.apply_inverse_mass(w.force, w.product);
     if (Status status = project(w.product); !status) return status;
@@ -149,9 +171,6 @@ Status solve_damping(const S& system, double s, const State<S>& state, double en
     const double alpha = square / curvature;
     axpy(alpha, w.direction, w.solution);
     axpy(-alpha, w.product, w.residual);
-    const double before = std::exchange(square, squared(w.residual));
-    scale(square / before, w.direction);
-    axpy(1.0, w.residual, w.direction);
   }
   return Status::failure("the velocity that the dissipation leaves is not found; use a smaller step");
 }

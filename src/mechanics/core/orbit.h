@@ -165,7 +165,7 @@ class Orbit {
   /// Returns the forces on s_k, for the positions r_i and the forces of the body on the companions. The function adds
   /// the forces between the companions.
   Columns force_on_coordinates(const Columns& r, const Columns& of_body) const {
-    Columns on_r = Columns::Zero(3, n_);  // −∂U/∂r_i
+    Eigen::Matrix<double, 3, most_companions> on_r = Eigen::Matrix<double, 3, most_companions>::Zero();  // −∂U/∂r_i
     for (int i = 0; i < n_; ++i) {
       on_r.col(i) += of_body.col(i);
       for (int j = 0; j < i; ++j) {

@@ -88,6 +88,7 @@ struct RattleWorkspace {
     if constexpr (Damped<S>) {
       visit(begun);
       visit(stiff);
+      damping.preconditioner.visit_memory(visit);
     }
     if constexpr (VectorSpace<typename S::Vector>::compensated) {
       visit(q_rounding);
