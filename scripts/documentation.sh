@@ -4,8 +4,8 @@
 # Installs what is missing (Debian 12; as root or with sudo), builds the program and writes into docs/ and README.md;
 # `git diff` then shows what has changed. Parts (default: pages, pictures and benchmarks; "all": every one):
 #   pages       docs/parameters.md, docs/data/equilibria.md, what commands print in README.md and in pages of docs/
-#   pictures    docs/images: quickstart, phase portrait, cells, report, equilibria, gallery; not paraview.png, because
-#               ParaView takes the place of python3-vtk9 (docs/python.md)
+#   pictures    docs/images: quickstart, phase portrait, cells, report, equilibria, gallery, tidal locking; not
+#               paraview.png, because ParaView takes the place of python3-vtk9 (docs/python.md)
 #   site        build/site: the pages with search and formulas, its links checked
 #   verification  docs/images/verification.svg and the table of docs/verification.md
 #   benchmarks  scripts/benchmark.sh, 25 minutes
@@ -52,6 +52,8 @@ make_pictures() {
     --set "Output/Samples=140" --set "Output/Frames=29"
   xvfb-run -a /usr/bin/python3 -m pseudorigid render "$runs/fine" --output "$images/quickstart.png"
   xvfb-run -a /usr/bin/python3 -m pseudorigid animate "$runs/fine" --output "$images/both_balls.gif"
+  "$program" run params/tidal_locking.prm --output "$runs/locking" --set "Time/End=60" --set "Output/Samples=120"
+  /usr/bin/python3 -m pseudorigid orbit "$runs/locking" --width 640 --output "$images/tidal_locking.gif"
   for cells in linear lagrange; do
     "$program" run params/quickstart.prm --output "$runs/$cells" --set "Time/End=7" --set "Output/Samples=140" \
       --set "Output/Frames=29" --set "Output/Cells=$cells"

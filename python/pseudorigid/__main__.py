@@ -12,6 +12,7 @@ COMMANDS = {
     "plot": ("plot", "curves of a run: deformation over time, difference of the models, energies"),
     "render": ("render", "the bodies of a run at one time, with their stress, as a picture"),
     "animate": ("animate", "the bodies of a run at all times, as an animated GIF"),
+    "orbit": ("orbit", "a body and its companions in orbit, and the bulge of the body, as an animated GIF"),
     "paraview": ("paraview_view", "the bodies of a run in ParaView: a window, a picture or an animation"),
     "cells": ("cells", "a body with linear cells and with Lagrange cells"),
     "equilibria": ("equilibria", "figures of equilibrium, computed by the program: tables, or a picture"),

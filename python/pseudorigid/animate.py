@@ -16,22 +16,19 @@ import io
 import math
 import pathlib
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import Any
 
 from pseudorigid import render
 from pseudorigid.errors import WrongInput, needs
 from pseudorigid.figures import plt, styles
+from pseudorigid.gif import write_gif
 from pseudorigid.results import Run
 from pseudorigid.window import VIRIDIS
 
 with needs("python3-pil"):
     import numpy as np
     import PIL.Image
-
-N_COLOURS, N_REFINEMENTS = 64, 2  # more colours are hardly seen and make the file larger
-ALMOST_WHITE = 245
-PALETTE_FRAMES = 8  # the palette is made from so many frames, spread over the motion
 
 
 def images(run: Run, cut: bool, width: int, quantity: str) -> Iterator[Any]:
@@ -98,32 +95,6 @@ class Strip:
         file = io.BytesIO()
         self.figure.savefig(file, format="png", dpi=self.DPI)
         return PIL.Image.open(file).convert("RGB").resize(self.size, PIL.Image.Resampling.LANCZOS)
-
-
-def common_palette(frames: Sequence[Any]) -> Any:
-    chosen = frames[:: max(1, len(frames) // PALETTE_FRAMES)]
-    mosaic = PIL.Image.new("RGB", (chosen[0].width, chosen[0].height * len(chosen)))
-    for row, frame in enumerate(chosen):
-        mosaic.paste(frame, (0, row * frame.height))
-    palette = mosaic.quantize(N_COLOURS, PIL.Image.Quantize.MEDIANCUT, kmeans=N_REFINEMENTS)
-    # The paper is white but for the choice of a palette.
-    colours = np.array(palette.getpalette()).reshape(-1, 3)
-    colours[colours.min(axis=1) > ALMOST_WHITE] = 255
-    palette.putpalette(colours.ravel().tolist())
-    palette.load()
-    return palette
-
-
-def write_gif(frames: Sequence[Any], milliseconds: int, output: pathlib.Path) -> None:
-    palette = common_palette(frames)
-    # Without dithering: its noise differs from frame to frame, and would be most of the file.
-    first, *others = (frame.quantize(palette=palette, dither=PIL.Image.Dither.NONE) for frame in frames)
-    try:
-        output.parent.mkdir(parents=True, exist_ok=True)
-        first.save(output, save_all=True, append_images=others, duration=milliseconds, loop=0, optimize=False)
-    except (OSError, ValueError) as error:
-        raise WrongInput(f"--output: {output} cannot be written: {error}") from error
-    print(f"{output}: {len(frames)} frames")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -7,7 +7,7 @@ import numpy as np
 import PIL.Image
 
 from program_test import ProgramTest, WRONG_INPUT, main
-from pseudorigid import Run, WrongInput, animate, render, window
+from pseudorigid import Run, WrongInput, gif, render, window
 from pseudorigid.figures import STYLES
 from pseudorigid.plot import component, curves
 
@@ -27,7 +27,7 @@ class Drawing(ProgramTest):
 
     def test_help_lists_the_commands(self):
         listed = self.run_done("--help").stdout
-        for name in "plot", "render", "animate", "paraview", "cells", "equilibria", "map":
+        for name in "plot", "render", "animate", "orbit", "paraview", "cells", "equilibria", "map":
             self.assertIn(f"\n  {name} ", listed)
             self.assertIn(f"pseudorigid {name}", self.run_done(name, "--help").stdout)
         self.assert_exit(self.run_program("draw"), WRONG_INPUT)
@@ -104,11 +104,11 @@ class Drawing(ProgramTest):
             window.write_png(window.new_window(8, 8), self.scratch / "file/a.png")
         for name in "file/a.gif", "a.txt":
             with self.assertRaisesRegex(WrongInput, "--output"):
-                animate.write_gif([PIL.Image.new("RGB", (8, 8))], 100, self.scratch / name)
+                gif.write_gif([PIL.Image.new("RGB", (8, 8))], 100, self.scratch / name)
 
     def test_a_missing_package_is_named(self):
         # -S: without the folder of Debian's packages, as with another Python.
-        for tool in "plot", "render", "animate", "map", "cells":
+        for tool in "plot", "render", "animate", "orbit", "map", "cells":
             result = subprocess.run([sys.executable, "-S", "-m", "pseudorigid", tool, "nowhere"], capture_output=True, text=True)
             self.assert_one_sentence(result, "No module named", "this needs Debian's python3-")
 
