@@ -14,7 +14,7 @@ pressure with the degree n, and P_n' that of a flat punch, by which the contact 
     P_n = 3F (sin x - x cos x)/x^3,   P_n' = sin x/x,   x = (n + 1/2)a,   a^3 = 3F/16.
 
 The equations are those of a Lagrangian, and conserve the energy. As v tends to 0, q does not act on F, and the loss 1 - e^2 tends to
-the sum over modes of contact.py. Modes of degree n > N answer F as if they were static. The law D needs (N + 1/2)a < 1.5 or so:
+the sum over modes of contact.py. Modes of degree n > N answer F as if they were static. Modes with (N + 1/2)a > 2 are refused:
 with all modes taken from it, nothing of D would be left.
 """
 import dataclasses
@@ -63,21 +63,28 @@ class Contact:
             new = max(force - rest / slope, force / 5)
             if new < 1e-13:
                 return 0.0
-            if abs(new - force) < 1e-13 * force:
+            if abs(new - force) < 1e-13 * force or abs(rest) < 1e-15 * (abs(depth) + np.abs(q).sum()):
                 return new
             force = new
         raise ValueError("no force for this depth")
 
 
+def resolves(v, largest_degree):
+    return (largest_degree + 0.5) * 0.9963 * v**0.4 <= 2
+
+
 def impact(v, k, largest_degree, n_steps=3000):
-    """The impact with the speed v, by the Strang splitting of forces and free motions."""
+    """The impact with the speed v, by the Strang splitting of forces and free motions. If the modes are too many, the values
+    are not numbers."""
+    if not resolves(v, largest_degree):
+        return Impact(math.nan, math.nan, math.nan)
     contact = Contact(largest_degree, k)
     w, p = contact.w, contact.p
     h = 2.922 * v**-0.2 / n_steps  # Hertz's duration has n_steps
     cosine, sine = np.cos(w * h), np.sin(w * h)
     t, depth, speed, force, largest = 0.0, 0.0, v, 0.0, 0.0
     q, rate, P = np.zeros_like(w), np.zeros_like(w), np.zeros_like(w)
-    while t == 0 or depth > 0 and force > 1e-7 * largest:
+    while t == 0 or force > 1e-7 * largest:  # a vibrating pole may touch at d < 0
         speed, rate = speed - force / MASS * h / 2, rate + p / MASS * P * h / 2
         t, depth = t + h, depth + speed * h
         q, rate = cosine * q + sine / w * rate, cosine * rate - w * sine * q

@@ -70,8 +70,9 @@ def chosen_factor(motion: Motion, samples: np.ndarray, factor: float | None) -> 
     deformation = motion.deformation(samples)
     if factor is None:
         return round_below(VISIBLE_DEFORMATION / deformation) if ROUND < deformation < LARGE_DEFORMATION else 1
-    if factor <= 0 or factor * deformation >= 1:
-        raise WrongInput(f"--magnify: expected a factor above 0 and below {1 / max(deformation, 1e-300):.3g}, at which the outline is a line")
+    bound = 1 / max(motion.compression(samples), 1e-300)
+    if not 0 < factor < bound:
+        raise WrongInput(f"--magnify: expected a factor above 0 and below {bound:.3g}, at which the outline is a line")
     return factor
 
 

@@ -66,6 +66,10 @@ class Motion:
         """The largest difference of a semi-axis to the mean radius at the start, relative to it."""
         return float(np.abs(self.axes[0][samples] / self.mean_radius - 1).max())
 
+    def compression(self, samples: np.ndarray) -> float:
+        """The largest amount by which a semi-axis is smaller than the mean radius at the start, relative to it, or 0."""
+        return float(np.maximum(1 - self.axes[0][samples] / self.mean_radius, 0).max())
+
     def magnified(self, sample: int, factor: float) -> np.ndarray:
         """The matrix that maps points of the projected body to those with a magnified deformation."""
         lengths, directions = self.axes[0][sample], self.axes[1][sample]

@@ -77,7 +77,7 @@ class PolynomialBody {
   bool dissipative() const { return constant_.dissipative(); }
   bool has_contact() const { return !constant_.planes.empty(); }
   bool damping_is_linear() const { return !constant_.planes.rough(); }
-  /// Number of coefficients if there is viscosity or drag, otherwise 0 (mechanics/core/damping_preconditioner.h).
+  /// Number of coefficients if there is viscosity, otherwise 0 (mechanics/core/damping_preconditioner.h).
   int n_damped_entries() const { return constant_.viscosity > 0 ? space_->n_unknowns() : 0; }
   bool relaxes() const { return !constant_.branches.empty(); }
   /// Replaces the internal metrics in q by their values after the time h, for the mean strain of `before` and q. Adds

@@ -87,7 +87,7 @@ class Orbit(ProgramTest):
         self.assertLessEqual(chosen_factor(motion, samples, None) * motion.deformation(samples), 0.35)  # the largest one that it draws
         self.assertEqual(chosen_factor(motion, samples, 2), 2)
         with self.assertRaisesRegex(WrongInput, "--magnify"):
-            chosen_factor(motion, samples, 1.1 / motion.deformation(samples))
+            chosen_factor(motion, samples, 1.1 / motion.compression(samples))
 
     def test_refusals(self):
         run = self.make_run()

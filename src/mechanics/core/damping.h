@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/core/constraint_newton.h"
@@ -62,17 +63,17 @@ struct DampingTemporaries<S> {
         residual(vector_if(used, system)),
         solution(residual),
         direction(residual),
-        product(residual),
         force(residual),
+        product(residual),
         momentum(residual),
         at_rest(residual) {}
 
   [[no_unique_address]] DampingPreconditioner<S> preconditioner;
   typename S::Vector residual;  ///< r, or P r after the projection
   typename S::Vector solution;  ///< u
-  /// The direction p of conjugate gradients; P(1 + s M⁻¹C) p, then P T M r with the preconditioner T; −C p; and M x for
-  /// a scalar product with x.
-  typename S::Vector direction, product, force, momentum;
+  /// The direction p of conjugate gradients, and −C p. `product` is P(1 + s M⁻¹C) p and then P T M r with the
+  /// preconditioner T. `momentum` is M x for a scalar product with x.
+  typename S::Vector direction, force, product, momentum;
   typename S::Vector at_rest;  ///< f(q, 0), if `rest_known` is true (rattle_velocity.h)
   bool rest_known = false;
   /// The round-off that the projection leaves in `residual`. Before the projection, r contains the forces along the
@@ -116,42 +117,31 @@ Status project_residual(const S& system, const typename S::Vector& q, double eno
                                             system_workspace, constraint);
 }
 
-/// Sets w.solution to u for the projected residual P r = w.residual. On return w.residual is the remaining residual.
-/// The operator C is taken at `state`. The iteration ends when the remaining residual is at most `enough`, w.round_off
-/// or 64 units of round-off of P r. The function fails if a projection fails, if 2000 iterations are not enough, or if
-/// 1 + s M⁻¹C is not positive. The last case occurs in a long step backwards in time, s < 0, and for numbers that are
-/// not finite.
+namespace detail {
+
+/// Conjugate gradients for `solve_damping`, with at most `most_iterations` products. They end when the remaining
+/// residual is at most `sufficient`.
 template <Damped S>
-Status solve_damping(const S& system, double s, const State<S>& state, double enough,
-                     typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
-                     DampingTemporaries<S>& w) {
-  constexpr int most_iterations = 2000;
+Status conjugate_gradients(const S& system, double s, const State<S>& state, double enough, double sufficient,
+                           bool preconditioned, int most_iterations, typename S::Workspace& system_workspace,
+                           ConstraintTemporaries<S>& constraint, DampingTemporaries<S>& w) {
   const auto project = [&](typename S::Vector& x) {
-    return detail::project_onto_tangent_space(system, detail::left_by_projections * enough, state.q, x,
-                                              system_workspace, constraint);
+    return project_onto_tangent_space(system, left_by_projections * enough, state.q, x, system_workspace, constraint);
   };
-  const bool preconditioned = w.preconditioner.prepare(system, s, state);
+  const auto not_found = [] {
+    return Status::failure("the velocity that the dissipation leaves is not found; use a smaller step");
+  };
   const auto& conditioned = preconditioned ? w.product : w.residual;  // P T M r, or r
-  const auto find_conditioned = [&](double& square) {                 // sets also its scalar product with M r
+  scale(0.0, w.solution);
+  double square = 0;  // the scalar product of `conditioned` with M r
+  for (int i = 0; max_norm(w.residual) > sufficient; ++i) {
+    if (i == most_iterations) return not_found();
     system.apply_mass(w.residual, w.momentum);
     if (preconditioned) {
       w.preconditioner.apply(w.momentum, w.product);
       if (Status status = project(w.product); !status) return status;
     }
-    square = dot(conditioned, w.momentum);
-    return Status();
-  };
-  scale(0.0, w.solution);
-  const double round_off = 64 * std::numeric_limits<double>::epsilon() * max_norm(w.residual);
-  const double sufficient = std::max({enough, w.round_off, round_off});
-  double square = 0;
-  for (int i = 0; i < most_iterations; ++i) {
-    if (max_norm(w.residual) <= sufficient) {
-      if (i > 0) w.preconditioner.count(i);
-      return {};
-    }
-    const double before = square;
-    if (Status status = find_conditioned(square); !status) return status;
+    const double before = std::exchange(square, dot(conditioned, w.momentum));
     if (i == 0) {
       w.direction = conditioned;
     } else {
@@ -163,7 +153,7 @@ Status solve_damping(const S& system, double s, const State<S>& state, double en
     ++w.n_products;
     system.apply_mass(w.direction, w.momentum);
     const double curvature = dot(w.direction, w.momentum) - s * dot(w.direction, w.force);
-    if (!(curvature > 0)) break;
+    if (!(curvature > 0)) return not_found();
     system.apply_inverse_mass(w.force, w.product);
     if (Status status = project(w.product); !status) return status;
     scale(-s, w.product);
@@ -172,7 +162,39 @@ Status solve_damping(const S& system, double s, const State<S>& state, double en
     axpy(alpha, w.direction, w.solution);
     axpy(-alpha, w.product, w.residual);
   }
-  return Status::failure("the velocity that the dissipation leaves is not found; use a smaller step");
+  return {};
+}
+
+}  // namespace detail
+
+/// Sets w.solution to u for the projected residual P r = w.residual. On return w.residual is the remaining residual.
+/// The operator C is taken at `state`. The iteration ends when the remaining residual is at most `enough`, w.round_off
+/// or 64 units of round-off of P r. The function fails if a projection fails, if 2000 iterations are not enough, or if
+/// 1 + s M⁻¹C is not positive. The last case occurs in a long step backwards in time, s < 0, and for numbers that are
+/// not finite.
+template <Damped S>
+Status solve_damping(const S& system, double s, const State<S>& state, double enough,
+                     typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
+                     DampingTemporaries<S>& w) {
+  constexpr int most_iterations = 2000;
+  const double round_off = 64 * std::numeric_limits<double>::epsilon() * max_norm(w.residual);
+  const double sufficient = std::max({enough, w.round_off, round_off});
+  if (max_norm(w.residual) <= sufficient) {
+    scale(0.0, w.solution);
+    return {};
+  }
+  const auto solve = [&](bool preconditioned, int most) {
+    const long before = w.n_products;
+    Status status = detail::conjugate_gradients(system, s, state, enough, sufficient, preconditioned, most,
+                                                system_workspace, constraint, w);
+    if (status) w.preconditioner.count(w.n_products - before);
+    return status;
+  };
+  if (w.preconditioner.prepare(system, s, state, w.residual, w.n_products)) {
+    if (solve(true, w.preconditioner.most_products())) return {};
+    w.preconditioner.give_up(w.residual);
+  }
+  return solve(false, most_iterations);
 }
 
 }  // namespace pseudorigid::mechanics

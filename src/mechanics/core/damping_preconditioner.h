@@ -4,20 +4,24 @@
 ///
 ///   T = B⁻¹ − B⁻¹Gᵀ(G B⁻¹Gᵀ)⁻¹G B⁻¹ + β M⁻¹,   B = M + s C,   β = 1/(1 + s γ).
 ///
-/// C and G are those of an earlier configuration, which the body has left since. γ is a bound for the largest damping
-/// rate. The first two terms are the inverse of B on ker G. They have no inverse if the configuration has changed. The
-/// last term makes T positive, and adds at most the smallest eigenvalue of B⁻¹.
+/// C and G are those of an earlier configuration. γ is a bound for the largest damping rate. The first two terms of T
+/// are the inverse of B on ker G, and are 0 on the reactions Gᵀλ. The last term makes T positive for the present G as
+/// well, and adds at most the smallest eigenvalue of B⁻¹.
 ///
-/// The matrix is stored in single precision, because an error of T does not change the solution. A system with n
-/// entries needs n products with C for it, and the factors cost about n²/100 more. The matrix is computed when the
-/// products that it could have saved are as many, and again when the configuration has changed so much that the same
-/// holds again. The total cost is thus at most about twice the least cost. The counts and the configuration are in the
-/// memory of the method, so that a resumed run has the same matrix.
+/// A system with n entries needs n products with C for the matrix, and the factors cost about n²/100 more. An iteration
+/// with T costs about c = 2 + n²/500000 products, because of one more projection and the product with T. The matrix is
+/// computed when the products that it could have saved are as many as its own. It is computed again when the
+/// configuration has changed so much that the same holds again. T is left out until the next matrix if a solve with it
+/// costs more than recent ones without it. One reason is that rotations are not damped, and rotations of the earlier
+/// configuration are damped in the present one. The counts and the configuration are in the memory of the method, so
+/// that a resumed run has the same matrix.
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
+#include <concepts>
 #include <iterator>
+#include <utility>
 
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/core/linearization.h"
@@ -25,7 +29,7 @@
 namespace pseudorigid::mechanics {
 
 /// A system with `n_damped_entries()`: the number n of entries that damping acts on, on all processes. If one process
-/// has all of them, they are the first n of `local_values`. The number is 0 if damping acts only at contacts.
+/// has all of them, they are the first n of `local_values`. The number is 0 without viscosity.
 template <class S>
 concept DenselyDamped = requires(const S s) {
   { s.n_damped_entries() } -> std::convertible_to<int>;
@@ -36,9 +40,11 @@ template <class S>
 class DampingPreconditioner {
  public:
   DampingPreconditioner(const S&, bool) {}
-  bool prepare(const S&, double, const State<S>&) { return false; }
+  bool prepare(const S&, double, const State<S>&, const typename S::Vector&, long&) { return false; }
+  int most_products() const { return 0; }
   void apply(const typename S::Vector&, typename S::Vector&) {}
   void count(long) {}
+  void give_up(typename S::Vector&) {}
   template <class Visit>
   void visit_memory(Visit&&) {}
 };
@@ -48,45 +54,67 @@ class DampingPreconditioner<S> {
  public:
   using Vector = typename S::Vector;
 
-  /// Without `used`, or if n is above 2000, the matrix is never computed.
+  /// Without `used`, if n is above 2000, or if damping is not linear in v, the matrix is never computed.
   DampingPreconditioner(const S& system, bool used) {
     constexpr int largest = 2000;
+    if constexpr (requires { system.damping_is_linear(); }) used = used && system.damping_is_linear();
     if (!used || system.n_damped_entries() > largest) return;
     n_ = system.n_damped_entries();
+    cost_ = 2 + n_ * n_ / 500000.0;
     if (n_ > 0) q_ = system.make_vector();
   }
 
-  /// Computes or renews the matrix if that pays for half steps s at the state. Returns true if `apply` can be called.
-  bool prepare(const S& system, double s, const State<S>& state) {
+  /// Computes or renews the matrix if that pays for half steps s at the state. Returns true if `apply` can be called,
+  /// and then keeps the residual of the solve. Adds the products for a new matrix to `n_products`.
+  bool prepare(const S& system, double s, const State<S>& state, const Vector& residual, long& n_products) {
     if (n_ == 0 || std::ssize(local_values(q_)) < n_) return false;
-    const bool renewed = excess_ > n_ + n_ * n_ / 100;
-    if (renewed) {
+    if (excess_ > n_ + n_ * n_ / 100) {
       excess_ = 0;
       least_ = 0;
+      n_solves_ = 0;
       s_ = s;
+      t_ = state.t;
       q_ = state.q;
+      in_use_ = true;
+      known_ = false;
+      n_products += n_;
     }
-    if (renewed || s_ != s_of_matrix_) {  // s_ has changed alone if the memory was restored
-      s_of_matrix_ = s_;
-      known_ = compute(system);
-    }
-    return known_;
+    if (in_use_ && !known_) in_use_ = known_ = compute(system);  // renewed, or after a resumption
+    if (in_use_) residual_ = residual;
+    return in_use_;
   }
+
+  /// The number of products that a solve may take with the matrix.
+  int most_products() const { return static_cast<int>(without_ / cost_); }
 
   /// z = T f.
   void apply(const Vector& f, Vector& z) {
     auto from = local_values(const_cast<Vector&>(f));
     auto to = local_values(z);
     std::copy(from.begin(), from.end(), to.begin());
-    for (int i = 0; i < n_; ++i) in_[i] = static_cast<float>(from[i]);
-    out_.noalias() = matrix_ * in_;
-    for (int i = 0; i < n_; ++i) to[i] = out_[i];
+    using Entries = Eigen::Map<Eigen::VectorXd>;
+    Entries(to.data(), n_).noalias() = matrix_ * Entries(from.data(), n_);
   }
 
-  /// Takes note of the number of products of a solve. The matrix is too old if this number is larger than at first.
+  /// Takes note of the number of products of a solve. The matrix is too old if this number is larger than at first. A
+  /// step has two solves of different sizes (rattle_velocity.h), so the first two solves count.
   void count(long n_products) {
-    if (known_ && least_ == 0) least_ = n_products;
-    excess_ += static_cast<double>(n_products) - least_;
+    const auto n = static_cast<double>(n_products);
+    if (!in_use_) {
+      without_ = std::max(n, 0.9 * without_);
+      excess_ += std::max(0.0, n - 2 * cost_);
+    } else if (n_solves_ < 2) {
+      ++n_solves_;
+      least_ = std::max(least_, n);
+    } else {
+      excess_ += cost_ * std::max(0.0, n - least_);
+    }
+  }
+
+  /// Leaves out the matrix until the next one, and sets `residual` to that of `prepare`.
+  void give_up(Vector& residual) {
+    in_use_ = false;
+    residual = residual_;
   }
 
   template <class Visit>
@@ -94,8 +122,12 @@ class DampingPreconditioner<S> {
     if (n_ == 0) return;
     visit(q_);
     visit(s_);
+    visit(t_);
     visit(excess_);
     visit(least_);
+    visit(without_);
+    visit(n_solves_);
+    visit(in_use_);
   }
 
  private:
@@ -104,7 +136,7 @@ class DampingPreconditioner<S> {
     Eigen::MatrixXd B(n_, n_), inverse_mass(n_, n_);
     double rate = 0;
     Vector unit = system.make_vector(), image = unit;
-    const State<S> state{0, q_, unit};
+    const State<S> state{t_, q_, unit};
     const auto entries = [&] { return Eigen::Map<const Eigen::VectorXd>(local_values(image).data(), n_); };
     for (int i = 0; i < n_; ++i) {
       local_values(unit)[i] = 1;
@@ -125,15 +157,13 @@ class DampingPreconditioner<S> {
       B.col(i).setZero();
       B(i, i) = 1;
     }
+    if (!(1 + s_ * rate > 0)) return false;  // a long step backwards in time
     const Eigen::LLT<Eigen::MatrixXd> factor(B);
     if (factor.info() != Eigen::Success) return false;
     Eigen::MatrixXd T = factor.solve(Eigen::MatrixXd::Identity(n_, n_));
     if (!subtract_reactions(system, inverse_mass, T)) return false;
-    constexpr double least_beta = 1e-6;  // above the round-off of single precision
-    T += std::max(1 / (1 + s_ * rate), least_beta) * inverse_mass;
-    matrix_ = T.template cast<float>();
-    in_.resize(n_);
-    out_.resize(n_);
+    T += inverse_mass / (1 + s_ * rate);
+    matrix_ = std::move(T);
     return matrix_.allFinite();
   }
 
@@ -158,14 +188,16 @@ class DampingPreconditioner<S> {
   }
 
   int n_ = 0;
-  Vector q_;
-  double s_ = 0;       // 0 before the first matrix
-  double excess_ = 0;  // products that a newer matrix would have saved
-  double least_ = 0;   // products of the first solve with this matrix
-  double s_of_matrix_ = 0;
-  bool known_ = false;  // true if there is a matrix for s_of_matrix_
-  Eigen::MatrixXf matrix_;
-  Eigen::VectorXf in_, out_;
+  Vector q_, residual_;
+  double cost_ = 0;       // products that cost as much as an iteration with the matrix
+  double s_ = 0, t_ = 0;  // of the matrix, as q_
+  double excess_ = 0;     // products that a newer matrix would have saved
+  double least_ = 0;      // most products of the first two solves with this matrix
+  double without_ = 0;    // most products of recent solves without a matrix
+  int n_solves_ = 0;      // with this matrix, at most 2
+  bool in_use_ = false;   // true if there is a matrix for q_ and s_ that saves products
+  bool known_ = false;    // true if matrix_ is this matrix
+  Eigen::MatrixXd matrix_;
 };
 
 }  // namespace pseudorigid::mechanics
