@@ -86,8 +86,9 @@ class Orbit(ProgramTest):
         samples = np.arange(41)
         self.assertLessEqual(chosen_factor(motion, samples, None) * motion.deformation(samples), 0.35)  # the largest one that it draws
         self.assertEqual(chosen_factor(motion, samples, 2), 2)
-        with self.assertRaisesRegex(WrongInput, "--magnify"):
-            chosen_factor(motion, samples, 1.1 / motion.compression(samples))
+        for wrong in -1, 0, float("nan"):
+            with self.assertRaisesRegex(WrongInput, "--magnify"):
+                chosen_factor(motion, samples, wrong)
 
     def test_refusals(self):
         run = self.make_run()
