@@ -9,8 +9,8 @@
 /// well, and adds at most the smallest eigenvalue of B⁻¹.
 ///
 /// A system with n entries needs n products with C for the matrix, and the factors cost about n²/100 more. An iteration
-/// with T costs about c = 2 + n²/500000 products, because of one more projection and the product with T. The matrix is
-/// computed when the products that it could have saved are as many as its own. It is computed again when the
+/// with T costs about c = 1.4 + n²/300000 products, because of one more projection and the product with T. The matrix
+/// is computed when the products that it could have saved are as many as its own. It is computed again when the
 /// configuration has changed so much that the same holds again. T is left out until the next matrix if a solve with it
 /// costs more than recent ones without it. One reason is that rotations are not damped, and rotations of the earlier
 /// configuration are damped in the present one. The counts and the configuration are in the memory of the method, so
@@ -60,7 +60,7 @@ class DampingPreconditioner<S> {
     if constexpr (requires { system.damping_is_linear(); }) used = used && system.damping_is_linear();
     if (!used || system.n_damped_entries() > largest) return;
     n_ = system.n_damped_entries();
-    cost_ = 2 + n_ * n_ / 500000.0;
+    cost_ = 1.4 + n_ * n_ / 300000.0;
     if (n_ > 0) q_ = system.make_vector();
   }
 
@@ -68,7 +68,7 @@ class DampingPreconditioner<S> {
   /// and then keeps the residual of the solve. Adds the products for a new matrix to `n_products`.
   bool prepare(const S& system, double s, const State<S>& state, const Vector& residual, long& n_products) {
     if (n_ == 0 || std::ssize(local_values(q_)) < n_) return false;
-    if (excess_ > n_ + n_ * n_ / 100) {
+    if (excess_ > patience_ * (n_ + n_ * n_ / 100)) {
       excess_ = 0;
       least_ = 0;
       n_solves_ = 0;
@@ -103,16 +103,17 @@ class DampingPreconditioner<S> {
     if (!in_use_) {
       without_ = std::max(n, 0.9 * without_);
       excess_ += std::max(0.0, n - 2 * cost_);
-    } else if (n_solves_ < 2) {
-      ++n_solves_;
+    } else if (++n_solves_ <= 2) {
       least_ = std::max(least_, n);
     } else {
-      excess_ += cost_ * std::max(0.0, n - least_);
+      excess_ += cost_ * std::max(0.0, n - (1.5 * least_ + 1));
     }
   }
 
-  /// Leaves out the matrix until the next one, and sets `residual` to that of `prepare`.
+  /// Leaves out the matrix until the next one, and sets `residual` to that of `prepare`. After a matrix that did not
+  /// last, the next one has to save twice as many products.
   void give_up(Vector& residual) {
+    patience_ = n_solves_ < n_ ? 2 * patience_ : 1;
     in_use_ = false;
     residual = residual_;
   }
@@ -126,6 +127,7 @@ class DampingPreconditioner<S> {
     visit(excess_);
     visit(least_);
     visit(without_);
+    visit(patience_);
     visit(n_solves_);
     visit(in_use_);
   }
@@ -194,7 +196,8 @@ class DampingPreconditioner<S> {
   double excess_ = 0;     // products that a newer matrix would have saved
   double least_ = 0;      // most products of the first two solves with this matrix
   double without_ = 0;    // most products of recent solves without a matrix
-  int n_solves_ = 0;      // with this matrix, at most 2
+  double patience_ = 1;   // factor on the products that a new matrix has to save
+  double n_solves_ = 0;   // with this matrix
   bool in_use_ = false;   // true if there is a matrix for q_ and s_ that saves products
   bool known_ = false;    // true if matrix_ is this matrix
   Eigen::MatrixXd matrix_;
