@@ -68,8 +68,9 @@ class DampingPreconditioner<S> {
   /// and then keeps the residual of the solve. Adds the products for a new matrix to `n_products`.
   bool prepare(const S& system, double s, const State<S>& state, const Vector& residual, long& n_products) {
     if (n_ == 0 || std::ssize(local_values(q_)) < n_) return false;
-    if (excess_ > patience_ * (n_ + n_ * n_ / 100)) {
+    if (excess_ > patience_ * products_for_matrix()) {
       excess_ = 0;
+      saved_ = 0;
       least_ = 0;
       n_solves_ = 0;
       s_ = s;
@@ -100,6 +101,7 @@ class DampingPreconditioner<S> {
   /// step has two solves of different sizes (rattle_velocity.h), so the first two solves count.
   void count(long n_products) {
     const auto n = static_cast<double>(n_products);
+    if (in_use_) saved_ += without_ - cost_ * n;
     if (!in_use_) {
       without_ = std::max(n, 0.9 * without_);
       excess_ += std::max(0.0, n - 2 * cost_);
@@ -111,9 +113,10 @@ class DampingPreconditioner<S> {
   }
 
   /// Leaves out the matrix until the next one, and sets `residual` to that of `prepare`. After a matrix that did not
-  /// last, the next one has to save twice as many products.
+  /// save its cost, the next one has to save twice as many products.
   void give_up(Vector& residual) {
-    patience_ = n_solves_ < n_ ? 2 * patience_ : 1;
+    constexpr double most_patience = 1024;
+    patience_ = saved_ < products_for_matrix() ? std::min(2 * patience_, most_patience) : 1;
     in_use_ = false;
     residual = residual_;
   }
@@ -127,12 +130,15 @@ class DampingPreconditioner<S> {
     visit(excess_);
     visit(least_);
     visit(without_);
+    visit(saved_);
     visit(patience_);
     visit(n_solves_);
     visit(in_use_);
   }
 
  private:
+  double products_for_matrix() const { return n_ + n_ * n_ / 100.0; }
+
   /// Sets the matrix for the configuration q_ and half a step s_. Returns false if B or G B⁻¹Gᵀ is not positive.
   bool compute(const S& system) {
     Eigen::MatrixXd B(n_, n_), inverse_mass(n_, n_);
@@ -196,6 +202,7 @@ class DampingPreconditioner<S> {
   double excess_ = 0;     // products that a newer matrix would have saved
   double least_ = 0;      // most products of the first two solves with this matrix
   double without_ = 0;    // most products of recent solves without a matrix
+  double saved_ = 0;      // products that this matrix has saved
   double patience_ = 1;   // factor on the products that a new matrix has to save
   double n_solves_ = 0;   // with this matrix
   bool in_use_ = false;   // true if there is a matrix for q_ and s_ that saves products
