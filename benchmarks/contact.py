@@ -41,10 +41,10 @@ FINE = {"Continuum/Degree": 4, "Continuum/Refinements": 1, "Continuum/Grading": 
 FINEST = {**FINE, "Continuum/Degree": 5, "Continuum/Grading": 0.1}
 STEEPER = {**FINEST, "Continuum/Grading": 0.07}
 REFINED = {**FINE, "Continuum/Refinements": 2, "Continuum/Grading": 0.3}
-# Pairs show the effect of the mesh (first two, next two) and of the stiffness (second and third, last two).
 # Depth, degree, grading and stiffness.
 PRESSES = ((0.04, 4, 0.3, 1000), *((0.02, degree, 0.2, 1000) for degree in (3, 4, 5, 6)), (0.02, 5, 0.2, 150),
            *((0.01, degree, 0.1, 2000) for degree in (3, 4, 5, 6)), *((0.01, degree, 0.1, 300) for degree in (3, 4, 5, 6)))
+# Neighbours differ in the mesh or in the stiffness.
 STUDY = ((COARSE, 100), (FINE, 100), (FINE, 300), (FINEST, 300), (FINEST, 1000), (STEEPER, 1000))
 
 

@@ -6,8 +6,9 @@ import sys
 import numpy as np
 import PIL.Image
 
-from program_test import ProgramTest, WRONG_INPUT, main
-from pseudorigid import Run, WrongInput, gif, render, window
+from package_test import PackageTest
+from program_test import WRONG_INPUT, main
+from pseudorigid import WrongInput, gif, render, window
 from pseudorigid.figures import STYLES
 from pseudorigid.plot import component, curves
 
@@ -15,15 +16,8 @@ SCENE = {"Models": "reduced, polynomial", "Polynomial/Degree": 2, "Continuum/Err
          "Initial state/Deformation": "0.8, 0, 0; 0, 1.25, 0; 0, 0, 1", "Output/Graphics": "vtu", "Output/Frames": 2}
 
 
-class Drawing(ProgramTest):
-    def command(self, arguments):
-        """Of the package, not of the program."""
-        return [sys.executable, "-m", "pseudorigid", *map(str, arguments)]
-
-    def make_run(self, **changes):
-        self.scene({**SCENE, **changes})
-        subprocess.run([self.program, "run", "scene.prm"], cwd=self.scratch, check=True, capture_output=True)
-        return Run(self.scratch / "output/scene")
+class Drawing(PackageTest):
+    SCENE = SCENE
 
     def test_help_lists_the_commands(self):
         listed = self.run_done("--help").stdout

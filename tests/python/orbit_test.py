@@ -1,13 +1,12 @@
 """The movie of an orbit: its frames, the lag and the spin that it shows, refusals."""
 import math
-import subprocess
-import sys
 
 import numpy as np
 import PIL.Image
 
-from program_test import ProgramTest, main
-from pseudorigid import Run, WrongInput, gif
+from package_test import PackageTest
+from program_test import main
+from pseudorigid import WrongInput, gif
 from pseudorigid.orbit import chosen_factor, chosen_model, chosen_samples, images
 from pseudorigid.orbit_motion import read_motion
 
@@ -21,15 +20,8 @@ SI = {"Gravity/Gamma": 0, "Gravity/Constant": 6.674e-11, "Body/Radius": 250e3, "
       "Initial state/Velocity": "0, 0, 0; 0, 0, 0; 0, 0, 0"}
 
 
-class Orbit(ProgramTest):
-    def command(self, arguments):
-        """Of the package, not of the program."""
-        return [sys.executable, "-m", "pseudorigid", *map(str, arguments)]
-
-    def make_run(self, **changes):
-        self.scene({**SCENE, **changes})
-        subprocess.run([self.program, "run", "scene.prm"], cwd=self.scratch, check=True, capture_output=True)
-        return Run(self.scratch / "output/scene")
+class Orbit(PackageTest):
+    SCENE = SCENE
 
     def test_frames(self):
         """Of an eccentric and inclined orbit, of two companions, and of a run in SI units: each frame differs and is not empty."""
