@@ -11,13 +11,18 @@ ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_R
                "OMPI_MCA_mpi_yield_when_idle": "1"}
 
 
+# After a rank has failed, mpirun ends the others at once. By default it waits for a second, which an interrupted run needs
+# for its checkpoint.
+WITHOUT_DELAY = {**ENVIRONMENT, "OMPI_MCA_odls_base_sigkill_timeout": "0"}
+
+
 class RanksTest(ProgramTest):
     def command_on(self, n_ranks, *arguments):
         return [*MPIRUN, "-np", str(n_ranks), *self.command(arguments)]
 
     def start_ranks(self, command):
         process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                   text=True, cwd=self.scratch, env=ENVIRONMENT)
+                                   text=True, cwd=self.scratch, env=WITHOUT_DELAY)
         self.addCleanup(self.end_ranks, process)
         return process
 

@@ -142,6 +142,10 @@ void CellKernels::multiplier_at_nodes(const Vector& lambda, unsigned int cell, s
   local_->multiplier_at_nodes(lambda.begin(), cell, values);
 }
 
+void CellKernels::multiplier_at_points(const Vector& lambda, unsigned int cell, std::span<double> values) const {
+  local_->multiplier_at_points(lambda.begin(), cell, values);
+}
+
 void CellKernels::constraint_rows(const Vector& x, const UseRows& use) const {
   require_constraint();
   const GhostValues of_x(x);

@@ -73,6 +73,8 @@ class CellKernels {
   LeastPlace locate_least_reserve(const Vector& x) const;
   /// Sets `values` to λ_h at the nodes of a cell. In `values`, the first local direction is the fastest index.
   void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const;
+  /// Sets `values` to λ_h at the Gauss points of a cell. In `values`, the first local direction is the fastest index.
+  void multiplier_at_points(const Vector& lambda, unsigned int cell, std::span<double> values) const;
 
   /// Calls `use(cell, rows)` for each cell. For n nodes, rows[j·3n + 3i + c] is the entry of G for function j, node i
   /// and component c.

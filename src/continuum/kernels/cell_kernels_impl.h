@@ -199,6 +199,9 @@ class DegreeKernels final : public LocalKernels {
   void multiplier_at_nodes(const double* lambda, unsigned int cell, std::span<double> values) const override {
     continuum::multiplier_at_nodes(batches_, lambda, cell, values);
   }
+  void multiplier_at_points(const double* lambda, unsigned int cell, std::span<double> values) const override {
+    continuum::multiplier_at_points(batches_, lambda, cell, values);
+  }
   void pressure_basis_at_nodes(const UseRows& use) const override { continuum::pressure_basis_at_nodes(batches_, use); }
 
   double reference_volume() const override {

@@ -84,6 +84,7 @@ class LocalKernels {
   virtual LeastPlace locate_least(const double* x, const FunctionOfF& value) const = 0;
   virtual LeastPlace locate_least_reserve(const double* x) const = 0;
   virtual void multiplier_at_nodes(const double* lambda, unsigned int cell, std::span<double> values) const = 0;
+  virtual void multiplier_at_points(const double* lambda, unsigned int cell, std::span<double> values) const = 0;
   virtual void constraint_rows(const double* x, const UseRows& use) const = 0;
   virtual void pressure_basis_at_nodes(const UseRows& use) const = 0;
   virtual double reference_volume() const = 0;

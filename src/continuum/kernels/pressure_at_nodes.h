@@ -1,6 +1,7 @@
 #pragma once
 /// The basis ψ_j of the multiplier at the nodes X_i of the displacements. For displacements of degree k, the ψ_j are
-/// polynomials of total degree k − 1 on each cell. Pictures show λ_h at these nodes. The preconditioner of the Gram
+/// polynomials of total degree k − 1 on each cell. Pictures show λ_h at these nodes, and the tangent of the forces needs
+/// λ_h at the Gauss points. The preconditioner of the Gram
 /// operator uses these nodes as quadrature points to project its coarse functions onto ψ_j:
 ///
 ///   λ_h(X_i) = Σ_j λ_j ψ_j(X_i),   ψ(X) = L⁻¹ monomials((X − X_c)/h_c)
@@ -43,6 +44,23 @@ void multiplier_at_nodes(const CellBatches<degree, n_lanes>& batches, const doub
   const auto local = local_node_positions(batches, b);
   for (int i = 0; i < Batches::n_nodes; ++i)
     values[i] = Batches::Monomials::evaluate(coefficients, local[0][i], local[1][i], local[2][i])[lane];
+}
+
+/// Implementation of LocalKernels::multiplier_at_points.
+template <int degree, int n_lanes>
+void multiplier_at_points(const CellBatches<degree, n_lanes>& batches, const double* lambda, unsigned int cell,
+                          std::span<double> values) {
+  using Batches = CellBatches<degree, n_lanes>;
+  const std::size_t b = cell / Batches::n_lanes;
+  const int lane = static_cast<int>(cell % Batches::n_lanes);
+  typename Batches::L multiplier[Batches::n_pressure], coefficients[Batches::n_pressure];
+  batches.load_multiplier(lambda, b, multiplier);
+  batches.monomial_coefficients(multiplier, b, coefficients);
+  const auto* points = batches.pressure_points(b);
+  for (int q = 0; q < Batches::n_points; ++q) {
+    const auto* X = points[q].position;
+    values[q] = Batches::Monomials::evaluate(coefficients, X[0], X[1], X[2])[lane];
+  }
 }
 
 /// Implementation of LocalKernels::pressure_basis_at_nodes.

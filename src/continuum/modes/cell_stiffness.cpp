@@ -1,0 +1,165 @@
+#include "continuum/modes/cell_stiffness.h"
+
+#include <Eigen/Dense>
+#include <variant>
+
+namespace pseudorigid::continuum {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+Eigen::MatrixXd table(const std::vector<double>& row_major, int n) {
+  return Eigen::Map<const RowMajor>(row_major.data(), n, n);
+}
+
+/// The components i and k of the six pairs i ≤ k.
+constexpr int pair_first[] = {0, 0, 0, 1, 1, 2}, pair_second[] = {0, 1, 2, 1, 2, 2};
+
+/// The tangent with the columns C(H) = `of(H)` for the nine unit gradients H.
+template <class Of>
+Tangent columns(const Of& of) {
+  Tangent tangent;
+  for (int k = 0; k < 3; ++k)
+    for (int L = 0; L < 3; ++L) {
+      materials::Tensor<double> H{};
+      H(k, L) = 1;
+      const materials::Tensor<double> C = of(H);
+      for (int i = 0; i < 3; ++i)
+        for (int J = 0; J < 3; ++J) tangent.entries[27 * i + 9 * J + 3 * k + L] = C(i, J);
+    }
+  return tangent;
+}
+
+}  // namespace
+
+Tangent tangent_at(const StoredEnergy& stored, const materials::Tensor<double>& F, double lambda) {
+  const materials::Tensor<double> cof = materials::cofactor(F);
+  const double J = materials::determinant(F, cof), kappa = stored.volumetric_stiffness;
+  const double slope = kappa / 4 * (J - 1 / (J * J * J)), curvature = kappa / 4 * (1 + 3 / (J * J * J * J));
+  return columns([&](const materials::Tensor<double>& H) {
+    const materials::Tensor<double> of_law =
+        std::visit([&](const auto& known) { return known.tangent(F, H); }, stored.law);
+    const materials::Tensor<double> rate_of_cof = materials::cofactor_derivative(F, H);
+    const double rate_of_J = materials::dot(cof, H);
+    materials::Tensor<double> C;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        // F⁻ᵀHᵀF⁻ᵀ = −D(F⁻ᵀ)[H], and F⁻ᵀ = cof F/J
+        const double rate_of_inverse = (rate_of_cof(i, j) - cof(i, j) * rate_of_J / J) / J;
+        C(i, j) = of_law(i, j) + curvature * rate_of_J * cof(i, j) + slope * rate_of_cof(i, j) - lambda * rate_of_inverse;
+      }
+    return C;
+  });
+}
+
+RestElasticity::RestElasticity(const StoredEnergy& stored, bool incompressible)
+    : tangent(tangent_at(stored, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+                         incompressible ? materials::pressure_at_rest(stored.law) : 0)),
+      moduli(materials::moduli_at_rest(stored.law, incompressible)) {
+  moduli.lame += stored.volumetric_stiffness;
+}
+
+CellStiffness::CellStiffness(const BallSpace& space) : space_(space), n_(space.reference_cell().n) {
+  const ReferenceCell& ref = space.reference_cell();
+  values_ = table(ref.interpolate, n_);
+  derivatives_ = table(ref.differentiate, n_) * values_;
+  for (int p = 0; p < 4; ++p) {
+    const Eigen::MatrixXd &first = p / 2 ? derivatives_ : values_, &second = p % 2 ? derivatives_ : values_;
+    products_[p].resize(n_, n_ * n_);
+    for (int b = 0; b < n_; ++b)
+      for (int a = 0; a < n_; ++a) products_[p].col(b * n_ + a) = first.col(a).cwiseProduct(second.col(b));
+  }
+}
+
+/// The derivatives ∂x_i/∂ξ_d of the nodal positions x at a Gauss point of a cell.
+Eigen::Matrix3d CellStiffness::by_reference(unsigned int cell, const Vector& x, int point) const {
+  const auto& nodes = space_.cell_nodes(cell);
+  const int n = n_;
+  const std::array<int, 3> at{point % n, point / n % n, point / n / n};
+  Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
+  for (int a = 0; a < n * n * n; ++a) {
+    const std::array<int, 3> node{a % n, a / n % n, a / n / n};
+    Eigen::RowVector3d gradient = Eigen::RowVector3d::Ones();
+    for (int d = 0; d < 3; ++d)
+      for (int t = 0; t < 3; ++t) gradient[d] *= (t == d ? derivatives_ : values_)(at[t], node[t]);
+    for (int i = 0; i < 3; ++i) result.row(i) += x.local_element(3 * nodes[a] + i) * gradient;
+  }
+  return result;
+}
+
+CellStiffness::PointCoefficients CellStiffness::coefficients(unsigned int cell, const Vector& x,
+                                                             const TangentOfPoint& tangent) const {
+  const ReferenceCell& ref = space_.reference_cell();
+  const int n = n_, n_points = n * n * n;
+  PointCoefficients c;
+  for (auto& pair : c)
+    for (auto& field : pair) field.resize(n_points);
+  for (int q = 0; q < n_points; ++q) {
+    const Eigen::Matrix3d jacobian = by_reference(cell, space_.reference_positions(), q);
+    const Eigen::Matrix3d inverse = jacobian.inverse();  // entry (d, J) is ∂ξ_d/∂X_J
+    const Eigen::Matrix3d gradient = by_reference(cell, x, q) * inverse;
+    materials::Tensor<double> F;
+    for (int i = 0; i < 3; ++i)
+      for (int J = 0; J < 3; ++J) F(i, J) = gradient(i, J);
+    const Tangent C_of_point = tangent(q, F);
+    const double weight = jacobian.determinant() * ref.point_weights[q % n] * ref.point_weights[q / n % n] *
+                          ref.point_weights[q / n / n];
+    for (int pair = 0; pair < 6; ++pair) {
+      Eigen::Matrix3d C;
+      for (int J = 0; J < 3; ++J)
+        for (int L = 0; L < 3; ++L) C(J, L) = C_of_point(pair_first[pair], J, pair_second[pair], L);
+      const Eigen::Matrix3d pulled_back = weight * inverse * C * inverse.transpose();
+      for (int de = 0; de < 9; ++de) c[pair][de][q] = pulled_back(de / 3, de % 3);
+    }
+  }
+  return c;
+}
+
+/// The n³×n³ matrix Σ_de Σ_q c_de ∂_dφ_a ∂_eφ_b, with the basis functions φ_a and the Gauss points q. In direction t,
+/// the nodes a and b and the point q have the indices a_t, b_t and q_t.
+Eigen::MatrixXd CellStiffness::contract(const std::array<Eigen::VectorXd, 9>& c) const {
+  const int n = n_, n2 = n * n;
+  // The index in products_ for one direction: 2 if ∂_d differentiates in this direction, plus 1 if ∂_e does.
+  const auto pattern = [](int de, int direction) { return 2 * (de / 3 == direction) + (de % 3 == direction); };
+  std::array<Eigen::MatrixXd, 4> plane;  // by the third direction's pattern: [(a₀b₀) (a₁b₁), q₂]
+  for (auto& m : plane) m.setZero(n2 * n2, n);
+  for (int de = 0; de < 9; ++de) {
+    const Eigen::MatrixXd line =  // rows (a₀b₀), columns (q₁ q₂)
+        products_[pattern(de, 0)].transpose() * Eigen::Map<const Eigen::MatrixXd>(c[de].data(), n, n2);
+    for (int q = 0; q < n; ++q)
+      Eigen::Map<Eigen::MatrixXd>(plane[pattern(de, 2)].col(q).data(), n2, n2).noalias() +=
+          line.middleCols(q * n, n) * products_[pattern(de, 1)];
+  }
+  Eigen::MatrixXd all(n2 * n2, n2);  // rows (a₀b₀ a₁b₁), columns (a₂b₂)
+  all.noalias() = plane[0] * products_[0];
+  for (int p = 1; p < 4; ++p) all.noalias() += plane[p] * products_[p];
+
+  Eigen::MatrixXd result(n * n2, n * n2);
+  for (int b2 = 0; b2 < n; ++b2)
+    for (int a2 = 0; a2 < n; ++a2)
+      for (int b1 = 0; b1 < n; ++b1)
+        for (int a1 = 0; a1 < n; ++a1)
+          for (int b0 = 0; b0 < n; ++b0)
+            for (int a0 = 0; a0 < n; ++a0)
+              result((a2 * n + a1) * n + a0, (b2 * n + b1) * n + b0) =
+                  all(((b1 * n + a1) * n + b0) * n + a0, b2 * n + a2);
+  return result;
+}
+
+Eigen::MatrixXd CellStiffness::cell_matrix(unsigned int cell, const Vector& x, const TangentOfPoint& tangent) const {
+  const PointCoefficients c = coefficients(cell, x, tangent);
+  const int n_nodes = n_ * n_ * n_;
+  Eigen::MatrixXd K(3 * n_nodes, 3 * n_nodes);
+  for (int pair = 0; pair < 6; ++pair) {
+    const int i = pair_first[pair], k = pair_second[pair];
+    const Eigen::MatrixXd block = contract(c[pair]);
+    for (int b = 0; b < n_nodes; ++b)
+      for (int a = 0; a < n_nodes; ++a) {
+        K(3 * a + i, 3 * b + k) = block(a, b);
+        K(3 * b + k, 3 * a + i) = block(a, b);
+      }
+  }
+  return K;
+}
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,68 @@
+#pragma once
+/// The stiffness K of the cells at the positions x. It is the second variation of the stored energy and, in a state
+/// with the multiplier λ, of the constraint. The stress is P + ∂U/∂F with the stabilisation U
+/// (kernels/stored_energy.h), and λ_h is the Kirchhoff pressure. For the gradient H of a displacement, the tangent is
+///
+///   C(H) = DP(F)[H] + D(∂U/∂F)[H] + λ_h F⁻ᵀHᵀF⁻ᵀ,   C_iJkL = ∂C(H)_iJ/∂H_kL,
+///   K_(a,i)(b,k) = ∫ ∂_Jφ_a C_iJkL ∂_Lφ_b dX,
+///
+/// with the basis functions φ_a. At rest, F = Id and λ_h is the stress of the law at rest (materials/rest_moduli.h).
+///
+/// Let c^ik_de = w det(∂X/∂ξ) (∂ξ_d/∂X_J) C_iJkL (∂ξ_e/∂X_L) at the Gauss points with the weights w. The derivative
+/// ∂_dφ_a is a product of one-dimensional functions. Therefore the sum K^ik_ab = Σ_de Σ_q c^ik_de ∂_dφ_a ∂_eφ_b is
+/// computed one direction after the other. This takes O(n⁷) operations for a cell of n³ nodes.
+
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+
+#include "continuum/kernels/stored_energy.h"
+#include "continuum/mesh/ball_space.h"
+#include "materials/rest_moduli.h"
+
+namespace pseudorigid::continuum {
+
+/// The entries C_iJkL of the tangent at a point.
+struct Tangent {
+  double operator()(int i, int J, int k, int L) const { return entries[27 * i + 9 * J + 3 * k + L]; }
+
+  std::array<double, 81> entries;
+};
+
+/// The tangent at F with the Kirchhoff pressure `lambda`, which is 0 for a compressible body.
+Tangent tangent_at(const StoredEnergy& stored, const materials::Tensor<double>& F, double lambda);
+
+/// The tangent of the undeformed body, and the moduli of the law and of the stabilisation.
+struct RestElasticity {
+  RestElasticity(const StoredEnergy& stored, bool incompressible);
+
+  Tangent tangent;
+  materials::RestModuli moduli;
+};
+
+/// Returns the tangent at a Gauss point of a cell. The first local direction is the fastest index of the points.
+using TangentOfPoint = std::function<Tangent(int point, const materials::Tensor<double>& F)>;
+
+class CellStiffness {
+ public:
+  explicit CellStiffness(const BallSpace& space);
+  /// K of a cell at the positions x. The rows and columns are 3·node + component, with the order of nodes of
+  /// BallSpace::cell_nodes.
+  Eigen::MatrixXd cell_matrix(unsigned int cell, const Vector& x, const TangentOfPoint& tangent) const;
+
+ private:
+  /// c^ik_de at the points: [pair i ≤ k][pair d, e].
+  using PointCoefficients = std::array<std::array<Eigen::VectorXd, 9>, 6>;
+  PointCoefficients coefficients(unsigned int cell, const Vector& x, const TangentOfPoint& tangent) const;
+  Eigen::Matrix3d by_reference(unsigned int cell, const Vector& x, int point) const;
+  Eigen::MatrixXd contract(const std::array<Eigen::VectorXd, 9>& c) const;
+
+  const BallSpace& space_;
+  int n_;
+  Eigen::MatrixXd values_, derivatives_;  ///< ℓ_i and ℓ_i' at the Gauss points, [point, node]
+  /// Products of two one-dimensional functions at the Gauss points of one direction: [2 s + t](point, pair of nodes).
+  /// The numbers s and t are 1 if the first and the second function is a derivative ℓ_i', and otherwise 0.
+  std::array<Eigen::MatrixXd, 4> products_;
+};
+
+}  // namespace pseudorigid::continuum
