@@ -7,7 +7,7 @@
 ///
 /// The self-gravity of this problem is exact. Its second variation at rest is
 ///
-///   ρg Σ_nm (1 − 3/(2n + 1)) (∮(u·e) Y_nm dS)²,   n ≥ 1,   g = (4/3)πGρr     (continuum/modes/parity_sector.h).
+///   ρg Σ_nm (1 − 3/(2n + 1)) (∮(u·e) Y_nm dS)²,   n ≥ 1,   g = (4/3)πGρr     (continuum/modes/rest_problem.h).
 ///
 /// e is the outward normal, the Y_nm are the orthonormal spherical harmonics, and G in the formula for g is Newton's
 /// constant. This problem does not use the quadrature of gravity during a motion (body_gravity.h). If γ = ρgr/μ is

@@ -134,10 +134,10 @@ mechanics::SymmetryDirections RotationSpectrum::turns(const Eigen::VectorXd& x, 
   return N;
 }
 
-Eigen::MatrixXd RotationSpectrum::stiffness(const SteadyRotation& rotation) const {
+Eigen::MatrixXd RotationSpectrum::stiffness(const EquilibriumFigure& rotation) const {
   const Eigen::VectorXd x = whole(rotation.x), lambda = whole_multiplier(rotation.lambda);
   return stiffness_by_parity(space(), [&](const Eigen::VectorXd& u) {
-    Eigen::VectorXd rate = rotation.spin_squared * across_axis_3(space(), u);
+    Eigen::VectorXd rate = rotation.drive * across_axis_3(space(), u);
     body_->add_force_rate(x, u, rate);
     if (incompressible_) add_reaction_rate(space(), x, u, lambda, rate);
     return rate;
@@ -167,10 +167,10 @@ mechanics::SymmetryDirections RotationSpectrum::symmetries(const Part& part, con
   return N;
 }
 
-mechanics::Status RotationSpectrum::analyse(const SteadyRotation& rotation,
+mechanics::Status RotationSpectrum::analyse(const EquilibriumFigure& rotation,
                                             std::vector<ClassStability>& classes) const {
   const Eigen::VectorXd x = whole(rotation.x);
-  const double spin = std::sqrt(std::max(rotation.spin_squared, 0.0));
+  const double spin = std::sqrt(std::max(rotation.drive, 0.0));
   const Eigen::MatrixXd K = stiffness(rotation);
   const Eigen::MatrixXd G = incompressible_ ? constraint_matrix(space(), x) : Eigen::MatrixXd();
   const mechanics::SymmetryDirections of_body = turns(x, spin);

@@ -24,22 +24,14 @@
 #include <memory>
 #include <vector>
 
+#include "mechanics/equilibria/figure_family.h"
 #include "mechanics/equilibria/linear_stability.h"
 #include "polynomial/steady_rotation.h"
 #include "polynomial/turns.h"
 
 namespace pseudorigid::polynomial {
 
-/// A class of small motions, which are not coupled to the motions of other classes.
-struct MotionClass {
-  bool odd_in_z;  ///< true if the motions are odd under x₃ ↦ −x₃
-  int m;          ///< azimuthal number on a spheroid; on an ellipsoid 0 if even under the half turn, otherwise 1
-};
-
-struct ClassStability {
-  MotionClass motions;
-  mechanics::LinearStability stability;
-};
+using mechanics::ClassStability, mechanics::MotionClass;
 
 class RotationSpectrum {
  public:
@@ -51,7 +43,7 @@ class RotationSpectrum {
 
   /// Computes the stability of all classes, in the same order for every figure. Fails if a matrix of a class is not
   /// finite, or if its eigenvalues do not converge.
-  mechanics::Status analyse(const SteadyRotation& rotation, std::vector<ClassStability>& classes) const;
+  mechanics::Status analyse(const EquilibriumFigure& rotation, std::vector<ClassStability>& classes) const;
 
  private:
   /// A class with a basis of its motions, one column for each.
@@ -63,7 +55,7 @@ class RotationSpectrum {
   void add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure);
   Eigen::MatrixXd exchanges(const Eigen::MatrixXd& fields) const;
   Eigen::VectorXd whole_multiplier(const Eigen::VectorXd& lambda) const;
-  Eigen::MatrixXd stiffness(const SteadyRotation& rotation) const;
+  Eigen::MatrixXd stiffness(const EquilibriumFigure& rotation) const;
   mechanics::SymmetryDirections turns(const Eigen::VectorXd& x, double spin) const;
   mechanics::SymmetryDirections symmetries(const Part& part, const Eigen::MatrixXd& T, const Eigen::Matrix3d& A,
                                            const mechanics::SymmetryDirections& turns) const;

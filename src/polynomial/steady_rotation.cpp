@@ -60,9 +60,6 @@ Eigen::MatrixXd figure_pressures(const PolynomialSpace& space, Figure figure, in
   return V;
 }
 
-/// Index, 1 or 2, of the axis whose ratio to axis 0 is the parameter. The parameter must be a ratio of axes.
-int other_axis(FigureParameter parameter) { return parameter == FigureParameter::log_ratio_21 ? 1 : 2; }
-
 double largest(const Eigen::VectorXd& x) { return x.size() == 0 ? 0 : x.lpNorm<Eigen::Infinity>(); }
 
 }  // namespace
@@ -89,26 +86,26 @@ SteadyRotations::SteadyRotations(const BodySetup& setup, bool incompressible, Fi
   V_ = figure_pressures(space, figure, !incompressible ? -1 : is_fluid_ ? 0 : space.degree());
 }
 
-SteadyRotation SteadyRotations::affine(const Eigen::Vector3d& a, double spin_squared) const {
+EquilibriumFigure SteadyRotations::affine(const Eigen::Vector3d& a, double spin_squared) const {
   return {body_->affine(a.asDiagonal()), Eigen::VectorXd::Zero(body_->space().n_pressures()), spin_squared};
 }
 
-mechanics::Status SteadyRotations::terms(const SteadyRotation& rotation, Eigen::VectorXd& f,
+mechanics::Status SteadyRotations::terms(const EquilibriumFigure& rotation, Eigen::VectorXd& f,
                                          Eigen::VectorXd& centrifugal, Eigen::VectorXd& reaction) const {
   f = reaction = body_->make_vector();
   CompressibleBody::Workspace none;
   if (auto status = body_->force(0, rotation.x, body_->make_vector(), none, f); !status) return status;
-  centrifugal = rotation.spin_squared * across_axis_3(body_->space(), rotation.x);
+  centrifugal = rotation.drive * across_axis_3(body_->space(), rotation.x);
   if (incompressible_) add_reaction(body_->space(), rotation.x, rotation.lambda, reaction);
   return {};
 }
 
 /// Derivative of the residual r = f + Ω²Px + Gᵀλ (steady_rotation.h) along the columns of U, one column for each.
-Eigen::MatrixXd SteadyRotations::tangent_matrix(const SteadyRotation& rotation) const {
+Eigen::MatrixXd SteadyRotations::tangent_matrix(const EquilibriumFigure& rotation) const {
   Eigen::MatrixXd D(U_.rows(), U_.cols());
   for (Eigen::Index j = 0; j < U_.cols(); ++j) {
     const Eigen::VectorXd u = U_.col(j);
-    Eigen::VectorXd column = rotation.spin_squared * across_axis_3(body_->space(), u);
+    Eigen::VectorXd column = rotation.drive * across_axis_3(body_->space(), u);
     body_->add_force_rate(rotation.x, u, column);
     if (incompressible_) add_reaction_rate(body_->space(), rotation.x, u, rotation.lambda, column);
     D.col(j) = column;
@@ -116,7 +113,7 @@ Eigen::MatrixXd SteadyRotations::tangent_matrix(const SteadyRotation& rotation) 
   return D;
 }
 
-mechanics::Status SteadyRotations::equations(const FigureCondition& condition, const SteadyRotation& rotation,
+mechanics::Status SteadyRotations::equations(const FigureCondition& condition, const EquilibriumFigure& rotation,
                                              Equations& result) const {
   Eigen::VectorXd f, centrifugal, reaction;
   if (auto status = terms(rotation, f, centrifugal, reaction); !status) return status;
@@ -141,15 +138,15 @@ mechanics::Status SteadyRotations::equations(const FigureCondition& condition, c
 }
 
 /// Sets the last row of the equations: Ω² − value, or a_k − exp(value) a₁ with the semi-axes a of the affine part.
-void SteadyRotations::add_condition(const FigureCondition& condition, const SteadyRotation& rotation,
+void SteadyRotations::add_condition(const FigureCondition& condition, const EquilibriumFigure& rotation,
                                     Equations& result) const {
   const Eigen::Index last = result.values.size() - 1;
-  if (condition.parameter == FigureParameter::spin_squared) {
-    result.values[last] = rotation.spin_squared - condition.value;
+  if (condition.parameter == FigureParameter::drive) {
+    result.values[last] = rotation.drive - condition.value;
     result.derivative(last, last) = 1;
     return;
   }
-  const int k = other_axis(condition.parameter);
+  const int k = mechanics::other_axis(condition.parameter);
   const double ratio = std::exp(condition.value);
   const auto difference = [&](const Eigen::VectorXd& x) {
     const Eigen::Matrix3d A = body_->space().affine_part(x);
@@ -159,17 +156,17 @@ void SteadyRotations::add_condition(const FigureCondition& condition, const Stea
   for (Eigen::Index j = 0; j < U_.cols(); ++j) result.derivative(last, j) = difference(U_.col(j));
 }
 
-void SteadyRotations::add(double factor, const Eigen::VectorXd& step, SteadyRotation& rotation) const {
+EquilibriumFigure SteadyRotations::change(const Eigen::VectorXd& step) const {
   const Eigen::Index n = U_.cols(), m = V_.cols();
-  rotation.x += factor * (U_ * step.head(n));
-  if (m > 0) rotation.lambda += factor * (V_ * step.segment(n, m));
-  rotation.spin_squared += factor * step[n + m];
+  EquilibriumFigure change{U_ * step.head(n), Eigen::VectorXd::Zero(body_->space().n_pressures()), step[n + m]};
+  if (m > 0) change.lambda = V_ * step.segment(n, m);
+  return change;
 }
 
-mechanics::Status SteadyRotations::newton(const FigureCondition& condition, SteadyRotation& rotation) const {
+mechanics::Status SteadyRotations::newton(const FigureCondition& condition, EquilibriumFigure& rotation) const {
   constexpr int max_iterations = 40, max_halvings = 12;
   constexpr double accepted = 1e-11;
-  SteadyRotation kept = rotation;
+  EquilibriumFigure kept = rotation;
   double best = std::numeric_limits<double>::infinity(), scale = 1;
   for (int i = 0; i < max_iterations; ++i) {
     Equations e;
@@ -181,13 +178,10 @@ mechanics::Status SteadyRotations::newton(const FigureCondition& condition, Stea
     if (size == 0) break;
     const Eigen::VectorXd step = mechanics::solve(e.derivative, -e.values);
     if (!step.allFinite()) break;
+    const EquilibriumFigure full = change(step);
     double factor = 1;
-    for (int k = 0; k < max_halvings; ++k, factor /= 2) {
-      SteadyRotation trial = rotation;
-      add(factor, step, trial);
-      if (body_->admissible(trial.x)) break;
-    }
-    add(factor, step, rotation);
+    for (int k = 0; k < max_halvings && !body_->admissible(rotation.x + factor * full.x); ++k) factor /= 2;
+    mechanics::add(factor, full, rotation);
   }
   rotation = kept;
   if (best <= accepted * scale) return {};
@@ -197,7 +191,7 @@ mechanics::Status SteadyRotations::newton(const FigureCondition& condition, Stea
 }
 
 /// Computes λ of an incompressible fluid, and the residual of all equations. Fails if the force cannot be computed.
-mechanics::Status SteadyRotations::complete(SteadyRotation& rotation) const {
+mechanics::Status SteadyRotations::complete(EquilibriumFigure& rotation) const {
   Eigen::VectorXd f, centrifugal, reaction;
   if (is_fluid_ && incompressible_) {
     if (auto status = terms(rotation, f, centrifugal, reaction); !status) return status;
@@ -211,58 +205,15 @@ mechanics::Status SteadyRotations::complete(SteadyRotation& rotation) const {
   return {};
 }
 
-mechanics::Status SteadyRotations::solve(const FigureCondition& condition, SteadyRotation& rotation) const {
-  if (auto status = newton(condition, rotation); !status) return status;
-  return complete(rotation);
-}
-
-Eigen::VectorXd SteadyRotations::tangent(const FigureCondition& condition, const SteadyRotation& rotation) const {
+EquilibriumFigure SteadyRotations::tangent(const FigureCondition& condition, const EquilibriumFigure& rotation) const {
   Equations e;
   if (!equations(condition, rotation, e))
-    return Eigen::VectorXd::Constant(U_.cols() + V_.cols() + 1, std::numeric_limits<double>::quiet_NaN());
+    return change(Eigen::VectorXd::Constant(U_.cols() + V_.cols() + 1, std::numeric_limits<double>::quiet_NaN()));
   Eigen::VectorXd by_parameter = Eigen::VectorXd::Zero(e.values.size());
-  by_parameter[e.values.size() - 1] = condition.parameter == FigureParameter::spin_squared
+  by_parameter[e.values.size() - 1] = condition.parameter == FigureParameter::drive
                                           ? 1
                                           : std::exp(condition.value) * body_->space().affine_part(rotation.x)(0, 0);
-  return mechanics::solve(e.derivative, by_parameter);
-}
-
-double SteadyRotations::slope(const FigureCondition& condition, const SteadyRotation& rotation) const {
-  const Eigen::VectorXd t = tangent(condition, rotation);
-  return t[t.size() - 1];
-}
-
-mechanics::Status SteadyRotations::follow(double from, const FigureCondition& condition,
-                                          SteadyRotation& rotation) const {
-  constexpr double shortest = 1.0 / 512;  // fraction of the distance between the parameters
-  constexpr double longest = 0.25;  // largest step of the parameter, so that the search does not jump to other branches
-  constexpr double astray = 0.5;    // bound of the distance between solution and prediction, as a fraction of the step
-  constexpr double round_off = 1e-10;
-  const double way = condition.value - from;
-  double at = from, step = std::copysign(std::min(std::abs(way), longest), way);
-  while (at != condition.value) {
-    const bool is_last = std::abs(step) >= std::abs(condition.value - at);
-    if (is_last) step = condition.value - at;
-    const double next = is_last ? condition.value : at + step;
-    SteadyRotation predicted = rotation;
-    add(step, tangent({condition.parameter, at}, rotation), predicted);
-    SteadyRotation found = predicted;
-    mechanics::Status status = mechanics::Status::failure("the family ends here, or turns back");
-    if (predicted.x.allFinite() && body_->admissible(predicted.x)) {
-      mechanics::Status end = newton({condition.parameter, next}, found);
-      const double off = (found.x - predicted.x).norm(), moved = (predicted.x - rotation.x).norm();
-      if (!end || off <= astray * moved + round_off) status = std::move(end);
-    }
-    if (status) {
-      rotation = found;
-      at = next;
-      step = std::copysign(std::min(2 * std::abs(step), longest), way);
-    } else {
-      step /= 2;
-      if (std::abs(step) < shortest * std::abs(way)) return status;
-    }
-  }
-  return complete(rotation);
+  return change(mechanics::solve(e.derivative, by_parameter));
 }
 
 }  // namespace pseudorigid::polynomial

@@ -31,46 +31,21 @@
 
 #include <memory>
 
+#include "mechanics/equilibria/figures.h"
 #include "polynomial/compressible_body.h"
 
 namespace pseudorigid::polynomial {
 
-enum class Figure { spheroid, ellipsoid };
+using mechanics::EquilibriumFigure, mechanics::Figure, mechanics::FigureCondition, mechanics::FigureParameter;
 
-/// The parameter of a figure in its family: Ω², ln(a₂/a₁) or ln(a₃/a₁), with the affine part A = diag(a) of x.
-enum class FigureParameter { spin_squared, log_ratio_21, log_ratio_31 };
-/// The condition that `parameter` has the value `value` in the figure.
-struct FigureCondition {
-  FigureParameter parameter;
-  double value;
-};
-
-/// A steady rotation in internal units. x and λ are coefficients of the octant.
-struct SteadyRotation {
-  Eigen::VectorXd x, lambda;
-  double spin_squared = 0;
-  double residual = 0;  ///< |r|_∞ divided by the largest entry of a term of r; 0 if all terms are round-off
-};
-
-class SteadyRotations {
+/// The equations of these figures. The vectors of EquilibriumFigure are coefficients of the octant, and its drive is
+/// Ω². At a figure of a fluid, the residual contains the error of the quadrature of gravity.
+class SteadyRotations final : public mechanics::FigureEquations {
  public:
   /// `setup.reflect` is not used. Loads other than gravity and pressure are not used.
   SteadyRotations(const BodySetup& setup, bool incompressible, Figure figure);
 
-  /// The affine figure x = A X with A = diag(a), λ = 0 and this Ω². It need not satisfy the equations.
-  SteadyRotation affine(const Eigen::Vector3d& a, double spin_squared) const;
-
-  /// Moves `rotation` to the figure near it that satisfies the condition. Fails if Newton's iteration does not
-  /// converge, or if a force cannot be computed; `rotation` is then not a figure.
-  mechanics::Status solve(const FigureCondition& condition, SteadyRotation& rotation) const;
-  /// Moves `rotation`, a known figure with the parameter `from`, along the family to the figure with `condition`. A
-  /// step is halved if Newton's iteration fails or does not stay close to the prediction. After a step that succeeds,
-  /// the next step is doubled up to a bound. Fails if a step becomes shorter than 1/512 of the way, for example because
-  /// the family ends or turns back before `condition`. `rotation` is then the last figure found. Also fails if a force
-  /// cannot be computed at the end.
-  mechanics::Status follow(double from, const FigureCondition& condition, SteadyRotation& rotation) const;
-  /// Derivative of Ω² with respect to the parameter along the family; NaN if the force fails.
-  double slope(const FigureCondition& condition, const SteadyRotation& rotation) const;
+  EquilibriumFigure affine(const Eigen::Vector3d& a, double spin_squared) const override;
 
  private:
   /// The equations Uᵀr = 0, Vᵀg = 0 and the condition, for the unknowns y, μ and Ω² (head of this file).
@@ -80,21 +55,19 @@ class SteadyRotations {
     double scale;  ///< 1 plus the largest entry of the terms of r, for comparison with `values`
   };
   /// Sets the three terms f, Ω²Px and Gᵀλ of r. Fails if the force cannot be computed.
-  mechanics::Status terms(const SteadyRotation& rotation, Eigen::VectorXd& f, Eigen::VectorXd& centrifugal,
+  mechanics::Status terms(const EquilibriumFigure& rotation, Eigen::VectorXd& f, Eigen::VectorXd& centrifugal,
                           Eigen::VectorXd& reaction) const;
   /// Sets `result` to the equations at `rotation`, with their derivative. Fails if the force cannot be computed.
-  mechanics::Status equations(const FigureCondition& condition, const SteadyRotation& rotation,
+  mechanics::Status equations(const FigureCondition& condition, const EquilibriumFigure& rotation,
                               Equations& result) const;
-  Eigen::MatrixXd tangent_matrix(const SteadyRotation& rotation) const;
-  void add_condition(const FigureCondition& condition, const SteadyRotation& rotation, Equations& result) const;
-  /// Derivatives of (y, μ, Ω²) with respect to the parameter. The derivatives are NaN if the force fails.
-  Eigen::VectorXd tangent(const FigureCondition& condition, const SteadyRotation& rotation) const;
-  /// Adds `factor` times a step of the unknowns (y, μ, Ω²) to `rotation`.
-  void add(double factor, const Eigen::VectorXd& step, SteadyRotation& rotation) const;
-  /// Newton's iteration from `rotation`. Fails if the residual does not reach round-off, or if a force cannot be
-  /// computed. `rotation` becomes the iterate with the least residual, unless a force fails.
-  mechanics::Status newton(const FigureCondition& condition, SteadyRotation& rotation) const;
-  mechanics::Status complete(SteadyRotation& rotation) const;
+  Eigen::MatrixXd tangent_matrix(const EquilibriumFigure& rotation) const;
+  void add_condition(const FigureCondition& condition, const EquilibriumFigure& rotation, Equations& result) const;
+  mechanics::Status newton(const FigureCondition& condition, EquilibriumFigure& rotation) const override;
+  EquilibriumFigure tangent(const FigureCondition& condition, const EquilibriumFigure& rotation) const override;
+  mechanics::Status complete(EquilibriumFigure& rotation) const override;
+  bool is_admissible(const Eigen::VectorXd& x) const override { return body_->admissible(x).ok(); }
+  /// The changes of x, λ and Ω² for a step of the unknowns (y, μ, Ω²).
+  EquilibriumFigure change(const Eigen::VectorXd& step) const;
 
   bool incompressible_, is_fluid_;
   std::shared_ptr<const CompressibleBody> body_;  ///< all forces without reactions, in the octant

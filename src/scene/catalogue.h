@@ -97,7 +97,7 @@ struct SystemDescription {
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
 
-/// The table of relative equilibria of a model.
+/// A table of equilibria of a model.
 struct EquilibriaTable {
   std::string_view file;          ///< name without ".csv"
   std::string_view introduction;  ///< text before the table of columns in the documentation
@@ -128,9 +128,9 @@ struct ModelDescription {
   /// Whether the model offers Analysis = modes, love numbers and equilibrium.
   bool has_modes = false, has_love_numbers = false, has_equilibria = false;
   EquilibriaTable equilibria{};  ///< used if has_equilibria
-  /// Returns the columns of equilibria.csv for the equilibria at rest (Equilibrium/Family = static) of a body with
-  /// `n_modes` degrees of freedom. The pointer is null if the model does not compute these equilibria.
-  std::vector<Column> (*static_equilibria)(int n_modes) = nullptr;
+  /// Returns the table of the equilibria at rest (Equilibrium/Family = static). `n_modes` is the number of degrees of
+  /// freedom of the pseudo-rigid body. The pointer is null if the model does not compute these equilibria.
+  EquilibriaTable (*static_equilibria)(int n_modes) = nullptr;
   std::vector<Column> columns;  ///< columns of all groups, for the documentation
   /// Names of further runs of the model that a scene may request, by increasing number of degrees of freedom. Each run
   /// has its own files.

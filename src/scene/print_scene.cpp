@@ -148,12 +148,11 @@ std::string columns_tables(const Catalogue& catalogue) {
     if (const auto& [file, introduction, columns] = model.equilibria; model.has_equilibria)
       text += columns_table(file_of(file), std::string(introduction), columns);
   for (const ModelDescription& model : catalogue.models)
-    if (model.static_equilibria)
-      text +=
-          columns_table("equilibria.csv of the ball at rest",
-                        "Its equilibria at rest (Equilibrium/Family = static), the critical points of the potential "
-                        "energy, a row each.",
-                        model.static_equilibria(1));
+    if (model.static_equilibria) {
+      const auto [file, introduction, columns] = model.static_equilibria(1);
+      if (file != model.equilibria.file || columns.size() != model.equilibria.columns.size())
+        text += columns_table(file_of(file) + " of the ball at rest", std::string(introduction), columns);
+    }
   return text;
 }
 

@@ -123,7 +123,7 @@ class Ranks(RanksTest):
             self.addCleanup(self.end_process, process)
             self.wait_until(lambda: process.poll() is not None or header.exists() and log.stat().st_size > size, "the run is under way")
             time.sleep(0.2)
-            if n_interruptions < 6:
+            if n_interruptions < 3:
                 process.send_signal(signal.SIGINT)
             code = process.wait(timeout=TIME_LIMIT)
             n_interruptions += code != DONE

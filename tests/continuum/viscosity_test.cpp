@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "continuum/balls.h"
-#include "continuum/modes/parity_sector.h"
+#include "continuum/modes/rest_problem.h"
 #include "mechanics/steps/largest_frequency.h"
 #include "reduced/dissipative_body.h"
 #include "reduced/pseudo_rigid_body.h"

@@ -27,14 +27,14 @@ BodySetup setup_of(std::string_view law, double pi_G_rho, int degree, bool incom
   return setup;
 }
 
-const FamilyOfRotations by_eccentricity{Figure::spheroid, [](double e) -> FigureCondition {
+const FamilyOfFigures by_eccentricity{Figure::spheroid, [](double e) -> FigureCondition {
                                           return {FigureParameter::log_ratio_31, 0.5 * std::log1p(-e * e)};
                                         }};
-const FamilyOfRotations by_polar_axis{Figure::spheroid, [](double p) -> FigureCondition {
+const FamilyOfFigures by_polar_axis{Figure::spheroid, [](double p) -> FigureCondition {
                                         return {FigureParameter::log_ratio_31, 1.5 * std::log(p)};
                                       }};
-const FamilyOfRotations by_spin{Figure::spheroid, [](double spin) -> FigureCondition {
-                                  return {FigureParameter::spin_squared, spin * spin};
+const FamilyOfFigures by_spin{Figure::spheroid, [](double spin) -> FigureCondition {
+                                  return {FigureParameter::drive, spin * spin};
                                 }};
 
 std::vector<double> values(double first, double last, int n) {
@@ -43,27 +43,27 @@ std::vector<double> values(double first, double last, int n) {
   return v;
 }
 
-std::vector<double> frequencies(const RotationMember& member) {
+std::vector<double> frequencies(const FigureMember& member) {
   std::vector<double> f;
   for (const ClassStability& of_class : member.classes)
     for (const auto& rate : of_class.stability.rates) f.push_back(rate.s.imag());
   std::ranges::sort(f);
   return f;
 }
-int n_negative(const RotationMember& member) {
+int n_negative(const FigureMember& member) {
   int n = 0;
   for (const ClassStability& of_class : member.classes) n += of_class.stability.n_negative;
   return n;
 }
 
-const SpecialRotation* special_point(const RotationFamily& family, SpecialKind kind, int m) {
-  const auto found = std::ranges::find_if(family.special, [&](const SpecialRotation& s) {
+const SpecialFigure* special_point(const FigureFamily& family, SpecialKind kind, int m) {
+  const auto found = std::ranges::find_if(family.special, [&](const SpecialFigure& s) {
     return s.kind == kind && s.motions.m == m && !s.motions.odd_in_z;
   });
   return found == family.special.end() ? nullptr : &*found;
 }
-void expect_special(const RotationFamily& family, SpecialKind kind, int m, double parameter, double tolerance) {
-  const SpecialRotation* found = special_point(family, kind, m);
+void expect_special(const FigureFamily& family, SpecialKind kind, int m, double parameter, double tolerance) {
+  const SpecialFigure* found = special_point(family, kind, m);
   ASSERT_TRUE(found) << mechanics::name_of(kind) << ", m = " << m;
   EXPECT_NEAR(found->member.parameter, parameter, tolerance) << mechanics::name_of(kind) << ", m = " << m;
 }
@@ -83,15 +83,15 @@ TEST(SteadyRotation, OfDegreeOneIsThePseudoRigidOne) {
     const reduced::IsotropicBody<reduced::Potential> body{potential, 4 * std::numbers::pi / 15, incompressible};
     const auto known = reduced::spheroids(body, reduced::SpheroidParameter::eccentricity, {0.2, 0.97, 9});
     RotationFinder finder(setup, incompressible, by_eccentricity);
-    const RotationFamily found = finder.family(values(0.2, 0.97, 9));
+    const FigureFamily found = finder.family(values(0.2, 0.97, 9));
     ASSERT_EQ(found.members.size(), known.points.size()) << law;
     ASSERT_EQ(found.special.size(), known.special.size()) << law;
     for (std::size_t k = 0; k < found.members.size(); ++k) {
       const auto& expected = known.points[k];
-      const RotationMember& member = found.members[k];
+      const FigureMember& member = found.members[k];
       const double spin = expected.motion.omega[2];
-      EXPECT_NEAR(member.rotation.spin_squared, spin * spin, 1e-11 * (1 + spin * spin)) << law;
-      const Eigen::Matrix3d A = finder.spectrum().space().affine_part(finder.spectrum().whole(member.rotation.x));
+      EXPECT_NEAR(member.figure.drive, spin * spin, 1e-11 * (1 + spin * spin)) << law;
+      const Eigen::Matrix3d A = finder.spectrum().space().affine_part(finder.spectrum().whole(member.figure.x));
       EXPECT_LT((A.diagonal() - expected.semi_axes).norm(), 1e-11) << law;
       EXPECT_EQ(n_negative(member), expected.stability.n_negative) << law;
       std::vector<double> f;
@@ -114,7 +114,7 @@ TEST(SteadyRotation, OfDegreeOneIsThePseudoRigidOne) {
 /// 6: 0.812670011, 0.929955685, 0.952886702), to the quadrature of gravity.
 TEST(SteadyRotation, MaclaurinsSpheroidsKeepWhatDegreeOneKnows) {
   for (const int N : {1, 3, 4, 5}) {
-    const RotationFamily family =
+    const FigureFamily family =
         RotationFinder(setup_of("none", 1, N), true, by_eccentricity).family(values(0.79, 0.96, 4));
     expect_special(family, SpecialKind::index, 2, 0.812670011, 5e-9);
     expect_special(family, SpecialKind::fold, 0, 0.929955685, 6e-10);
@@ -127,7 +127,7 @@ TEST(SteadyRotation, MaclaurinsSpheroidsKeepWhatDegreeOneKnows) {
 TEST(SteadyRotation, ThirdHarmonicsOfMaclaurinsSpheroids) {
   BodySetup setup = setup_of("none", 1, 3);
   setup.n_gravity_points = 12;
-  const RotationFamily family = RotationFinder(setup, true, by_eccentricity).family(values(0.87, 0.93, 2));
+  const FigureFamily family = RotationFinder(setup, true, by_eccentricity).family(values(0.87, 0.93, 2));
   expect_special(family, SpecialKind::index, 3, 0.89926, 5e-6);
 }
 
@@ -137,10 +137,10 @@ TEST(SteadyRotation, EllipticityAtSmallSpin) {
   const double spin = 0.01;
   for (const auto& [N, expected] : {std::pair{1, 0.1}, {2, 0.1}, {3, 5.0 / 38}, {5, 5.0 / 38}}) {
     RotationFinder finder(setup_of("neo-hookean", 0, N), true, by_spin);
-    RotationMember member;
+    FigureMember member;
     ASSERT_TRUE(finder.member(spin, member));
     const PolynomialSpace& space = finder.spectrum().space();
-    const Eigen::VectorXd x = finder.spectrum().whole(member.rotation.x);
+    const Eigen::VectorXd x = finder.spectrum().whole(member.figure.x);
     const double equator = space.value(space.functions_at({1, 0, 0}), x)[0],
                  pole = space.value(space.functions_at({0, 0, 1}), x)[2];
     EXPECT_NEAR((equator - pole) / (spin * spin), expected, spin * spin) << N;
@@ -154,10 +154,10 @@ TEST(SteadyRotation, CriticalSpin) {
   const double of_cubic = std::sqrt((44.0 / 315 - std::sqrt(44.0 * 44 / (315.0 * 315) - 64.0 / 15435)) / (8.0 / 2205));
   EXPECT_NEAR(of_cubic, 2.082057, 5e-7);
   for (const auto& [N, expected] : {std::pair{1, std::sqrt(5.0)}, {3, of_cubic}, {5, 2.081576}}) {
-    RotationMember member;
+    FigureMember member;
     ASSERT_TRUE(RotationFinder(setup_of("neo-hookean", 0, N), true, by_polar_axis).member(0.02, member));
-    EXPECT_NEAR(std::sqrt(member.rotation.spin_squared), expected, 1e-4) << N;
-    EXPECT_LT(std::sqrt(member.rotation.spin_squared), expected) << N;
+    EXPECT_NEAR(std::sqrt(member.figure.drive), expected, 1e-4) << N;
+    EXPECT_LT(std::sqrt(member.figure.drive), expected) << N;
   }
 }
 
@@ -168,7 +168,7 @@ TEST(SteadyRotation, AtRestTheSpectrumIsThatOfTheModes) {
     std::vector<RestFrequency> modes;
     ASSERT_TRUE(rest_frequencies(setup, true, 1000, modes));
     ASSERT_FALSE(modes.empty());
-    RotationMember member;
+    FigureMember member;
     ASSERT_TRUE(RotationFinder(setup, true, by_eccentricity).member(0, member));
     const std::vector<double> found = frequencies(member);
     for (const RestFrequency& mode : modes)
@@ -192,13 +192,13 @@ TEST(SteadyRotation, JacobisEllipsoidsBecomePears) {
                            [](double ratio) -> FigureCondition {
                              return {FigureParameter::log_ratio_21, std::log(ratio)};
                            },
-                           [&](double ratio, NearbyFigure& nearby) {
+                           [&](double ratio, mechanics::NearbyFigure& nearby) {
                              reduced::SteadyMotion m;
                              auto status = reduced::jacobi_motion(body, ratio, m);
                              nearby = {m.A.diagonal(), m.omega.squaredNorm()};
                              return status;
                            }});
-    const RotationFamily family = finder.family({0.41, 0.46});
+    const FigureFamily family = finder.family({0.41, 0.46});
     ASSERT_EQ(family.members.size(), 2u);
     if (N == 1) {
       EXPECT_TRUE(family.special.empty());

@@ -45,12 +45,12 @@ ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& co
 /// True if the directory has a checkpoint, from which --resume can continue.
 bool is_resumable(const RunContext& context) { return !checkpoints(context.directory, context.scene).empty(); }
 
-/// The context in which a model runs. All ranks share a finite-element run, but a single process computes modes and
-/// Love numbers in one octant. The collective call of_first(true) starts a shared run on the ranks that wait in
+/// The context in which a model runs. All ranks share a motion of finite elements, but a single process computes modes,
+/// Love numbers and equilibria in one octant. The collective call of_first(true) starts a shared run on the ranks that wait in
 /// assist_scene.
 RunContext context_of(const scene::ModelDescription& model, const RunContext& context, const Executable& executable) {
   RunContext of_model = context;
-  if (model.discretized && !scene::is_linear(context.scene.analysis) && executable.ranks->of_first(true))
+  if (model.discretized && context.scene.analysis == scene::Analysis::motion && executable.ranks->of_first(true))
     of_model.ranks = executable.ranks;
   return of_model;
 }
@@ -152,8 +152,10 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
   if (needs.system)
     content.columns[content.system + ".csv"] = needs.system->columns;
   else if (scene::finds_static_equilibria(scene))
-    for (const scene::ModelDescription* model : needs.models)
-      content.columns["equilibria.csv"] = model->static_equilibria(scene.body.incompressible ? 8 : 9);
+    for (const scene::ModelDescription* model : needs.models) {
+      const scene::EquilibriaTable table = model->static_equilibria(scene.body.incompressible ? 8 : 9);
+      content.columns[std::string(table.file) + ".csv"] = table.columns;
+    }
   else if (scene.analysis == scene::Analysis::equilibrium)
     for (const scene::ModelDescription* model : needs.models)
       content.columns[std::string(model->equilibria.file) + ".csv"] = model->equilibria.columns;

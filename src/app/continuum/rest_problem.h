@@ -6,7 +6,7 @@
 
 #include "app/continuum/stored_energy.h"
 #include "app/run/scene_to_model.h"
-#include "continuum/modes/parity_sector.h"
+#include "continuum/modes/rest_problem.h"
 #include "scene/discretization.h"
 
 namespace pseudorigid::app {

@@ -1,4 +1,5 @@
 #include "app/continuum/continuum_model.h"
+#include "app/continuum/run_equilibria.h"
 #include "app/continuum/run_love_numbers.h"
 #include "app/continuum/run_modes.h"
 #include "app/run/run_models.h"
@@ -24,6 +25,7 @@ ModelOutcome run_ball(const RunContext& context, const ContinuumTask& task) {
 
 ModelOutcome run_continuum(const RunContext& context) {
   if (context.scene.analysis == scene::Analysis::modes) return run_modes(context);
+  if (context.scene.analysis == scene::Analysis::equilibrium) return run_continuum_equilibria(context);
   if (context.scene.analysis == scene::Analysis::love_numbers) return run_continuum_love_numbers(context);
   return scene::fixed_discretization(context.scene) ? run_with_estimate(context, run_ball)
                                                     : DiscretizationSearch(context, run_ball).run();

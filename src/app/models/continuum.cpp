@@ -4,6 +4,7 @@
 
 #include "app/models/ball_models.h"
 #include "app/reduced/reduced_scene.h"
+#include "app/run/continuum_figure_columns.h"
 #include "app/run/refuses_method.h"
 #include "io/trajectory.h"
 #include "scene/discretization.h"
@@ -30,7 +31,7 @@ std::string continuum_needed(const Scene& scene) {
                          : fmt::format("degree {}, refinements {}: the cheapest with an estimated error of Q up to {}",
                                        found(scene.continuum.degree), found(scene.continuum.refinements),
                                        scene::print_number(scene.continuum.tolerance))) +
-         (scene::is_linear(scene.analysis) ? ", one octant in all its parities"
+         (scene.analysis != scene::Analysis::motion ? ", one octant in all its parities"
           : scene::has_mesh_file(scene)
               ? ", the whole body"
               : fmt::format(", {}, one of {} ({})", sector.name(), sector.n_images(), sector.reason));
@@ -44,14 +45,14 @@ std::optional<std::string> continuum_companion(const Scene& scene) {
 
 std::string continuum_skipped(const Scene&) { return "continuum: not among Models; no mesh, no deal.II, MPI or PETSc"; }
 
-/// Refuses modes and Love numbers if the discretisation is not given or the mesh is graded. Also refuses Love numbers
-/// of degrees that the mesh does not resolve.
+/// Refuses modes, Love numbers and equilibria if the discretisation is not given or the mesh is graded. Also refuses
+/// Love numbers of degrees that the mesh does not resolve.
 std::optional<Refusal> refuses_modes(const Scene& scene) {
-  if (!scene::is_linear(scene.analysis)) return {};
+  if (scene.analysis == scene::Analysis::motion) return {};
   if (!scene::fixed_discretization(scene))
     return Refusal{scene.continuum.degree ? "Continuum/Refinements" : "Continuum/Degree",
-                   "auto is offered for motions; for modes give a number, and for Love numbers (their tables have an "
-                   "error of the mesh)"};
+                   "auto is offered for motions; for modes give a number, and for Love numbers and equilibria (their "
+                   "tables have an error of the mesh)"};
   if (scene.analysis == scene::Analysis::love_numbers &&
       scene::love_degrees(scene).back() > scene::resolved_degree(scene))
     return Refusal{"Love numbers/Degrees",
@@ -59,8 +60,40 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
                                "Continuum/Degree or Continuum/Refinements",
                                scene::resolved_degree(scene))};
   if (scene.continuum.grading != 1)
-    return Refusal{
-        "Continuum/Grading", "small displacements are computed on the even mesh", {{{"Continuum/Grading", "1"}}}};
+    return Refusal{"Continuum/Grading",
+                   "modes, Love numbers and equilibria are computed on the even mesh",
+                   {{{"Continuum/Grading", "1"}}}};
+  return {};
+}
+
+/// Refuses equilibria of families, bodies and loads for which finite elements have none. Loads must be symmetric under
+/// reflection of every axis, because an octant is computed. Its planes exclude rigid motions.
+std::optional<Refusal> refuses_equilibria(const Scene& scene) {
+  if (scene.analysis != scene::Analysis::equilibrium) return {};
+  if (auto refusal = refuses_family(scene, "finite elements", true,
+                                    scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })))
+    return refusal;
+  if (scene::has_mesh_file(scene))
+    return Refusal{"Continuum/Mesh", "equilibria are those of the ball", {{{"Continuum/Mesh", "builtin"}}}};
+  if (scene::is_fluid(scene))
+    return Refusal{"Material/Law",
+                   "equilibria of finite elements are those of an elastic ball: in a fluid nothing "
+                   "resists inner motions"};
+  const loads::Forcing forcing = loads::constant_forcing(scene.loads);
+  if (forcing.viscosity > 0 || forcing.drag > 0)
+    return Refusal{forcing.viscosity > 0 ? "Material/Viscosity" : "Material/Drag",
+                   "small motions about equilibria of finite elements are those without dissipation; the equilibria do "
+                   "not depend on it",
+                   {{{forcing.viscosity > 0 ? "Material/Viscosity" : "Material/Drag", "0"}}}};
+  if (scene::finds_static_equilibria(scene))
+    for (int i = 0; i < 3; ++i)
+      if (const auto broken = scene::breaks_plane(scene, i))
+        return Refusal{"Equilibrium/Family",
+                       fmt::format("static is offered for finite elements under loads that are symmetric under every "
+                                   "reflection; the plane with normal {} is no symmetry plane, as {}",
+                                   scene::axis_names[i], *broken),
+                       {},
+                       scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })};
   return {};
 }
 
@@ -127,7 +160,8 @@ std::optional<Refusal> refuses_symmetry(const Scene& scene) {
 
 /// The first reason to refuse the scene, or an empty value.
 std::optional<Refusal> refuses(const Scene& scene) {
-  for (const auto judge : {refuses_discretization, refuses_modes, refuses_body, refuses_symmetry, refuses_motion})
+  for (const auto judge :
+       {refuses_discretization, refuses_modes, refuses_equilibria, refuses_body, refuses_symmetry, refuses_motion})
     if (auto refusal = judge(scene)) return refusal;
   return {};
 }
@@ -138,6 +172,15 @@ bool continuum_takes_method(std::string_view name) {
   const auto id = mechanics::find_method(name);
   return method_can_run<ElasticBody<true>>(name) &&
          (!id || mechanics::with_method(*id, []<class Method>(Method) { return mechanics::takes_any_vector<Method>; }));
+}
+
+/// The table of figures, which does not depend on the number of degrees of freedom of the pseudo-rigid body.
+scene::EquilibriaTable continuum_equilibria(int) {
+  return {"equilibria-continuum",
+          "These are figures of the finite-element ball that turn as a whole (Equilibrium/Family), a row each. With "
+          "static, it is the figure at rest under the loads that is reached as they rise from 0; omega3 is then 0 and "
+          "the parameter is the factor of the loads.",
+          continuum_figure_columns()};
 }
 
 }  // namespace
@@ -153,6 +196,9 @@ BallModel continuum_model() {
            .has_nonaffine = true,
            .has_modes = true,
            .has_love_numbers = true,
+           .has_equilibria = true,
+           .equilibria = continuum_equilibria(1),
+           .static_equilibria = continuum_equilibria,
            .columns = io::documented_columns<Observables>(),
            .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
            .companion = continuum_companion,

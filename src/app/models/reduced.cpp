@@ -59,7 +59,12 @@ BallModel reduced_model() {
            .equilibria = {"equilibria",
                           "This is a family of relative equilibria of the ball (Equilibrium/Family), a row each.",
                           ball_equilibria_columns()},
-           .static_equilibria = static_equilibria_columns,
+           .static_equilibria = [](int n_modes) -> scene::EquilibriaTable {
+             return {"equilibria",
+                     "These are the equilibria at rest (Equilibrium/Family = static), the critical points of the "
+                     "potential energy, a row each.",
+                     static_equilibria_columns(n_modes)};
+           },
            .columns = io::documented_columns<Observables>(),
            .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
            .needed = reduced_needed,

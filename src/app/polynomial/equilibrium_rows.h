@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "observables/body_observables.h"
+#include "app/run/figure_families.h"
 #include "polynomial/incompressible_body.h"
 #include "polynomial/rotation_family.h"
 #include "scene/catalogue.h"
@@ -19,9 +19,6 @@ std::vector<scene::Column> polynomial_equilibria_columns();
 /// for an ellipsoid.
 std::string name_of(const polynomial::MotionClass& motions, polynomial::Figure figure);
 
-/// The class of small motions that contains the fastest growing motion; null if no motion grows.
-const polynomial::ClassStability* fastest_growing(const polynomial::RotationMember& member);
-
 /// Makes the rows for the figures of one polynomial body.
 class EquilibriumRows {
  public:
@@ -32,7 +29,7 @@ class EquilibriumRows {
   /// Sets `row` to one row of the table. All columns are in internal units except the parameter, which has the unit of
   /// its family. `special` is null for an ordinary member of the family. Fails if the observables of the figure cannot
   /// be computed.
-  mechanics::Status row(int index, const polynomial::RotationMember& member, const polynomial::SpecialRotation* special,
+  mechanics::Status row(int index, const polynomial::FigureMember& member, const polynomial::SpecialFigure* special,
                         std::vector<double>& row) const;
 
  private:

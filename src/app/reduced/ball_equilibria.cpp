@@ -124,6 +124,8 @@ std::string parameter_name(Family family) {
       return "a3/r";
     case Family::spinning:
       return "spin";
+    case Family::at_rest:
+      return "factor of the loads";
     default:
       return "a2/a1";
   }

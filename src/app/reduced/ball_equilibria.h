@@ -27,7 +27,7 @@ ModelOutcome run_ball_equilibria(const RunContext& context);
 mechanics::Status figure_of_family(const scene::Scene& scene, scene::Family family, double parameter,
                                    reduced::SteadyMotion& figure);
 
-/// The name of the family's parameter in messages: "e", "a3/r", "spin" or "a2/a1".
+/// The name of the family's parameter in messages: "e", "a3/r", "spin", "a2/a1" or "factor of the loads".
 std::string parameter_name(scene::Family family);
 
 /// Replaces the entry Initial state/Equilibrium by explicit initial values of the deformation Q and its rate,

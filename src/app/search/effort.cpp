@@ -206,10 +206,11 @@ std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene
 
 void require_memory(const scene::Scene& scene, const scene::Origins& origins, std::size_t n_coarse_cells,
                     double share) {
-  if (!scene::is_discretized(scene) || scene.analysis == scene::Analysis::equilibrium) return;
+  if (!scene::is_discretized(scene)) return;
   constexpr const char* entry = "Continuum/Refinements";
   const auto fixed = scene::fixed_discretization(scene);
-  const double own_share = scene::is_linear(scene.analysis) ? 1 : share;  // linear analyses run in one process
+  // Analyses other than motions run in one process.
+  const double own_share = scene.analysis == scene::Analysis::motion ? share : 1;
   if (const auto problem =
           exceeds_memory(scene, fixed ? *fixed : scene::ladder(scene).front(), n_coarse_cells, own_share))
     throw UserError(fmt::format("{}: {}: {}", origins.of(entry), entry, *problem));

@@ -1,8 +1,8 @@
 #pragma once
 /// The basis ψ_j of the multiplier at the nodes X_i of the displacements. For displacements of degree k, the ψ_j are
-/// polynomials of total degree k − 1 on each cell. Pictures show λ_h at these nodes, and the tangent of the forces needs
-/// λ_h at the Gauss points. The preconditioner of the Gram
-/// operator uses these nodes as quadrature points to project its coarse functions onto ψ_j:
+/// polynomials of total degree k − 1 on each cell. Pictures show λ_h at these nodes, and the tangent of the forces
+/// needs λ_h at the Gauss points. The preconditioner of the Gram operator uses these nodes as quadrature points to
+/// project its coarse functions onto ψ_j:
 ///
 ///   λ_h(X_i) = Σ_j λ_j ψ_j(X_i),   ψ(X) = L⁻¹ monomials((X − X_c)/h_c)
 ///

@@ -35,21 +35,28 @@ Tangent columns(const Of& of) {
 Tangent tangent_at(const StoredEnergy& stored, const materials::Tensor<double>& F, double lambda) {
   const materials::Tensor<double> cof = materials::cofactor(F);
   const double J = materials::determinant(F, cof), kappa = stored.volumetric_stiffness;
-  const double slope = kappa / 4 * (J - 1 / (J * J * J)), curvature = kappa / 4 * (1 + 3 / (J * J * J * J));
-  return columns([&](const materials::Tensor<double>& H) {
-    const materials::Tensor<double> of_law =
-        std::visit([&](const auto& known) { return known.tangent(F, H); }, stored.law);
-    const materials::Tensor<double> rate_of_cof = materials::cofactor_derivative(F, H);
-    const double rate_of_J = materials::dot(cof, H);
-    materials::Tensor<double> C;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        // F⁻ᵀHᵀF⁻ᵀ = −D(F⁻ᵀ)[H], and F⁻ᵀ = cof F/J
-        const double rate_of_inverse = (rate_of_cof(i, j) - cof(i, j) * rate_of_J / J) / J;
-        C(i, j) = of_law(i, j) + curvature * rate_of_J * cof(i, j) + slope * rate_of_cof(i, j) - lambda * rate_of_inverse;
-      }
-    return C;
+  const double curvature = kappa / 4 * (1 + 3 / (J * J * J * J));
+  Tangent tangent = columns([&](const materials::Tensor<double>& H) {
+    const double of_volume = curvature * materials::dot(cof, H);
+    return materials::entrywise([&](double of_law, double c) { return of_law + of_volume * c; },
+                                std::visit([&](const auto& known) { return known.tangent(F, H); }, stored.law), cof);
   });
+  if (kappa != 0) tangent.add(kappa / 4 * (J - 1 / (J * J * J)), tangent_of_pressure(F));
+  return lambda == 0 ? tangent : tangent.add(lambda, tangent_of_constraint(F));
+}
+
+Tangent tangent_of_constraint(const materials::Tensor<double>& F) {
+  const materials::Tensor<double> cof = materials::cofactor(F);
+  const double J = materials::determinant(F, cof);
+  return columns([&](const materials::Tensor<double>& H) {  // −D(F⁻ᵀ)[H] with F⁻ᵀ = cof F/J
+    const double rate_of_J = materials::dot(cof, H);
+    return materials::entrywise([&](double c, double rate) { return (c * rate_of_J / J - rate) / J; }, cof,
+                                materials::cofactor_derivative(F, H));
+  });
+}
+
+Tangent tangent_of_pressure(const materials::Tensor<double>& F) {
+  return columns([&](const materials::Tensor<double>& H) { return materials::cofactor_derivative(F, H); });
 }
 
 RestElasticity::RestElasticity(const StoredEnergy& stored, bool incompressible)
@@ -102,8 +109,8 @@ CellStiffness::PointCoefficients CellStiffness::coefficients(unsigned int cell, 
     for (int i = 0; i < 3; ++i)
       for (int J = 0; J < 3; ++J) F(i, J) = gradient(i, J);
     const Tangent C_of_point = tangent(q, F);
-    const double weight = jacobian.determinant() * ref.point_weights[q % n] * ref.point_weights[q / n % n] *
-                          ref.point_weights[q / n / n];
+    const double weight =
+        jacobian.determinant() * ref.point_weights[q % n] * ref.point_weights[q / n % n] * ref.point_weights[q / n / n];
     for (int pair = 0; pair < 6; ++pair) {
       Eigen::Matrix3d C;
       for (int J = 0; J < 3; ++J)

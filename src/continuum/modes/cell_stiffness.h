@@ -25,12 +25,21 @@ namespace pseudorigid::continuum {
 /// The entries C_iJkL of the tangent at a point.
 struct Tangent {
   double operator()(int i, int J, int k, int L) const { return entries[27 * i + 9 * J + 3 * k + L]; }
+  /// Adds `factor` times another tangent.
+  Tangent& add(double factor, const Tangent& other) {
+    for (std::size_t n = 0; n < entries.size(); ++n) entries[n] += factor * other.entries[n];
+    return *this;
+  }
 
   std::array<double, 81> entries;
 };
 
 /// The tangent at F with the Kirchhoff pressure `lambda`, which is 0 for a compressible body.
 Tangent tangent_at(const StoredEnergy& stored, const materials::Tensor<double>& F, double lambda);
+/// The tangent F⁻ᵀHᵀF⁻ᵀ of the constraint, which λ_h multiplies.
+Tangent tangent_of_constraint(const materials::Tensor<double>& F);
+/// The tangent D(cof F)[H], which the pressure on the surface multiplies.
+Tangent tangent_of_pressure(const materials::Tensor<double>& F);
 
 /// The tangent of the undeformed body, and the moduli of the law and of the stabilisation.
 struct RestElasticity {

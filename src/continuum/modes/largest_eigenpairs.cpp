@@ -6,39 +6,11 @@
 
 #include <slepceps.h>
 
-#include "continuum/parallel/petsc_session.h"
-
 namespace pseudorigid::continuum {
 namespace {
 
-/// The operator and the status of its products. Functions that PETSc calls cannot return a Status. After a failure, the
-/// products are 0, and the iteration ends at its next check.
-struct Product {
-  const SymmetricOperator& apply;
-  mechanics::Status status{};
-};
-
-PetscErrorCode multiply(Mat matrix, Vec in, Vec out) {
-  void* context;
-  PetscCall(MatShellGetContext(matrix, &context));
-  const PetscScalar* x;
-  PetscScalar* y;
-  PetscInt n;
-  PetscCall(VecGetLocalSize(in, &n));
-  PetscCall(VecGetArrayRead(in, &x));
-  PetscCall(VecGetArray(out, &y));
-  auto& [apply, status] = *static_cast<Product*>(context);
-  const std::span<double> product{y, static_cast<std::size_t>(n)};
-  if (status) status = apply({x, static_cast<std::size_t>(n)}, product);
-  if (!status) std::ranges::fill(product, 0.0);
-  PetscCall(VecRestoreArrayRead(in, &x));
-  PetscCall(VecRestoreArray(out, &y));
-  return 0;
-}
-
 /// The objects of PETSc and SLEPc that one run of the iteration allocates.
 struct Run {
-  Mat matrix = nullptr;
   EPS solver = nullptr;
   std::vector<Vec> known;
   Vec start = nullptr;
@@ -46,7 +18,6 @@ struct Run {
     for (Vec& v : known) VecDestroy(&v);
     VecDestroy(&start);
     EPSDestroy(&solver);
-    MatDestroy(&matrix);
   }
 };
 
@@ -54,22 +25,20 @@ struct Run {
 PetscErrorCode look(EPS solver, PetscInt n_iterations, PetscInt max_iterations, PetscInt n_converged, PetscInt n_wanted,
                     EPSConvergedReason* reason, void* context) {
   PetscCall(EPSStoppingBasic(solver, n_iterations, max_iterations, n_converged, n_wanted, reason, nullptr));
-  if (!static_cast<const Product*>(context)->status) *reason = EPS_CONVERGED_USER;
+  if (!static_cast<const ShellOperator*>(context)->status()) *reason = EPS_CONVERGED_USER;
   return 0;
 }
 
-PetscErrorCode set_up(Run& run, Product& product, PetscInt n, PetscInt n_wanted, double tolerance,
+PetscErrorCode set_up(Run& run, ShellOperator& shell, PetscInt n, PetscInt n_wanted, double tolerance,
                       const std::vector<EigenPair>& known) {
-  PetscCall(MatCreateShell(PETSC_COMM_SELF, n, n, n, n, &product, &run.matrix));
-  PetscCall(MatShellSetOperation(run.matrix, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
   PetscCall(EPSCreate(PETSC_COMM_SELF, &run.solver));
-  PetscCall(EPSSetOperators(run.solver, run.matrix, nullptr));
+  PetscCall(EPSSetOperators(run.solver, shell.matrix(), nullptr));
   PetscCall(EPSSetProblemType(run.solver, EPS_HEP));
   PetscCall(EPSSetWhichEigenpairs(run.solver, EPS_LARGEST_REAL));
   const PetscInt room = n - static_cast<PetscInt>(known.size());
   PetscCall(EPSSetDimensions(run.solver, n_wanted, std::min(room, 2 * n_wanted + 8), PETSC_DEFAULT));
   PetscCall(EPSSetTolerances(run.solver, tolerance, 200));
-  PetscCall(EPSSetStoppingTestFunction(run.solver, look, &product, nullptr));
+  PetscCall(EPSSetStoppingTestFunction(run.solver, look, &shell, nullptr));
   for (const EigenPair& pair : known) {
     Vec& v = run.known.emplace_back(nullptr);
     PetscCall(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, n, pair.vector.data(), &v));
@@ -104,18 +73,17 @@ PetscErrorCode take(EPS solver, PetscInt n, std::vector<EigenPair>& found) {
 
 }  // namespace
 
-mechanics::Status append_largest_eigenpairs(const SymmetricOperator& apply, std::size_t size, int n_wanted,
+mechanics::Status append_largest_eigenpairs(const LinearOperator& apply, std::size_t size, int n_wanted,
                                             double tolerance, std::vector<EigenPair>& known) {
-  start_petsc();
   const auto n = static_cast<PetscInt>(size);
   const PetscInt wanted = std::min<PetscInt>(n_wanted, n - static_cast<PetscInt>(known.size()));
   if (wanted <= 0) return {};
-  Product product{apply};
+  ShellOperator shell(apply, size);
   Run run;
   std::vector<EigenPair> found;
-  const bool fine = set_up(run, product, n, wanted, tolerance, known) == 0 && EPSSolve(run.solver) == 0 &&
-                    take(run.solver, n, found) == 0;
-  if (!product.status) return product.status;
+  const bool fine = shell.status() && set_up(run, shell, n, wanted, tolerance, known) == 0 &&
+                    EPSSolve(run.solver) == 0 && take(run.solver, n, found) == 0;
+  if (!shell.status()) return shell.status();
   if (!fine) return mechanics::Status::failure("SLEPc reports an error");
   if (static_cast<PetscInt>(found.size()) < wanted)
     return mechanics::Status::failure("the iteration for the eigenvectors does not converge");

@@ -5,17 +5,11 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <functional>
-#include <span>
 #include <vector>
 
-#include "mechanics/core/status.h"
+#include "continuum/modes/shell_operator.h"
 
 namespace pseudorigid::continuum {
-
-/// A function that sets the second vector to the product of the operator with the first. If it fails, the iteration
-/// ends.
-using SymmetricOperator = std::function<mechanics::Status(std::span<const double>, std::span<double>)>;
 
 struct EigenPair {
   double value;
@@ -24,9 +18,10 @@ struct EigenPair {
 
 /// Appends the n_wanted largest eigenpairs that are not in `known`, or a few more, in descending order of the
 /// eigenvalues. Their vectors are orthogonal to those in `known`. If the operator has fewer than n_wanted other pairs,
-/// all of them are appended. `size` is the dimension. Residuals are below `tolerance` times the eigenvalue. Fails if a
-/// product fails, if SLEPc reports an error, or if the iteration does not converge; `known` then does not change.
-mechanics::Status append_largest_eigenpairs(const SymmetricOperator& apply, std::size_t size, int n_wanted,
+/// all of them are appended. `apply` must be symmetric. `size` is the dimension. Residuals are below `tolerance` times
+/// the eigenvalue. Fails if a product fails, if SLEPc reports an error, or if the iteration does not converge; `known`
+/// then does not change.
+mechanics::Status append_largest_eigenpairs(const LinearOperator& apply, std::size_t size, int n_wanted,
                                             double tolerance, std::vector<EigenPair>& known);
 
 }  // namespace pseudorigid::continuum

@@ -2,7 +2,8 @@
 /// Love numbers (gravity/love_numbers.h) of the finite-element ball with the density ρ and the gravity g at its
 /// surface. The tide V = Y_nm, an orthonormal spherical harmonic, does the work f·w = ρ∮V (w·e) dS on a displacement w.
 /// The outward normal is e. K is the elastic stiffness, K_g the second variation of self-gravity, G the derivative of
-/// the constraint, and λ its multiplier (parity_sector.h). The static response u and the Love numbers satisfy
+/// the constraint, and λ its multiplier (parity_sector.h, rest_problem.h). The static response u and the Love numbers
+/// satisfy
 ///
 ///   (K + K_g) u − Gᵀλ = f,   G u = 0,
 ///   h_n = g ∮(u·e) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS,    e = X/|X|.
@@ -13,7 +14,7 @@
 
 #include <vector>
 
-#include "continuum/modes/parity_sector.h"
+#include "continuum/modes/rest_problem.h"
 #include "gravity/love_numbers.h"
 
 namespace pseudorigid::continuum {

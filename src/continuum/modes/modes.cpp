@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <limits>
 
@@ -182,7 +183,7 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
   // (analysis/sphere_frequencies.h). Among the lowest n frequencies, no degree is therefore above n + 2. Degrees above
   // 30 are not considered.
   const int max_degree = std::min(n_frequencies + 2, 30);
-  std::vector<SectorSpectrum> sectors;
+  std::deque<SectorSpectrum> sectors;  // whose elements never move
   for (const SectorClass& sector_class : sector_classes(problem.space)) {
     if (interrupted()) return stopped();
     sectors.emplace_back(problem, sector_class, max_degree);

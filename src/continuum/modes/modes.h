@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "continuum/kernels/cell_kernels.h"
-#include "continuum/modes/parity_sector.h"
+#include "continuum/modes/rest_problem.h"
 #include "continuum/modes/surface_harmonics.h"
 #include "mechanics/core/status.h"
 

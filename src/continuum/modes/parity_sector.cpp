@@ -10,10 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
-#include "continuum/mesh/surface_faces.h"
+#include "continuum/modes/shell_operator.h"
 #include "continuum/modes/surface_harmonics.h"
 
 namespace pseudorigid::continuum {
@@ -22,10 +21,11 @@ namespace {
 /// Numbers of corrections of the constraint G u (parity_sector.h): first in the operator for the eigenvectors, then for
 /// a mode or a static response.
 constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
-/// Relative tolerances of the conjugate gradients with self-gravity, in the energy norm: first for eigenvectors and
-/// modes, then for a static response. The third constant is the largest number of iterations.
+/// Relative tolerances of the conjugate gradients in the energy norm: first for eigenvectors and modes, then for a
+/// static response.
 constexpr double tolerance_of_operator = 1e-9, tolerance_of_response = 1e-13;
-constexpr int n_iterations_with_gravity = 100;
+/// Largest numbers of iterations of the conjugate gradients and of GMRES.
+constexpr int n_iterations_of_gradients = 100, n_iterations_of_gmres = 120;
 /// The matrix of the unknowns between cells is factorised as a dense matrix for up to this number of unknowns.
 constexpr Eigen::Index n_dense = 1500;
 
@@ -37,23 +37,19 @@ using SparseCholesky = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
 
 }  // namespace
 
-RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels, const StoredEnergy& stored,
-                         bool is_incompressible, double gravity_constant)
-    : space(ball_space),
-      elasticity(stored, is_incompressible),
-      incompressible(is_incompressible),
-      shift(elasticity.moduli.shear),
-      weight_of_density(4 * std::numbers::pi / 3 * gravity_constant),
-      penalty(is_incompressible ? 1e4 * std::max(elasticity.moduli.shear, weight_of_density) : 0),
-      n_cells_at_node(ball_space.n_nodes(), 0) {
-  if (incompressible)
-    kernels.constraint_rows(space.reference_positions(), [&](unsigned int, std::span<const double> rows) {
-      using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-      constraint.emplace_back(Eigen::Map<const RowMajor>(rows.data(), space.n_pressure(), 3 * space.nodes_per_cell()));
-    });
-  const RestStiffness rest(space, elasticity);
+void LinearProblem::set_constraint(const CellKernels& kernels, const Vector& x) {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  constraint.clear();
+  kernels.constraint_rows(x, [&](unsigned int, std::span<const double> rows) {
+    constraint.emplace_back(Eigen::Map<const RowMajor>(rows.data(), space.n_pressure(), 3 * space.nodes_per_cell()));
+  });
+}
+
+void LinearProblem::set_stiffness(const std::function<Eigen::MatrixXd(unsigned int cell)>& of_cell) {
+  stiffness.clear();
+  n_cells_at_node.assign(space.n_nodes(), 0);
   for (unsigned int cell = 0; cell < space.n_cells(); ++cell) {
-    Eigen::MatrixXd K = rest.cell_matrix(cell);
+    Eigen::MatrixXd K = of_cell(cell);
     if (incompressible) {
       K.selfadjointView<Eigen::Lower>().rankUpdate(constraint[cell].transpose(), penalty);
       K.triangularView<Eigen::StrictlyUpper>() = K.transpose();
@@ -61,23 +57,23 @@ RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels
     stiffness.push_back(std::move(K));
     for (const unsigned int node : space.cell_nodes(cell)) ++n_cells_at_node[node];
   }
-  if (weight_of_density > 0) add_springs();
 }
 
-void RestProblem::add_springs() {
+std::vector<Spring> LinearProblem::add_springs(const std::function<Eigen::Vector3d(const FacePoint& point)>& along) {
+  std::vector<Spring> springs;
   for (const CellFace& face : free_surface(space)) {
     const auto& nodes = space.cell_nodes(face.cell);
     Eigen::MatrixXd& K = stiffness[face.cell];
     for (const FacePoint& point : harmonic_quadrature(space, face)) {
-      const FacePoint::Jet X = point.jet(space.reference_positions());
-      const double area = point.weight * X.by_p.cross(X.by_q).norm();
-      const Eigen::Vector3d spring = std::sqrt(weight_of_density * area) * X.u.normalized();
+      const Eigen::Vector3d spring = std::sqrt(point.weight) * along(point);
       Eigen::VectorXd row = Eigen::VectorXd::Zero(K.rows());
       for (const FacePoint::Node& n : point.nodes)
         row.segment<3>(3 * (std::ranges::find(nodes, n.node) - nodes.begin())) += n.value * spring;
       K += row * row.transpose();
+      springs.push_back({face.cell, std::move(row)});
     }
   }
+  return springs;
 }
 
 /// The free entries of a cell, which the parity does not set to 0. Its own entries come first, and then the entries
@@ -96,13 +92,12 @@ struct ParitySector::Interface {
   SparseCholesky sparse;
 };
 
-ParitySector::ParitySector(const RestProblem& problem, const Parity& parity)
+ParitySector::ParitySector(const LinearProblem& problem, const Parity& parity)
     : problem_(problem), parity_(parity), interface_(std::make_unique<Interface>()) {
   number_unknowns();
-  if (problem.weight_of_density > 0) find_attraction();
+  beyond_cells_ = problem.beyond_cells(*this);
 }
 ParitySector::~ParitySector() = default;
-ParitySector::ParitySector(ParitySector&&) noexcept = default;
 
 void ParitySector::number_unknowns() {
   const BallSpace& space = problem_.space;
@@ -231,57 +226,57 @@ void ParitySector::solve_penalized(Eigen::VectorXd& f) const {
   }
 }
 
-Eigen::VectorXd ParitySector::solve_elastic(Eigen::VectorXd f, int n_corrections) const {
+Eigen::VectorXd ParitySector::constraint_of(const Eigen::VectorXd& u) const {
+  Eigen::VectorXd h(static_cast<Eigen::Index>(cells_.size() * problem_.space.n_pressure()));
+  for (std::size_t c = 0; c < cells_.size(); ++c)
+    h.segment(static_cast<Eigen::Index>(c * problem_.space.n_pressure()), problem_.space.n_pressure()) =
+        cells_[c].constraint * gather(cells_[c], u);
+  return h;
+}
+
+Eigen::VectorXd ParitySector::reaction_of(const Eigen::VectorXd& lambda) const {
+  Eigen::VectorXd f = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n_unknowns_));
+  for (std::size_t c = 0; c < cells_.size(); ++c)
+    scatter_add(
+        cells_[c],
+        cells_[c].constraint.transpose() *
+            lambda.segment(static_cast<Eigen::Index>(c * problem_.space.n_pressure()), problem_.space.n_pressure()),
+        f);
+  return f;
+}
+
+Eigen::VectorXd ParitySector::solve_cells(Eigen::VectorXd f, int n_corrections) const {
   solve_penalized(f);
   if (!problem_.incompressible) return f;
   for (int correction = 0; correction < n_corrections; ++correction) {
-    Eigen::VectorXd reaction = Eigen::VectorXd::Zero(f.size());
-    for (const Cell& cell : cells_) {
-      const Eigen::VectorXd divergence = problem_.penalty * (cell.constraint * gather(cell, f));
-      scatter_add(cell, cell.constraint.transpose() * divergence, reaction);
-    }
+    Eigen::VectorXd reaction = reaction_of(problem_.penalty * constraint_of(f));
     solve_penalized(reaction);
     f -= reaction;
   }
   return f;
 }
 
-void ParitySector::find_attraction() {
-  const SurfaceHarmonics harmonics(problem_.space, parity_, largest_resolved_degree(problem_.space));
-  std::vector<Eigen::VectorXd> rows;
-  for (int n = 0; n <= harmonics.max_degree(); ++n)
-    for (const std::size_t field : harmonics.radial_fields(n)) {
-      const double share = n == 0 ? 1 : 3 / (2.0 * n + 1);
-      // With the integral I over the octant, the integral over the sphere is 8 I. The energy of the octant is an eighth
-      // of the energy of the sphere, and contains (8 I)²/8 = 8 I².
-      rows.push_back(std::sqrt(8 * share * problem_.weight_of_density) * entries_of(harmonics.force(field)));
-    }
-  attraction_.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(n_unknowns_));
-  for (std::size_t i = 0; i < rows.size(); ++i) attraction_.row(static_cast<Eigen::Index>(i)) = rows[i];
-}
-
-mechanics::Status ParitySector::solve(const Eigen::VectorXd& f, int n_corrections, double tolerance,
-                                      Eigen::VectorXd& u) const {
-  if (attraction_.rows() == 0) {
-    u = solve_elastic(f, n_corrections);
+mechanics::Status ParitySector::solve_definite(const Eigen::VectorXd& f, int n_corrections, double tolerance,
+                                               Eigen::VectorXd& u) const {
+  if (!beyond_cells_) {
+    u = solve_cells(f, n_corrections);
     return {};
   }
   u = Eigen::VectorXd::Zero(f.size());
-  Eigen::VectorXd r = f, z = solve_elastic(r, n_corrections), p = z;
+  Eigen::VectorXd r = f, z = solve_cells(r, n_corrections), p = z;
   // B p up to a term Gᵀμ. The products of this term with p and z are 0, because G p = G z = 0.
   Eigen::VectorXd B_p = r;
   double rz = r.dot(z);
   const double enough = tolerance * tolerance * rz;
   for (int iteration = 0; !(rz <= enough); ++iteration) {
-    const Eigen::VectorXd A_p = B_p + apply_gravity(p);
+    const Eigen::VectorXd A_p = B_p + beyond_cells_(p);
     const double curvature = p.dot(A_p);
-    if (iteration == n_iterations_with_gravity || !(curvature > 0) || !std::isfinite(rz))
-      return mechanics::Status::failure(
-          "the stiffness with self-gravity cannot be inverted: the ball at rest is unstable");
+    if (iteration == n_iterations_of_gradients || !(curvature > 0) || !std::isfinite(rz))
+      return mechanics::Status::failure("the stiffness cannot be inverted: the ball is unstable");
     const double step = rz / curvature;
     u += step * p;
     r -= step * A_p;
-    z = solve_elastic(r, n_corrections);
+    z = solve_cells(r, n_corrections);
     const double next = r.dot(z), beta = next / rz;
     p = z + beta * p;
     B_p = r + beta * B_p;
@@ -290,12 +285,76 @@ mechanics::Status ParitySector::solve(const Eigen::VectorXd& f, int n_correction
   return {};
 }
 
+Eigen::VectorXd ParitySector::product(const Eigen::VectorXd& u) const {
+  Eigen::VectorXd f = problem_.shift * mass_.cwiseProduct(u);
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const Cell& cell = cells_[c];
+    std::vector<int> free = cell.own;
+    free.insert(free.end(), cell.shared.begin(), cell.shared.end());
+    Eigen::VectorXd local = Eigen::VectorXd::Zero(problem_.stiffness[c].rows());
+    local(free) = gather(cell, u);
+    scatter_add(cell, Eigen::VectorXd(problem_.stiffness[c] * local)(free), f);
+  }
+  if (problem_.incompressible) f -= reaction_of(problem_.penalty * constraint_of(u));
+  if (beyond_cells_) f += beyond_cells_(u);
+  return f;
+}
+
+Eigen::VectorXd ParitySector::multiplier_of(Eigen::VectorXd f) const {
+  Eigen::VectorXd lambda =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(cells_.size() * problem_.space.n_pressure()));
+  for (int correction = 0; correction < n_corrections_of_mode; ++correction) {
+    Eigen::VectorXd u = f;
+    solve_penalized(u);
+    const Eigen::VectorXd part = problem_.penalty * constraint_of(u);
+    lambda += part;
+    f -= reaction_of(part);
+  }
+  return lambda;
+}
+
+Eigen::VectorXd ParitySector::with_volume(const Eigen::VectorXd& h) const {
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n_unknowns_));
+  if (!problem_.incompressible) return u;
+  for (int correction = 0; correction < n_corrections_of_mode; ++correction) {
+    Eigen::VectorXd part = reaction_of(problem_.penalty * (h - constraint_of(u)));
+    solve_penalized(part);
+    u += part;
+  }
+  return u;
+}
+
+Eigen::VectorXd ParitySector::without_volume(const Eigen::VectorXd& u) const {
+  if (!problem_.incompressible) return u;
+  return u - with_volume(constraint_of(u));
+}
+
+mechanics::SolveReport ParitySector::solve(const Eigen::VectorXd& f, const Eigen::VectorXd& h, double tolerance,
+                                           Eigen::VectorXd& u, Eigen::VectorXd& lambda) const {
+  const auto n = static_cast<Eigen::Index>(n_unknowns_);
+  const Eigen::VectorXd particular = with_volume(h);
+  const LinearOperator preconditioned = [&](std::span<const double> in, std::span<double> out) -> mechanics::Status {
+    Eigen::Map<Eigen::VectorXd>(out.data(), n) =
+        solve_cells(product(Eigen::Map<const Eigen::VectorXd>(in.data(), n)), n_corrections_of_mode);
+    return {};
+  };
+  const Eigen::VectorXd right = solve_cells(f - product(particular), n_corrections_of_mode);
+  std::vector<double> rest;
+  const mechanics::SolveReport report =
+      solve_by_gmres(preconditioned, {right.begin(), right.end()}, tolerance, n_iterations_of_gmres, rest);
+  if (!report.status) return report;
+  u = particular + Eigen::Map<const Eigen::VectorXd>(rest.data(), n);
+  lambda = problem_.incompressible ? multiplier_of(product(u) - f) : Eigen::VectorXd();
+  return report;
+}
+
 mechanics::Status ParitySector::apply(std::span<const double> y, std::span<double> z) const {
   const auto n = static_cast<Eigen::Index>(n_unknowns_);
   const Eigen::Map<const Eigen::VectorXd> in(y.data(), n);
   Eigen::Map<Eigen::VectorXd> out(z.data(), n);
   Eigen::VectorXd u;
-  if (auto status = solve(root_mass_.cwiseProduct(in), n_corrections_of_operator, tolerance_of_operator, u); !status)
+  if (auto status = solve_definite(root_mass_.cwiseProduct(in), n_corrections_of_operator, tolerance_of_operator, u);
+      !status)
     return status;
   out = root_mass_.cwiseProduct(u);
   return {};
@@ -304,27 +363,17 @@ mechanics::Status ParitySector::apply(std::span<const double> y, std::span<doubl
 mechanics::Status ParitySector::mode_of(std::span<const double> y, Mode& mode) const {
   const Eigen::Map<const Eigen::VectorXd> in(y.data(), static_cast<Eigen::Index>(n_unknowns_));
   Eigen::VectorXd u;
-  if (auto status = solve(root_mass_.cwiseProduct(in), n_corrections_of_mode, tolerance_of_operator, u); !status)
+  if (auto status = solve_definite(root_mass_.cwiseProduct(in), n_corrections_of_mode, tolerance_of_operator, u);
+      !status)
     return status;
-  double stiffness = 0;
-  for (std::size_t c = 0; c < cells_.size(); ++c) {
-    const Cell& cell = cells_[c];
-    Eigen::VectorXd local = Eigen::VectorXd::Zero(problem_.stiffness[c].rows());
-    for (std::size_t i = 0; i < cell.unknown.size(); ++i) {
-      const std::size_t n_own = cell.own.size();
-      local[i < n_own ? cell.own[i] : cell.shared[i - n_own]] = u[cell.unknown[i]];
-    }
-    stiffness += local.dot(problem_.stiffness[c] * local);
-    if (problem_.incompressible) stiffness -= problem_.penalty * (problem_.constraint[c] * local).squaredNorm();
-  }
-  if (attraction_.rows() > 0) stiffness -= (attraction_ * u).squaredNorm();
-  mode = {stiffness / u.dot(mass_.cwiseProduct(u)), field_of(u)};
+  const Eigen::VectorXd M_u = mass_.cwiseProduct(u);
+  mode = {u.dot(product(u)) / u.dot(M_u) - problem_.shift, field_of(u)};
   return {};
 }
 
 mechanics::Status ParitySector::respond(const Vector& f, Vector& u) const {
   Eigen::VectorXd response;
-  if (auto status = solve(entries_of(f), n_corrections_of_mode, tolerance_of_response, response); !status)
+  if (auto status = solve_definite(entries_of(f), n_corrections_of_mode, tolerance_of_response, response); !status)
     return status;
   u = field_of(response);
   return {};

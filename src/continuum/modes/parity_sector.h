@@ -1,6 +1,6 @@
 #pragma once
-/// Small motions u of the ball about rest, computed in one octant. Under the reflection R_j of x_j, a mode is even or
-/// odd,
+/// Small motions u of the ball about rest or another symmetric equilibrium, computed in one octant. Under the
+/// reflection R_j of x_j, a mode is even or odd,
 ///
 ///   u(R_j X) = s_j R_j u(X),   s_j = ±1.
 ///
@@ -23,63 +23,82 @@
 /// of the order of 1/γ. B is factorised after condensation: first the unknowns of a single cell (dense, cell by cell),
 /// then the unknowns between cells.
 ///
-/// Self-gravity adds its second variation, which couples all nodes of the surface. On the sphere, the second variation
-/// is
-///
-///   uᵀK_g u = ρg [∮(u·e)² dS − Σ_nm c_n (∮(u·e) Y_nm dS)²],   g = (4/3)πGρr,   c_0 = 1, c_n = 3/(2n + 1) for n > 0.
-///
-/// e is the outward normal, the Y_nm are the orthonormal spherical harmonics, and G in the formula for g is Newton's
-/// constant. The first term is a spring at each point, and K in B contains these springs. The second term is an
-/// attraction of the harmonics that the mesh resolves. Harmonics of higher degree n would soften the springs of the
-/// surface by a fraction of at most 3/(2n + 1). The equation (K + K_g + s M) u − Gᵀλ = f is solved by conjugate
-/// gradients with T of this B as the preconditioner. About ten iterations are sufficient for every mesh and strength of
-/// gravity. The surface integrals of a motion (gravity/surface_gravity.h) have larger errors: 1e-6 to 1e-5 in the Love
-/// number l of a tide.
+/// Forces that couple more unknowns than K add a further operator E, which is applied without a matrix. The equation
+/// (K + E + s M) u − Gᵀλ = f is solved by conjugate gradients with T of B as the preconditioner.
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "continuum/kernels/cell_kernels.h"
 #include "continuum/mesh/ball_space.h"
+#include "continuum/mesh/surface_faces.h"
 #include "continuum/modes/parity.h"
-#include "continuum/modes/rest_stiffness.h"
 #include "mechanics/core/status.h"
 
 namespace pseudorigid::continuum {
 
+class ParitySector;
+
+/// The product of a symmetric operator with a vector of the unknowns of a sector.
+using SectorOperator = std::function<Eigen::VectorXd(const Eigen::VectorXd& u)>;
+
+/// A spring with the energy ½(row·u)² of the displacements u of a cell.
+struct Spring {
+  unsigned int cell;
+  Eigen::VectorXd row;
+};
+
 /// Data that all sectors share: the space, and the stiffness and the constraint of every cell.
-struct RestProblem {
-  /// `space` must be that of an octant in one process. The self-gravity K_g (top of this file) is that of an
-  /// incompressible body. `gravity_constant` is Newton's constant in internal units, in which ρ = r = 1.
-  RestProblem(const BallSpace& space, const CellKernels& kernels, const StoredEnergy& stored, bool incompressible,
-              double gravity_constant = 0);
+struct LinearProblem {
+  virtual ~LinearProblem() = default;
+  /// The operator E in a sector; empty without such forces. The result may refer to the sector.
+  virtual SectorOperator beyond_cells(const ParitySector&) const { return {}; }
 
   const BallSpace& space;
-  RestElasticity elasticity;
   bool incompressible;
-  double shift;                             ///< s; may be set to 0 for sectors of a stable ball without rigid motions
-  double weight_of_density;                 ///< product ρg of density and gravity at the surface
-  double penalty;                           ///< penalty γ of the augmented Lagrangian; 0 for a compressible body
-  std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell, with the springs of self-gravity
-  std::vector<Eigen::MatrixXd> constraint;  ///< G of each cell; empty for a compressible body
-  std::vector<int> n_cells_at_node;         ///< number of cells that contain each node
+  double shift;                               ///< s; may be 0 for a stable ball in a sector without rigid motions
+  double penalty;                             ///< penalty γ of the augmented Lagrangian; 0 for a compressible body
+  std::vector<Eigen::MatrixXd> stiffness{};   ///< K + γGᵀG of each cell
+  std::vector<Eigen::MatrixXd> constraint{};  ///< G of each cell; empty for a compressible body
+  std::vector<int> n_cells_at_node{};         ///< number of cells that contain each node
 
- private:
-  void add_springs();
+ protected:
+  /// `space` must be that of an octant in one process.
+  LinearProblem(const BallSpace& ball_space, bool is_incompressible, double of_shift, double of_constraint)
+      : space(ball_space), incompressible(is_incompressible), shift(of_shift), penalty(of_constraint) {}
+  LinearProblem(const LinearProblem&) = default;
+  /// Sets `constraint` to G at the positions x. Must be called before `set_stiffness`.
+  void set_constraint(const CellKernels& kernels, const Vector& x);
+  /// Sets `stiffness` and `n_cells_at_node`. `of_cell` returns K of a cell.
+  void set_stiffness(const std::function<Eigen::MatrixXd(unsigned int cell)>& of_cell);
+  /// Adds a spring at each point of the free surface to the stiffness. A spring acts along the direction `along(point)`
+  /// with the square of its length as the stiffness.
+  /// Returns the springs with the weights of the quadrature.
+  std::vector<Spring> add_springs(const std::function<Eigen::Vector3d(const FacePoint& point)>& along);
 };
 
 class ParitySector {
  public:
-  ParitySector(const RestProblem& problem, const Parity& parity);
+  /// The object refers to `problem`, which must exist as long as the object.
+  ParitySector(const LinearProblem& problem, const Parity& parity);
   ~ParitySector();
-  ParitySector(ParitySector&&) noexcept;
+  ParitySector(ParitySector&&) noexcept = delete;  // E may refer to the sector
 
   /// Factorises B. Call this function before `apply`, `respond` and `mode_of`. Fails if B is not positive definite.
   mechanics::Status factorize();
   std::size_t n_unknowns() const { return n_unknowns_; }
   const Parity& parity() const { return parity_; }
+  const BallSpace& space() const { return problem_.space; }
+
+  /// Conversions between nodal fields on the octant and vectors of the unknowns. Entries that are not unknowns are 0.
+  Vector field_of(const Eigen::VectorXd& u) const;
+  Eigen::VectorXd entries_of(const Vector& field) const;
+  const Eigen::VectorXd& mass() const { return mass_; }            ///< M of each unknown
+  Eigen::VectorXd product(const Eigen::VectorXd& u) const;         ///< (K + E + s M) u
+  Eigen::VectorXd without_volume(const Eigen::VectorXd& u) const;  ///< a displacement near u with G u = 0
 
   /// z = M^½ T M^½ y. This operator is symmetric and has the eigenvalues 1/(ω² + s). `apply`, `respond` and `mode_of`
   /// fail if the ball with self-gravity is unstable, or if the conjugate gradients do not converge.
@@ -88,8 +107,13 @@ class ParitySector {
   /// Sets u = T f for a force f on the octant. Fails in the same cases as `apply`.
   mechanics::Status respond(const Vector& f, Vector& u) const;
 
+  /// Solves (K + E + s M) u − Gᵀλ = f, G u = h. Unlike `respond`, it needs no positive definite operator: the equation
+  /// is solved by GMRES with T as the preconditioner. `tolerance` is relative to T f. Fails if GMRES does not converge.
+  mechanics::SolveReport solve(const Eigen::VectorXd& f, const Eigen::VectorXd& h, double tolerance, Eigen::VectorXd& u,
+                               Eigen::VectorXd& lambda) const;
+
   /// A mode with its ω². `mode_of` makes one step of inverse iteration from an approximate eigenvector y of `apply`. It
-  /// then computes ω² = uᵀ(K + K_g)u / uᵀMu.
+  /// then computes ω² = uᵀ(K + E)u / uᵀMu.
   struct Mode {
     double omega_squared;
     Vector u;
@@ -103,27 +127,26 @@ class ParitySector {
   void condense(Cell& cell, unsigned int number, Eigen::MatrixXd& coupling) const;
   Eigen::VectorXd gather(const Cell& cell, const Eigen::VectorXd& u) const;
   void scatter_add(const Cell& cell, const Eigen::VectorXd& local, Eigen::VectorXd& u) const;
-  void solve_penalized(Eigen::VectorXd& f) const;  ///< f ← B⁻¹f
-  /// T f without self-gravity (`solve_elastic`) and with self-gravity (`solve`). n_corrections is the number of
-  /// corrections of G u. `tolerance` is the relative tolerance of the conjugate gradients in the energy norm. `solve`
-  /// fails in the same cases as `apply`.
-  Eigen::VectorXd solve_elastic(Eigen::VectorXd f, int n_corrections) const;
-  mechanics::Status solve(const Eigen::VectorXd& f, int n_corrections, double tolerance, Eigen::VectorXd& u) const;
-  void find_attraction();
-  /// The second term of K_g u, the attraction. B contains the first term.
-  Eigen::VectorXd apply_gravity(const Eigen::VectorXd& u) const {
-    return -(attraction_.transpose() * (attraction_ * u));
-  }
-  Vector field_of(const Eigen::VectorXd& u) const;
-  Eigen::VectorXd entries_of(const Vector& field) const;
+  void solve_penalized(Eigen::VectorXd& f) const;                    ///< f ← B⁻¹f
+  Eigen::VectorXd constraint_of(const Eigen::VectorXd& u) const;     ///< G u
+  Eigen::VectorXd reaction_of(const Eigen::VectorXd& lambda) const;  ///< Gᵀλ
+  /// T f without E (`solve_cells`) and with E (`solve_definite`). n_corrections is the number of corrections of G u.
+  /// `tolerance` is the relative tolerance of the conjugate gradients in the energy norm. `solve_definite` fails in the
+  /// same cases as `apply`.
+  Eigen::VectorXd solve_cells(Eigen::VectorXd f, int n_corrections) const;
+  mechanics::Status solve_definite(const Eigen::VectorXd& f, int n_corrections, double tolerance,
+                                   Eigen::VectorXd& u) const;
+  Eigen::VectorXd with_volume(const Eigen::VectorXd& h) const;  ///< a displacement with G u = h
+  /// The λ with Gᵀλ = f for a force f of this form.
+  Eigen::VectorXd multiplier_of(Eigen::VectorXd f) const;
 
-  const RestProblem& problem_;
+  const LinearProblem& problem_;
   Parity parity_;
   std::size_t n_unknowns_ = 0, first_interface_ = 0;  ///< first_interface_: the first unknown between cells
   std::vector<Cell> cells_;
   std::vector<unsigned int> entry_of_unknown_;  ///< 3·node + component of each unknown
   Eigen::VectorXd mass_, root_mass_;
-  Eigen::MatrixXd attraction_;  ///< the second term of uᵀK_g u on the octant is −|attraction_ u|²
+  SectorOperator beyond_cells_;  ///< E; empty without such forces
   std::unique_ptr<Interface> interface_;
 };
 

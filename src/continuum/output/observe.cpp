@@ -42,19 +42,19 @@ Eigen::Matrix3d to_eigen(const CellIntegrals::Matrix& t) {
   return m;
 }
 
-/// Returns (1/m̄)∫Jp dX for the pressure p, with m̄ = ⅓ tr E₀ and the inertia E₀. λ_h is the field of the multiplier.
-/// The scalar product of the reaction of λ_h with x is ∫λ_h F⁻ᵀ:∇x dX = 3∫λ_h dX. With the potential φ of self-gravity,
-/// Jp = λ_h − ρ(φ − φ̄) (nodal_fields.h). Here ρφ̄V = (5/3)Ê and ∫ρφ dX = 2Ê, with the energy Ê of
-/// gravity/surface_gravity.h.
-double mean_multiplier(const ElasticBall& ball, const Vector& x, const Vector& lambda) {
+}  // namespace
+
+/// λ_h is the field of the multiplier. The scalar product of the reaction of λ_h with x is ∫λ_h F⁻ᵀ:∇x dX = 3∫λ_h dX.
+/// With the potential φ of self-gravity, Jp = λ_h − ρ(φ − φ̄) (nodal_fields.h). Here ρφ̄V = (5/3)Ê and ∫ρφ dX = 2Ê, with
+/// the energy Ê of gravity/surface_gravity.h.
+double mean_multiplier(const BallBody& ball, const Vector& x, const Vector& lambda) {
   Vector reaction = ball.make_vector();
-  ball.add_reaction(x, lambda, reaction);
+  ball.kernels().add_reaction(x, lambda, reaction);
   const double m_bar = ball.E0().trace() / 3;
   const double of_gravity = ball.gravity() ? ball.gravity()->energy(x) / 3 : 0;
   return ball.space().mesh().sector().n_images() * ((reaction * x) / 3 - of_gravity) / m_bar;
 }
 
-/// Sets all requested observables except the multiplier. Fails if the deformation is not admissible.
 mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
                                  const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
   const int n_images = ball.space().mesh().sector().n_images();
@@ -109,8 +109,6 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
   }
   return {};
 }
-
-}  // namespace
 
 mechanics::Status observe(const ElasticBall& ball, const BallState& state, ElasticBall::Workspace& workspace,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {

@@ -19,6 +19,16 @@ mechanics::Status observe(const ElasticBall& ball, const BallState& state, Elast
 mechanics::Status observe(const CompressibleBall& ball, const BallState& state, CompressibleBall::Workspace& workspace,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& observables);
 
+/// Sets the requested observables of either ball except the multiplier. Fails if the deformation is not admissible.
+/// Collective.
+mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
+                                 const mechanics::ObservableRequest& request,
+                                 mechanics::ContinuumObservables& observables);
+
+/// (1/m̄)∫Jp dX for the pressure p of an incompressible ball, with m̄ = ⅓ tr E₀ and the inertia E₀. λ is the multiplier.
+/// Collective.
+double mean_multiplier(const BallBody& ball, const Vector& x, const Vector& lambda);
+
 /// The kinetic energy of the ball and of the companions, and the rest of the total energy. The rest is the potential
 /// energy with the dissipated energy added and the energy given by loads subtracted. Both are NaN if the deformation is
 /// not admissible. Collective.

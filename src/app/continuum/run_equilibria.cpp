@@ -1,0 +1,171 @@
+#include "app/continuum/run_equilibria.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <map>
+
+#include "app/continuum/stored_energy.h"
+#include "app/run/continuum_figure_columns.h"
+#include "app/run/scene_to_model.h"
+#include "continuum/statics/figure_stability.h"
+#include "continuum/statics/observe_figure.h"
+#include "scene/discretization.h"
+
+namespace pseudorigid::app {
+namespace {
+
+using mechanics::FigureFamily, mechanics::FigureMember, mechanics::SpecialFigure;
+
+/// Number of eigenvectors of each parity in the basis of the small motions. With it, the rates in the table change by
+/// less than 1e-5 if the number is doubled.
+constexpr int n_eigenvectors = 10;
+
+/// The family of the scene on one discretisation.
+class FamilyOnMesh {
+ public:
+  FamilyOnMesh(const RunContext& context, const scene::Discretization& discretization)
+      : context_(context), family_(family_of_figures(context.scene)), figures_(setup(context.scene, discretization)) {}
+
+  FigureFamily family() {
+    if (scene::finds_static_equilibria(context_.scene)) return at_rest();
+    return finder().family(parameters_of(context_.scene.equilibria), [&] { return context_.interrupted(); });
+  }
+  mechanics::Status numbers(const FigureMember& member, FigureNumbers& numbers) const {
+    if (auto status = observe_figure(figures_, member.figure, numbers.observables, numbers.surface); !status)
+      return status;
+    numbers.degree = figures_.body().space().degree();
+    numbers.spin = figures_.drive() == continuum::Drive::rotation ? std::sqrt(std::max(member.figure.drive, 0.0)) : 0;
+    numbers.axes = numbers.observables.Q.diagonal();
+    return {};
+  }
+  const continuum::BallFigures& figures() const { return figures_; }
+
+ private:
+  continuum::FigureSetup setup(const scene::Scene& scene, const scene::Discretization& discretization) const {
+    return {.degree = discretization.degree,
+            .n_refinements = discretization.refinements,
+            .stored = stored_energy(scene),
+            .loads = internal_loads(scene),
+            .incompressible = scene.body.incompressible,
+            .drive = scene::finds_static_equilibria(scene) ? continuum::Drive::loads : continuum::Drive::rotation,
+            .figure = family_.figure};
+  }
+  mechanics::FigureFinder finder() const {
+    const auto analyse = [&](const auto& figure, auto& classes) {
+      return continuum::stability_of(figures_, figure, n_eigenvectors, classes);
+    };
+    // A special point has the error of the mesh, so it need not be located to round-off.
+    constexpr double resolution = 1e-9;
+    return {figures_, analyse, family_, resolution};
+  }
+  /// The figure at rest with the loads of the scene, or with the largest part of them for which a figure is found. In
+  /// the second case `missing` has the reason.
+  FigureFamily at_rest() const {
+    FigureFamily found;
+    FigureMember member;
+    member.figure = figures_.affine(Eigen::Vector3d::Ones(), 0);
+    mechanics::Status status = figures_.solve({mechanics::FigureParameter::drive, 0}, member.figure);
+    if (status) status = figures_.follow(0, {mechanics::FigureParameter::drive, 1}, member.figure);
+    if (!status) found.missing.push_back({1, status.reason()});
+    member.parameter = member.figure.drive;
+    if (!status && member.parameter == 0) return found;
+    status = continuum::stability_of(figures_, member.figure, n_eigenvectors, member.classes);
+    if (status)
+      found.members.push_back(std::move(member));
+    else if (found.missing.empty())
+      found.missing.push_back({1, status.reason()});
+    return found;
+  }
+
+  const RunContext& context_;
+  mechanics::FamilyOfFigures family_;
+  continuum::BallFigures figures_;
+};
+
+/// The members and special points of the companion mesh, for the errors of the rows.
+class Companion {
+ public:
+  Companion(const RunContext& context, const scene::Discretization& discretization)
+      : mesh_(context, discretization), family_(mesh_.family()) {}
+
+  /// Appends the errors of a row with these numbers. If the companion has no such figure, each error is as large as the
+  /// value.
+  mechanics::Status append_errors(const FigureMember& member, const SpecialFigure* special,
+                                  const FigureNumbers& numbers, std::vector<double>& row) {
+    const FigureMember* other = special ? match(*special) : match(member);
+    FigureNumbers of_other{0, 0, Eigen::Vector3d::Zero(), {}, {}};
+    if (other)
+      if (auto status = mesh_.numbers(*other, of_other); !status) return status;
+    double of_rates = 0;
+    const auto rates = slowest_rates(member), other_rates = slowest_rates(other ? *other : FigureMember());
+    for (std::size_t i = 0; i < rates.size(); ++i)
+      of_rates = std::max(of_rates, std::abs(rates[i].s - other_rates[i].s));
+    row.insert(row.end(),
+               {std::abs(member.parameter - (other ? other->parameter : 0)), std::abs(numbers.spin - of_other.spin),
+                (numbers.axes - of_other.axes).cwiseAbs().maxCoeff(), of_rates});
+    return {};
+  }
+
+ private:
+  const FigureMember* match(const FigureMember& member) const {
+    const auto found = std::ranges::find(family_.members, member.parameter, &FigureMember::parameter);
+    return found == family_.members.end() ? nullptr : &*found;
+  }
+  /// The special point of the same kind and class that is nearest.
+  const FigureMember* match(const SpecialFigure& special) const {
+    const FigureMember* nearest = nullptr;
+    for (const SpecialFigure& other : family_.special)
+      if (other.kind == special.kind && other.motions.odd_in_z == special.motions.odd_in_z &&
+          other.motions.m == special.motions.m &&
+          (!nearest || std::abs(other.member.parameter - special.member.parameter) <
+                           std::abs(nearest->parameter - special.member.parameter)))
+        nearest = &other.member;
+    return nearest;
+  }
+
+  FamilyOnMesh mesh_;
+  FigureFamily family_;
+};
+
+std::string name_of(const mechanics::MotionClass& motions) {
+  return fmt::format("{} in z, {} under the half turn", motions.odd_in_z ? "odd" : "even",
+                     motions.m == 0 ? "even" : "odd");
+}
+
+}  // namespace
+
+ModelOutcome run_continuum_equilibria(const RunContext& context) {
+  const scene::Scene& scene = context.scene;
+  const scene::Discretization discretization = *scene::fixed_discretization(scene);
+  FigureRun run(context, "equilibria-continuum", continuum_figure_columns());
+  FamilyOnMesh mesh(context, discretization);
+  const FigureFamily family = mesh.family();
+  Companion companion(context, scene::companion(discretization));
+  run.add(discretization.degree, family, name_of,
+          [&](int index, const FigureMember& member, const SpecialFigure* special, std::vector<double>& row) {
+            FigureNumbers numbers{};
+            if (auto status = mesh.numbers(member, numbers); !status) return status;
+            row = figure_row(index, member, special, numbers);
+            return companion.append_errors(member, special, numbers, row);
+          });
+  const continuum::FigureCounts& counts = mesh.figures().counts();
+  auto& counters = run.outcome().statistics.counters;
+  counters["cells"] = mesh.figures().body().space().n_cells();
+  counters["unknowns"] = 3.0 * mesh.figures().body().space().n_nodes();
+  counters["newton_steps"] = static_cast<double>(counts.newton);
+  counters["factorizations"] = static_cast<double>(counts.factorizations);
+  counters["gmres_iterations"] = static_cast<double>(counts.linear_products);
+  if (scene::finds_static_equilibria(scene) && !family.missing.empty() && run.goes_on())
+    run.end(mechanics::Outcome::failed,
+            family.members.empty()
+                ? "no equilibrium at rest was found: " + family.missing.front().reason
+                : fmt::format("no equilibrium at rest was found beyond {:.6g} of the loads, whose figure is in "
+                              "equilibria-continuum.csv: {}",
+                              family.members.front().parameter, family.missing.front().reason));
+  return run.finish();
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,245 @@
+#include "app/run/figure_families.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "app/reduced/ball_equilibria.h"
+#include "app/run/scene_to_model.h"
+#include "reduced/equilibrium_families.h"
+#include "scene/choices.h"
+
+namespace pseudorigid::app {
+namespace {
+
+using mechanics::ClassStability, mechanics::Figure, mechanics::FigureCondition, mechanics::FigureMember;
+using mechanics::FigureParameter;
+using scene::Family;
+
+/// ln(a₂/a₁) for a member of Jacobi's family, or −1e-5 if the logarithm is smaller in magnitude. At a₂ = a₁ the family
+/// bifurcates from the spheroids, and the ratio does not determine the figure. Near this point the figure is an even
+/// function of the logarithm, because a change of sign exchanges the axes. The replacement therefore changes the spin
+/// and the axes by terms of order 1e-10.
+double log_ratio_of_axes(double a2_to_a1) {
+  constexpr double apart = 1e-5;
+  const double value = std::log(a2_to_a1);
+  return std::abs(value) < apart ? -apart : value;
+}
+
+/// The number of negative directions of the energy, added over all classes of motions.
+int negative_directions(const FigureMember& member) {
+  int n = 0;
+  for (const ClassStability& of_class : member.classes) n += of_class.stability.n_negative;
+  return n;
+}
+
+}  // namespace
+
+std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model, bool at_rest,
+                                             std::vector<std::string_view> others) {
+  const Family family = scene.equilibria.family;
+  if (family == Family::maclaurin || family == Family::spheroids || family == Family::spinning ||
+      family == Family::jacobi || (at_rest && family == Family::at_rest))
+    return {};
+  return scene::Refusal{"Equilibrium/Family",
+                        fmt::format("{} take maclaurin, spheroids, spinning{} jacobi; {}, whose figures have "
+                                    "circulation within, is",
+                                    model, at_rest ? ", static and" : " and", scene::family_kind.print(family)),
+                        {},
+                        std::move(others)};
+}
+
+mechanics::FamilyOfFigures family_of_figures(const scene::Scene& scene) {
+  const double time_unit = units_of(scene).time;
+  switch (scene.equilibria.family) {
+    case Family::maclaurin:
+      return {Figure::spheroid, [](double e) -> FigureCondition {
+                return {FigureParameter::log_ratio_31, 0.5 * std::log((1 - e) * (1 + e))};
+              }};
+    case Family::spheroids:
+      return {Figure::spheroid, [](double polar_axis) -> FigureCondition {
+                return {FigureParameter::log_ratio_31, 1.5 * std::log(polar_axis)};
+              }};
+    case Family::spinning:
+      return {Figure::spheroid, [time_unit](double spin) -> FigureCondition {
+                return {FigureParameter::drive, spin * time_unit * spin * time_unit};
+              }};
+    case Family::at_rest:
+      return {Figure::ellipsoid, [](double factor) -> FigureCondition { return {FigureParameter::drive, factor}; }};
+    default:
+      return {Figure::ellipsoid,
+              [](double ratio) -> FigureCondition {
+                return {FigureParameter::log_ratio_21, log_ratio_of_axes(ratio)};
+              },
+              [&scene](double ratio, mechanics::NearbyFigure& nearby) {
+                reduced::SteadyMotion m;
+                const double nearly = std::exp(log_ratio_of_axes(ratio));
+                auto status = figure_of_family(scene, Family::jacobi, nearly, m);
+                nearby = {m.A.diagonal(), m.omega.squaredNorm()};
+                return status;
+              }};
+  }
+}
+
+std::vector<double> parameters_of(const scene::Scene::Equilibria& asked) {
+  const reduced::ParameterRange range{asked.first, asked.last, asked.number};
+  std::vector<double> values;
+  for (int k = 0; k < asked.number; ++k) values.push_back(range.value(k));
+  return values;
+}
+
+const ClassStability* fastest_growing(const FigureMember& member) {
+  const ClassStability* fastest = nullptr;
+  for (const ClassStability& of_class : member.classes)
+    if (of_class.stability.growth_rate > (fastest ? fastest->stability.growth_rate : 0)) fastest = &of_class;
+  return fastest;
+}
+
+std::vector<mechanics::Rate> slowest_rates(const FigureMember& member) {
+  std::vector<mechanics::Rate> rates;
+  for (const ClassStability& of_class : member.classes)
+    rates.insert(rates.end(), of_class.stability.rates.begin(), of_class.stability.rates.end());
+  std::ranges::stable_sort(rates, [](const auto& a, const auto& b) {
+    return std::abs(a.s.imag()) != std::abs(b.s.imag()) ? std::abs(a.s.imag()) < std::abs(b.s.imag())
+                                                        : a.s.imag() > b.s.imag();
+  });
+  rates.resize(n_slowest_rates);  // missing rates are 0
+  return rates;
+}
+
+std::vector<scene::Column> figure_columns(std::string_view degree, std::string_view classes) {
+  std::vector<scene::Column> columns{
+      {"index", "", "number of the row: degree by degree, by rising parameter"},
+      {"degree", "", std::string(degree)},
+      {"kind", "",
+       "0: a member of the family. Special points between two members: 1 fold (its spin has an extremum), 3 index "
+       "(n_negative changes: a branch may leave, and dissipation decides), 4 instability (a growth rate begins or "
+       "ends)"},
+      {"parameter", "",
+       "the family's: eccentricity (maclaurin) and a3 in radii at volume 1 (spheroids), from the ratio of the axes a1 "
+       "and a3; spin [1/time] (spinning) or a2/a1 (jacobi)"},
+      {"omega3", "1/time", "rate at which the figure turns about its axis 3"}};
+  const auto vector = [&](const char* name, scene::Unit unit, const char* documentation) {
+    for (int i = 1; i <= 3; ++i)
+      columns.push_back({fmt::format("{}{}", name, i), unit, i == 1 ? documentation : "as for axis 1"});
+  };
+  vector("a", "length", "semi-axis along axis 1 of the ellipsoid x = Q X nearest in the mean");
+  vector("surface", "length", "where the surface cuts axis 1");
+  columns.insert(
+      columns.end(),
+      {{"kinetic", "mass*length^2/time^2", "kinetic energy"},
+       {"potential", "mass*length^2/time^2", "potential energy"},
+       {"energy", "mass*length^2/time^2", "their sum"},
+       {"J3", "mass*length^2/time", "angular momentum"},
+       {"Z3", "mass*length^2/time", "circulation"},
+       {"multiplier", "1/time^2", "integral of the pressure per m_bar: the multiplier of the pseudo-rigid body"},
+       {"nonaffine_displacement", "", "|x - Q X| / |x|, norms weighted with the mass"},
+       {"min_jacobian", "", "least det F at the integration points"},
+       {"growth_rate", "1/time", "largest real part of the rates; 0 if stable"},
+       {"stable", "", "1: no disturbance grows; to first order, among the motions of this degree"},
+       {"n_negative", "",
+        "negative directions of the energy at fixed J and Z, of a fluid at fixed circulations; 0: stable even with "
+        "dissipation"},
+       {"odd_in_z", "",
+        "of the motions in which a special point happens, or that grow fastest: 1 if odd under the reflection of axis "
+        "3, otherwise 0; -1 if none grows"},
+       {"m", "", "of the same motions: " + std::string(classes)}});
+  for (std::size_t k = 1; k <= n_slowest_rates; ++k) {
+    columns.push_back(
+        {fmt::format("rate_{}_re", k), "1/time",
+         k > 1 ? "as for rate_1_re"
+               : "real part of a rate s of small motions exp(s t) in the turning frame: the slowest, by rising "
+                 "frequency, 0 beyond the last. Turns and exchanges of matter within a fluid are left out"});
+    columns.push_back({fmt::format("rate_{}_im", k), "1/time", k > 1 ? "as for rate_1_im" : "its imaginary part"});
+  }
+  columns.push_back({"residual", "",
+                     "residual of the equations of the figure, in their largest term; for a fluid the error of the "
+                     "quadrature of gravity"});
+  return columns;
+}
+
+std::vector<double> figure_row(int index, const FigureMember& member, const mechanics::SpecialFigure* special,
+                               const FigureNumbers& numbers) {
+  const mechanics::ContinuumObservables& o = numbers.observables;
+  std::vector<double> row{static_cast<double>(index), static_cast<double>(numbers.degree),
+                          special ? 1.0 + static_cast<int>(special->kind) : 0.0, member.parameter, numbers.spin};
+  row.insert(row.end(), numbers.axes.begin(), numbers.axes.end());
+  row.insert(row.end(), numbers.surface.begin(), numbers.surface.end());
+  const ClassStability* growing = fastest_growing(member);
+  std::optional<mechanics::MotionClass> motions;
+  if (special)
+    motions = special->motions;
+  else if (growing)
+    motions = growing->motions;
+  row.insert(
+      row.end(),
+      {o.kinetic, o.energy() - o.kinetic, o.energy(), o.angular_momentum[2], o.circulation[2], o.multiplier,
+       o.nonaffine_displacement, o.min_jacobian, growing ? growing->stability.growth_rate : 0.0, growing ? 0.0 : 1.0,
+       static_cast<double>(negative_directions(member)), motions ? static_cast<double>(motions->odd_in_z) : -1.0,
+       motions ? static_cast<double>(motions->m) : -1.0});
+  for (const mechanics::Rate& rate : slowest_rates(member)) row.insert(row.end(), {rate.s.real(), rate.s.imag()});
+  row.push_back(member.figure.residual);
+  return row;
+}
+
+FigureRun::FigureRun(const RunContext& context, std::string_view file, const std::vector<scene::Column>& columns)
+    : context_(context),
+      file_(file),
+      parameter_(parameter_name(context.scene.equilibria.family)),
+      table_(context.directory.csv(file_), columns, context.scales()) {}
+
+void FigureRun::end(mechanics::Outcome how, std::string message) {
+  outcome_.end = how;
+  outcome_.message = std::move(message);
+}
+
+void FigureRun::add(int degree, const mechanics::FigureFamily& family, const NameOfClass& name_of,
+                    const RowOf& row_of) {
+  for (const auto& missing : family.missing)
+    context_.log->warn("no equilibrium of degree {} at {} = {:.9g}: {}", degree, parameter_, missing.parameter,
+                       missing.reason);
+  write(family, row_of);
+  const auto n_stable =
+      std::ranges::count_if(family.members, [](const FigureMember& member) { return !fastest_growing(member); });
+  add_result(outcome_, context_,
+             fmt::format("degree {}: {} equilibria, {} of them stable", degree, family.members.size(), n_stable));
+  for (const auto& special : family.special)
+    add_result(outcome_, context_,
+               fmt::format("  {} at {} = {:.10g} ({})", mechanics::name_of(special.kind), parameter_,
+                           special.member.parameter, name_of(special.motions)));
+  n_members_ += static_cast<double>(family.members.size());
+  n_special_ += static_cast<double>(family.special.size());
+  const auto n_values = static_cast<int>(family.members.size() + family.missing.size());
+  if (n_values < context_.scene.equilibria.number && goes_on() && context_.interrupted())
+    end(mechanics::Outcome::interrupted,
+        fmt::format("equilibria interrupted after {} of {} values of {} of degree {}; those before are in {}.csv",
+                    n_values, context_.scene.equilibria.number, parameter_, degree, file_));
+}
+
+void FigureRun::write(const mechanics::FigureFamily& family, const RowOf& row_of) {
+  std::vector<std::pair<const FigureMember*, const mechanics::SpecialFigure*>> sorted;
+  for (const auto& member : family.members) sorted.emplace_back(&member, nullptr);
+  for (const auto& special : family.special) sorted.emplace_back(&special.member, &special);
+  std::ranges::stable_sort(sorted, {}, [](const auto& entry) { return entry.first->parameter; });
+  for (const auto& [member, special] : sorted) {
+    std::vector<double> row;
+    if (const auto status = row_of(++index_, *member, special, row); !status)
+      return end(mechanics::Outcome::failed, status.reason());
+    table_.append(row);
+  }
+}
+
+ModelOutcome FigureRun::finish() {
+  table_.flush();
+  auto& counters = outcome_.statistics.counters;
+  counters["equilibria"] = n_members_;
+  counters["special_points"] = n_special_;
+  outcome_.statistics.timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  if (goes_on() && n_members_ == 0) end(mechanics::Outcome::failed, "the family has no member in this range");
+  return outcome_;
+}
+
+}  // namespace pseudorigid::app

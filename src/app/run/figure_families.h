@@ -1,0 +1,91 @@
+#pragma once
+/// Families of figures of equilibrium (mechanics/equilibria/figure_family.h) of polynomial bodies and finite elements:
+/// the family that a scene requests, and the table of its members.
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/run/run_context.h"
+#include "io/column_table.h"
+#include "mechanics/equilibria/figure_family.h"
+#include "observables/body_observables.h"
+#include "scene/catalogue.h"
+
+namespace pseudorigid::app {
+
+/// Refuses a family whose figures do not rotate as a rigid body. `model` is the name of the model in the message, and
+/// `others` are the models that offer all families. With `at_rest`, the family `static` is accepted as well.
+std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model, bool at_rest,
+                                             std::vector<std::string_view> others);
+
+/// The family of the scene. It maps a value of the parameter, in the unit of the family, to a condition on the figure.
+/// For Jacobi's family, the pseudo-rigid figure is the initial guess. The scene must exist as long as the result.
+mechanics::FamilyOfFigures family_of_figures(const scene::Scene& scene);
+
+/// The values of the parameter that the scene requests.
+std::vector<double> parameters_of(const scene::Scene::Equilibria& asked);
+
+/// The class of small motions that contains the fastest growing motion; null if no motion grows.
+const mechanics::ClassStability* fastest_growing(const mechanics::FigureMember& member);
+
+/// The numbers n of rates in a row of the table.
+inline constexpr std::size_t n_slowest_rates = 10;
+/// The ten rates s of lowest frequency |Im s| among the rates of all classes of motions, by rising frequency. If there
+/// are fewer rates, the others are 0.
+std::vector<mechanics::Rate> slowest_rates(const mechanics::FigureMember& member);
+
+/// The columns of the table with their units and texts. `degree` is the text of the column with the degree.
+std::vector<scene::Column> figure_columns(std::string_view degree, std::string_view classes);
+
+/// The numbers of a row in internal units, in addition to those of the member.
+struct FigureNumbers {
+  int degree;               ///< degree of the body or of the elements
+  double spin;              ///< spin Ω about axis 3
+  Eigen::Vector3d axes;     ///< semi-axes of the ellipsoid x = QX
+  Eigen::Vector3d surface;  ///< points at which the surface cuts the axes
+  mechanics::ContinuumObservables observables;
+};
+
+/// Sets `row` to the columns of figure_columns in internal units. Only the parameter has the unit of its family.
+/// `special` is null for an ordinary member of the family.
+std::vector<double> figure_row(int index, const mechanics::FigureMember& member,
+                               const mechanics::SpecialFigure* special, const FigureNumbers& numbers);
+
+/// Name of a class of motions, for example "even in z, m = 2".
+using NameOfClass = std::function<std::string(const mechanics::MotionClass& motions)>;
+
+/// The table and the results of families, one for each degree of a model.
+class FigureRun {
+ public:
+  using RowOf = std::function<mechanics::Status(int index, const mechanics::FigureMember& member,
+                                                const mechanics::SpecialFigure* special, std::vector<double>& row)>;
+
+  /// `file` is the name of the table without ".csv".
+  FigureRun(const RunContext& context, std::string_view file, const std::vector<scene::Column>& columns);
+
+  /// Writes the members and the special points of the family of one degree by rising parameter, and adds its lines to
+  /// the results. Parameters without a figure give warnings. Sets the outcome to `interrupted` if the family is not
+  /// complete, and to `failed` if a row cannot be computed.
+  void add(int degree, const mechanics::FigureFamily& family, const NameOfClass& name_of, const RowOf& row_of);
+  bool goes_on() const { return outcome_.end == mechanics::Outcome::finished; }
+  /// Sets the outcome and its message.
+  void end(mechanics::Outcome how, std::string message);
+  ModelOutcome& outcome() { return outcome_; }
+  /// Completes the table and the statistics. The outcome is `failed` if no figure was found.
+  ModelOutcome finish();
+
+ private:
+  void write(const mechanics::FigureFamily& family, const RowOf& row_of);
+
+  const RunContext& context_;
+  std::string file_, parameter_;  ///< name of the parameter of the family
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  io::ColumnTable table_;
+  ModelOutcome outcome_;
+  int index_ = 0;
+  double n_members_ = 0, n_special_ = 0;
+};
+
+}  // namespace pseudorigid::app

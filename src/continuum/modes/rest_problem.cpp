@@ -1,0 +1,55 @@
+#include "continuum/modes/rest_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "continuum/modes/surface_harmonics.h"
+
+namespace pseudorigid::continuum {
+namespace {
+
+double weight(double gravity_constant) { return 4 * std::numbers::pi / 3 * gravity_constant; }
+
+}  // namespace
+
+RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels, const StoredEnergy& stored,
+                         bool is_incompressible, double gravity_constant)
+    : LinearProblem(ball_space, is_incompressible, RestElasticity(stored, is_incompressible).moduli.shear,
+                    is_incompressible ? 1e4 * std::max(RestElasticity(stored, is_incompressible).moduli.shear,
+                                                       weight(gravity_constant))
+                                      : 0),
+      elasticity(stored, is_incompressible),
+      weight_of_density(weight(gravity_constant)) {
+  const Vector& X = space.reference_positions();
+  if (incompressible) set_constraint(kernels, X);
+  const CellStiffness cells(space);
+  set_stiffness([&](unsigned int cell) {
+    return cells.cell_matrix(cell, X, [&](int, const auto&) { return elasticity.tangent; });
+  });
+  if (weight_of_density > 0)
+    add_springs([&](const FacePoint& point) -> Eigen::Vector3d {
+      const FacePoint::Jet at = point.jet(X);
+      return std::sqrt(weight_of_density * at.by_p.cross(at.by_q).norm()) * at.u.normalized();
+    });
+}
+
+SectorOperator RestProblem::beyond_cells(const ParitySector& sector) const {
+  if (weight_of_density == 0) return {};
+  const SurfaceHarmonics harmonics(space, sector.parity(), largest_resolved_degree(space));
+  std::vector<Eigen::VectorXd> rows;
+  for (int n = 0; n <= harmonics.max_degree(); ++n)
+    for (const std::size_t field : harmonics.radial_fields(n)) {
+      const double share = n == 0 ? 1 : 3 / (2.0 * n + 1);
+      // With the integral I over the octant, the integral over the sphere is 8 I. The energy of the octant is an eighth
+      // of the energy of the sphere, and contains (8 I)²/8 = 8 I².
+      rows.push_back(std::sqrt(8 * share * weight_of_density) * sector.entries_of(harmonics.force(field)));
+    }
+  Eigen::MatrixXd attraction(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(sector.n_unknowns()));
+  for (std::size_t i = 0; i < rows.size(); ++i) attraction.row(static_cast<Eigen::Index>(i)) = rows[i];
+  return [attraction = std::move(attraction)](const Eigen::VectorXd& u) -> Eigen::VectorXd {
+    return -(attraction.transpose() * (attraction * u));
+  };
+}
+
+}  // namespace pseudorigid::continuum

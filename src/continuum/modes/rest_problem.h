@@ -1,0 +1,30 @@
+#pragma once
+/// The problem of small motions of the ball about rest (parity_sector.h). Self-gravity adds its second variation K_g,
+/// which couples all nodes of the surface. On the sphere, K_g is
+///
+///   uᵀK_g u = ρg [∮(u·e)² dS − Σ_nm c_n (∮(u·e) Y_nm dS)²],   g = (4/3)πGρr,   c_0 = 1, c_n = 3/(2n + 1) for n > 0.
+///
+/// e is the outward normal, the Y_nm are the orthonormal spherical harmonics, and G in the formula for g is Newton's
+/// constant. The first term is a spring at each point, and the stiffness of the cells contains these springs. The
+/// second term is the operator E: an attraction of the harmonics that the mesh resolves. Harmonics of higher degree n
+/// would soften the springs of the surface by a fraction of at most 3/(2n + 1). About ten iterations of the conjugate
+/// gradients are sufficient for every mesh and strength of gravity. The surface integrals of a motion
+/// (gravity/surface_gravity.h) have larger errors: 1e-6 to 1e-5 in the Love number l of a tide.
+
+#include "continuum/modes/cell_stiffness.h"
+#include "continuum/modes/parity_sector.h"
+
+namespace pseudorigid::continuum {
+
+struct RestProblem final : LinearProblem {
+  /// `space` must be that of an octant in one process. The self-gravity K_g is that of an incompressible body.
+  /// `gravity_constant` is Newton's constant in internal units, in which ρ = r = 1.
+  RestProblem(const BallSpace& space, const CellKernels& kernels, const StoredEnergy& stored, bool incompressible,
+              double gravity_constant = 0);
+  SectorOperator beyond_cells(const ParitySector& sector) const override;
+
+  RestElasticity elasticity;
+  double weight_of_density;  ///< product ρg of density and gravity at the surface
+};
+
+}  // namespace pseudorigid::continuum

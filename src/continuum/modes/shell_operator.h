@@ -1,0 +1,43 @@
+#pragma once
+/// A linear operator of one process that PETSc and SLEPc apply through a function, and the solution of linear equations
+/// with it.
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <petscksp.h>
+
+#include "mechanics/core/status.h"
+
+namespace pseudorigid::continuum {
+
+/// Sets `out` to the product of the operator with `in`. A failure ends the iteration that uses the operator.
+using LinearOperator = std::function<mechanics::Status(std::span<const double> in, std::span<double> out)>;
+
+/// A square operator as a matrix of PETSc. Functions that PETSc calls cannot return a Status. After a failure, the
+/// products are therefore 0, and `status` has the reason.
+class ShellOperator {
+ public:
+  ShellOperator(const LinearOperator& apply, std::size_t size);
+  ~ShellOperator() { MatDestroy(&matrix_); }
+  ShellOperator(const ShellOperator&) = delete;
+  ShellOperator& operator=(const ShellOperator&) = delete;
+
+  Mat matrix() const { return matrix_; }
+  const mechanics::Status& status() const { return status_; }
+
+ private:
+  static PetscErrorCode multiply(Mat matrix, Vec in, Vec out);
+
+  const LinearOperator& apply_;
+  mechanics::Status status_{};
+  Mat matrix_ = nullptr;
+};
+
+/// Solves A x = b by GMRES from x = 0. `tolerance` is the bound of |b − A x|/|b|. Fails if this bound is not reached
+/// after `max_iterations`, or if a product fails.
+mechanics::SolveReport solve_by_gmres(const LinearOperator& A, const std::vector<double>& b, double tolerance,
+                                      int max_iterations, std::vector<double>& x);
+
+}  // namespace pseudorigid::continuum

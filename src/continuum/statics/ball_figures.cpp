@@ -1,0 +1,277 @@
+#include "continuum/statics/ball_figures.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+
+#include "materials/rest_moduli.h"
+
+namespace pseudorigid::continuum {
+namespace {
+
+/// Relative tolerance of GMRES. Newton's iteration corrects what it leaves.
+constexpr double tolerance_of_gmres = 1e-8;
+
+constexpr std::array<bool, 3> octant{true, true, true};
+
+loads::Loads acting_loads(const FigureSetup& setup) {
+  if (setup.drive == Drive::loads) return setup.loads;
+  return {setup.loads.get<loads::SelfGravity>(), setup.loads.get<loads::Pressure>()};
+}
+
+std::unique_ptr<const BallBody> make_body(const FigureSetup& setup) {
+  const Sector sector{octant};
+  const loads::Loads loads = acting_loads(setup);
+  if (setup.incompressible)
+    return std::make_unique<ElasticBall>(sector, setup.degree, setup.n_refinements, setup.stored, loads);
+  return std::make_unique<CompressibleBall>(sector, setup.degree, setup.n_refinements, setup.stored, loads);
+}
+
+loads::Forcing forcing_of(const FigureSetup& setup) {
+  const loads::Loads loads = acting_loads(setup);
+  return loads::constant_forcing(setup.incompressible ? loads::at_constant_volume(loads) : loads);
+}
+
+double largest(const Vector& v) { return v.size() == 0 ? 0 : v.linfty_norm(); }
+
+/// The entries of a vector of this process.
+Eigen::VectorXd entries(const Vector& v) {
+  return Eigen::Map<const Eigen::VectorXd>(v.begin(), static_cast<Eigen::Index>(v.locally_owned_size()));
+}
+
+}  // namespace
+
+BallFigures::BallFigures(const FigureSetup& setup)
+    : stored_(setup.stored),
+      incompressible_(setup.incompressible),
+      kind_(setup.drive),
+      body_(make_body(setup)),
+      forcing_(forcing_of(setup)) {
+  if (setup.figure == mechanics::Figure::spheroid) find_exchanged_nodes();
+}
+
+double BallFigures::typical_stiffness() const {
+  return std::max(materials::moduli_at_rest(stored_.law, incompressible_).shear,
+                  4 * std::numbers::pi / 3 * forcing_.gravity_constant);
+}
+
+bool BallFigures::permits_rotation_of_space(int axis) const {
+  if (kind_ == Drive::rotation) return true;
+  const auto commutes = [&](const Eigen::Matrix3d& T) {
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(1, Eigen::Vector3d::Unit(axis)).toRotationMatrix();
+    return (turn * T * turn.transpose() - T).norm() <= 1e-12 * T.norm();
+  };
+  return forcing_.nominal_traction.isZero(0) && commutes(forcing_.quadratic);
+}
+
+void BallFigures::find_exchanged_nodes() {
+  const Vector& X = body_->space().reference_positions();
+  std::map<std::array<long, 3>, unsigned int> node_at;
+  const auto place = [&](unsigned int node, unsigned int first, unsigned int second) {
+    const auto rounded = [&](unsigned int c) { return std::lround(1e9 * X.local_element(3 * node + c)); };
+    return std::array{rounded(first), rounded(second), rounded(2)};
+  };
+  const unsigned int n = body_->space().n_nodes();
+  for (unsigned int node = 0; node < n; ++node) node_at[place(node, 0, 1)] = node;
+  for (unsigned int node = 0; node < n; ++node) {
+    const std::array<long, 3> image = place(node, 1, 0);
+    // The rounded coordinates of a node and its image may differ by one unit in each direction.
+    unsigned int found = n;
+    for (auto near = node_at.lower_bound({image[0] - 1, 0, 0});
+         near != node_at.end() && near->first[0] <= image[0] + 1 && found == n; ++near)
+      if (std::abs(near->first[1] - image[1]) <= 1 && std::abs(near->first[2] - image[2]) <= 1) found = near->second;
+    if (found == n) throw std::logic_error("the mesh is not symmetric under the exchange of two axes");
+    exchanged_.push_back(found);
+  }
+}
+
+void BallFigures::symmetrize(Eigen::VectorXd& u) const {
+  if (exchanged_.empty()) return;
+  const Eigen::VectorXd before = u;
+  for (unsigned int node = 0; node < exchanged_.size(); ++node)
+    for (unsigned int c = 0; c < 3; ++c)
+      u[3 * node + c] = (before[3 * node + c] + before[3 * exchanged_[node] + (c == 2 ? 2 : 1 - c)]) / 2;
+}
+
+Vector BallFigures::field(const Eigen::VectorXd& x) const {
+  Vector result = body_->make_vector();
+  std::ranges::copy(x, result.begin());
+  return result;
+}
+
+Vector BallFigures::multiplier(const Figure& figure) const {
+  Vector lambda = body_->space().make_multiplier();
+  if (incompressible_) std::ranges::copy(figure.lambda, lambda.begin());
+  return lambda;
+}
+
+BallFigures::Figure BallFigures::affine(const Eigen::Vector3d& a, double drive) const {
+  const Eigen::VectorXd lambda = entries(body_->space().make_multiplier());
+  return {entries(body_->affine_field(a.asDiagonal())), incompressible_ ? lambda : Eigen::VectorXd(), drive};
+}
+
+bool BallFigures::is_admissible(const Eigen::VectorXd& x) const {
+  if (!x.allFinite()) return false;
+  const Vector at = field(x);
+  return body_->least_jacobian(at).value > 0 && body_->least_reserve(at).value > 0;
+}
+
+void BallFigures::clear_fixed(Vector& f) const {
+  const Vector& inverse_mass = body_->space().inverse_mass();
+  for (unsigned int i = 0; i < f.locally_owned_size(); ++i)
+    if (inverse_mass.local_element(i) == 0) f.local_element(i) = 0;
+}
+
+Vector BallFigures::Terms::residual(double nu) const {
+  Vector r = force;
+  r.add(nu, drive);
+  r += reaction;
+  return r;
+}
+
+mechanics::Status BallFigures::terms(const Figure& figure, Terms& terms) const {
+  const BallSpace& space = body_->space();
+  const Vector x = positions(figure), rest = body_->make_vector();
+  terms.force = terms.drive = terms.reaction = rest;
+  if (auto status = body_->judge(body_->kernels().force(x, terms.force), x); !status) return status;
+  if (body_->gravity()) body_->gravity()->add(x, terms.force);
+  if (kind_ == Drive::loads) {
+    body_->loads().add(0, x, rest, terms.drive);
+  } else {
+    body_->loads().add(0, x, rest, terms.force);
+    for (unsigned int i = 0; i < 3 * space.n_nodes(); ++i)
+      if (i % 3 != 2) terms.drive.local_element(i) = space.mass().local_element(i) * x.local_element(i);
+  }
+  if (incompressible_) {
+    body_->kernels().add_reaction(x, multiplier(figure), terms.reaction);
+    terms.constraint = space.make_multiplier();
+    if (auto status = body_->judge(body_->kernels().constraint(x, terms.constraint), x); !status) return status;
+  }
+  for (Vector* f : {&terms.force, &terms.drive, &terms.reaction}) clear_fixed(*f);
+  return {};
+}
+
+double BallFigures::scale_of(const Figure& figure, const Terms& terms) const {
+  const double mu = materials::moduli_at_rest(stored_.law, incompressible_).shear;
+  const double of_elasticity = mu * std::pow(body_->space().n_nodes(), -2.0 / 3);  // stress times the area of a node
+  return std::max(
+      {of_elasticity, largest(terms.force), std::abs(figure.drive) * largest(terms.drive), largest(terms.reaction)});
+}
+
+double BallFigures::excess_of_axis(const Condition& condition, const Eigen::VectorXd& x) const {
+  const Eigen::Matrix3d A = body_->mass_moment(field(x));
+  const int k = mechanics::other_axis(condition.parameter);
+  return A(k, k) - std::exp(condition.value) * A(0, 0);
+}
+
+mechanics::Status BallFigures::solve_linear(const Figure& figure,
+                                            const std::vector<std::pair<Vector, Vector>>& right_sides,
+                                            std::vector<Figure>& changes) const {
+  const Vector x = positions(figure), lambda = multiplier(figure);
+  const TangentProblem problem(state(x, lambda, figure.drive), 0);
+  ParitySector sector(problem, parity_of_sector(0));
+  ++counts_.factorizations;
+  if (auto status = sector.factorize(); !status) return status;
+  changes.clear();
+  for (const auto& [f, h] : right_sides) {
+    Eigen::VectorXd u, of_lambda;
+    const Eigen::VectorXd of_constraint = incompressible_ ? entries(h) : Eigen::VectorXd();
+    const auto report = sector.solve(sector.entries_of(f), of_constraint, tolerance_of_gmres, u, of_lambda);
+    if (!report.status) return report.status;
+    counts_.linear_products += report.iterations;
+    changes.push_back({entries(sector.field_of(u)), of_lambda});
+    symmetrize(changes.back().x);
+  }
+  return {};
+}
+
+mechanics::Status BallFigures::step(const Condition& condition, const Figure& figure, const Terms& now,
+                                    Figure& step) const {
+  Vector r = now.residual(figure.drive), minus_g = now.constraint;
+  if (incompressible_) minus_g *= -1;
+  if (condition.parameter == mechanics::FigureParameter::drive) {
+    const double change = condition.value - figure.drive;
+    r.add(change, now.drive);
+    std::vector<Figure> found;
+    if (auto status = solve_linear(figure, {{r, minus_g}}, found); !status) return status;
+    step = found[0];
+    step.drive = change;
+    return {};
+  }
+  const Vector no_constraint = incompressible_ ? body_->space().make_multiplier() : Vector();
+  std::vector<Figure> found;
+  if (auto status = solve_linear(figure, {{r, minus_g}, {now.drive, no_constraint}}, found); !status) return status;
+  step = found[0];
+  const double change = -(excess_of_axis(condition, figure.x) + excess_of_axis(condition, found[0].x)) /
+                        excess_of_axis(condition, found[1].x);
+  found[1].drive = 1;
+  mechanics::add(change, found[1], step);
+  return {};
+}
+
+mechanics::Status BallFigures::newton(const Condition& condition, Figure& figure) const {
+  constexpr int max_iterations = 30, max_halvings = 12;
+  constexpr double accepted = 1e-11;
+  Figure kept = figure;
+  double best = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < max_iterations; ++i) {
+    Terms now;
+    if (auto status = terms(figure, now); !status) return status;
+    double size = std::max(largest(now.residual(figure.drive)) / scale_of(figure, now), largest(now.constraint));
+    size = std::max(size, condition.parameter == mechanics::FigureParameter::drive
+                              ? std::abs(figure.drive - condition.value)
+                              : std::abs(excess_of_axis(condition, figure.x)));
+    if (!std::isfinite(size)) break;
+    if (size >= 0.5 * best && best <= accepted) break;  // a small residual that does not halve is round-off
+    if (size < best) best = size, kept = figure;
+    if (size == 0) break;
+    Figure full;
+    ++counts_.newton;
+    if (auto status = step(condition, figure, now, full); !status) {
+      if (best <= accepted) break;
+      return status;
+    }
+    if (!full.x.allFinite()) break;
+    double factor = 1;
+    for (int k = 0; k < max_halvings && !is_admissible(figure.x + factor * full.x); ++k) factor /= 2;
+    mechanics::add(factor, full, figure);
+  }
+  figure = kept;
+  if (best <= accepted) return {};
+  return mechanics::Status::failure(
+      "Newton's iteration finds no figure of equilibrium here; it ends with a residual of " +
+      mechanics::six_digits(best) + " of the terms");
+}
+
+BallFigures::Figure BallFigures::tangent(const Condition& condition, const Figure& figure) const {
+  const auto nan = std::numeric_limits<double>::quiet_NaN();
+  const Figure none{Eigen::VectorXd::Constant(figure.x.size(), nan),
+                    Eigen::VectorXd::Constant(figure.lambda.size(), nan), nan};
+  Terms now;
+  std::vector<Figure> found;
+  if (!terms(figure, now)) return none;
+  const Vector no_constraint = incompressible_ ? body_->space().make_multiplier() : Vector();
+  if (!solve_linear(figure, {{now.drive, no_constraint}}, found)) return none;
+  Figure rate = found[0];
+  rate.drive = 1;
+  if (condition.parameter == mechanics::FigureParameter::drive) return rate;
+  const double factor =
+      std::exp(condition.value) * body_->mass_moment(positions(figure))(0, 0) / excess_of_axis(condition, rate.x);
+  Figure along{Eigen::VectorXd::Zero(rate.x.size()), Eigen::VectorXd::Zero(rate.lambda.size()), 0};
+  mechanics::add(factor, rate, along);
+  return along;
+}
+
+mechanics::Status BallFigures::complete(Figure& figure) const {
+  Terms now;
+  if (auto status = terms(figure, now); !status) return status;
+  figure.residual = largest(now.residual(figure.drive)) / scale_of(figure, now);
+  return {};
+}
+
+}  // namespace pseudorigid::continuum

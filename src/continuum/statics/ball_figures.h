@@ -1,0 +1,118 @@
+#pragma once
+/// Figures of equilibrium of the finite-element ball, in one octant: steady rotations about axis 3, and the ball at
+/// rest under loads (mechanics/equilibria/figures.h). The equations are
+///
+///   r = f(x) + ν h(x) + Gᵀλ = 0,   g(x) = 0,
+///
+/// without λ and g for a compressible ball. f contains the elastic force, the volumetric stabilisation and
+/// self-gravity. For a rotation with the spin Ω, ν = Ω² and h_n = m_n P x_n, with the mass m_n and the position x_n of
+/// node n and the projection P onto the plane normal to axis 3. For the ball at rest, ν is the factor of the loads h.
+/// The planes of the octant exclude rotations of space and of the ball.
+///
+/// The equations are solved by Newton's iteration. Each step solves K δx − Gᵀδλ = r, Gδx = −g with the tangent K
+/// (tangent_problem.h), by GMRES with a factorisation of the cells as the preconditioner (modes/parity_sector.h). For a
+/// condition on the ratio of two axes, δx contains a second solution with h in place of r.
+///
+/// At a bifurcation to figures that are not symmetric about axis 3, K is singular. Therefore a spheroid is sought among
+/// positions that are symmetric under the exchange of the axes 1 and 2. They exclude the figures that bifurcate with
+/// the azimuthal number 2, such as Jacobi's ellipsoids.
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "continuum/body/compressible_ball.h"
+#include "continuum/body/elastic_ball.h"
+#include "continuum/modes/parity_sector.h"
+#include "continuum/statics/tangent_problem.h"
+#include "mechanics/equilibria/figures.h"
+
+namespace pseudorigid::continuum {
+
+/// The ball whose figures are sought.
+struct FigureSetup {
+  int degree;         ///< degree k of the elements
+  int n_refinements;  ///< number of refinements of the four cells of an octant
+  StoredEnergy stored;
+  loads::Loads loads;
+  bool incompressible;
+  Drive drive;  ///< for a rotation, all loads but self-gravity and the pressure on a compressible body are left out
+  mechanics::Figure figure;
+};
+
+/// Numbers of iterations since the start.
+struct FigureCounts {
+  long newton = 0;           ///< steps of Newton's iteration
+  long factorizations = 0;   ///< factorisations of a tangent
+  long linear_products = 0;  ///< products of GMRES with a tangent
+};
+
+class BallFigures final : public mechanics::FigureEquations {
+ public:
+  using Figure = mechanics::EquilibriumFigure;
+
+  explicit BallFigures(const FigureSetup& setup);
+  BallFigures(const BallFigures&) = delete;  // because some members refer to other members
+  BallFigures& operator=(const BallFigures&) = delete;
+
+  Figure affine(const Eigen::Vector3d& a, double drive) const override;
+  const BallBody& body() const { return *body_; }
+  const FigureCounts& counts() const { return counts_; }
+  Drive drive() const { return kind_; }
+  bool is_spheroid() const { return !exchanged_.empty(); }
+  /// The larger of the shear modulus and ρgr, with the gravity g at the surface.
+  double typical_stiffness() const;
+  /// True if the forces permit rotations of space about an axis, or rotations of the undeformed ball.
+  bool permits_rotation_of_space(int axis) const;
+  bool permits_rotation_of_ball() const { return kind_ == Drive::rotation || forcing_.nominal_traction.isZero(0); }
+
+  /// The nodal positions of a figure, and its multiplier.
+  Vector positions(const Figure& figure) const { return field(figure.x); }
+  Vector multiplier(const Figure& figure) const;
+  /// The positions and the multiplier must outlive the result.
+  FigureState state(const Vector& x, const Vector& lambda, double drive) const {
+    return {*body_, stored_, forcing_, incompressible_, kind_, x, lambda, drive};
+  }
+
+ private:
+  using Condition = mechanics::FigureCondition;
+  /// The terms of the equations at a figure. Components that a plane of the octant fixes are 0.
+  struct Terms {
+    Vector force, drive, reaction;  ///< f, h and Gᵀλ
+    Vector constraint;              ///< g; empty for a compressible ball
+    /// r = f + ν h + Gᵀλ
+    Vector residual(double nu) const;
+  };
+
+  mechanics::Status newton(const Condition& condition, Figure& figure) const override;
+  Figure tangent(const Condition& condition, const Figure& figure) const override;
+  mechanics::Status complete(Figure& figure) const override;
+  bool is_admissible(const Eigen::VectorXd& x) const override;
+
+  mechanics::Status terms(const Figure& figure, Terms& terms) const;
+  /// Solves K δx − Gᵀδλ = f, G δx = h at a figure, for each pair of f and h. Sets `changes` to the solutions.
+  mechanics::Status solve_linear(const Figure& figure, const std::vector<std::pair<Vector, Vector>>& right_sides,
+                                 std::vector<Figure>& changes) const;
+  /// Sets `step` to the step of Newton's iteration from `figure`, whose terms are `now`.
+  mechanics::Status step(const Condition& condition, const Figure& figure, const Terms& now, Figure& step) const;
+  /// a_k − ρ a₁ for the affine part A = diag(a) of the field x, with the axis k and the ratio ρ of the condition.
+  double excess_of_axis(const Condition& condition, const Eigen::VectorXd& x) const;
+  /// The largest entry of the terms, or a typical elastic force on a node if that is larger.
+  double scale_of(const Figure& figure, const Terms& terms) const;
+  /// Sets to 0 the components that a plane of the octant fixes.
+  void clear_fixed(Vector& f) const;
+  Vector field(const Eigen::VectorXd& x) const;
+  /// The mean of the displacement u and its image under the exchange of the axes 1 and 2, if a spheroid is sought.
+  void symmetrize(Eigen::VectorXd& u) const;
+  void find_exchanged_nodes();
+
+  StoredEnergy stored_;
+  bool incompressible_;
+  Drive kind_;
+  std::unique_ptr<const BallBody> body_;
+  loads::Forcing forcing_;
+  std::vector<unsigned int> exchanged_;  ///< the node at (X_2, X_1, X_3) for the node at X; empty for an ellipsoid
+  mutable FigureCounts counts_;
+};
+
+}  // namespace pseudorigid::continuum

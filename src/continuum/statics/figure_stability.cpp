@@ -1,0 +1,266 @@
+#include "continuum/statics/figure_stability.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <list>
+#include <numbers>
+
+#include "continuum/kernels/node_gradients.h"
+#include "continuum/modes/largest_eigenpairs.h"
+#include "materials/rest_moduli.h"
+
+namespace pseudorigid::continuum {
+namespace {
+
+/// Relative residual of eigenvectors. The projection corrects their errors.
+constexpr double eigenvector_tolerance = 1e-6;
+/// Directions whose part that is independent of the basis is below this fraction are left out of the basis.
+constexpr double dependent = 1e-8;
+
+/// ê×u at every node, for the unit vector ê of an axis.
+Vector turned(const BallSpace& space, int axis, const Vector& u) {
+  Vector result = space.make_vector();
+  const auto p = static_cast<unsigned int>((axis + 1) % 3), q = static_cast<unsigned int>((axis + 2) % 3);
+  for (unsigned int i = 0; i < 3 * space.n_nodes(); i += 3) {
+    result.local_element(i + p) = -u.local_element(i + q);
+    result.local_element(i + q) = u.local_element(i + p);
+  }
+  return result;
+}
+
+/// The displacement F(ê×X) of a rotation of the ball, with the mean of F over the cells of a node.
+Vector turned_within(const BallSpace& space, int axis, const Vector& x) {
+  const Vector turned_X = turned(space, axis, space.reference_positions());
+  Vector result = space.make_vector(), n_cells = space.make_vector();
+  for (unsigned int cell = 0; cell < space.n_cells(); ++cell) {
+    const Eigen::Matrix3Xd X_of_cell = nodal_values(space, space.reference_positions(), cell),
+                           x_of_cell = nodal_values(space, x, cell), turn = nodal_values(space, turned_X, cell);
+    const auto& nodes = space.cell_nodes(cell);
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      const auto i = static_cast<int>(a);
+      const Eigen::Matrix3d F = reference_gradient(space.reference_cell(), x_of_cell, i) *
+                                reference_gradient(space.reference_cell(), X_of_cell, i).inverse();
+      const Eigen::Vector3d u = F * turn.col(i);
+      for (unsigned int c = 0; c < 3; ++c) {
+        result.local_element(3 * nodes[a] + c) += u[c];
+        n_cells.local_element(3 * nodes[a] + c) += 1;
+      }
+    }
+  }
+  for (unsigned int i = 0; i < 3 * space.n_nodes(); ++i) result.local_element(i) /= n_cells.local_element(i);
+  return result;
+}
+
+/// A parity with its basis. The vectors of the basis are orthonormal in the inner product of the mass.
+class SectorBasis {
+ public:
+  SectorBasis(const TangentProblem& problem, int number) : sector_(problem, parity_of_sector(number)) {}
+
+  /// Appends the lowest eigenvectors of K. Uniform motions are left out.
+  mechanics::Status add_eigenvectors(int n) {
+    if (auto status = sector_.factorize(); !status) return status;
+    std::vector<EigenPair> known = uniform_motions();
+    const std::size_t n_uniform = known.size();
+    const auto apply = [&](std::span<const double> y, std::span<double> z) { return sector_.apply(y, z); };
+    if (auto status = append_largest_eigenpairs(apply, sector_.n_unknowns(), n, eigenvector_tolerance, known); !status)
+      return status;
+    known.resize(std::min(known.size(), n_uniform + static_cast<std::size_t>(n)));
+    for (std::size_t i = n_uniform; i < known.size(); ++i) {
+      ParitySector::Mode mode;
+      if (auto status = sector_.mode_of(known[i].vector, mode); !status) return status;
+      add(sector_.entries_of(mode.u));
+    }
+    return {};
+  }
+  /// Appends the static response to a force.
+  mechanics::Status add_response(const Vector& force) {
+    Vector u;
+    if (auto status = sector_.respond(force, u); !status) return status;
+    add(sector_.entries_of(u));
+    return {};
+  }
+  /// Appends the part of u that satisfies G u = 0.
+  void add_projected(const Vector& u) { add(sector_.without_volume(sector_.entries_of(u))); }
+
+  const ParitySector& sector() const { return sector_; }
+  Eigen::Index size() const { return static_cast<Eigen::Index>(basis_.size()); }
+  const Eigen::VectorXd& operator[](Eigen::Index i) const { return basis_[static_cast<std::size_t>(i)]; }
+  Vector field(Eigen::Index i) const { return sector_.field_of((*this)[i]); }
+  /// The coordinates uᵀM b of a field u for the vectors b of the basis.
+  Eigen::VectorXd coordinates(const Vector& u) const {
+    const Eigen::VectorXd M_u = sector_.mass().cwiseProduct(sector_.entries_of(u));
+    Eigen::VectorXd result(size());
+    for (Eigen::Index i = 0; i < size(); ++i) result[i] = M_u.dot((*this)[i]);
+    return result;
+  }
+  /// The matrix bᵀK b' of the basis, for the shift s of the problem.
+  Eigen::MatrixXd stiffness(double shift) const {
+    Eigen::MatrixXd K(size(), size());
+    for (Eigen::Index j = 0; j < size(); ++j) {
+      const Eigen::VectorXd K_b = sector_.product((*this)[j]);
+      for (Eigen::Index i = 0; i < size(); ++i) K(i, j) = (*this)[i].dot(K_b);
+      K(j, j) -= shift;
+    }
+    return (K + K.transpose()) / 2;
+  }
+
+ private:
+  std::vector<EigenPair> uniform_motions() const {
+    const auto& sign = sector_.parity().sign;
+    if (std::ranges::count(sign, -1) != 1) return {};
+    Eigen::Matrix<double, 3, 1> axis = Eigen::Vector3d::Unit(std::ranges::find(sign, -1) - sign.begin());
+    Vector u = sector_.space().make_vector();
+    for (unsigned int i = 0; i < 3 * sector_.space().n_nodes(); ++i) u.local_element(i) = axis[i % 3];
+    const Eigen::VectorXd y = sector_.entries_of(u).cwiseProduct(sector_.mass().cwiseSqrt()).normalized();
+    return {{0, {y.begin(), y.end()}}};
+  }
+  void add(Eigen::VectorXd u) {
+    const double before = std::sqrt(u.dot(sector_.mass().cwiseProduct(u)));
+    for (int repetition = 0; repetition < 2; ++repetition)
+      for (const Eigen::VectorXd& b : basis_) u -= b.dot(sector_.mass().cwiseProduct(u)) * b;
+    const double length = std::sqrt(u.dot(sector_.mass().cwiseProduct(u)));
+    if (length > dependent * before) basis_.push_back(u / length);
+  }
+
+  ParitySector sector_;
+  std::vector<Eigen::VectorXd> basis_;
+};
+
+/// The number of the parity that contains the rotations about an axis.
+int parity_of_rotation(int axis) { return 7 ^ (1 << axis); }
+
+/// The bases of the two parities of a class.
+struct ClassBasis {
+  ClassBasis(const TangentProblem& problem, int first, int second)
+      : numbers{first, second}, parts{SectorBasis(problem, first), SectorBasis(problem, second)} {}
+
+  bool contains(int number) const { return number == numbers[0] || number == numbers[1]; }
+  Eigen::Index size() const { return parts[0].size() + parts[1].size(); }
+  /// The coordinates of a field with this parity of the class.
+  Eigen::VectorXd coordinates(const Vector& u, int number) const {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(size());
+    if (number == numbers[0])
+      result.head(parts[0].size()) = parts[0].coordinates(u);
+    else
+      result.tail(parts[1].size()) = parts[1].coordinates(u);
+    return result;
+  }
+
+  std::array<int, 2> numbers;
+  std::array<SectorBasis, 2> parts;
+};
+
+/// The rotations about the axis: of space, and of the ball.
+struct Rotations {
+  std::array<Vector, 3> of_space, of_ball;
+};
+
+class StabilityProblem {
+ public:
+  StabilityProblem(const BallFigures& figures, const mechanics::EquilibriumFigure& figure)
+      : figures_(figures),
+        space_(figures.body().space()),
+        spin_(figures.drive() == Drive::rotation ? std::sqrt(std::max(figure.drive, 0.0)) : 0),
+        x_(figures.positions(figure)),
+        lambda_(figures.multiplier(figure)),
+        shift_(figures.typical_stiffness() + spin_ * spin_),
+        problem_(figures.state(x_, lambda_, figure.drive), shift_) {
+    for (int axis = 0; axis < 3; ++axis) {
+      rotations_.of_space[axis] = turned(space_, axis, x_);
+      rotations_.of_ball[axis] = turned_within(space_, axis, x_);
+    }
+  }
+
+  mechanics::Status solve(int first, int second, int n_eigenvectors, mechanics::LinearStability& stability) const {
+    ClassBasis basis(problem_, first, second);
+    if (auto status = fill(n_eigenvectors, basis); !status) return status;
+    const Eigen::Index n = basis.size(), n_first = basis.parts[0].size();
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n), coriolis(n, n);
+    K.topLeftCorner(n_first, n_first) = basis.parts[0].stiffness(shift_);
+    K.bottomRightCorner(n - n_first, n - n_first) = basis.parts[1].stiffness(shift_);
+    for (Eigen::Index j = 0; j < n; ++j) {  // ê₃×u has the other parity of the class
+      const std::size_t part = j < n_first ? 0 : 1;
+      const Vector u = basis.parts[part].field(part == 0 ? j : j - n_first);
+      coriolis.col(j) = spin_ * basis.coordinates(turned(space_, 2, u), basis.numbers[1 - part]);
+    }
+    const auto system = mechanics::reduce(K, coriolis, symmetries(basis), dependent);
+    return mechanics::analyse_stability(system, stability);
+  }
+
+ private:
+  mechanics::Status fill(int n_eigenvectors, ClassBasis& basis) const {
+    for (SectorBasis& part : basis.parts)
+      if (auto status = part.add_eigenvectors(n_eigenvectors); !status) return status;
+    const std::array n_before{basis.parts[0].size(), basis.parts[1].size()};
+    if (spin_ > 0)
+      for (std::size_t part = 0; part < 2; ++part)
+        for (Eigen::Index i = 0; i < n_before[1 - part]; ++i) {
+          Vector force = turned(space_, 2, basis.parts[1 - part].field(i));
+          for (unsigned int k = 0; k < 3 * space_.n_nodes(); ++k)
+            force.local_element(k) *= space_.mass().local_element(k);
+          if (auto status = basis.parts[part].add_response(force); !status) return status;
+        }
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::size_t part = 0; part < 2; ++part)
+        if (basis.numbers[part] == parity_of_rotation(axis)) {
+          basis.parts[part].add_projected(rotations_.of_space[axis]);
+          basis.parts[part].add_projected(rotations_.of_ball[axis]);
+        }
+    return {};
+  }
+
+  /// Directions and rates of the rotations of space and of the ball in the class. A rotation of space about a
+  /// coordinate axis ζ has the direction ζ×x and the rate −Ω(ê₃×ζ)×x. The rotations of the ball have the rate 0.
+  mechanics::SymmetryDirections symmetries(const ClassBasis& basis) const {
+    mechanics::SymmetryDirections N;
+    const auto append = [&](const Eigen::VectorXd& y, const Eigen::VectorXd& rate) {
+      N.y.conservativeResize(basis.size(), N.y.cols() + 1);
+      N.rate.conservativeResize(basis.size(), N.rate.cols() + 1);
+      N.y.col(N.y.cols() - 1) = y;
+      N.rate.col(N.rate.cols() - 1) = rate;
+    };
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(basis.size());
+    for (int axis = 0; axis < 3; ++axis) {
+      const int number = parity_of_rotation(axis);
+      if (!basis.contains(number)) continue;
+      const auto of_space = [&](int other) {
+        return basis.coordinates(rotations_.of_space[other], parity_of_rotation(other));
+      };
+      Eigen::VectorXd rate = none;
+      if (axis == 0) rate = -spin_ * of_space(1);
+      if (axis == 1) rate = spin_ * of_space(0);
+      if (figures_.permits_rotation_of_space(axis)) append(of_space(axis), rate);
+      // On a spheroid, a rotation of the ball about axis 3 is one of space.
+      if (figures_.permits_rotation_of_ball() && !(axis == 2 && figures_.is_spheroid()))
+        append(basis.coordinates(rotations_.of_ball[axis], number), none);
+    }
+    return N;
+  }
+
+  const BallFigures& figures_;
+  const BallSpace& space_;
+  double spin_;
+  Vector x_, lambda_;
+  double shift_;
+  TangentProblem problem_;
+  Rotations rotations_;
+};
+
+}  // namespace
+
+mechanics::Status stability_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
+                               int n_eigenvectors, std::vector<mechanics::ClassStability>& classes) {
+  const StabilityProblem problem(figures, figure);
+  classes.clear();
+  for (const bool odd_in_z : {false, true})
+    for (const int m : {0, 1}) {
+      const int first = (odd_in_z ? 4 : 0) | m;  // the bits of parity_of_sector
+      mechanics::ClassStability of_class{{odd_in_z, m}, {}};
+      if (auto status = problem.solve(first, first ^ 3, n_eigenvectors, of_class.stability); !status) return status;
+      classes.push_back(std::move(of_class));
+    }
+  return {};
+}
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,32 @@
+#pragma once
+/// Stability of a figure of equilibrium of the finite-element ball, and the rates of small motions about it. In the
+/// frame that rotates with the spin Ω ê₃ of the figure, small motions u of the whole ball satisfy
+///
+///   M ü + 2Ω M ê₃×u̇ + K u − Gᵀμ = 0,   G u = 0
+///
+/// with the tangent K (tangent_problem.h), the mass M, the derivative G of the constraint and its multiplier μ. For a
+/// ball at rest, Ω = 0. The parities of modes/parity.h form four classes of two parities each, which the force of
+/// Coriolis couples: even or odd under the reflection of axis 3, and even or odd under the half turn about axis 3.
+///
+/// In each class the equations are projected on a basis (Galerkin). It consists of the lowest eigenvectors of K u − Gᵀμ
+/// = κ M u of both parities, the static responses to the forces of Coriolis of these eigenvectors, and the rotations of
+/// space and of the ball. The dense problem is solved by mechanics/equilibria/linear_stability.h, which removes
+/// rotations together with their momenta. Without rotation the rates are exact for the mesh. Otherwise the projection
+/// causes an error that falls with the number of eigenvectors. Uniform motions are left out.
+///
+/// The mesh is not symmetric under rotations of the ball. Their removal therefore has the error of the mesh.
+
+#include <vector>
+
+#include "continuum/statics/ball_figures.h"
+#include "mechanics/equilibria/figure_family.h"
+
+namespace pseudorigid::continuum {
+
+/// Sets `classes` to the stability in the four classes. `n_eigenvectors` is the number of eigenvectors of each parity.
+/// The azimuthal number m of a class is 0 if its motions are even under the half turn, and otherwise 1. Fails if an
+/// eigenvalue problem does not converge, or if the figure is unstable with a rate above about 1 in internal units.
+mechanics::Status stability_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
+                               int n_eigenvectors, std::vector<mechanics::ClassStability>& classes);
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,98 @@
+#include "continuum/statics/tangent_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "continuum/modes/cell_stiffness.h"
+
+namespace pseudorigid::continuum {
+namespace {
+
+/// The product ρg of the density and the gravity at the surface of the ball; 0 without self-gravity.
+double weight_of_density(const BallBody& body) {
+  return body.gravity() ? 4 * std::numbers::pi / 3 * body.gravity()->constant() : 0;
+}
+
+double penalty_of(const FigureState& state) {
+  if (!state.incompressible) return 0;
+  return 1e4 * std::max(RestElasticity(state.stored, true).moduli.shear, weight_of_density(state.body));
+}
+
+/// A third of the trace of the Kirchhoff stress of the law.
+double mean_stress(const StoredEnergy& stored, const materials::Tensor<double>& F) {
+  return std::visit([&](const auto& known) { return materials::dot(known.stress(F), F) / 3; }, stored.law);
+}
+
+}  // namespace
+
+TangentProblem::TangentProblem(const FigureState& state, double of_shift)
+    : LinearProblem(state.body.space(), state.incompressible, of_shift, penalty_of(state)), state_(state) {
+  if (incompressible) set_constraint(state.body.kernels(), state.x);
+  const CellStiffness cells(space);
+  const double pressure = state.kind == Drive::loads ? state.drive * state.forcing.pressure : 0;
+  const double weight = weight_of_density(state.body);
+  std::vector<double> lambda(space.nodes_per_cell(), 0);
+  set_stiffness([&](unsigned int cell) {
+    if (incompressible) state.body.kernels().multiplier_at_points(state.lambda, cell, lambda);
+    if (weight > 0)
+      of_gravity_.push_back(cells.cell_matrix(cell, state.x, [&](int q, const materials::Tensor<double>& F) {
+        Tangent tangent{};
+        return tangent.add(lambda[static_cast<std::size_t>(q)] - mean_stress(state.stored, F),
+                           tangent_of_constraint(F));
+      }));
+    return cells.cell_matrix(cell, state.x, [&](int q, const materials::Tensor<double>& F) {
+      const double balanced = weight > 0 ? mean_stress(state.stored, F) : lambda[static_cast<std::size_t>(q)];
+      Tangent tangent = tangent_at(state.stored, F, balanced);
+      return pressure == 0 ? tangent : tangent.add(pressure, tangent_of_pressure(F));
+    });
+  });
+  if (weight > 0)
+    springs_ = add_springs([&](const FacePoint& point) -> Eigen::Vector3d {
+      const FacePoint::Jet at = point.jet(state.x);
+      const Eigen::Vector3d area = at.by_p.cross(at.by_q);
+      return std::sqrt(weight / area.norm()) * area;
+    });
+}
+
+Vector TangentProblem::rate_beyond_cells(const Vector& u, const Parity& parity) const {
+  Vector force = space.make_vector();  // minus the result
+  if (state_.body.gravity()) state_.body.gravity()->add_rate(state_.x, u, parity.sign, force);
+  const Vector& mass = space.mass();
+  const Eigen::Matrix3d& T = state_.forcing.quadratic;
+  for (unsigned int i = 0; i < 3 * space.n_nodes(); i += 3) {
+    const Eigen::Vector3d of_node(u.local_element(i), u.local_element(i + 1), u.local_element(i + 2));
+    const Eigen::Vector3d h =
+        state_.kind == Drive::rotation ? Eigen::Vector3d(of_node[0], of_node[1], 0) : Eigen::Vector3d(-T * of_node);
+    for (unsigned int c = 0; c < 3; ++c) force.local_element(i + c) += state_.drive * mass.local_element(i) * h[c];
+  }
+  force *= -1;
+  for (unsigned int cell = 0; cell < of_gravity_.size(); ++cell)
+    add_of_cell(cell, of_gravity_[cell] * of_cell(cell, u), force);
+  for (const Spring& spring : springs_)
+    add_of_cell(spring.cell, -spring.row.dot(of_cell(spring.cell, u)) * spring.row, force);
+  return force;
+}
+
+Eigen::VectorXd TangentProblem::of_cell(unsigned int cell, const Vector& u) const {
+  Eigen::VectorXd local(3 * space.nodes_per_cell());
+  Eigen::Index i = 0;
+  for (const unsigned int node : space.cell_nodes(cell))
+    for (unsigned int c = 0; c < 3; ++c) local[i++] = u.local_element(3 * node + c);
+  return local;
+}
+
+void TangentProblem::add_of_cell(unsigned int cell, const Eigen::VectorXd& local, Vector& f) const {
+  Eigen::Index i = 0;
+  for (const unsigned int node : space.cell_nodes(cell))
+    for (unsigned int c = 0; c < 3; ++c) f.local_element(3 * node + c) += local[i++];
+}
+
+SectorOperator TangentProblem::beyond_cells(const ParitySector& sector) const {
+  return [this, &sector](const Eigen::VectorXd& u) -> Eigen::VectorXd {
+    return sector.entries_of(rate_beyond_cells(sector.field_of(u), sector.parity()));
+  };
+}
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,57 @@
+#pragma once
+/// Small displacements u about a symmetric figure of equilibrium (mechanics/equilibria/figures.h) of the finite-element
+/// ball, for the solver of parity_sector.h. With the positions x, the multiplier λ and the drive ν of the figure, the
+/// stiffness is
+///
+///   K = −D(f + ν h + Gᵀλ)(x).
+///
+/// The cells have the tangent of the stored energy, of the pressure and of the constraint (modes/cell_stiffness.h). The
+/// operator E has the other terms: the second variation of self-gravity (body/surface_gravity_forces.h), the rate of
+/// the centrifugal force, Ω²P u per mass with the projection P onto the plane normal to axis 3, and the rate −T u of a
+/// quadratic potential. With self-gravity, the multiplier balances the gravity at the surface as well. In the
+/// preconditioner it is then replaced by the mean stress of the law, and gravity by springs along the normals of the
+/// surface. E has the differences. Otherwise the preconditioner would not be positive definite under strong gravity.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "continuum/body/ball_body.h"
+#include "continuum/modes/parity_sector.h"
+
+namespace pseudorigid::continuum {
+
+/// The force h that the drive multiplies: the centrifugal force of a rotation about axis 3, or all loads.
+enum class Drive { rotation, loads };
+
+/// The forces and the state about which displacements are small.
+struct FigureState {
+  const BallBody& body;
+  const StoredEnergy& stored;
+  const loads::Forcing& forcing;  ///< the loads of the body
+  bool incompressible;
+  Drive kind;
+  const Vector& x;
+  const Vector& lambda;  ///< not used for a compressible body
+  double drive;
+};
+
+class TangentProblem final : public LinearProblem {
+ public:
+  /// `state` and its members must exist as long as the object. `shift` is s of parity_sector.h.
+  TangentProblem(const FigureState& state, double shift);
+  SectorOperator beyond_cells(const ParitySector& sector) const override;
+
+ private:
+  /// The rate of the forces without cells along u, with the sign of K.
+  Vector rate_beyond_cells(const Vector& u, const Parity& parity) const;
+
+  /// The entries of a cell in a nodal vector, and the addition of such entries.
+  Eigen::VectorXd of_cell(unsigned int cell, const Vector& u) const;
+  void add_of_cell(unsigned int cell, const Eigen::VectorXd& local, Vector& f) const;
+
+  FigureState state_;
+  std::vector<Spring> springs_;
+  std::vector<Eigen::MatrixXd> of_gravity_;  ///< K of each cell without its part in the preconditioner
+};
+
+}  // namespace pseudorigid::continuum

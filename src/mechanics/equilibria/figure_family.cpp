@@ -1,0 +1,122 @@
+#include "mechanics/equilibria/figure_family.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "mechanics/core/bracketed_root.h"
+
+namespace pseudorigid::mechanics {
+
+FigureFinder::FigureFinder(const FigureEquations& equations, StabilityOfFigure analyse, FamilyOfFigures family,
+                           double resolution)
+    : equations_(equations), analyse_(std::move(analyse)), family_(std::move(family)), resolution_(resolution) {}
+
+/// Finds the figure with this parameter if no other figure is known yet. Fails if the function `nearby` of the family
+/// fails, or if no figure is found.
+Status FigureFinder::first(double parameter, EquilibriumFigure& figure) const {
+  const FigureCondition condition = family_.condition(parameter);
+  if (family_.nearby) {
+    NearbyFigure nearby;
+    if (auto status = family_.nearby(parameter, nearby); !status) return status;
+    figure = equations_.affine(nearby.a, nearby.drive);
+    return equations_.solve(condition, figure);
+  }
+  figure = equations_.affine(Eigen::Vector3d::Ones(), 0);
+  if (auto status = equations_.solve({condition.parameter, 0}, figure); !status) return status;
+  return equations_.follow(0, condition, figure);
+}
+
+Status FigureFinder::find(double parameter, EquilibriumFigure& figure) {
+  const FigureCondition condition = family_.condition(parameter);
+  if (!std::isfinite(condition.value)) return Status::failure("there is no figure with this parameter");
+  Status status;
+  if (known_.empty()) {
+    status = first(parameter, figure);
+  } else {
+    const auto nearest = std::ranges::min_element(
+        known_, {}, [&](const auto& known) { return std::abs(known.first - condition.value); });
+    figure = nearest->second;
+    status = equations_.follow(nearest->first, condition, figure);
+  }
+  if (!status) return status;
+  constexpr double round_off = 1e-12;
+  if (figure.drive < -round_off)
+    return Status::failure("this figure does not turn steadily about its axis: Omega^2 = " + six_digits(figure.drive));
+  figure.drive = std::max(figure.drive, 0.0);
+  known_[condition.value] = figure;
+  return {};
+}
+
+Status FigureFinder::member(double parameter, FigureMember& member) {
+  if (const auto found = members_.find(parameter); found != members_.end()) {
+    member = found->second;
+    return {};
+  }
+  member = {parameter, {}, {}};
+  if (gives_up()) return Status::failure("interrupted");
+  if (auto status = find(parameter, member.figure); !status) return status;
+  if (auto status = analyse_(member.figure, member.classes); !status) return status;
+  members_[parameter] = member;
+  return {};
+}
+
+/// Appends the special points between the members with the parameters a and b.
+void FigureFinder::locate_special(double a, double b, std::vector<SpecialFigure>& special) {
+  struct Found {
+    SpecialPoint point;
+    MotionClass motions;
+  };
+  std::vector<Found> found;
+  const std::vector<ClassStability> classes = members_.at(a).classes;
+  for (std::size_t k = 0; k < classes.size(); ++k) {
+    std::vector<SpecialPoint> of_class;
+    locate_changes_of_stability(
+        [&](double p) -> std::optional<LinearStability> {
+          FigureMember at;
+          if (!member(p, at)) return std::nullopt;
+          return at.classes[k].stability;
+        },
+        a, b, of_class, resolution_);
+    for (const auto& point : of_class) found.push_back({point, classes[k].motions});
+  }
+  if (family_.condition(a).parameter != FigureParameter::drive) {
+    const auto slope = [&](double p) {
+      EquilibriumFigure at;
+      return find(p, at) ? equations_.slope(family_.condition(p), at) : std::numeric_limits<double>::quiet_NaN();
+    };
+    if (const auto p = bracketed_root(slope, a, b, resolution_); p && std::abs(slope(*p)) < 1e-6)
+      found.push_back({{SpecialKind::fold, *p}, {false, 0}});
+  }
+  std::ranges::stable_sort(found, {}, [](const Found& f) { return f.point.s; });
+  for (const Found& f : found) {
+    FigureMember at;
+    if (member(f.point.s, at)) special.push_back({f.point.kind, f.motions, std::move(at)});
+  }
+}
+
+FigureFamily FigureFinder::family(const std::vector<double>& parameters, std::function<bool()> give_up) {
+  give_up_ = std::move(give_up);
+  FigureFamily result;
+  bool previous = false;
+  for (const double p : parameters) {
+    FigureMember at;
+    const Status status = member(p, at);
+    if (!status && gives_up()) break;
+    if (status) {
+      if (previous) locate_special(result.members.back().parameter, p, result.special);
+      result.members.push_back(at);
+      // The figures that were computed between members are not needed again.
+      known_ = {{family_.condition(p).value, at.figure}};
+      members_ = {{p, std::move(at)}};
+    } else {
+      result.missing.push_back({p, status.reason()});
+    }
+    previous = status.ok();
+  }
+  return result;
+}
+
+}  // namespace pseudorigid::mechanics
