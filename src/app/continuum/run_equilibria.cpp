@@ -144,7 +144,7 @@ ModelOutcome run_continuum_equilibria(const RunContext& context) {
   FamilyOnMesh mesh(context, discretization);
   const FigureFamily family = mesh.family();
   Companion companion(context, scene::companion(discretization));
-  run.add(discretization.degree, family, name_of,
+  run.add("elements of " + scene::describe(discretization), family, name_of,
           [&](int index, const FigureMember& member, const SpecialFigure* special, std::vector<double>& row) {
             FigureNumbers numbers{};
             if (auto status = mesh.numbers(member, numbers); !status) return status;

@@ -88,12 +88,12 @@ std::optional<Refusal> refuses_equilibria(const Scene& scene) {
   if (scene::finds_static_equilibria(scene))
     for (int i = 0; i < 3; ++i)
       if (const auto broken = scene::breaks_plane(scene, i))
-        return Refusal{"Equilibrium/Family",
-                       fmt::format("static is offered for finite elements under loads that are symmetric under every "
-                                   "reflection; the plane with normal {} is no symmetry plane, as {}",
-                                   scene::axis_names[i], *broken),
-                       {},
-                       scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })};
+        return Refusal{
+            "Equilibrium/Family",
+            fmt::format("static, under loads for which the plane with normal {} is no symmetry plane, as {}, is",
+                        scene::axis_names[i], *broken),
+            {},
+            scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })};
   return {};
 }
 

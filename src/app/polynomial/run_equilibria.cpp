@@ -1,5 +1,7 @@
 #include "app/polynomial/run_equilibria.h"
 
+#include <fmt/format.h>
+
 #include "app/polynomial/body_setup.h"
 #include "app/polynomial/equilibrium_rows.h"
 #include "app/run/figure_families.h"
@@ -19,7 +21,8 @@ void add_degree(int degree, const RunContext& context, FigureRun& run) {
       finder.family(parameters_of(scene.equilibria), [&] { return context.interrupted(); });
   const EquilibriumRows rows(setup, scene.body.incompressible, finder.spectrum());
   run.add(
-      degree, found, [&](const mechanics::MotionClass& motions) { return name_of(motions, family.figure); },
+      fmt::format("degree {}", degree), found,
+      [&](const mechanics::MotionClass& motions) { return name_of(motions, family.figure); },
       [&](int index, const mechanics::FigureMember& member, const mechanics::SpecialFigure* special,
           std::vector<double>& row) { return rows.row(index, member, special, row); });
 }

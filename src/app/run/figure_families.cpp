@@ -196,16 +196,16 @@ void FigureRun::end(mechanics::Outcome how, std::string message) {
   outcome_.message = std::move(message);
 }
 
-void FigureRun::add(int degree, const mechanics::FigureFamily& family, const NameOfClass& name_of,
+void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily& family, const NameOfClass& name_of,
                     const RowOf& row_of) {
   for (const auto& missing : family.missing)
-    context_.log->warn("no equilibrium of degree {} at {} = {:.9g}: {}", degree, parameter_, missing.parameter,
+    context_.log->warn("{}: no equilibrium at {} = {:.9g}: {}", of_degree, parameter_, missing.parameter,
                        missing.reason);
   write(family, row_of);
   const auto n_stable =
       std::ranges::count_if(family.members, [](const FigureMember& member) { return !fastest_growing(member); });
   add_result(outcome_, context_,
-             fmt::format("degree {}: {} equilibria, {} of them stable", degree, family.members.size(), n_stable));
+             fmt::format("{}: {} equilibria, {} of them stable", of_degree, family.members.size(), n_stable));
   for (const auto& special : family.special)
     add_result(outcome_, context_,
                fmt::format("  {} at {} = {:.10g} ({})", mechanics::name_of(special.kind), parameter_,
@@ -215,8 +215,8 @@ void FigureRun::add(int degree, const mechanics::FigureFamily& family, const Nam
   const auto n_values = static_cast<int>(family.members.size() + family.missing.size());
   if (n_values < context_.scene.equilibria.number && goes_on() && context_.interrupted())
     end(mechanics::Outcome::interrupted,
-        fmt::format("equilibria interrupted after {} of {} values of {} of degree {}; those before are in {}.csv",
-                    n_values, context_.scene.equilibria.number, parameter_, degree, file_));
+        fmt::format("equilibria interrupted after {} of {} values of {} of {}; those before are in {}.csv", n_values,
+                    context_.scene.equilibria.number, parameter_, of_degree, file_));
 }
 
 void FigureRun::write(const mechanics::FigureFamily& family, const RowOf& row_of) {

@@ -66,9 +66,10 @@ class FigureRun {
   FigureRun(const RunContext& context, std::string_view file, const std::vector<scene::Column>& columns);
 
   /// Writes the members and the special points of the family of one degree by rising parameter, and adds its lines to
-  /// the results. Parameters without a figure give warnings. Sets the outcome to `interrupted` if the family is not
-  /// complete, and to `failed` if a row cannot be computed.
-  void add(int degree, const mechanics::FigureFamily& family, const NameOfClass& name_of, const RowOf& row_of);
+  /// the results, which begin with `of_degree`. Parameters without a figure give warnings. Sets the outcome to
+  /// `interrupted` if the family is not complete, and to `failed` if a row cannot be computed.
+  void add(const std::string& of_degree, const mechanics::FigureFamily& family, const NameOfClass& name_of,
+           const RowOf& row_of);
   bool goes_on() const { return outcome_.end == mechanics::Outcome::finished; }
   /// Sets the outcome and its message.
   void end(mechanics::Outcome how, std::string message);

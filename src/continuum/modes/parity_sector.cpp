@@ -139,6 +139,9 @@ void ParitySector::number_unknowns() {
   for (std::size_t i = 0; i < n_unknowns_; ++i)
     mass_[static_cast<Eigen::Index>(i)] = space.mass().local_element(entry_of_unknown_[i]);
   root_mass_ = mass_.cwiseSqrt();
+  diagonal_ = mass_;
+  for (std::size_t i = 0; i < n_unknowns_; ++i)
+    diagonal_[static_cast<Eigen::Index>(i)] *= problem_.shift + problem_.of_mass[entry_of_unknown_[i] % 3];
 }
 
 /// Computes the Cholesky factor L of B_own, the part of B = K + s M + γ GᵀG for the cell's own entries. Sets
@@ -148,7 +151,7 @@ void ParitySector::condense(Cell& cell, unsigned int number, Eigen::MatrixXd& sc
   const Eigen::MatrixXd& B = problem_.stiffness[number];
   const auto n_own = static_cast<Eigen::Index>(cell.own.size());
   Eigen::MatrixXd own = B(cell.own, cell.own);
-  for (Eigen::Index i = 0; i < n_own; ++i) own(i, i) += problem_.shift * mass_[cell.unknown[i]];
+  for (Eigen::Index i = 0; i < n_own; ++i) own(i, i) += diagonal_[cell.unknown[i]];
   cell.own_factor.compute(own);
   cell.coupling = B(cell.own, cell.shared);
   cell.own_factor.matrixL().solveInPlace(cell.coupling);
@@ -181,19 +184,19 @@ mechanics::Status ParitySector::factorize() {
       }
   }
   if (n <= n_dense) {
-    dense.diagonal() += problem_.shift * mass_.tail(n);
+    dense.diagonal() += diagonal_.tail(n);
     interface_->dense.compute(dense);
     regular = regular && interface_->dense.info() == Eigen::Success;
   } else {
     for (Eigen::Index i = 0; i < n; ++i)
-      entries.emplace_back(static_cast<int>(i), static_cast<int>(i), problem_.shift * mass_[first + i]);
+      entries.emplace_back(static_cast<int>(i), static_cast<int>(i), diagonal_[first + i]);
     Eigen::SparseMatrix<double> sparse(n, n);
     sparse.setFromTriplets(entries.begin(), entries.end());
     interface_->sparse.compute(sparse);
     regular = regular && interface_->sparse.info() == Eigen::Success;
   }
   if (regular) return {};
-  return mechanics::Status::failure("the ball at rest is not stable under this law: its stiffness is not positive");
+  return mechanics::Status::failure("the ball is not stable in this state: its stiffness is not positive");
 }
 
 Eigen::VectorXd ParitySector::gather(const Cell& cell, const Eigen::VectorXd& u) const { return u(cell.unknown); }
@@ -286,7 +289,7 @@ mechanics::Status ParitySector::solve_definite(const Eigen::VectorXd& f, int n_c
 }
 
 Eigen::VectorXd ParitySector::product(const Eigen::VectorXd& u) const {
-  Eigen::VectorXd f = problem_.shift * mass_.cwiseProduct(u);
+  Eigen::VectorXd f = diagonal_.cwiseProduct(u);
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const Cell& cell = cells_[c];
     std::vector<int> free = cell.own;

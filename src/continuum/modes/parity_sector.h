@@ -59,7 +59,9 @@ struct LinearProblem {
 
   const BallSpace& space;
   bool incompressible;
-  double shift;                               ///< s; may be 0 for a stable ball in a sector without rigid motions
+  double shift;  ///< s; may be 0 for a stable ball in a sector without rigid motions
+  /// Stiffness per mass of each component, in addition to the stiffness of the cells. B contains it.
+  Eigen::Vector3d of_mass = Eigen::Vector3d::Zero();
   double penalty;                             ///< penalty γ of the augmented Lagrangian; 0 for a compressible body
   std::vector<Eigen::MatrixXd> stiffness{};   ///< K + γGᵀG of each cell
   std::vector<Eigen::MatrixXd> constraint{};  ///< G of each cell; empty for a compressible body
@@ -146,6 +148,7 @@ class ParitySector {
   std::vector<Cell> cells_;
   std::vector<unsigned int> entry_of_unknown_;  ///< 3·node + component of each unknown
   Eigen::VectorXd mass_, root_mass_;
+  Eigen::VectorXd diagonal_;     ///< (s + LinearProblem::of_mass) M of each unknown
   SectorOperator beyond_cells_;  ///< E; empty without such forces
   std::unique_ptr<Interface> interface_;
 };

@@ -59,6 +59,7 @@ class BallFigures final : public mechanics::FigureEquations {
   const BallBody& body() const { return *body_; }
   const FigureCounts& counts() const { return counts_; }
   Drive drive() const { return kind_; }
+  const loads::Forcing& forcing() const { return forcing_; }  ///< the sum of the loads
   bool is_spheroid() const { return !exchanged_.empty(); }
   /// The larger of the shear modulus and ρgr, with the gravity g at the surface.
   double typical_stiffness() const;

@@ -127,6 +127,13 @@ class SectorBasis {
   std::vector<Eigen::VectorXd> basis_;
 };
 
+/// The largest negative stiffness of a uniform motion per mass, due to the rotation or to a quadratic potential. The
+/// shift must exceed it, although uniform motions are left out.
+double softening(const BallFigures& figures, double drive) {
+  if (figures.drive() == Drive::rotation) return std::max(drive, 0.0);
+  return std::max(0.0, -drive * figures.forcing().quadratic.diagonal().minCoeff());
+}
+
 /// The number of the parity that contains the rotations about an axis.
 int parity_of_rotation(int axis) { return 7 ^ (1 << axis); }
 
@@ -164,7 +171,7 @@ class StabilityProblem {
         spin_(figures.drive() == Drive::rotation ? std::sqrt(std::max(figure.drive, 0.0)) : 0),
         x_(figures.positions(figure)),
         lambda_(figures.multiplier(figure)),
-        shift_(figures.typical_stiffness() + spin_ * spin_),
+        shift_(figures.typical_stiffness() + softening(figures, figure.drive)),
         problem_(figures.state(x_, lambda_, figure.drive), shift_) {
     for (int axis = 0; axis < 3; ++axis) {
       rotations_.of_space[axis] = turned(space_, axis, x_);

@@ -28,7 +28,10 @@ double mean_stress(const StoredEnergy& stored, const materials::Tensor<double>& 
 }  // namespace
 
 TangentProblem::TangentProblem(const FigureState& state, double of_shift)
-    : LinearProblem(state.body.space(), state.incompressible, of_shift, penalty_of(state)), state_(state) {
+    : LinearProblem(state.body.space(), state.incompressible, of_shift, penalty_of(state)),
+      state_(state),
+      definite_(of_shift > 0) {
+  if (definite_) of_mass = rate_of_drive();
   if (incompressible) set_constraint(state.body.kernels(), state.x);
   const CellStiffness cells(space);
   const double pressure = state.kind == Drive::loads ? state.drive * state.forcing.pressure : 0;
@@ -56,17 +59,17 @@ TangentProblem::TangentProblem(const FigureState& state, double of_shift)
     });
 }
 
+Eigen::Vector3d TangentProblem::rate_of_drive() const {
+  if (state_.kind == Drive::loads) return state_.drive * state_.forcing.quadratic.diagonal();
+  return -state_.drive * Eigen::Vector3d(1, 1, 0);
+}
+
 Vector TangentProblem::rate_beyond_cells(const Vector& u, const Parity& parity) const {
   Vector force = space.make_vector();  // minus the result
   if (state_.body.gravity()) state_.body.gravity()->add_rate(state_.x, u, parity.sign, force);
-  const Vector& mass = space.mass();
-  const Eigen::Matrix3d& T = state_.forcing.quadratic;
-  for (unsigned int i = 0; i < 3 * space.n_nodes(); i += 3) {
-    const Eigen::Vector3d of_node(u.local_element(i), u.local_element(i + 1), u.local_element(i + 2));
-    const Eigen::Vector3d h =
-        state_.kind == Drive::rotation ? Eigen::Vector3d(of_node[0], of_node[1], 0) : Eigen::Vector3d(-T * of_node);
-    for (unsigned int c = 0; c < 3; ++c) force.local_element(i + c) += state_.drive * mass.local_element(i) * h[c];
-  }
+  if (!definite_)
+    for (unsigned int i = 0; i < 3 * space.n_nodes(); ++i)
+      force.local_element(i) -= rate_of_drive()[i % 3] * space.mass().local_element(i) * u.local_element(i);
   force *= -1;
   for (unsigned int cell = 0; cell < of_gravity_.size(); ++cell)
     add_of_cell(cell, of_gravity_[cell] * of_cell(cell, u), force);
@@ -90,6 +93,7 @@ void TangentProblem::add_of_cell(unsigned int cell, const Eigen::VectorXd& local
 }
 
 SectorOperator TangentProblem::beyond_cells(const ParitySector& sector) const {
+  if (!state_.body.gravity() && (definite_ || rate_of_drive().isZero(0))) return {};
   return [this, &sector](const Eigen::VectorXd& u) -> Eigen::VectorXd {
     return sector.entries_of(rate_beyond_cells(sector.field_of(u), sector.parity()));
   };

@@ -37,7 +37,8 @@ struct FigureState {
 
 class TangentProblem final : public LinearProblem {
  public:
-  /// `state` and its members must exist as long as the object. `shift` is s of parity_sector.h.
+  /// `state` and its members must exist as long as the object. `shift` is s of parity_sector.h. If it is positive, K +
+  /// s M must be positive definite. The rate of the drive is then a part of the preconditioner, and not of E.
   TangentProblem(const FigureState& state, double shift);
   SectorOperator beyond_cells(const ParitySector& sector) const override;
 
@@ -49,7 +50,12 @@ class TangentProblem final : public LinearProblem {
   Eigen::VectorXd of_cell(unsigned int cell, const Vector& u) const;
   void add_of_cell(unsigned int cell, const Eigen::VectorXd& local, Vector& f) const;
 
+  /// The rates of the centrifugal force or of the quadratic potential per mass and displacement, with the sign of K.
+  /// The planes of the octant are planes of symmetry, so the matrix of the potential is diagonal.
+  Eigen::Vector3d rate_of_drive() const;
+
   FigureState state_;
+  bool definite_;
   std::vector<Spring> springs_;
   std::vector<Eigen::MatrixXd> of_gravity_;  ///< K of each cell without its part in the preconditioner
 };
