@@ -116,8 +116,11 @@ void describe_output(const Scene& scene, Needs& needs) {
              "graphics: Output/Graphics is none; no folder is made");
     return;
   }
-  needs.skipped.push_back(
-      "tangent stiffness and preconditioners for it: every method is explicit in the elastic force");
+  if (scene.analysis == Analysis::equilibrium && needs.discretized)
+    needs.needed.push_back("tangent stiffness of finite elements: Newton's iteration with a factorisation, GMRES");
+  else
+    needs.skipped.push_back(
+        "tangent stiffness and preconditioners for it: every method is explicit in the elastic force");
   std::vector<std::string_view> evaluated, unwanted;
   for (std::size_t i = 0; i < quantities_kind.table.size(); ++i) {
     const auto& [name, member] = quantities_kind.table[i];
@@ -219,7 +222,7 @@ Needs needs(const Scene& scene) {
   describe_models(scene, needs);
   sort_out(needs, scene.analysis == Analysis::equilibrium,
            finds_static_equilibria(scene)
-               ? "equilibria at rest: critical points of the potential (equilibria.csv)"
+               ? "equilibria at rest (equilibria.csv; of finite elements equilibria-continuum.csv)"
                : fmt::format("relative equilibria: {} of the family {}", scene.equilibria.number,
                              family_kind.print(scene.equilibria.family)),
            fmt::format("relative equilibria: Analysis is {}", analysis_kind.print(scene.analysis)));

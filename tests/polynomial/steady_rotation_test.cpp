@@ -28,14 +28,14 @@ BodySetup setup_of(std::string_view law, double pi_G_rho, int degree, bool incom
 }
 
 const FamilyOfFigures by_eccentricity{Figure::spheroid, [](double e) -> FigureCondition {
-                                          return {FigureParameter::log_ratio_31, 0.5 * std::log1p(-e * e)};
-                                        }};
-const FamilyOfFigures by_polar_axis{Figure::spheroid, [](double p) -> FigureCondition {
-                                        return {FigureParameter::log_ratio_31, 1.5 * std::log(p)};
+                                        return {FigureParameter::log_ratio_31, 0.5 * std::log1p(-e * e)};
                                       }};
+const FamilyOfFigures by_polar_axis{Figure::spheroid, [](double p) -> FigureCondition {
+                                      return {FigureParameter::log_ratio_31, 1.5 * std::log(p)};
+                                    }};
 const FamilyOfFigures by_spin{Figure::spheroid, [](double spin) -> FigureCondition {
-                                  return {FigureParameter::drive, spin * spin};
-                                }};
+                                return {FigureParameter::drive, spin * spin};
+                              }};
 
 std::vector<double> values(double first, double last, int n) {
   std::vector<double> v;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <map>
 
 #include "app/continuum/stored_energy.h"
 #include "app/run/continuum_figure_columns.h"
@@ -19,9 +18,17 @@ namespace {
 
 using mechanics::FigureFamily, mechanics::FigureMember, mechanics::SpecialFigure;
 
-/// Number of eigenvectors of each parity in the basis of the small motions. With it, the rates in the table change by
-/// less than 1e-5 if the number is doubled.
-constexpr int n_eigenvectors = 10;
+/// Numbers of eigenvectors of each parity in the basis of the small motions. The difference of the rates with both
+/// numbers is a bound of the error of the basis.
+constexpr int n_eigenvectors = 10, n_fewer_eigenvectors = 6;
+
+/// The largest difference of the rates in the rows of two figures.
+double difference_of_rates(const FigureMember& a, const FigureMember& b) {
+  const auto rates = slowest_rates(a), others = slowest_rates(b);
+  double largest = 0;
+  for (std::size_t i = 0; i < rates.size(); ++i) largest = std::max(largest, std::abs(rates[i] - others[i]));
+  return largest;
+}
 
 /// The family of the scene on one discretisation.
 class FamilyOnMesh {
@@ -29,8 +36,9 @@ class FamilyOnMesh {
   FamilyOnMesh(const RunContext& context, const scene::Discretization& discretization)
       : context_(context), family_(family_of_figures(context.scene)), figures_(setup(context.scene, discretization)) {}
 
-  FigureFamily family() {
-    if (scene::finds_static_equilibria(context_.scene)) return at_rest();
+  /// The figures of the scene. `factor` is the factor of the loads of a ball at rest.
+  FigureFamily family(double factor) const {
+    if (scene::finds_static_equilibria(context_.scene)) return at_rest(factor);
     return finder().family(parameters_of(context_.scene.equilibria), [&] { return context_.interrupted(); });
   }
   mechanics::Status numbers(const FigureMember& member, FigureNumbers& numbers) const {
@@ -40,6 +48,13 @@ class FamilyOnMesh {
     numbers.spin = figures_.drive() == continuum::Drive::rotation ? std::sqrt(std::max(member.figure.drive, 0.0)) : 0;
     numbers.axes = numbers.observables.Q.diagonal();
     return {};
+  }
+  /// Sets `error` to the error of the rates of a figure that is due to the basis of the small motions.
+  mechanics::Status error_of_basis(const FigureMember& member, double& error) const {
+    FigureMember with_fewer = member;
+    auto status = continuum::stability_of(figures_, member.figure, n_fewer_eigenvectors, with_fewer.classes);
+    error = difference_of_rates(member, with_fewer);
+    return status;
   }
   const continuum::BallFigures& figures() const { return figures_; }
 
@@ -57,26 +72,27 @@ class FamilyOnMesh {
     const auto analyse = [&](const auto& figure, auto& classes) {
       return continuum::stability_of(figures_, figure, n_eigenvectors, classes);
     };
-    // A special point has the error of the mesh, so it need not be located to round-off.
-    constexpr double resolution = 1e-9;
+    // A special point has the error of the mesh, so it need not be located to round-off. Closer to a fold, GMRES would
+    // not converge, because the tangent is singular at the fold.
+    constexpr double resolution = 1e-7;
     return {figures_, analyse, family_, resolution};
   }
-  /// The figure at rest with the loads of the scene, or with the largest part of them for which a figure is found. In
-  /// the second case `missing` has the reason.
-  FigureFamily at_rest() const {
+  /// The figure at rest with this factor of the loads, or with the largest factor for which a figure is found. In the
+  /// second case `missing` has the reason.
+  FigureFamily at_rest(double factor) const {
     FigureFamily found;
     FigureMember member;
     member.figure = figures_.affine(Eigen::Vector3d::Ones(), 0);
     mechanics::Status status = figures_.solve({mechanics::FigureParameter::drive, 0}, member.figure);
-    if (status) status = figures_.follow(0, {mechanics::FigureParameter::drive, 1}, member.figure);
-    if (!status) found.missing.push_back({1, status.reason()});
-    member.parameter = member.figure.drive;
-    if (!status && member.parameter == 0) return found;
+    if (status) status = figures_.follow(0, {mechanics::FigureParameter::drive, factor}, member.figure);
+    if (!status) found.missing.push_back({factor, status.reason()});
+    member.parameter = status ? factor : member.figure.drive;
+    if (member.parameter == 0) return found;
     status = continuum::stability_of(figures_, member.figure, n_eigenvectors, member.classes);
     if (status)
       found.members.push_back(std::move(member));
-    else if (found.missing.empty())
-      found.missing.push_back({1, status.reason()});
+    else
+      found.missing.push_back({member.parameter, status.reason()});
     return found;
   }
 
@@ -88,24 +104,21 @@ class FamilyOnMesh {
 /// The members and special points of the companion mesh, for the errors of the rows.
 class Companion {
  public:
-  Companion(const RunContext& context, const scene::Discretization& discretization)
-      : mesh_(context, discretization), family_(mesh_.family()) {}
+  /// `factor` is the factor of the loads of a ball at rest.
+  Companion(const RunContext& context, const scene::Discretization& discretization, double factor)
+      : mesh_(context, discretization), family_(mesh_.family(factor)) {}
 
-  /// Appends the errors of a row with these numbers. If the companion has no such figure, each error is as large as the
-  /// value.
+  /// Appends the errors of a row with these numbers. `of_basis` is the error of the basis of the small motions. If the
+  /// companion has no such figure, each error is as large as the value.
   mechanics::Status append_errors(const FigureMember& member, const SpecialFigure* special,
-                                  const FigureNumbers& numbers, std::vector<double>& row) {
+                                  const FigureNumbers& numbers, double of_basis, std::vector<double>& row) {
     const FigureMember* other = special ? match(*special) : match(member);
     FigureNumbers of_other{0, 0, Eigen::Vector3d::Zero(), {}, {}};
     if (other)
       if (auto status = mesh_.numbers(*other, of_other); !status) return status;
-    double of_rates = 0;
-    const auto rates = slowest_rates(member), other_rates = slowest_rates(other ? *other : FigureMember());
-    for (std::size_t i = 0; i < rates.size(); ++i)
-      of_rates = std::max(of_rates, std::abs(rates[i].s - other_rates[i].s));
-    row.insert(row.end(),
-               {std::abs(member.parameter - (other ? other->parameter : 0)), std::abs(numbers.spin - of_other.spin),
-                (numbers.axes - of_other.axes).cwiseAbs().maxCoeff(), of_rates});
+    row.insert(row.end(), {special ? std::abs(member.parameter - (other ? other->parameter : 0)) : 0,
+                           std::abs(numbers.spin - of_other.spin), (numbers.axes - of_other.axes).cwiseAbs().maxCoeff(),
+                           difference_of_rates(member, other ? *other : FigureMember()) + of_basis});
     return {};
   }
 
@@ -142,14 +155,18 @@ ModelOutcome run_continuum_equilibria(const RunContext& context) {
   const scene::Discretization discretization = *scene::fixed_discretization(scene);
   FigureRun run(context, "equilibria-continuum", continuum_figure_columns());
   FamilyOnMesh mesh(context, discretization);
-  const FigureFamily family = mesh.family();
-  Companion companion(context, scene::companion(discretization));
+  const FigureFamily family = mesh.family(1);
+  const double factor = family.members.empty() ? 1 : family.members.front().parameter;
+  Companion companion(context, scene::companion(discretization), factor);
+  if (context.interrupted()) run.end(mechanics::Outcome::interrupted, "interrupted while computing equilibria");
   run.add("elements of " + scene::describe(discretization), family, name_of,
           [&](int index, const FigureMember& member, const SpecialFigure* special, std::vector<double>& row) {
             FigureNumbers numbers{};
+            double of_basis = 0;
             if (auto status = mesh.numbers(member, numbers); !status) return status;
+            if (auto status = mesh.error_of_basis(member, of_basis); !status) return status;
             row = figure_row(index, member, special, numbers);
-            return companion.append_errors(member, special, numbers, row);
+            return companion.append_errors(member, special, numbers, of_basis, row);
           });
   const continuum::FigureCounts& counts = mesh.figures().counts();
   auto& counters = run.outcome().statistics.counters;

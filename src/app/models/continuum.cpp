@@ -16,6 +16,7 @@
 namespace pseudorigid::app {
 namespace {
 
+using scene::Family;
 using scene::Refusal;
 using scene::Scene;
 
@@ -70,7 +71,8 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
 /// reflection of every axis, because an octant is computed. Its planes exclude rigid motions.
 std::optional<Refusal> refuses_equilibria(const Scene& scene) {
   if (scene.analysis != scene::Analysis::equilibrium) return {};
-  if (auto refusal = refuses_family(scene, "finite elements", true,
+  if (auto refusal = refuses_family(scene, "finite elements",
+                                    {Family::maclaurin, Family::spheroids, Family::spinning, Family::at_rest},
                                     scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })))
     return refusal;
   if (scene::has_mesh_file(scene))
@@ -85,15 +87,21 @@ std::optional<Refusal> refuses_equilibria(const Scene& scene) {
                    "small motions about equilibria of finite elements are those without dissipation; the equilibria do "
                    "not depend on it",
                    {{{forcing.viscosity > 0 ? "Material/Viscosity" : "Material/Drag", "0"}}}};
-  if (scene::finds_static_equilibria(scene))
-    for (int i = 0; i < 3; ++i)
-      if (const auto broken = scene::breaks_plane(scene, i))
-        return Refusal{
-            "Equilibrium/Family",
-            fmt::format("static, under loads for which the plane with normal {} is no symmetry plane, as {}, is",
-                        scene::axis_names[i], *broken),
-            {},
-            scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })};
+  if (scene.continuum.symmetry != scene::Symmetry::automatic && scene.continuum.symmetry != scene::Symmetry::octant)
+    return Refusal{"Continuum/Symmetry",
+                   "equilibria of finite elements are computed on one octant",
+                   {{{"Continuum/Symmetry", "auto"}}}};
+  if (!scene::finds_static_equilibria(scene)) return {};
+  Scene with_loads = scene;  // equilibria do not depend on the initial state
+  with_loads.initial_state = {};
+  for (int i = 0; i < 3; ++i)
+    if (const auto broken = scene::breaks_plane(with_loads, i))
+      return Refusal{
+          "Equilibrium/Family",
+          fmt::format("static, under loads for which the plane with normal {} is no symmetry plane, as {}, is",
+                      scene::axis_names[i], *broken),
+          {},
+          scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })};
   return {};
 }
 

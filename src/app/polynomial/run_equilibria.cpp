@@ -10,6 +10,8 @@
 namespace pseudorigid::app {
 namespace {
 
+using scene::Family;
+
 /// Computes the family of one degree, and writes its rows and results. After an interrupt, writes the figures found so
 /// far.
 void add_degree(int degree, const RunContext& context, FigureRun& run) {
@@ -31,7 +33,8 @@ void add_degree(int degree, const RunContext& context, FigureRun& run) {
 
 std::optional<scene::Refusal> refuses_polynomial_equilibria(const scene::Scene& scene) {
   if (scene.analysis != scene::Analysis::equilibrium) return {};
-  if (auto refusal = refuses_family(scene, "polynomial bodies", false,
+  if (auto refusal = refuses_family(scene, "polynomial bodies",
+                                    {Family::maclaurin, Family::spheroids, Family::spinning, Family::jacobi},
                                     scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })))
     return refusal;
   if (scene.polynomial.degrees.empty())

@@ -11,12 +11,13 @@ namespace pseudorigid::app {
 inline std::vector<scene::Column> continuum_figure_columns() {
   std::vector<scene::Column> columns = figure_columns(
       "degree of the elements", "0 if even under the half turn about axis 3, otherwise 1; -1 if none grows");
-  columns.insert(
-      columns.end(),
-      {{"parameter_error", "", "difference of the parameter from that on the companion mesh; 0 for members"},
-       {"omega3_error", "1/time", "difference of omega3 from that on the companion mesh"},
-       {"axes_error", "length", "largest difference of a semi-axis from that on the companion mesh"},
-       {"rates_error", "1/time", "largest difference of the rates in the row from those on the companion mesh"}});
+  columns.insert(columns.end(),
+                 {{"parameter_error", "", "difference of the parameter from that on the companion mesh; 0 for members"},
+                  {"omega3_error", "1/time", "difference of omega3 from that on the companion mesh"},
+                  {"axes_error", "length", "largest difference of a semi-axis from that on the companion mesh"},
+                  {"rates_error", "1/time",
+                   "largest difference of the rates in the row from those on the companion mesh, plus that from a "
+                   "smaller basis"}});
   return columns;
 }
 

@@ -38,16 +38,15 @@ int negative_directions(const FigureMember& member) {
 
 }  // namespace
 
-std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model, bool at_rest,
-                                             std::vector<std::string_view> others) {
+std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model,
+                                             const std::vector<Family>& offered, std::vector<std::string_view> others) {
   const Family family = scene.equilibria.family;
-  if (family == Family::maclaurin || family == Family::spheroids || family == Family::spinning ||
-      family == Family::jacobi || (at_rest && family == Family::at_rest))
-    return {};
+  if (std::ranges::find(offered, family) != offered.end()) return {};
+  std::string names;
+  for (const Family one : offered)
+    names += (names.empty() ? "" : one == offered.back() ? " and " : ", ") + scene::family_kind.print(one);
   return scene::Refusal{"Equilibrium/Family",
-                        fmt::format("{} take maclaurin, spheroids, spinning{} jacobi; {}, whose figures have "
-                                    "circulation within, is",
-                                    model, at_rest ? ", static and" : " and", scene::family_kind.print(family)),
+                        fmt::format("{} take {}; {} is", model, names, scene::family_kind.print(family)),
                         {},
                         std::move(others)};
 }
@@ -98,14 +97,23 @@ const ClassStability* fastest_growing(const FigureMember& member) {
   return fastest;
 }
 
-std::vector<mechanics::Rate> slowest_rates(const FigureMember& member) {
-  std::vector<mechanics::Rate> rates;
+std::vector<std::complex<double>> slowest_rates(const FigureMember& member) {
+  double largest = 0;
+  std::vector<std::complex<double>> upper;  // Im s > 0, or s real
   for (const ClassStability& of_class : member.classes)
-    rates.insert(rates.end(), of_class.stability.rates.begin(), of_class.stability.rates.end());
-  std::ranges::stable_sort(rates, [](const auto& a, const auto& b) {
-    return std::abs(a.s.imag()) != std::abs(b.s.imag()) ? std::abs(a.s.imag()) < std::abs(b.s.imag())
-                                                        : a.s.imag() > b.s.imag();
+    for (const mechanics::Rate& rate : of_class.stability.rates) largest = std::max(largest, std::abs(rate.s));
+  const double round_off = 1e-9 * largest;
+  for (const ClassStability& of_class : member.classes)
+    for (const mechanics::Rate& rate : of_class.stability.rates)
+      if (rate.s.imag() > -round_off) upper.push_back(rate.s);
+  std::ranges::sort(upper, [&](const auto& a, const auto& b) {
+    return a.imag() != b.imag() ? a.imag() < b.imag() : a.real() > b.real();
   });
+  std::vector<std::complex<double>> rates;
+  for (const std::complex<double>& s : upper) {
+    rates.push_back(s);
+    if (s.imag() > round_off) rates.push_back(std::conj(s));
+  }
   rates.resize(n_slowest_rates);  // missing rates are 0
   return rates;
 }
@@ -180,7 +188,7 @@ std::vector<double> figure_row(int index, const FigureMember& member, const mech
        o.nonaffine_displacement, o.min_jacobian, growing ? growing->stability.growth_rate : 0.0, growing ? 0.0 : 1.0,
        static_cast<double>(negative_directions(member)), motions ? static_cast<double>(motions->odd_in_z) : -1.0,
        motions ? static_cast<double>(motions->m) : -1.0});
-  for (const mechanics::Rate& rate : slowest_rates(member)) row.insert(row.end(), {rate.s.real(), rate.s.imag()});
+  for (const auto& s : slowest_rates(member)) row.insert(row.end(), {s.real(), s.imag()});
   row.push_back(member.figure.residual);
   return row;
 }

@@ -2,7 +2,7 @@
 /// Families of figures of equilibrium (mechanics/equilibria/figure_family.h) of polynomial bodies and finite elements:
 /// the family that a scene requests, and the table of its members.
 
-#include <array>
+#include <complex>
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,9 +15,10 @@
 
 namespace pseudorigid::app {
 
-/// Refuses a family whose figures do not rotate as a rigid body. `model` is the name of the model in the message, and
-/// `others` are the models that offer all families. With `at_rest`, the family `static` is accepted as well.
-std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model, bool at_rest,
+/// Refuses a family that a model does not offer. `model` is the name of the model in the message, and `others` are the
+/// models that offer all families.
+std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model,
+                                             const std::vector<scene::Family>& offered,
                                              std::vector<std::string_view> others);
 
 /// The family of the scene. It maps a value of the parameter, in the unit of the family, to a condition on the figure.
@@ -32,9 +33,10 @@ const mechanics::ClassStability* fastest_growing(const mechanics::FigureMember& 
 
 /// The numbers n of rates in a row of the table.
 inline constexpr std::size_t n_slowest_rates = 10;
-/// The ten rates s of lowest frequency |Im s| among the rates of all classes of motions, by rising frequency. If there
-/// are fewer rates, the others are 0.
-std::vector<mechanics::Rate> slowest_rates(const mechanics::FigureMember& member);
+/// The ten rates s of lowest frequency |Im s| among the rates of all classes of motions, by rising frequency. A rate
+/// with Im s > 0 is followed by its complex conjugate, which is a rate as well. If there are fewer rates, the others
+/// are 0.
+std::vector<std::complex<double>> slowest_rates(const mechanics::FigureMember& member);
 
 /// The columns of the table with their units and texts. `degree` is the text of the column with the degree.
 std::vector<scene::Column> figure_columns(std::string_view degree, std::string_view classes);

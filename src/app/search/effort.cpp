@@ -130,9 +130,16 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
   const double n_cells = n_coarse * std::ldexp(1, 3 * d.refinements);
   const double n_pressure = scene.body.incompressible ? k * (k + 1) * (k + 2) / 6 : 0;
   const double n_unknowns = 3 * n_nodes, n_multipliers = n_cells * n_pressure;
+  // Analyses other than motions have dense matrices of the cells: the stiffness, its factors, and with self-gravity a
+  // part of the stiffness.
+  const double entries_of_cell = std::pow(3 * std::pow(k + 1, 3), 2);
+  const int n_matrices = scene.analysis == scene::Analysis::motion               ? 0
+                         : loads::present(scene.loads.get<loads::SelfGravity>()) ? 3
+                                                                                 : 2;
   return {.n_unknowns = n_unknowns,
           .n_multipliers = n_multipliers,
-          .bytes = bytes_of_unknown * n_unknowns + bytes_of_pair_of_multipliers * n_multipliers * n_pressure,
+          .bytes = bytes_of_unknown * n_unknowns + bytes_of_pair_of_multipliers * n_multipliers * n_pressure +
+                   n_matrices * sizeof(double) * entries_of_cell * n_cells,
           .checkpoint_bytes = (scene.time.step ? 1 : 2) * sizeof(double) *
                               (remembered_of_unknown * n_unknowns + remembered_of_multiplier * n_multipliers),
           .n_points_of_picture = n_cells * (builtin ? 8.0 / n_octants : 1) * std::pow(k + 1, 3)};

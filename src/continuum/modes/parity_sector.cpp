@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "continuum/modes/shell_operator.h"
-#include "continuum/modes/surface_harmonics.h"
 
 namespace pseudorigid::continuum {
 namespace {
@@ -24,6 +23,8 @@ constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
 /// Relative tolerances of the conjugate gradients in the energy norm: first for eigenvectors and modes, then for a
 /// static response.
 constexpr double tolerance_of_operator = 1e-9, tolerance_of_response = 1e-13;
+/// A displacement below this fraction of that with the penalty alone counts as 0.
+constexpr double balanced = 1e-9;
 /// Largest numbers of iterations of the conjugate gradients and of GMRES.
 constexpr int n_iterations_of_gradients = 100, n_iterations_of_gmres = 120;
 /// The matrix of the unknowns between cells is factorised as a dense matrix for up to this number of unknowns.
@@ -37,49 +38,10 @@ using SparseCholesky = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
 
 }  // namespace
 
-void LinearProblem::set_constraint(const CellKernels& kernels, const Vector& x) {
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  constraint.clear();
-  kernels.constraint_rows(x, [&](unsigned int, std::span<const double> rows) {
-    constraint.emplace_back(Eigen::Map<const RowMajor>(rows.data(), space.n_pressure(), 3 * space.nodes_per_cell()));
-  });
-}
-
-void LinearProblem::set_stiffness(const std::function<Eigen::MatrixXd(unsigned int cell)>& of_cell) {
-  stiffness.clear();
-  n_cells_at_node.assign(space.n_nodes(), 0);
-  for (unsigned int cell = 0; cell < space.n_cells(); ++cell) {
-    Eigen::MatrixXd K = of_cell(cell);
-    if (incompressible) {
-      K.selfadjointView<Eigen::Lower>().rankUpdate(constraint[cell].transpose(), penalty);
-      K.triangularView<Eigen::StrictlyUpper>() = K.transpose();
-    }
-    stiffness.push_back(std::move(K));
-    for (const unsigned int node : space.cell_nodes(cell)) ++n_cells_at_node[node];
-  }
-}
-
-std::vector<Spring> LinearProblem::add_springs(const std::function<Eigen::Vector3d(const FacePoint& point)>& along) {
-  std::vector<Spring> springs;
-  for (const CellFace& face : free_surface(space)) {
-    const auto& nodes = space.cell_nodes(face.cell);
-    Eigen::MatrixXd& K = stiffness[face.cell];
-    for (const FacePoint& point : harmonic_quadrature(space, face)) {
-      const Eigen::Vector3d spring = std::sqrt(point.weight) * along(point);
-      Eigen::VectorXd row = Eigen::VectorXd::Zero(K.rows());
-      for (const FacePoint::Node& n : point.nodes)
-        row.segment<3>(3 * (std::ranges::find(nodes, n.node) - nodes.begin())) += n.value * spring;
-      K += row * row.transpose();
-      springs.push_back({face.cell, std::move(row)});
-    }
-  }
-  return springs;
-}
-
 /// The free entries of a cell, which the parity does not set to 0. Its own entries come first, and then the entries
 /// that it shares with other cells.
 struct ParitySector::Cell {
-  std::vector<int> own, shared;            ///< 3·(node of the cell) + component
+  std::vector<int> own, shared, free;      ///< 3·(node of the cell) + component; `free` has both parts
   std::vector<Eigen::Index> unknown;       ///< index of each entry in the vectors of the sector
   Eigen::LLT<Eigen::MatrixXd> own_factor;  ///< L Lᵀ = B of the own entries
   Eigen::MatrixXd coupling;                ///< L⁻¹ B_own,shared
@@ -131,6 +93,7 @@ void ParitySector::number_unknowns() {
       for (const int local : *part) {
         const unsigned int entry = 3 * nodes[local / 3] + local % 3;
         number(entry);
+        cells_[c].free.push_back(local);
         cells_[c].unknown.push_back(unknown[entry]);
       }
   }
@@ -158,9 +121,7 @@ void ParitySector::condense(Cell& cell, unsigned int number, Eigen::MatrixXd& sc
   schur = B(cell.shared, cell.shared);
   schur.selfadjointView<Eigen::Lower>().rankUpdate(cell.coupling.transpose(), -1);
   if (!problem_.incompressible) return;
-  std::vector<int> free = cell.own;
-  free.insert(free.end(), cell.shared.begin(), cell.shared.end());
-  cell.constraint = problem_.constraint[number](Eigen::all, free);
+  cell.constraint = problem_.constraint[number](Eigen::all, cell.free);
 }
 
 mechanics::Status ParitySector::factorize() {
@@ -292,11 +253,9 @@ Eigen::VectorXd ParitySector::product(const Eigen::VectorXd& u) const {
   Eigen::VectorXd f = diagonal_.cwiseProduct(u);
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const Cell& cell = cells_[c];
-    std::vector<int> free = cell.own;
-    free.insert(free.end(), cell.shared.begin(), cell.shared.end());
     Eigen::VectorXd local = Eigen::VectorXd::Zero(problem_.stiffness[c].rows());
-    local(free) = gather(cell, u);
-    scatter_add(cell, Eigen::VectorXd(problem_.stiffness[c] * local)(free), f);
+    local(cell.free) = gather(cell, u);
+    scatter_add(cell, Eigen::VectorXd(problem_.stiffness[c] * local)(cell.free), f);
   }
   if (problem_.incompressible) f -= reaction_of(problem_.penalty * constraint_of(u));
   if (beyond_cells_) f += beyond_cells_(u);
@@ -341,10 +300,14 @@ mechanics::SolveReport ParitySector::solve(const Eigen::VectorXd& f, const Eigen
         solve_cells(product(Eigen::Map<const Eigen::VectorXd>(in.data(), n)), n_corrections_of_mode);
     return {};
   };
-  const Eigen::VectorXd right = solve_cells(f - product(particular), n_corrections_of_mode);
+  Eigen::VectorXd penalized = f - product(particular);
+  const Eigen::VectorXd right = solve_cells(penalized, n_corrections_of_mode);
+  // If the constraint balances f, T f is round-off. The displacement with the penalty alone is then still above it.
+  solve_penalized(penalized);
+  const double round_off = balanced * penalized.norm();
   std::vector<double> rest;
   const mechanics::SolveReport report =
-      solve_by_gmres(preconditioned, {right.begin(), right.end()}, tolerance, n_iterations_of_gmres, rest);
+      solve_by_gmres(preconditioned, {right.begin(), right.end()}, tolerance, round_off, n_iterations_of_gmres, rest);
   if (!report.status) return report;
   u = particular + Eigen::Map<const Eigen::VectorXd>(rest.data(), n);
   lambda = problem_.incompressible ? multiplier_of(product(u) - f) : Eigen::VectorXd();

@@ -27,60 +27,15 @@
 /// (K + E + s M) u − Gᵀλ = f is solved by conjugate gradients with T of B as the preconditioner.
 
 #include <Eigen/Core>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "continuum/kernels/cell_kernels.h"
-#include "continuum/mesh/ball_space.h"
-#include "continuum/mesh/surface_faces.h"
+#include "continuum/modes/linear_problem.h"
 #include "continuum/modes/parity.h"
 #include "mechanics/core/status.h"
 
 namespace pseudorigid::continuum {
-
-class ParitySector;
-
-/// The product of a symmetric operator with a vector of the unknowns of a sector.
-using SectorOperator = std::function<Eigen::VectorXd(const Eigen::VectorXd& u)>;
-
-/// A spring with the energy ½(row·u)² of the displacements u of a cell.
-struct Spring {
-  unsigned int cell;
-  Eigen::VectorXd row;
-};
-
-/// Data that all sectors share: the space, and the stiffness and the constraint of every cell.
-struct LinearProblem {
-  virtual ~LinearProblem() = default;
-  /// The operator E in a sector; empty without such forces. The result may refer to the sector.
-  virtual SectorOperator beyond_cells(const ParitySector&) const { return {}; }
-
-  const BallSpace& space;
-  bool incompressible;
-  double shift;  ///< s; may be 0 for a stable ball in a sector without rigid motions
-  /// Stiffness per mass of each component, in addition to the stiffness of the cells. B contains it.
-  Eigen::Vector3d of_mass = Eigen::Vector3d::Zero();
-  double penalty;                             ///< penalty γ of the augmented Lagrangian; 0 for a compressible body
-  std::vector<Eigen::MatrixXd> stiffness{};   ///< K + γGᵀG of each cell
-  std::vector<Eigen::MatrixXd> constraint{};  ///< G of each cell; empty for a compressible body
-  std::vector<int> n_cells_at_node{};         ///< number of cells that contain each node
-
- protected:
-  /// `space` must be that of an octant in one process.
-  LinearProblem(const BallSpace& ball_space, bool is_incompressible, double of_shift, double of_constraint)
-      : space(ball_space), incompressible(is_incompressible), shift(of_shift), penalty(of_constraint) {}
-  LinearProblem(const LinearProblem&) = default;
-  /// Sets `constraint` to G at the positions x. Must be called before `set_stiffness`.
-  void set_constraint(const CellKernels& kernels, const Vector& x);
-  /// Sets `stiffness` and `n_cells_at_node`. `of_cell` returns K of a cell.
-  void set_stiffness(const std::function<Eigen::MatrixXd(unsigned int cell)>& of_cell);
-  /// Adds a spring at each point of the free surface to the stiffness. A spring acts along the direction `along(point)`
-  /// with the square of its length as the stiffness.
-  /// Returns the springs with the weights of the quadrature.
-  std::vector<Spring> add_springs(const std::function<Eigen::Vector3d(const FacePoint& point)>& along);
-};
 
 class ParitySector {
  public:

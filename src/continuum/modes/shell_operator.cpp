@@ -19,8 +19,8 @@ struct Solution {
   }
 };
 
-PetscErrorCode run(Solution& s, Mat matrix, const std::vector<double>& b, double tolerance, int max_iterations,
-                   std::vector<double>& x) {
+PetscErrorCode run(Solution& s, Mat matrix, const std::vector<double>& b, double relative, double absolute,
+                   int max_iterations, std::vector<double>& x) {
   const auto n = static_cast<PetscInt>(b.size());
   PetscCall(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, n, b.data(), &s.right));
   PetscCall(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, n, x.data(), &s.solution));
@@ -31,7 +31,7 @@ PetscErrorCode run(Solution& s, Mat matrix, const std::vector<double>& b, double
   PC none;
   PetscCall(KSPGetPC(s.solver, &none));
   PetscCall(PCSetType(none, PCNONE));
-  PetscCall(KSPSetTolerances(s.solver, tolerance, 0, PETSC_DEFAULT, max_iterations));
+  PetscCall(KSPSetTolerances(s.solver, relative, absolute, PETSC_DEFAULT, max_iterations));
   PetscCall(KSPSolve(s.solver, s.right, s.solution));
   return 0;
 }
@@ -64,13 +64,13 @@ ShellOperator::ShellOperator(const LinearOperator& apply, std::size_t size) : ap
     status_ = mechanics::Status::failure("PETSc reports an error");
 }
 
-mechanics::SolveReport solve_by_gmres(const LinearOperator& A, const std::vector<double>& b, double tolerance,
-                                      int max_iterations, std::vector<double>& x) {
+mechanics::SolveReport solve_by_gmres(const LinearOperator& A, const std::vector<double>& b, double relative,
+                                      double absolute, int max_iterations, std::vector<double>& x) {
   x.assign(b.size(), 0);
   if (std::ranges::all_of(b, [](double entry) { return entry == 0; })) return {};
   ShellOperator shell(A, b.size());
   Solution solution;
-  const bool fine = shell.status() && run(solution, shell.matrix(), b, tolerance, max_iterations, x) == 0;
+  const bool fine = shell.status() && run(solution, shell.matrix(), b, relative, absolute, max_iterations, x) == 0;
   if (!shell.status()) return {shell.status()};
   KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
   PetscInt n_iterations = 0;

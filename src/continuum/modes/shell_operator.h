@@ -35,9 +35,9 @@ class ShellOperator {
   Mat matrix_ = nullptr;
 };
 
-/// Solves A x = b by GMRES from x = 0. `tolerance` is the bound of |b − A x|/|b|. Fails if this bound is not reached
-/// after `max_iterations`, or if a product fails.
-mechanics::SolveReport solve_by_gmres(const LinearOperator& A, const std::vector<double>& b, double tolerance,
-                                      int max_iterations, std::vector<double>& x);
+/// Solves A x = b by GMRES from x = 0, until |b − A x| is at most `relative` times |b|, or at most `absolute`. Fails if
+/// this is not reached after `max_iterations`, or if a product fails.
+mechanics::SolveReport solve_by_gmres(const LinearOperator& A, const std::vector<double>& b, double relative,
+                                      double absolute, int max_iterations, std::vector<double>& x);
 
 }  // namespace pseudorigid::continuum

@@ -37,6 +37,9 @@ loads::Forcing forcing_of(const FigureSetup& setup) {
   return loads::constant_forcing(setup.incompressible ? loads::at_constant_volume(loads) : loads);
 }
 
+Eigen::Matrix3d turn_about(int axis) { return Eigen::AngleAxisd(1, Eigen::Vector3d::Unit(axis)).toRotationMatrix(); }
+bool is_equal(const Eigen::Matrix3d& A, const Eigen::Matrix3d& B) { return (A - B).norm() <= 1e-12 * B.norm(); }
+
 double largest(const Vector& v) { return v.size() == 0 ? 0 : v.linfty_norm(); }
 
 /// The entries of a vector of this process.
@@ -62,11 +65,19 @@ double BallFigures::typical_stiffness() const {
 
 bool BallFigures::permits_rotation_of_space(int axis) const {
   if (kind_ == Drive::rotation) return true;
-  const auto commutes = [&](const Eigen::Matrix3d& T) {
-    const Eigen::Matrix3d turn = Eigen::AngleAxisd(1, Eigen::Vector3d::Unit(axis)).toRotationMatrix();
-    return (turn * T * turn.transpose() - T).norm() <= 1e-12 * T.norm();
-  };
-  return forcing_.nominal_traction.isZero(0) && commutes(forcing_.quadratic);
+  const Eigen::Matrix3d R = turn_about(axis), &P = forcing_.nominal_traction, &T = forcing_.quadratic;
+  return is_equal(R * P, P) && is_equal(R * T * R.transpose(), T);
+}
+
+bool BallFigures::permits_rotation_of_ball(int axis) const {
+  return kind_ == Drive::rotation || is_equal(forcing_.nominal_traction * turn_about(axis), forcing_.nominal_traction);
+}
+
+bool BallFigures::is_symmetric_about(int axis, double drive) const {
+  if (kind_ == Drive::rotation) return drive == 0 || (axis == 2 && !exchanged_.empty());
+  const Eigen::Matrix3d R = turn_about(axis);
+  const auto is_kept = [&](const Eigen::Matrix3d& A) { return is_equal(R * A * R.transpose(), A); };
+  return drive == 0 || (is_kept(forcing_.nominal_traction) && is_kept(forcing_.quadratic));
 }
 
 void BallFigures::find_exchanged_nodes() {
@@ -163,17 +174,28 @@ double BallFigures::scale_of(const Figure& figure, const Terms& terms) const {
       {of_elasticity, largest(terms.force), std::abs(figure.drive) * largest(terms.drive), largest(terms.reaction)});
 }
 
-double BallFigures::excess_of_axis(const Condition& condition, const Eigen::VectorXd& x) const {
-  const Eigen::Matrix3d A = body_->mass_moment(field(x));
-  const int k = mechanics::other_axis(condition.parameter);
-  return A(k, k) - std::exp(condition.value) * A(0, 0);
+HeldDirection BallFigures::axis_direction(const Condition& condition) const {
+  const BallSpace& space = body_->space();
+  const auto k = static_cast<unsigned int>(mechanics::other_axis(condition.parameter));
+  const int n_images = space.mesh().sector().n_images();
+  HeldDirection held{body_->make_vector(), 0};
+  double squares = 0;  // w·M⁻¹w
+  for (unsigned int i = 0; i < 3 * space.n_nodes(); ++i) {
+    if (i % 3 != 0 && i % 3 != k) continue;
+    const double factor = n_images * (i % 3 == k ? 1 : -std::exp(condition.value)) / body_->E0()(i % 3, i % 3);
+    const double X = space.reference_positions().local_element(i), mass = space.mass().local_element(i);
+    held.w.local_element(i) = factor * mass * X;
+    squares += factor * factor * mass * X * X;
+  }
+  held.stiffness = typical_stiffness() / squares;
+  return held;
 }
 
-mechanics::Status BallFigures::solve_linear(const Figure& figure,
+mechanics::Status BallFigures::solve_linear(const Figure& figure, const HeldDirection* held,
                                             const std::vector<std::pair<Vector, Vector>>& right_sides,
                                             std::vector<Figure>& changes) const {
   const Vector x = positions(figure), lambda = multiplier(figure);
-  const TangentProblem problem(state(x, lambda, figure.drive), 0);
+  const TangentProblem problem(state(x, lambda, figure.drive), 0, held);
   ParitySector sector(problem, parity_of_sector(0));
   ++counts_.factorizations;
   if (auto status = sector.factorize(); !status) return status;
@@ -190,27 +212,36 @@ mechanics::Status BallFigures::solve_linear(const Figure& figure,
   return {};
 }
 
+mechanics::Status BallFigures::solve_with_condition(const Condition& condition, const Figure& figure, const Vector& f,
+                                                    const Vector& minus_g, const Vector& drive, double c,
+                                                    Figure& change) const {
+  const HeldDirection held = axis_direction(condition);
+  const Vector no_constraint = incompressible_ ? body_->space().make_multiplier() : Vector();
+  Vector of_held = f;
+  of_held.add(held.stiffness * c, held.w);
+  std::vector<Figure> found;
+  if (auto status = solve_linear(figure, &held, {{of_held, minus_g}, {drive, no_constraint}}, found); !status)
+    return status;
+  change = found[0];
+  found[1].drive = 1;
+  mechanics::add((c - held.w * field(found[0].x)) / (held.w * field(found[1].x)), found[1], change);
+  return {};
+}
+
 mechanics::Status BallFigures::step(const Condition& condition, const Figure& figure, const Terms& now,
                                     Figure& step) const {
   Vector r = now.residual(figure.drive), minus_g = now.constraint;
   if (incompressible_) minus_g *= -1;
-  if (condition.parameter == mechanics::FigureParameter::drive) {
-    const double change = condition.value - figure.drive;
-    r.add(change, now.drive);
-    std::vector<Figure> found;
-    if (auto status = solve_linear(figure, {{r, minus_g}}, found); !status) return status;
-    step = found[0];
-    step.drive = change;
-    return {};
+  if (condition.parameter != mechanics::FigureParameter::drive) {
+    const double excess = axis_direction(condition).w * positions(figure);
+    return solve_with_condition(condition, figure, r, minus_g, now.drive, -excess, step);
   }
-  const Vector no_constraint = incompressible_ ? body_->space().make_multiplier() : Vector();
+  const double change = condition.value - figure.drive;
+  r.add(change, now.drive);
   std::vector<Figure> found;
-  if (auto status = solve_linear(figure, {{r, minus_g}, {now.drive, no_constraint}}, found); !status) return status;
+  if (auto status = solve_linear(figure, nullptr, {{r, minus_g}}, found); !status) return status;
   step = found[0];
-  const double change = -(excess_of_axis(condition, figure.x) + excess_of_axis(condition, found[0].x)) /
-                        excess_of_axis(condition, found[1].x);
-  found[1].drive = 1;
-  mechanics::add(change, found[1], step);
+  step.drive = change;
   return {};
 }
 
@@ -225,7 +256,7 @@ mechanics::Status BallFigures::newton(const Condition& condition, Figure& figure
     double size = std::max(largest(now.residual(figure.drive)) / scale_of(figure, now), largest(now.constraint));
     size = std::max(size, condition.parameter == mechanics::FigureParameter::drive
                               ? std::abs(figure.drive - condition.value)
-                              : std::abs(excess_of_axis(condition, figure.x)));
+                              : std::abs(axis_direction(condition).w * positions(figure)));
     if (!std::isfinite(size)) break;
     if (size >= 0.5 * best && best <= accepted) break;  // a small residual that does not halve is round-off
     if (size < best) best = size, kept = figure;
@@ -253,17 +284,18 @@ BallFigures::Figure BallFigures::tangent(const Condition& condition, const Figur
   const Figure none{Eigen::VectorXd::Constant(figure.x.size(), nan),
                     Eigen::VectorXd::Constant(figure.lambda.size(), nan), nan};
   Terms now;
-  std::vector<Figure> found;
   if (!terms(figure, now)) return none;
   const Vector no_constraint = incompressible_ ? body_->space().make_multiplier() : Vector();
-  if (!solve_linear(figure, {{now.drive, no_constraint}}, found)) return none;
-  Figure rate = found[0];
-  rate.drive = 1;
-  if (condition.parameter == mechanics::FigureParameter::drive) return rate;
-  const double factor =
-      std::exp(condition.value) * body_->mass_moment(positions(figure))(0, 0) / excess_of_axis(condition, rate.x);
-  Figure along{Eigen::VectorXd::Zero(rate.x.size()), Eigen::VectorXd::Zero(rate.lambda.size()), 0};
-  mechanics::add(factor, rate, along);
+  if (condition.parameter == mechanics::FigureParameter::drive) {
+    std::vector<Figure> found;
+    if (!solve_linear(figure, nullptr, {{now.drive, no_constraint}}, found)) return none;
+    found[0].drive = 1;
+    return found[0];
+  }
+  // d/dv of a_k − exp(v) a₁ = 0 with the value v of the condition
+  const double c = std::exp(condition.value) * body_->mass_moment(positions(figure))(0, 0);
+  Figure along;
+  if (!solve_with_condition(condition, figure, body_->make_vector(), no_constraint, now.drive, c, along)) return none;
   return along;
 }
 

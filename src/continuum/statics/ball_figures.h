@@ -10,8 +10,11 @@
 /// The planes of the octant exclude rotations of space and of the ball.
 ///
 /// The equations are solved by Newton's iteration. Each step solves K δx − Gᵀδλ = r, Gδx = −g with the tangent K
-/// (tangent_problem.h), by GMRES with a factorisation of the cells as the preconditioner (modes/parity_sector.h). For a
-/// condition on the ratio of two axes, δx contains a second solution with h in place of r.
+/// (tangent_problem.h), by GMRES with a factorisation of the cells as the preconditioner (modes/parity_sector.h). A
+/// condition on the ratio of two axes has the form w·δx = c with a vector w. K is singular at a fold, so δx is then the
+/// sum of two solutions with K + σwwᵀ in place of K and a number σ > 0:
+///
+///   δx = u₀ + δν u₁,   (K + σwwᵀ)u₀ − Gᵀδλ₀ = r + σcw,   (K + σwwᵀ)u₁ − Gᵀδλ₁ = h,   w·δx = c.
 ///
 /// At a bifurcation to figures that are not symmetric about axis 3, K is singular. Therefore a spheroid is sought among
 /// positions that are symmetric under the exchange of the axes 1 and 2. They exclude the figures that bifurcate with
@@ -63,9 +66,12 @@ class BallFigures final : public mechanics::FigureEquations {
   bool is_spheroid() const { return !exchanged_.empty(); }
   /// The larger of the shear modulus and ρgr, with the gravity g at the surface.
   double typical_stiffness() const;
-  /// True if the forces permit rotations of space about an axis, or rotations of the undeformed ball.
+  /// True if rotations of space about an axis, or of the undeformed ball, do not change the energy.
   bool permits_rotation_of_space(int axis) const;
-  bool permits_rotation_of_ball() const { return kind_ == Drive::rotation || forcing_.nominal_traction.isZero(0); }
+  bool permits_rotation_of_ball(int axis) const;
+  /// True if the figure with this drive has rotational symmetry about an axis. A rotation of the ball about this axis
+  /// is then one of space.
+  bool is_symmetric_about(int axis, double drive) const;
 
   /// The nodal positions of a figure, and its multiplier.
   Vector positions(const Figure& figure) const { return field(figure.x); }
@@ -89,15 +95,23 @@ class BallFigures final : public mechanics::FigureEquations {
   Figure tangent(const Condition& condition, const Figure& figure) const override;
   mechanics::Status complete(Figure& figure) const override;
   bool is_admissible(const Eigen::VectorXd& x) const override;
+  double error_of_solver() const override { return 1e-6; }
 
   mechanics::Status terms(const Figure& figure, Terms& terms) const;
-  /// Solves K δx − Gᵀδλ = f, G δx = h at a figure, for each pair of f and h. Sets `changes` to the solutions.
-  mechanics::Status solve_linear(const Figure& figure, const std::vector<std::pair<Vector, Vector>>& right_sides,
+  /// Solves K δx − Gᵀδλ = f, G δx = h at a figure, for each pair of f and h. Sets `changes` to the solutions. K
+  /// contains the term of `held` if it is not null.
+  mechanics::Status solve_linear(const Figure& figure, const HeldDirection* held,
+                                 const std::vector<std::pair<Vector, Vector>>& right_sides,
                                  std::vector<Figure>& changes) const;
+  /// Sets `change` to the solution of K δx − δν h − Gᵀδλ = f, G δx = minus_g and w·δx = c for a condition on the ratio
+  /// of axes. `drive` is h.
+  mechanics::Status solve_with_condition(const Condition& condition, const Figure& figure, const Vector& f,
+                                         const Vector& minus_g, const Vector& drive, double c, Figure& change) const;
   /// Sets `step` to the step of Newton's iteration from `figure`, whose terms are `now`.
   mechanics::Status step(const Condition& condition, const Figure& figure, const Terms& now, Figure& step) const;
-  /// a_k − ρ a₁ for the affine part A = diag(a) of the field x, with the axis k and the ratio ρ of the condition.
-  double excess_of_axis(const Condition& condition, const Eigen::VectorXd& x) const;
+  /// The vector w for which w·x = a_k − ρ a₁, with the affine part A = diag(a) of the field x, the axis k and the ratio
+  /// ρ of the condition.
+  HeldDirection axis_direction(const Condition& condition) const;
   /// The largest entry of the terms, or a typical elastic force on a node if that is larger.
   double scale_of(const Figure& figure, const Terms& terms) const;
   /// Sets to 0 the components that a plane of the octant fixes.

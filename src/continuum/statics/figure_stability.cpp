@@ -165,13 +165,14 @@ struct Rotations {
 
 class StabilityProblem {
  public:
-  StabilityProblem(const BallFigures& figures, const mechanics::EquilibriumFigure& figure)
+  StabilityProblem(const BallFigures& figures, const mechanics::EquilibriumFigure& figure, double shift)
       : figures_(figures),
         space_(figures.body().space()),
+        drive_(figure.drive),
         spin_(figures.drive() == Drive::rotation ? std::sqrt(std::max(figure.drive, 0.0)) : 0),
         x_(figures.positions(figure)),
         lambda_(figures.multiplier(figure)),
-        shift_(figures.typical_stiffness() + softening(figures, figure.drive)),
+        shift_(shift),
         problem_(figures.state(x_, lambda_, figure.drive), shift_) {
     for (int axis = 0; axis < 3; ++axis) {
       rotations_.of_space[axis] = turned(space_, axis, x_);
@@ -238,8 +239,7 @@ class StabilityProblem {
       if (axis == 0) rate = -spin_ * of_space(1);
       if (axis == 1) rate = spin_ * of_space(0);
       if (figures_.permits_rotation_of_space(axis)) append(of_space(axis), rate);
-      // On a spheroid, a rotation of the ball about axis 3 is one of space.
-      if (figures_.permits_rotation_of_ball() && !(axis == 2 && figures_.is_spheroid()))
+      if (figures_.permits_rotation_of_ball(axis) && !figures_.is_symmetric_about(axis, drive_))
         append(basis.coordinates(rotations_.of_ball[axis], number), none);
     }
     return N;
@@ -247,18 +247,15 @@ class StabilityProblem {
 
   const BallFigures& figures_;
   const BallSpace& space_;
-  double spin_;
+  double drive_, spin_;
   Vector x_, lambda_;
   double shift_;
   TangentProblem problem_;
   Rotations rotations_;
 };
 
-}  // namespace
-
-mechanics::Status stability_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
-                               int n_eigenvectors, std::vector<mechanics::ClassStability>& classes) {
-  const StabilityProblem problem(figures, figure);
+mechanics::Status all_classes(const StabilityProblem& problem, int n_eigenvectors,
+                              std::vector<mechanics::ClassStability>& classes) {
   classes.clear();
   for (const bool odd_in_z : {false, true})
     for (const int m : {0, 1}) {
@@ -268,6 +265,22 @@ mechanics::Status stability_of(const BallFigures& figures, const mechanics::Equi
       classes.push_back(std::move(of_class));
     }
   return {};
+}
+
+}  // namespace
+
+mechanics::Status stability_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
+                               int n_eigenvectors, std::vector<mechanics::ClassStability>& classes) {
+  // K + s M must be positive definite. A larger shift s permits a more unstable figure, but the iteration for the
+  // eigenvectors is then slower.
+  double shift = figures.typical_stiffness() + softening(figures, figure.drive);
+  constexpr double next = 8;
+  mechanics::Status status;
+  for (int trial = 0; trial < 3; ++trial, shift *= next) {
+    status = all_classes(StabilityProblem(figures, figure, shift), n_eigenvectors, classes);
+    if (status) break;
+  }
+  return status;
 }
 
 }  // namespace pseudorigid::continuum

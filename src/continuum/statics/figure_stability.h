@@ -25,7 +25,7 @@ namespace pseudorigid::continuum {
 
 /// Sets `classes` to the stability in the four classes. `n_eigenvectors` is the number of eigenvectors of each parity.
 /// The azimuthal number m of a class is 0 if its motions are even under the half turn, and otherwise 1. Fails if an
-/// eigenvalue problem does not converge, or if the figure is unstable with a rate above about 1 in internal units.
+/// eigenvalue problem does not converge, or if the figure is unstable with a rate above about 8 in internal units.
 mechanics::Status stability_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
                                int n_eigenvectors, std::vector<mechanics::ClassStability>& classes);
 

@@ -14,7 +14,8 @@ mechanics::Status observe_figure(const BallFigures& figures, const mechanics::Eq
   mechanics::ObservableRequest request;
   request.multiplier = false;
   if (auto status = observe_motion(ball, state, request, o); !status) return status;
-  if (figure.lambda.size() > 0) o.multiplier = mean_multiplier(ball, state.q, figures.multiplier(figure));
+  if (figures.drive() == Drive::loads) o.external *= figure.drive;
+  o.multiplier = figure.lambda.size() > 0 ? mean_multiplier(ball, state.q, figures.multiplier(figure)) : 0;
 
   Vector turned = ball.make_vector();  // ê₃×x
   for (unsigned int i = 0; i < 3 * space.n_nodes(); i += 3) {

@@ -27,14 +27,15 @@ double mean_stress(const StoredEnergy& stored, const materials::Tensor<double>& 
 
 }  // namespace
 
-TangentProblem::TangentProblem(const FigureState& state, double of_shift)
+TangentProblem::TangentProblem(const FigureState& state, double of_shift, const HeldDirection* held)
     : LinearProblem(state.body.space(), state.incompressible, of_shift, penalty_of(state)),
       state_(state),
-      definite_(of_shift > 0) {
+      definite_(of_shift > 0),
+      held_(held) {
   if (definite_) of_mass = rate_of_drive();
   if (incompressible) set_constraint(state.body.kernels(), state.x);
   const CellStiffness cells(space);
-  const double pressure = state.kind == Drive::loads ? state.drive * state.forcing.pressure : 0;
+  const double pressure = state.forcing.pressure * (state.kind == Drive::loads ? state.drive : 1);
   const double weight = weight_of_density(state.body);
   std::vector<double> lambda(space.nodes_per_cell(), 0);
   set_stiffness([&](unsigned int cell) {
@@ -71,6 +72,7 @@ Vector TangentProblem::rate_beyond_cells(const Vector& u, const Parity& parity) 
     for (unsigned int i = 0; i < 3 * space.n_nodes(); ++i)
       force.local_element(i) -= rate_of_drive()[i % 3] * space.mass().local_element(i) * u.local_element(i);
   force *= -1;
+  if (held_) force.add(held_->stiffness * (held_->w * u), held_->w);
   for (unsigned int cell = 0; cell < of_gravity_.size(); ++cell)
     add_of_cell(cell, of_gravity_[cell] * of_cell(cell, u), force);
   for (const Spring& spring : springs_)
@@ -93,7 +95,7 @@ void TangentProblem::add_of_cell(unsigned int cell, const Eigen::VectorXd& local
 }
 
 SectorOperator TangentProblem::beyond_cells(const ParitySector& sector) const {
-  if (!state_.body.gravity() && (definite_ || rate_of_drive().isZero(0))) return {};
+  if (!state_.body.gravity() && !held_ && (definite_ || rate_of_drive().isZero(0))) return {};
   return [this, &sector](const Eigen::VectorXd& u) -> Eigen::VectorXd {
     return sector.entries_of(rate_beyond_cells(sector.field_of(u), sector.parity()));
   };

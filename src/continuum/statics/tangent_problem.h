@@ -35,11 +35,18 @@ struct FigureState {
   double drive;
 };
 
+/// A term σ(w·u)²/2 in the energy of displacements u, for a vector w.
+struct HeldDirection {
+  Vector w;
+  double stiffness;  ///< σ
+};
+
 class TangentProblem final : public LinearProblem {
  public:
   /// `state` and its members must exist as long as the object. `shift` is s of parity_sector.h. If it is positive, K +
   /// s M must be positive definite. The rate of the drive is then a part of the preconditioner, and not of E.
-  TangentProblem(const FigureState& state, double shift);
+  /// If `held` is not null, K contains its term.
+  TangentProblem(const FigureState& state, double shift, const HeldDirection* held = nullptr);
   SectorOperator beyond_cells(const ParitySector& sector) const override;
 
  private:
@@ -56,6 +63,7 @@ class TangentProblem final : public LinearProblem {
 
   FigureState state_;
   bool definite_;
+  const HeldDirection* held_;
   std::vector<Spring> springs_;
   std::vector<Eigen::MatrixXd> of_gravity_;  ///< K of each cell without its part in the preconditioner
 };

@@ -45,7 +45,7 @@ Status FigureFinder::find(double parameter, EquilibriumFigure& figure) {
   constexpr double round_off = 1e-12;
   if (figure.drive < -round_off)
     return Status::failure("this figure does not turn steadily about its axis: Omega^2 = " + six_digits(figure.drive));
-  figure.drive = std::max(figure.drive, 0.0);
+  if (figure.drive < round_off) figure.drive = 0;
   known_[condition.value] = figure;
   return {};
 }
@@ -87,7 +87,10 @@ void FigureFinder::locate_special(double a, double b, std::vector<SpecialFigure>
       EquilibriumFigure at;
       return find(p, at) ? equations_.slope(family_.condition(p), at) : std::numeric_limits<double>::quiet_NaN();
     };
-    if (const auto p = bracketed_root(slope, a, b, resolution_); p && std::abs(slope(*p)) < 1e-6)
+    // A jump of the slope through 0 is not a fold.
+    constexpr double absent = 1e-4;
+    if (const auto p = bracketed_root(slope, a, b, resolution_);
+        p && std::abs(slope(*p)) < absent * std::max(std::abs(slope(a)), std::abs(slope(b))))
       found.push_back({{SpecialKind::fold, *p}, {false, 0}});
   }
   std::ranges::stable_sort(found, {}, [](const Found& f) { return f.point.s; });

@@ -21,7 +21,6 @@ Status FigureEquations::follow(double from, const FigureCondition& condition, Eq
   constexpr double shortest = 1.0 / 512;  // fraction of the distance between the parameters
   constexpr double longest = 0.25;  // largest step of the parameter, so that the search does not jump to other branches
   constexpr double astray = 0.5;    // bound of the distance between solution and prediction, as a fraction of the step
-  constexpr double round_off = 1e-10;
   const double way = condition.value - from;
   double at = from, step = std::copysign(std::min(std::abs(way), longest), way);
   while (at != condition.value) {
@@ -35,7 +34,7 @@ Status FigureEquations::follow(double from, const FigureCondition& condition, Eq
     if (predicted.x.allFinite() && is_admissible(predicted.x)) {
       Status end = newton({condition.parameter, next}, found);
       const double off = (found.x - predicted.x).norm(), moved = (predicted.x - figure.x).norm();
-      if (!end || off <= astray * moved + round_off) status = std::move(end);
+      if (!end || off <= astray * moved + error_of_solver()) status = std::move(end);
     }
     if (status) {
       figure = found;

@@ -71,6 +71,8 @@ class FigureEquations {
   virtual Status complete(EquilibriumFigure& figure) const = 0;
   /// True if x is an admissible deformation of the body.
   virtual bool is_admissible(const Eigen::VectorXd& x) const = 0;
+  /// Bound of the error of a prediction by `tangent` in |x| that is due to its linear solver.
+  virtual double error_of_solver() const { return 1e-10; }
 };
 
 }  // namespace pseudorigid::mechanics

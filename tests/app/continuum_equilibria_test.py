@@ -1,0 +1,154 @@
+"""Equilibria of finite elements: families of figures that turn, a ball at rest under loads, their errors, and refusals."""
+import math
+import unittest
+
+from program_test import SOURCE, STOPPED, ProgramTest, overrides
+from refused_input import RefusedInputTest
+
+FIGURES = {"Analysis": "equilibrium", "Models": "continuum", "Continuum/Degree": 3, "Equilibrium/Family": "spinning",
+           "Equilibrium/First": 0.5, "Equilibrium/Last": 1, "Equilibrium/Number": 2}
+AT_REST = {"Analysis": "equilibrium", "Models": "reduced, continuum", "Continuum/Degree": 3, "Equilibrium/Family": "static"}
+
+
+def matrix(*diagonal):
+    return "; ".join(", ".join(str(diagonal[i] if i == j else 0) for j in range(3)) for i in range(3))
+
+
+class ContinuumEquilibria(ProgramTest):
+    def figures(self, folder="output/scene"):
+        return self.table(folder, "equilibria-continuum.csv")
+
+    def test_spinning_figures(self):
+        output = self.scratch / "out"
+        self.run_done("run", str(SOURCE / "params/spinning_figures.prm"), "--output", str(output))
+        elements, bodies = (self.table(output, f"equilibria-{name}.csv") for name in ("continuum", "polynomial"))
+        of_7 = [k for k, N in enumerate(bodies.column("degree")) if N == 7]
+        self.assertEqual(len(elements), len(of_7))
+        # Both the elements and the polynomial body have an error; the bar is that of the elements.
+        self.assertLess(max(elements.column("rates_error")), 0.01)
+        self.assertLess(max(elements.column("axes_error")), 1e-4)
+        for bar, names in (("axes_error", ("a1", "a2", "a3")), ("rates_error", ("rate_1_im", "rate_3_im", "rate_5_im"))):
+            for name in names:
+                for mine, k, error in zip(elements.column(name), of_7, elements.column(bar)):
+                    self.assertAlmostEqual(mine, bodies.column(name)[k], delta=error + 1e-9, msg=(name, k))
+        first = {name: elements.column(name)[0] for name in elements.header}
+        self.assertAlmostEqual((first["surface1"] - first["surface3"]) / first["omega3"] ** 2, 5 / 38, delta=0.02)
+        for J, Z, energy, spin in zip(*map(elements.column, ("J3", "Z3", "kinetic", "omega3"))):
+            self.assertAlmostEqual(J / Z, 1, delta=1e-5)  # equal on a spheroid that turns rigidly
+            self.assertAlmostEqual(energy, J * spin / 2, delta=1e-12)
+        self.assertEqual(elements.column("parameter_error"), [0] * len(elements))
+
+    def test_traction_is_that_of_the_pseudo_rigid_body(self):
+        self.scene({**AT_REST, "Loads/Nominal traction": matrix(0.3, 0.3, 0.9)})
+        self.run_done("run", "scene.prm")
+        elements, body = self.figures(), self.table("output/scene/equilibria.csv")
+        self.assertEqual(elements.column("parameter"), [1])
+        a = sorted((elements.column(f"a{i}")[0] for i in (1, 2, 3)), reverse=True)
+        distances = [max(abs(a[i] - body.column(f"a{i + 1}")[k]) for i in range(3)) for k in range(len(body))]
+        self.assertLess(min(distances), 1e-11)
+        self.assertLess(elements.column("nonaffine_displacement")[0], 1e-12)
+
+    def test_trap_is_that_of_the_other_models_to_their_difference(self):
+        """A bead in a denser fluid: a trap across the axis. The pseudo-rigid body is close, the elements are not affine."""
+        stretches = {}
+        for k in 0.01, 1:
+            self.scene({**AT_REST, "Loads/Tidal matrix": matrix(k, k, 0), "Continuum/Volumetric stiffness": 1})
+            self.run_done("run", "scene.prm")
+            stretches[k] = (self.figures().column("surface3")[0] - 1, self.table("output/scene/equilibria.csv").column("a1")[0] - 1)
+        # Small loads: 25/19 of the pseudo-rigid strain on the axis of the surface (PHYSICS 4).
+        self.assertAlmostEqual(stretches[0.01][0] / stretches[0.01][1], 25 / 19, delta=0.02)
+        self.assertGreater(stretches[1][0], stretches[1][1])
+
+    def test_loads_without_an_equilibrium(self):
+        """The last figure is kept."""
+        self.scene({**AT_REST, "Models": "continuum", "Loads/Tidal matrix": matrix(-6, -6, 12), "Continuum/Volumetric stiffness": 3})
+        result = self.run_program("run", "scene.prm")
+        self.assert_exit(result, STOPPED)
+        self.assertIn("of the loads", result.stderr)
+        (part,) = self.figures().column("parameter")
+        self.assertGreater(part, 0.05)
+        self.assertLess(part, 1)
+
+    def test_gravity_changes_the_stability(self):
+        self.scene({**FIGURES, "Gravity/Gamma": 10, "Equilibrium/Family": "maclaurin", "Equilibrium/First": 0.88,
+                    "Equilibrium/Last": 0.92, "Continuum/Degree": 2})
+        result = self.run_done("run", "scene.prm")
+        self.assertRegex(result.stdout, r"index at e = 0\.(89|90)\d* \(even in z, even under the half turn\)")
+        table = self.figures()
+        self.assertEqual([n for n, kind in zip(table.column("n_negative"), table.column("kind")) if kind == 0], [0, 2])
+        for error, kind in zip(table.column("parameter_error"), table.column("kind")):
+            self.assertEqual(0 < error < 0.05, kind > 0)
+
+    def test_units_of_the_scene_do_not_matter(self):
+        self.scene(FIGURES)
+        self.run_done("run", "scene.prm", "--output", "own")
+        length, mass, time = 1000, 1e9, 7
+        units = {"Body/Radius": length, "Body/Density": mass / length**3, "Material/Shear modulus": mass / length / time**2,
+                 "Equilibrium/First": 0.5 / time, "Equilibrium/Last": 1 / time}
+        self.run_done("run", "scene.prm", "--output", "scaled", *overrides(units))
+        own, scaled = (self.figures(folder) for folder in ("own", "scaled"))
+        for name, unit in ("a3", length), ("omega3", 1 / time), ("energy", mass * length**2 / time**2), ("rate_1_im", 1 / time), ("J3", mass * length**2 / time):
+            for x, y in zip(own.column(name), scaled.column(name)):
+                self.assertAlmostEqual(y / unit / x, 1, delta=1e-10, msg=name)
+
+    def test_pressure_on_a_compressible_ball(self):
+        """A ball that does not turn has the rates of the ball at rest."""
+        body = {"Body/Incompressible": "false", "Material/Lame lambda": 3, "Loads/Pressure": 0.3}
+        self.scene({**FIGURES, **body, "Equilibrium/First": 0, "Equilibrium/Number": 1})
+        self.run_done("run", "scene.prm", "--output", "turning")
+        self.scene({**AT_REST, **body, "Models": "continuum"})
+        self.run_done("run", "scene.prm", "--output", "resting")
+        turning, resting = self.figures("turning"), self.figures("resting")
+        self.assertEqual(turning.column("multiplier"), [0])
+        for name in ("a1", "a3", "rate_1_im", "rate_3_im", "rate_9_im"):
+            self.assertAlmostEqual(turning.column(name)[0], resting.column(name)[0], delta=1e-9, msg=name)
+        self.assertLess(turning.column("a1")[0], 1)
+
+    def test_isotropic_and_compressive_tractions(self):
+        """The undeformed ball is the solution of the first; the second is unstable against rotations alone."""
+        self.scene({**AT_REST, "Models": "continuum", "Loads/Nominal traction": matrix(0.5, 0.5, 0.5)})
+        self.run_done("run", "scene.prm")
+        table = self.figures()
+        self.assertAlmostEqual(table.column("a1")[0], 1, delta=1e-10)
+        self.assertEqual(table.column("stable"), [1])
+        self.scene({**AT_REST, "Models": "continuum", "Loads/Nominal traction": matrix(0, 0, -0.45)})
+        self.run_done("run", "scene.prm")
+        table = self.figures()
+        a1, a3, growth = (table.column(name)[0] for name in ("a1", "a3", "growth_rate"))
+        rigid = math.sqrt(5 * 0.45 * a3 / (a1**2 + a3**2))  # of a rigid body; deformation makes it faster
+        self.assertTrue(rigid < growth < 1.2 * rigid, (rigid, growth))
+        self.assertEqual(table.column("n_negative"), [2])
+
+    def test_gravity_at_rest_has_the_rates_of_the_modes(self):
+        gravity = {"Gravity/Gamma": 5, "Continuum/Degree": 4, "Models": "continuum"}
+        self.scene({**FIGURES, **gravity, "Equilibrium/Family": "maclaurin", "Equilibrium/First": 0, "Equilibrium/Number": 1})
+        self.run_done("run", "scene.prm", "--output", "figure")
+        self.scene({"Analysis": "modes", **gravity, "Modes/Number": 2})
+        self.run_done("run", "scene.prm", "--output", "modes")
+        table = self.figures("figure")
+        lowest = self.table("modes/modes.csv").column("omega")[0]
+        self.assertEqual(table.column("omega3"), [0])
+        # The gravity of a figure is that of quadrature points, that of modes is exact.
+        self.assertAlmostEqual(table.column("rate_1_im")[0], lowest, delta=2e-3)
+        self.assertLess(table.column("rates_error")[0], 0.02)
+
+
+class RefusedContinuumEquilibria(RefusedInputTest):
+    def test_refused(self):
+        for entries, words in (
+                ({"Equilibrium/Family": "dedekind"}, ("Equilibrium/Family", "dedekind")),
+                ({"Equilibrium/Family": "jacobi"}, ("Equilibrium/Family", "jacobi")),
+                ({"Continuum/Symmetry": "none"}, ("Continuum/Symmetry",)),
+                ({"Continuum/Degree": "auto"}, ("Continuum/Degree", "auto")),
+                ({"Continuum/Grading": 0.5}, ("Continuum/Grading",)),
+                ({"Material/Law": "none", "Gravity/Constant": 1}, ("Material/Law", "fluid")),
+                ({"Material/Viscosity": 1}, ("Material/Viscosity",)),
+                ({"Loads/Nominal traction": matrix(0, 0, 1)}, ("Loads/Nominal traction",)),
+                ({"Equilibrium/Family": "static", "Loads/Acceleration": "1, 0, 0"}, ("Equilibrium/Family", "Loads/Acceleration")),
+                ({"Equilibrium/Family": "static", "Loads/Rise time": 1, "Loads/Acceleration": "0, 0, 0"}, ("Loads/Rise time",))):
+            with self.subTest(entries):
+                self.refused_entries({**FIGURES, **entries}, *words)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
