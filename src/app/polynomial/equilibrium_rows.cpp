@@ -35,8 +35,8 @@ std::string name_of(const polynomial::MotionClass& motions, polynomial::Figure f
 
 std::vector<scene::Column> polynomial_equilibria_columns() {
   return figure_columns("N of the polynomial body",
-                        "azimuthal number on a spheroid, and on an ellipsoid 0 if even under the half turn about axis "
-                        "3, otherwise 1; -1 if none grows");
+                        "of the same motions: azimuthal number on a spheroid, and on an ellipsoid 0 if even under the "
+                        "half turn about axis 3, otherwise 1; -1 if none grows");
 }
 
 EquilibriumRows::EquilibriumRows(const polynomial::BodySetup& setup, bool incompressible,

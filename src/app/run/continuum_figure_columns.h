@@ -9,8 +9,9 @@ namespace pseudorigid::app {
 
 /// The columns of figure_columns, and after them the estimated errors of the discretisation.
 inline std::vector<scene::Column> continuum_figure_columns() {
-  std::vector<scene::Column> columns = figure_columns(
-      "degree of the elements", "0 if even under the half turn about axis 3, otherwise 1; -1 if none grows");
+  std::vector<scene::Column> columns =
+      figure_columns("degree of the elements",
+                     "of the same motions: 0 if even under the half turn about axis 3, otherwise 1; -1 if none grows");
   columns.insert(columns.end(),
                  {{"parameter_error", "", "difference of the parameter from that on the companion mesh; 0 for members"},
                   {"omega3_error", "1/time", "difference of omega3 from that on the companion mesh"},

@@ -118,10 +118,10 @@ std::vector<std::complex<double>> slowest_rates(const FigureMember& member) {
   return rates;
 }
 
-std::vector<scene::Column> figure_columns(std::string_view degree, std::string_view classes) {
+std::vector<scene::Column> figure_columns(std::string_view degree, std::string_view m) {
   std::vector<scene::Column> columns{
       {"index", "", "number of the row: degree by degree, by rising parameter"},
-      {"degree", "", std::string(degree)},
+      {"degree", "", degree},
       {"kind", "",
        "0: a member of the family. Special points between two members: 1 fold (its spin has an extremum), 3 index "
        "(n_negative changes: a branch may leave, and dissipation decides), 4 instability (a growth rate begins or "
@@ -154,7 +154,7 @@ std::vector<scene::Column> figure_columns(std::string_view degree, std::string_v
        {"odd_in_z", "",
         "of the motions in which a special point happens, or that grow fastest: 1 if odd under the reflection of axis "
         "3, otherwise 0; -1 if none grows"},
-       {"m", "", "of the same motions: " + std::string(classes)}});
+       {"m", "", m}});
   for (std::size_t k = 1; k <= n_slowest_rates; ++k) {
     columns.push_back(
         {fmt::format("rate_{}_re", k), "1/time",

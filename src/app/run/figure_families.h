@@ -38,8 +38,9 @@ inline constexpr std::size_t n_slowest_rates = 10;
 /// are 0.
 std::vector<std::complex<double>> slowest_rates(const mechanics::FigureMember& member);
 
-/// The columns of the table with their units and texts. `degree` is the text of the column with the degree.
-std::vector<scene::Column> figure_columns(std::string_view degree, std::string_view classes);
+/// The columns of the table with their units and texts. `degree` and `m` are the texts of the columns with these names.
+/// They must be literals, because a column refers to its text.
+std::vector<scene::Column> figure_columns(std::string_view degree, std::string_view m);
 
 /// The numbers of a row in internal units, in addition to those of the member.
 struct FigureNumbers {
