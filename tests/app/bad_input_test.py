@@ -75,7 +75,6 @@ class BadInput(RefusedInputTest):
                              "Continuum/Symmetry", "set Symmetry = auto")
         self.refused_entries({"Analysis": "modes", "Models": "continuum",
                               "Initial state/Velocity": "0, 1, 0; 0, 0, 0; 0, 0, 0"}, "Initial state/Velocity", "from rest")
-        self.refused_entries({"Analysis": "equilibrium", "Models": "reduced, continuum"}, "Analysis", "set Models = reduced")
 
     # Values.
 

@@ -67,7 +67,6 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"equilibrium_of_a_system_without",
                 "set System = top\nset Analysis = equilibrium",
                 {"scene.prm:2: Analysis: equilibrium is not offered for System = top"}},
-        Refused{"equilibrium_of_the_ball", "set Analysis = equilibrium", {"scene.prm:1: Analysis: equilibrium"}},
         Refused{"method_that_the_continuum_cannot_use",
                 "subsection Time\nset Method = explicit-8\nend",
                 {"scene.prm:2: Time/Method: explicit-8 is offered for", "Method = rattle"}},

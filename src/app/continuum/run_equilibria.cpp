@@ -7,7 +7,7 @@
 #include <complex>
 
 #include "app/continuum/stored_energy.h"
-#include "app/run/continuum_figure_columns.h"
+#include "app/figures/continuum_figure_columns.h"
 #include "app/run/scene_to_model.h"
 #include "continuum/statics/figure_stability.h"
 #include "continuum/statics/observe_figure.h"

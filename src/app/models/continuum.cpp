@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "app/figures/continuum_figure_columns.h"
 #include "app/models/ball_models.h"
 #include "app/reduced/reduced_scene.h"
-#include "app/run/continuum_figure_columns.h"
 #include "app/run/refuses_method.h"
 #include "io/trajectory.h"
 #include "scene/discretization.h"
@@ -79,8 +79,9 @@ std::optional<Refusal> refuses_equilibria(const Scene& scene) {
     return Refusal{"Continuum/Mesh", "equilibria are those of the ball", {{{"Continuum/Mesh", "builtin"}}}};
   if (scene::is_fluid(scene))
     return Refusal{"Material/Law",
-                   "equilibria of finite elements are those of an elastic ball: in a fluid nothing "
-                   "resists inner motions"};
+                   "an equilibrium of a fluid, in which nothing resists inner motions, is",
+                   {},
+                   scene::names_where(scene, [](const auto& model) { return !model.discretized; })};
   const loads::Forcing forcing = loads::constant_forcing(scene.loads);
   if (forcing.viscosity > 0 || forcing.drag > 0)
     return Refusal{forcing.viscosity > 0 ? "Material/Viscosity" : "Material/Drag",

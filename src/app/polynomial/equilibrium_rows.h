@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/run/figure_families.h"
+#include "app/figures/figure_families.h"
 #include "polynomial/incompressible_body.h"
 #include "polynomial/rotation_family.h"
 #include "scene/catalogue.h"

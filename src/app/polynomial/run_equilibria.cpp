@@ -4,7 +4,7 @@
 
 #include "app/polynomial/body_setup.h"
 #include "app/polynomial/equilibrium_rows.h"
-#include "app/run/figure_families.h"
+#include "app/figures/figure_families.h"
 #include "scene/models.h"
 
 namespace pseudorigid::app {

@@ -5,9 +5,9 @@
 ///   r = f(x) + ν h(x) + Gᵀλ = 0,   g(x) = 0,
 ///
 /// without λ and g for a compressible ball. f contains the elastic force, the volumetric stabilisation and
-/// self-gravity. For a rotation with the spin Ω, ν = Ω² and h_n = m_n P x_n, with the mass m_n and the position x_n of
-/// node n and the projection P onto the plane normal to axis 3. For the ball at rest, ν is the factor of the loads h.
-/// The planes of the octant exclude rotations of space and of the ball.
+/// self-gravity. For a rotation with the spin Ω, ν = Ω² and h_n = m_n P x_n. Here m_n is the mass and x_n the position
+/// of node n, and P is the projection onto the plane normal to axis 3. For the ball at rest, ν is the factor of the
+/// loads h. The planes of the octant exclude rotations of space and of the ball.
 ///
 /// The equations are solved by Newton's iteration. Each step solves K δx − Gᵀδλ = r, Gδx = −g with the tangent K
 /// (tangent_problem.h), by GMRES with a factorisation of the cells as the preconditioner (modes/parity_sector.h). A
@@ -109,8 +109,8 @@ class BallFigures final : public mechanics::FigureEquations {
                                          const Vector& minus_g, const Vector& drive, double c, Figure& change) const;
   /// Sets `step` to the step of Newton's iteration from `figure`, whose terms are `now`.
   mechanics::Status step(const Condition& condition, const Figure& figure, const Terms& now, Figure& step) const;
-  /// The vector w for which w·x = a_k − ρ a₁, with the affine part A = diag(a) of the field x, the axis k and the ratio
-  /// ρ of the condition.
+  /// The vector w for which w·x = a_k − ρ a₁. The field x has the affine part A = diag(a). The condition has the axis k
+  /// and the ratio ρ.
   HeldDirection axis_direction(const Condition& condition) const;
   /// The largest entry of the terms, or a typical elastic force on a node if that is larger.
   double scale_of(const Figure& figure, const Terms& terms) const;

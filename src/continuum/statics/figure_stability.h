@@ -5,11 +5,11 @@
 ///   M ü + 2Ω M ê₃×u̇ + K u − Gᵀμ = 0,   G u = 0
 ///
 /// with the tangent K (tangent_problem.h), the mass M, the derivative G of the constraint and its multiplier μ. For a
-/// ball at rest, Ω = 0. The parities of modes/parity.h form four classes of two parities each, which the force of
-/// Coriolis couples: even or odd under the reflection of axis 3, and even or odd under the half turn about axis 3.
+/// ball at rest, Ω = 0. The force of Coriolis couples two parities of modes/parity.h, so there are four classes. A
+/// class is even or odd under the reflection of axis 3, and even or odd under the half turn about axis 3.
 ///
-/// In each class the equations are projected on a basis (Galerkin). It consists of the lowest eigenvectors of K u − Gᵀμ
-/// = κ M u of both parities, the static responses to the forces of Coriolis of these eigenvectors, and the rotations of
+/// In each class the equations are projected on a basis (Galerkin). It contains the lowest eigenvectors of K u − Gᵀμ =
+/// κ M u of both parities, and the static responses to their forces of Coriolis. It also contains the rotations of
 /// space and of the ball. The dense problem is solved by mechanics/equilibria/linear_stability.h, which removes
 /// rotations together with their momenta. Without rotation the rates are exact for the mesh. Otherwise the projection
 /// causes an error that falls with the number of eigenvectors. Uniform motions are left out.

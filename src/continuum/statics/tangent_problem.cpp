@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <variant>
 
 #include "continuum/modes/cell_stiffness.h"
@@ -65,18 +66,23 @@ Eigen::Vector3d TangentProblem::rate_of_drive() const {
   return -state_.drive * Eigen::Vector3d(1, 1, 0);
 }
 
-Vector TangentProblem::rate_beyond_cells(const Vector& u, const Parity& parity) const {
-  Vector force = space.make_vector();  // minus the result
-  if (state_.body.gravity()) state_.body.gravity()->add_rate(state_.x, u, parity.sign, force);
+Vector TangentProblem::rate_at_surface(const Vector& u, const Parity& parity) const {
+  Vector force = space.make_vector();
+  state_.body.gravity()->add_rate(state_.x, u, parity.sign, force);
+  force *= -1;
+  for (const Spring& spring : springs_)
+    add_of_cell(spring.cell, -spring.row.dot(of_cell(spring.cell, u)) * spring.row, force);
+  return force;
+}
+
+Vector TangentProblem::rate_within(const Vector& u) const {
+  Vector force = space.make_vector();
   if (!definite_)
     for (unsigned int i = 0; i < 3 * space.n_nodes(); ++i)
-      force.local_element(i) -= rate_of_drive()[i % 3] * space.mass().local_element(i) * u.local_element(i);
-  force *= -1;
+      force.local_element(i) = rate_of_drive()[i % 3] * space.mass().local_element(i) * u.local_element(i);
   if (held_) force.add(held_->stiffness * (held_->w * u), held_->w);
   for (unsigned int cell = 0; cell < of_gravity_.size(); ++cell)
     add_of_cell(cell, of_gravity_[cell] * of_cell(cell, u), force);
-  for (const Spring& spring : springs_)
-    add_of_cell(spring.cell, -spring.row.dot(of_cell(spring.cell, u)) * spring.row, force);
   return force;
 }
 
@@ -94,10 +100,41 @@ void TangentProblem::add_of_cell(unsigned int cell, const Eigen::VectorXd& local
     for (unsigned int c = 0; c < 3; ++c) f.local_element(3 * node + c) += local[i++];
 }
 
+std::vector<Eigen::Index> TangentProblem::unknowns_at_surface(const ParitySector& sector) const {
+  Vector marks = space.make_vector();
+  for (const CellFace& face : free_surface(space))
+    for (const int local : nodes_of(face, space.reference_cell().n))
+      for (unsigned int c = 0; c < 3; ++c)
+        marks.local_element(3 * space.cell_nodes(face.cell)[static_cast<std::size_t>(local)] + c) = 1;
+  const Eigen::VectorXd of_unknowns = sector.entries_of(marks);
+  std::vector<Eigen::Index> indices;
+  for (Eigen::Index i = 0; i < of_unknowns.size(); ++i)
+    if (of_unknowns[i] == 1) indices.push_back(i);
+  return indices;
+}
+
 SectorOperator TangentProblem::beyond_cells(const ParitySector& sector) const {
   if (!state_.body.gravity() && !held_ && (definite_ || rate_of_drive().isZero(0))) return {};
-  return [this, &sector](const Eigen::VectorXd& u) -> Eigen::VectorXd {
-    return sector.entries_of(rate_beyond_cells(sector.field_of(u), sector.parity()));
+  const auto within = [this, &sector](const Eigen::VectorXd& u) {
+    return sector.entries_of(rate_within(sector.field_of(u)));
+  };
+  if (!state_.body.gravity()) return within;
+  const auto at_surface = [this, &sector](const Eigen::VectorXd& u) {
+    return sector.entries_of(rate_at_surface(sector.field_of(u), sector.parity()));
+  };
+  if (!definite_)
+    return [within, at_surface](const Eigen::VectorXd& u) -> Eigen::VectorXd { return within(u) + at_surface(u); };
+  // Eigenvectors need thousands of products. They are cheaper with a matrix, of which every column takes one product.
+  const std::vector<Eigen::Index> indices = unknowns_at_surface(sector);
+  const auto n = static_cast<Eigen::Index>(indices.size());
+  Eigen::MatrixXd matrix(n, n);
+  for (Eigen::Index j = 0; j < n; ++j)
+    matrix.col(j) = at_surface(Eigen::VectorXd::Unit(static_cast<Eigen::Index>(sector.n_unknowns()),
+                                                     indices[static_cast<std::size_t>(j)]))(indices);
+  return [within, indices, matrix = std::move(matrix)](const Eigen::VectorXd& u) -> Eigen::VectorXd {
+    Eigen::VectorXd f = within(u);
+    f(indices) += matrix * u(indices);
+    return f;
   };
 }
 

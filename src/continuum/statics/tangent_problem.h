@@ -6,11 +6,12 @@
 ///   K = −D(f + ν h + Gᵀλ)(x).
 ///
 /// The cells have the tangent of the stored energy, of the pressure and of the constraint (modes/cell_stiffness.h). The
-/// operator E has the other terms: the second variation of self-gravity (body/surface_gravity_forces.h), the rate of
-/// the centrifugal force, Ω²P u per mass with the projection P onto the plane normal to axis 3, and the rate −T u of a
-/// quadratic potential. With self-gravity, the multiplier balances the gravity at the surface as well. In the
-/// preconditioner it is then replaced by the mean stress of the law, and gravity by springs along the normals of the
-/// surface. E has the differences. Otherwise the preconditioner would not be positive definite under strong gravity.
+/// operator E has the other terms. They are the second variation of self-gravity (body/surface_gravity_forces.h) and
+/// the rates of the centrifugal force and of a quadratic potential. Per mass, these rates are Ω²P u and −T u. P is the
+/// projection onto the plane normal to axis 3. With self-gravity, the multiplier balances the gravity at the surface as
+/// well. In the preconditioner it is then replaced by the mean stress of the law, and gravity by springs along the
+/// normals of the surface. E has the differences. Otherwise the preconditioner would not be positive definite under
+/// strong gravity.
 
 #include <Eigen/Core>
 #include <vector>
@@ -50,9 +51,10 @@ class TangentProblem final : public LinearProblem {
   SectorOperator beyond_cells(const ParitySector& sector) const override;
 
  private:
-  /// The rate of the forces without cells along u, with the sign of K.
-  Vector rate_beyond_cells(const Vector& u, const Parity& parity) const;
-
+  /// The products E u of the parts of E: gravity and springs, which couple the unknowns of the surface, and the others.
+  Vector rate_at_surface(const Vector& u, const Parity& parity) const;
+  Vector rate_within(const Vector& u) const;
+  std::vector<Eigen::Index> unknowns_at_surface(const ParitySector& sector) const;
   /// The entries of a cell in a nodal vector, and the addition of such entries.
   Eigen::VectorXd of_cell(unsigned int cell, const Vector& u) const;
   void add_of_cell(unsigned int cell, const Eigen::VectorXd& local, Vector& f) const;

@@ -1,4 +1,4 @@
-#include "app/run/figure_families.h"
+#include "app/figures/figure_families.h"
 
 #include <fmt/format.h>
 

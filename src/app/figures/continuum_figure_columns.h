@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/run/figure_families.h"
+#include "app/figures/figure_families.h"
 
 namespace pseudorigid::app {
 
