@@ -209,6 +209,11 @@ void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily&
   for (const auto& missing : family.missing)
     context_.log->warn("{}: no equilibrium at {} = {:.9g}: {}", of_degree, parameter_, missing.parameter,
                        missing.reason);
+  for (const double parameter : family.without_special)
+    context_.log->warn(
+        "{}: the number of negative directions changes before {} = {:.9g}, but its special point was not "
+        "located",
+        of_degree, parameter_, parameter);
   write(family, row_of);
   const auto n_stable =
       std::ranges::count_if(family.members, [](const FigureMember& member) { return !fastest_growing(member); });

@@ -64,13 +64,14 @@ Status FigureFinder::member(double parameter, FigureMember& member) {
 }
 
 /// Appends the special points between the members with the parameters a and b.
-void FigureFinder::locate_special(double a, double b, std::vector<SpecialFigure>& special) {
+void FigureFinder::locate_special(double a, double b, FigureFamily& result) {
   struct Found {
     SpecialPoint point;
     MotionClass motions;
   };
   std::vector<Found> found;
   const std::vector<ClassStability> classes = members_.at(a).classes;
+  bool is_complete = true;
   for (std::size_t k = 0; k < classes.size(); ++k) {
     std::vector<SpecialPoint> of_class;
     locate_changes_of_stability(
@@ -81,6 +82,9 @@ void FigureFinder::locate_special(double a, double b, std::vector<SpecialFigure>
         },
         a, b, of_class, resolution_);
     for (const auto& point : of_class) found.push_back({point, classes[k].motions});
+    const bool changes = classes[k].stability.n_negative != members_.at(b).classes[k].stability.n_negative;
+    const bool is_found = std::ranges::any_of(of_class, [](const auto& p) { return p.kind == SpecialKind::index; });
+    is_complete = is_complete && (!changes || is_found);
   }
   if (family_.condition(a).parameter != FigureParameter::drive) {
     const auto slope = [&](double p) {
@@ -96,8 +100,10 @@ void FigureFinder::locate_special(double a, double b, std::vector<SpecialFigure>
   std::ranges::stable_sort(found, {}, [](const Found& f) { return f.point.s; });
   for (const Found& f : found) {
     FigureMember at;
-    if (member(f.point.s, at)) special.push_back({f.point.kind, f.motions, std::move(at)});
+    if (member(f.point.s, at)) result.special.push_back({f.point.kind, f.motions, std::move(at)});
   }
+  const bool rotates = members_.at(a).figure.drive > 0 && members_.at(b).figure.drive > 0;
+  if (!is_complete && rotates) result.without_special.push_back(b);
 }
 
 FigureFamily FigureFinder::family(const std::vector<double>& parameters, std::function<bool()> give_up) {
@@ -109,7 +115,7 @@ FigureFamily FigureFinder::family(const std::vector<double>& parameters, std::fu
     const Status status = member(p, at);
     if (!status && gives_up()) break;
     if (status) {
-      if (previous) locate_special(result.members.back().parameter, p, result.special);
+      if (previous) locate_special(result.members.back().parameter, p, result);
       result.members.push_back(at);
       // The figures that were computed between members are not needed again.
       known_ = {{family_.condition(p).value, at.figure}};

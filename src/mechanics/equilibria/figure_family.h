@@ -51,6 +51,9 @@ struct FigureFamily {
   std::vector<FigureMember> members;
   std::vector<SpecialFigure> special;  ///< special points, sorted by parameter between two members
   std::vector<NoFigure> missing;
+  /// Parameters of members before which the number of negative directions changes, although the search finds no special
+  /// point. The first member is not compared, and neither are members without rotation.
+  std::vector<double> without_special;
 };
 
 /// An affine figure near the required figure, with its semi-axes and its drive.
@@ -93,7 +96,8 @@ class FigureFinder {
   /// Finds the figure with this parameter from the nearest known figure, or by `first` if no figure is known. Fails if
   /// the condition has no finite value, if no figure is found, or if its drive is negative.
   Status find(double parameter, EquilibriumFigure& figure);
-  void locate_special(double a, double b, std::vector<SpecialFigure>& special);
+  /// Appends the special points between the members with the parameters a and b to `result`.
+  void locate_special(double a, double b, FigureFamily& result);
 
   const FigureEquations& equations_;
   StabilityOfFigure analyse_;

@@ -91,13 +91,13 @@ inline void locate_changes_of_stability(const StabilityAlong& stability, double 
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto at_a = stability(a), at_b = stability(b);
   if (!at_a || !at_b || at_a->second_variation.size() != at_b->second_variation.size()) return;
-  const Eigen::Index size = at_a->second_variation.size();
   const auto [least, most] = std::minmax(at_a->n_negative, at_b->n_negative);
   double last = nan;
   for (int k = least; k < most; ++k) {
     const auto eigenvalue = [&](double s) {
       const auto r = stability(s);
-      if (!r || r->second_variation.size() != size) return nan;
+      // Near a zero, round-off can decide whether a direction of a symmetry is removed.
+      if (!r || r->second_variation.size() <= k) return nan;
       const double x = r->second_variation[k];
       return std::abs(x) <= zero_variation ? 0 : x;
     };
