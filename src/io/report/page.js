@@ -195,7 +195,7 @@ function sectionSections() {
     make("div", {class: "charts wide"}, chart({title: `${second} over ${first}`, series: [{x: wrapped(first, [...t.columns[first]]), y: [...t.columns[second]], name: "", style: "dot", points: true}], xLabel: withUnit(first, unit(first)), yLabel: withUnit(second, unit(second)), height: 420})));
 }
 
-const FAMILY_PARAMETERS = {maclaurin: "eccentricity e", spheroids: "a3 / radius", spinning: withUnit("spin", "1/time")};
+const FAMILY_PARAMETERS = {maclaurin: "eccentricity e", spheroids: "a3 / radius", spinning: withUnit("spin", "1/time"), static: "factor of the loads"};
 const SPECIAL = {1: "fold: spin or circulation has an extremum", 3: "index: the number of negative directions changes, a branch may leave", 4: "instability: a growth rate begins or ends"};
 function equilibriaSections() {
   const t = tables.equilibria;
@@ -215,7 +215,7 @@ function familySections(name, whose) {
 }
 
 // Those that are not here stand at the end, under their own names.
-const COUNTERS = {steps: "steps", substeps: "substeps of compositions", forces: "evaluations of the force", step: withUnit("longest step allowed", "time"), order: "order of the method", cells: "cells", unknowns: "unknowns",
+const COUNTERS = {steps: "steps", substeps: "substeps of compositions", forces: "evaluations of the force", step: withUnit("longest step allowed", "time"), order: "order of the method", cells: "cells", newton_steps: "steps of Newton's iteration", factorizations: "factorisations of a tangent", gmres_iterations: "iterations of GMRES", unknowns: "unknowns",
   images: "reflections that make the ball", multipliers: "multipliers", gram_solves: "constraint solves", gram_iterations: "iterations of the constraint solver", gram_iterations_at_most: "of one solve at most", gram_renewals: "renewals of its preconditioner",
   position_iterations: "iterations on the constraint", velocity_projections: "projections of the velocity", max_scaled_constraint: "largest violation of the constraint", max_scaled_constraint_rate: "largest violation of its rate",
   pilot_forces: "evaluations of the force in pilot runs", repeated_intervals: "intervals between samples integrated again with shorter steps", failed_intervals: "of these, because a step failed", largest_frequency: withUnit("largest frequency", "1/time"), estimated_time_error: "estimated error in time", estimated_space_error: "estimated error in space, largest entry of Q", relative_space_error: "estimated error in space, relative",
