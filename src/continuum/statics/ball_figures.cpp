@@ -24,12 +24,12 @@ loads::Loads acting_loads(const FigureSetup& setup) {
   return {setup.loads.get<loads::SelfGravity>(), setup.loads.get<loads::Pressure>()};
 }
 
-std::unique_ptr<const BallBody> make_body(const FigureSetup& setup) {
+std::shared_ptr<const BallBody> make_body(const FigureSetup& setup) {
   const Sector sector{octant};
   const loads::Loads loads = acting_loads(setup);
   if (setup.incompressible)
-    return std::make_unique<ElasticBall>(sector, setup.degree, setup.n_refinements, setup.stored, loads);
-  return std::make_unique<CompressibleBall>(sector, setup.degree, setup.n_refinements, setup.stored, loads);
+    return std::make_shared<ElasticBall>(sector, setup.degree, setup.n_refinements, setup.stored, loads);
+  return std::make_shared<CompressibleBall>(sector, setup.degree, setup.n_refinements, setup.stored, loads);
 }
 
 loads::Forcing forcing_of(const FigureSetup& setup) {

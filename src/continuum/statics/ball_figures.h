@@ -124,7 +124,7 @@ class BallFigures final : public mechanics::FigureEquations {
   StoredEnergy stored_;
   bool incompressible_;
   Drive kind_;
-  std::unique_ptr<const BallBody> body_;
+  std::shared_ptr<const BallBody> body_;  ///< shared, because BallBody has no virtual destructor
   loads::Forcing forcing_;
   std::vector<unsigned int> exchanged_;  ///< the node at (X_2, X_1, X_3) for the node at X; empty for an ellipsoid
   mutable FigureCounts counts_;
