@@ -46,8 +46,8 @@ ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& co
 bool is_resumable(const RunContext& context) { return !checkpoints(context.directory, context.scene).empty(); }
 
 /// The context in which a model runs. All ranks share a motion of finite elements, but a single process computes modes,
-/// Love numbers and equilibria in one octant. The collective call of_first(true) starts a shared run on the ranks that wait in
-/// assist_scene.
+/// Love numbers and equilibria in one octant. The collective call of_first(true) starts a shared run on the ranks that
+/// wait in assist_scene.
 RunContext context_of(const scene::ModelDescription& model, const RunContext& context, const Executable& executable) {
   RunContext of_model = context;
   if (model.discretized && context.scene.analysis == scene::Analysis::motion && executable.ranks->of_first(true))
