@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "app/figures/figure_families.h"
 #include "app/polynomial/body_setup.h"
 #include "app/polynomial/equilibrium_rows.h"
-#include "app/figures/figure_families.h"
 #include "scene/models.h"
 
 namespace pseudorigid::app {
