@@ -72,8 +72,7 @@ class FamilyOnMesh {
     const auto analyse = [&](const auto& figure, auto& classes) {
       return continuum::stability_of(figures_, figure, n_eigenvectors, classes);
     };
-    // A special point has the error of the mesh, so it need not be located to round-off. Closer to a fold, GMRES would
-    // not converge, because the tangent is singular at the fold.
+    // A special point has the error of the mesh, so it need not be located to round-off.
     constexpr double resolution = 1e-7;
     return {figures_, analyse, family_, resolution};
   }
@@ -106,19 +105,26 @@ class Companion {
  public:
   /// `factor` is the factor of the loads of a ball at rest.
   Companion(const RunContext& context, const scene::Discretization& discretization, double factor)
-      : mesh_(context, discretization), family_(mesh_.family(factor)) {}
+      : mesh_(context, discretization),
+        family_(mesh_.family(factor)),
+        round_off_(1e-11 * (1 + gravity_to_elasticity(context.scene))) {}
 
   /// Appends the errors of a row with these numbers. `of_basis` is the error of the basis of the small motions. If the
-  /// companion has no such figure, each error is as large as the value.
+  /// companion has no such figure, each error is as large as the value. The errors contain the tolerance of Newton's
+  /// iteration and that of the eigenvalues, because both meshes may agree to round-off.
   mechanics::Status append_errors(const FigureMember& member, const SpecialFigure* special,
                                   const FigureNumbers& numbers, double of_basis, std::vector<double>& row) {
     const FigureMember* other = special ? match(*special) : match(member);
     FigureNumbers of_other{0, 0, Eigen::Vector3d::Zero(), {}, {}};
     if (other)
       if (auto status = mesh_.numbers(*other, of_other); !status) return status;
+    constexpr double of_eigenvalues = 1e-9;
+    const double largest_rate = std::abs(slowest_rates(member).back());
     row.insert(row.end(), {special ? std::abs(member.parameter - (other ? other->parameter : 0)) : 0,
-                           std::abs(numbers.spin - of_other.spin), (numbers.axes - of_other.axes).cwiseAbs().maxCoeff(),
-                           difference_of_rates(member, other ? *other : FigureMember()) + of_basis});
+                           std::abs(numbers.spin - of_other.spin) + round_off_ * numbers.spin,
+                           (numbers.axes - of_other.axes).cwiseAbs().maxCoeff() + round_off_ * numbers.axes.maxCoeff(),
+                           difference_of_rates(member, other ? *other : FigureMember()) + of_basis +
+                               (of_eigenvalues + round_off_) * largest_rate});
     return {};
   }
 
@@ -141,6 +147,7 @@ class Companion {
 
   FamilyOnMesh mesh_;
   FigureFamily family_;
+  double round_off_;  ///< relative error of a figure by the tolerance of Newton's iteration; it rises with gravity
 };
 
 std::string name_of(const mechanics::MotionClass& motions) {

@@ -128,14 +128,14 @@ std::vector<scene::Column> figure_columns(std::string_view degree, std::string_v
        "ends)"},
       {"parameter", "",
        "the family's: eccentricity (maclaurin) and a3 in radii at volume 1 (spheroids), from the ratio of the axes a1 "
-       "and a3; spin [1/time] (spinning) or a2/a1 (jacobi)"},
+       "and a3; spin [1/time] (spinning), a2/a1 (jacobi) or the factor of the loads (static)"},
       {"omega3", "1/time", "rate at which the figure turns about its axis 3"}};
   const auto vector = [&](const char* name, scene::Unit unit, const char* documentation) {
     for (int i = 1; i <= 3; ++i)
       columns.push_back({fmt::format("{}{}", name, i), unit, i == 1 ? documentation : "as for axis 1"});
   };
   vector("a", "length", "semi-axis along axis 1 of the ellipsoid x = Q X nearest in the mean");
-  vector("surface", "length", "where the surface cuts axis 1");
+  vector("surface", "length", "point at which the surface cuts axis 1");
   columns.insert(
       columns.end(),
       {{"kinetic", "mass*length^2/time^2", "kinetic energy"},

@@ -31,7 +31,7 @@ std::vector<double> parameters_of(const scene::Scene::Equilibria& asked);
 /// The class of small motions that contains the fastest growing motion; null if no motion grows.
 const mechanics::ClassStability* fastest_growing(const mechanics::FigureMember& member);
 
-/// The numbers n of rates in a row of the table.
+/// The number of rates in a row of the table.
 inline constexpr std::size_t n_slowest_rates = 10;
 /// The ten rates s of lowest frequency |Im s| among the rates of all classes of motions, by rising frequency. A rate
 /// with Im s > 0 is followed by its complex conjugate, which is a rate as well. If there are fewer rates, the others
@@ -51,7 +51,7 @@ struct FigureNumbers {
   mechanics::ContinuumObservables observables;
 };
 
-/// Sets `row` to the columns of figure_columns in internal units. Only the parameter has the unit of its family.
+/// A row with the columns of figure_columns in internal units. Only the parameter has the unit of its family.
 /// `special` is null for an ordinary member of the family.
 std::vector<double> figure_row(int index, const mechanics::FigureMember& member,
                                const mechanics::SpecialFigure* special, const FigureNumbers& numbers);

@@ -31,19 +31,28 @@ auto local_node_positions(const CellBatches<degree, n_lanes>& batches, std::size
   return local;
 }
 
+/// Calls use(coefficients, batch, lane) for a cell, with the coefficients of λ_h in the monomials of its batch.
+template <int degree, int n_lanes, class Use>
+void with_multiplier_of_cell(const CellBatches<degree, n_lanes>& batches, const double* lambda, unsigned int cell,
+                             const Use& use) {
+  using Batches = CellBatches<degree, n_lanes>;
+  const std::size_t b = cell / Batches::n_lanes;
+  typename Batches::L multiplier[Batches::n_pressure], coefficients[Batches::n_pressure];
+  batches.load_multiplier(lambda, b, multiplier);
+  batches.monomial_coefficients(multiplier, b, coefficients);
+  use(coefficients, b, static_cast<int>(cell % Batches::n_lanes));
+}
+
 /// Implementation of LocalKernels::multiplier_at_nodes.
 template <int degree, int n_lanes>
 void multiplier_at_nodes(const CellBatches<degree, n_lanes>& batches, const double* lambda, unsigned int cell,
                          std::span<double> values) {
   using Batches = CellBatches<degree, n_lanes>;
-  const std::size_t b = cell / Batches::n_lanes;
-  const int lane = static_cast<int>(cell % Batches::n_lanes);
-  typename Batches::L multiplier[Batches::n_pressure], coefficients[Batches::n_pressure];
-  batches.load_multiplier(lambda, b, multiplier);
-  batches.monomial_coefficients(multiplier, b, coefficients);
-  const auto local = local_node_positions(batches, b);
-  for (int i = 0; i < Batches::n_nodes; ++i)
-    values[i] = Batches::Monomials::evaluate(coefficients, local[0][i], local[1][i], local[2][i])[lane];
+  with_multiplier_of_cell(batches, lambda, cell, [&](const auto& coefficients, std::size_t b, int lane) {
+    const auto local = local_node_positions(batches, b);
+    for (int i = 0; i < Batches::n_nodes; ++i)
+      values[i] = Batches::Monomials::evaluate(coefficients, local[0][i], local[1][i], local[2][i])[lane];
+  });
 }
 
 /// Implementation of LocalKernels::multiplier_at_points.
@@ -51,16 +60,13 @@ template <int degree, int n_lanes>
 void multiplier_at_points(const CellBatches<degree, n_lanes>& batches, const double* lambda, unsigned int cell,
                           std::span<double> values) {
   using Batches = CellBatches<degree, n_lanes>;
-  const std::size_t b = cell / Batches::n_lanes;
-  const int lane = static_cast<int>(cell % Batches::n_lanes);
-  typename Batches::L multiplier[Batches::n_pressure], coefficients[Batches::n_pressure];
-  batches.load_multiplier(lambda, b, multiplier);
-  batches.monomial_coefficients(multiplier, b, coefficients);
-  const auto* points = batches.pressure_points(b);
-  for (int q = 0; q < Batches::n_points; ++q) {
-    const auto* X = points[q].position;
-    values[q] = Batches::Monomials::evaluate(coefficients, X[0], X[1], X[2])[lane];
-  }
+  with_multiplier_of_cell(batches, lambda, cell, [&](const auto& coefficients, std::size_t b, int lane) {
+    const auto* points = batches.pressure_points(b);
+    for (int q = 0; q < Batches::n_points; ++q) {
+      const auto* X = points[q].position;
+      values[q] = Batches::Monomials::evaluate(coefficients, X[0], X[1], X[2])[lane];
+    }
+  });
 }
 
 /// Implementation of LocalKernels::pressure_basis_at_nodes.

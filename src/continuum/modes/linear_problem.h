@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <numbers>
 #include <vector>
 
 #include "continuum/kernels/cell_kernels.h"
@@ -23,6 +24,10 @@ struct Spring {
   Eigen::VectorXd row;
 };
 
+/// The product ρg of density and gravity at the surface of the ball, g = (4/3)πGρr, in internal units with ρ = r = 1. G
+/// is Newton's constant.
+inline double weight_of_density(double G) { return 4 * std::numbers::pi / 3 * G; }
+
 /// Data that all sectors share: the space, and the stiffness and the constraint of every cell.
 struct LinearProblem {
   virtual ~LinearProblem() = default;
@@ -40,17 +45,19 @@ struct LinearProblem {
   std::vector<int> n_cells_at_node{};         ///< number of cells that contain each node
 
  protected:
-  /// `space` must be that of an octant in one process.
-  LinearProblem(const BallSpace& ball_space, bool is_incompressible, double of_shift, double of_constraint)
-      : space(ball_space), incompressible(is_incompressible), shift(of_shift), penalty(of_constraint) {}
+  /// `space` must be that of an octant in one process. `stiffness_of_body` is the larger of the shear modulus and ρg.
+  LinearProblem(const BallSpace& ball_space, bool is_incompressible, double of_shift, double stiffness_of_body)
+      : space(ball_space),
+        incompressible(is_incompressible),
+        shift(of_shift),
+        penalty(is_incompressible ? 1e4 * stiffness_of_body : 0) {}
   LinearProblem(const LinearProblem&) = default;
   /// Sets `constraint` to G at the positions x. Must be called before `set_stiffness`.
   void set_constraint(const CellKernels& kernels, const Vector& x);
   /// Sets `stiffness` and `n_cells_at_node`. `of_cell` returns K of a cell.
   void set_stiffness(const std::function<Eigen::MatrixXd(unsigned int cell)>& of_cell);
   /// Adds a spring at each point of the free surface to the stiffness. A spring acts along the direction `along(point)`
-  /// with the square of its length as the stiffness.
-  /// Returns the springs with the weights of the quadrature.
+  /// with the square of its length as the stiffness. Returns the springs with the weights of the quadrature.
   std::vector<Spring> add_springs(const std::function<Eigen::Vector3d(const FacePoint& point)>& along);
 };
 

@@ -2,25 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "continuum/modes/surface_harmonics.h"
 
 namespace pseudorigid::continuum {
-namespace {
-
-double weight(double gravity_constant) { return 4 * std::numbers::pi / 3 * gravity_constant; }
-
-}  // namespace
-
 RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels, const StoredEnergy& stored,
                          bool is_incompressible, double gravity_constant)
     : LinearProblem(ball_space, is_incompressible, RestElasticity(stored, is_incompressible).moduli.shear,
-                    is_incompressible ? 1e4 * std::max(RestElasticity(stored, is_incompressible).moduli.shear,
-                                                       weight(gravity_constant))
-                                      : 0),
+                    std::max(RestElasticity(stored, is_incompressible).moduli.shear,
+                             continuum::weight_of_density(gravity_constant))),
       elasticity(stored, is_incompressible),
-      weight_of_density(weight(gravity_constant)) {
+      weight_of_density(continuum::weight_of_density(gravity_constant)) {
   const Vector& X = space.reference_positions();
   if (incompressible) set_constraint(kernels, X);
   const CellStiffness cells(space);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <stdexcept>
 
 #include "materials/rest_moduli.h"
@@ -56,11 +55,6 @@ BallFigures::BallFigures(const FigureSetup& setup)
       body_(make_body(setup)),
       forcing_(forcing_of(setup)) {
   if (setup.figure == mechanics::Figure::spheroid) find_exchanged_nodes();
-}
-
-double BallFigures::typical_stiffness() const {
-  return std::max(materials::moduli_at_rest(stored_.law, incompressible_).shear,
-                  4 * std::numbers::pi / 3 * forcing_.gravity_constant);
 }
 
 bool BallFigures::permits_rotation_of_space(int axis) const {

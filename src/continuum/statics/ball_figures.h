@@ -63,9 +63,7 @@ class BallFigures final : public mechanics::FigureEquations {
   const FigureCounts& counts() const { return counts_; }
   Drive drive() const { return kind_; }
   const loads::Forcing& forcing() const { return forcing_; }  ///< the sum of the loads
-  bool is_spheroid() const { return !exchanged_.empty(); }
-  /// The larger of the shear modulus and ρgr, with the gravity g at the surface.
-  double typical_stiffness() const;
+  double typical_stiffness() const { return continuum::typical_stiffness(stored_, incompressible_, forcing_); }
   /// True if rotations of space about an axis, or of the undeformed ball, do not change the energy.
   bool permits_rotation_of_space(int axis) const;
   bool permits_rotation_of_ball(int axis) const;

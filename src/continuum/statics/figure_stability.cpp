@@ -2,13 +2,12 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <list>
-#include <numbers>
 
 #include "continuum/kernels/node_gradients.h"
 #include "continuum/modes/largest_eigenpairs.h"
-#include "materials/rest_moduli.h"
+#include "continuum/statics/turned.h"
 
 namespace pseudorigid::continuum {
 namespace {
@@ -17,17 +16,6 @@ namespace {
 constexpr double eigenvector_tolerance = 1e-6;
 /// Directions whose part that is independent of the basis is below this fraction are left out of the basis.
 constexpr double dependent = 1e-8;
-
-/// ê×u at every node, for the unit vector ê of an axis.
-Vector turned(const BallSpace& space, int axis, const Vector& u) {
-  Vector result = space.make_vector();
-  const auto p = static_cast<unsigned int>((axis + 1) % 3), q = static_cast<unsigned int>((axis + 2) % 3);
-  for (unsigned int i = 0; i < 3 * space.n_nodes(); i += 3) {
-    result.local_element(i + p) = -u.local_element(i + q);
-    result.local_element(i + q) = u.local_element(i + p);
-  }
-  return result;
-}
 
 /// The displacement F(ê×X) of a rotation of the ball, with the mean of F over the cells of a node.
 Vector turned_within(const BallSpace& space, int axis, const Vector& x) {
@@ -109,7 +97,7 @@ class SectorBasis {
   std::vector<EigenPair> uniform_motions() const {
     const auto& sign = sector_.parity().sign;
     if (std::ranges::count(sign, -1) != 1) return {};
-    Eigen::Matrix<double, 3, 1> axis = Eigen::Vector3d::Unit(std::ranges::find(sign, -1) - sign.begin());
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(std::ranges::find(sign, -1) - sign.begin());
     Vector u = sector_.space().make_vector();
     for (unsigned int i = 0; i < 3 * sector_.space().n_nodes(); ++i) u.local_element(i) = axis[i % 3];
     const Eigen::VectorXd y = sector_.entries_of(u).cwiseProduct(sector_.mass().cwiseSqrt()).normalized();

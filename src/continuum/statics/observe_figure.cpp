@@ -1,8 +1,10 @@
 #include "continuum/statics/observe_figure.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "continuum/output/observe.h"
+#include "continuum/statics/turned.h"
 
 namespace pseudorigid::continuum {
 
@@ -17,18 +19,13 @@ mechanics::Status observe_figure(const BallFigures& figures, const mechanics::Eq
   if (figures.drive() == Drive::loads) o.external *= figure.drive;
   o.multiplier = figure.lambda.size() > 0 ? mean_multiplier(ball, state.q, figures.multiplier(figure)) : 0;
 
-  Vector turned = ball.make_vector();  // ê₃×x
-  for (unsigned int i = 0; i < 3 * space.n_nodes(); i += 3) {
-    turned.local_element(i) = -state.q.local_element(i + 1);
-    turned.local_element(i + 1) = state.q.local_element(i);
-  }
   const double spin = figures.drive() == Drive::rotation ? std::sqrt(std::max(figure.drive, 0.0)) : 0;
   const int n_images = space.mesh().sector().n_images();
   const Eigen::Matrix3d moment = ball.nodal_moment(state.q, state.q);
   o.angular_momentum[2] = spin * (moment(0, 0) + moment(1, 1));
   o.kinetic = spin * o.angular_momentum[2] / 2;
   // The integrand ρ(X ⊗ Fᵀẋ)₁₂ of the circulation is even under the reflections of the octant.
-  const CellIntegrals::Matrix pulled_back = ball.kernels().integrals(state.q, turned).X_pulled_back;
+  const CellIntegrals::Matrix pulled_back = ball.kernels().integrals(state.q, turned(space, 2, state.q)).X_pulled_back;
   o.circulation[2] = spin * n_images * (pulled_back[0][1] - pulled_back[1][0]);
 
   const Vector& X = space.reference_positions();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <variant>
 
@@ -11,16 +10,6 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// The product ρg of the density and the gravity at the surface of the ball; 0 without self-gravity.
-double weight_of_density(const BallBody& body) {
-  return body.gravity() ? 4 * std::numbers::pi / 3 * body.gravity()->constant() : 0;
-}
-
-double penalty_of(const FigureState& state) {
-  if (!state.incompressible) return 0;
-  return 1e4 * std::max(RestElasticity(state.stored, true).moduli.shear, weight_of_density(state.body));
-}
-
 /// A third of the trace of the Kirchhoff stress of the law.
 double mean_stress(const StoredEnergy& stored, const materials::Tensor<double>& F) {
   return std::visit([&](const auto& known) { return materials::dot(known.stress(F), F) / 3; }, stored.law);
@@ -28,8 +17,14 @@ double mean_stress(const StoredEnergy& stored, const materials::Tensor<double>& 
 
 }  // namespace
 
+double typical_stiffness(const StoredEnergy& stored, bool incompressible, const loads::Forcing& forcing) {
+  return std::max(materials::moduli_at_rest(stored.law, incompressible).shear,
+                  weight_of_density(forcing.gravity_constant));
+}
+
 TangentProblem::TangentProblem(const FigureState& state, double of_shift, const HeldDirection* held)
-    : LinearProblem(state.body.space(), state.incompressible, of_shift, penalty_of(state)),
+    : LinearProblem(state.body.space(), state.incompressible, of_shift,
+                    typical_stiffness(state.stored, state.incompressible, state.forcing)),
       state_(state),
       definite_(of_shift > 0),
       held_(held) {
@@ -37,7 +32,7 @@ TangentProblem::TangentProblem(const FigureState& state, double of_shift, const 
   if (incompressible) set_constraint(state.body.kernels(), state.x);
   const CellStiffness cells(space);
   const double pressure = state.forcing.pressure * (state.kind == Drive::loads ? state.drive : 1);
-  const double weight = weight_of_density(state.body);
+  const double weight = weight_of_density(state.forcing.gravity_constant);
   std::vector<double> lambda(space.nodes_per_cell(), 0);
   set_stiffness([&](unsigned int cell) {
     if (incompressible) state.body.kernels().multiplier_at_points(state.lambda, cell, lambda);

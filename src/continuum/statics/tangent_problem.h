@@ -36,6 +36,9 @@ struct FigureState {
   double drive;
 };
 
+/// The larger of the shear modulus and ρgr, with the gravity g at the surface.
+double typical_stiffness(const StoredEnergy& stored, bool incompressible, const loads::Forcing& forcing);
+
 /// A term σ(w·u)²/2 in the energy of displacements u, for a vector w.
 struct HeldDirection {
   Vector w;

@@ -195,16 +195,17 @@ function sectionSections() {
     make("div", {class: "charts wide"}, chart({title: `${second} over ${first}`, series: [{x: wrapped(first, [...t.columns[first]]), y: [...t.columns[second]], name: "", style: "dot", points: true}], xLabel: withUnit(first, unit(first)), yLabel: withUnit(second, unit(second)), height: 420})));
 }
 
-const FAMILY_PARAMETERS = {maclaurin: "eccentricity e", spheroids: "a3 / radius", spinning: withUnit("spin", "1/time"), static: "factor of the loads"};
+const FAMILY_PARAMETERS = {maclaurin: "eccentricity e", spheroids: "a3 / radius", spinning: withUnit("spin", "1/time")};
 const SPECIAL = {1: "fold: spin or circulation has an extremum", 3: "index: the number of negative directions changes, a branch may leave", 4: "instability: a growth rate begins or ends"};
 function equilibriaSections() {
-  const t = tables.equilibria;
-  if (t && !t.has("parameter")) return section("Critical points of the potential", "A column for each, by rising potential; 0: less than 1e−12 of the largest of the same unit.", turnedTable("equilibria"));
-  const all = ballsOf("equilibria");
-  return all.flatMap(({name, ball}) => familySections(name, all.length > 1 ? `: ${ball}` : ""));
+  const t = tables.equilibria, hasPoints = t && !t.has("parameter");
+  const points = hasPoints ? section("Critical points of the potential", "A column for each, by rising potential; 0: less than 1e−12 of the largest of the same unit.", turnedTable("equilibria")) : [];
+  const all = ballsOf("equilibria").filter(({name}) => tables[name].has("parameter"));
+  return [...points, ...all.flatMap(({name, ball}) => familySections(name, hasPoints || all.length > 1 ? `: ${ball}` : ""))];
 }
 
 function familySections(name, whose) {
+  if (scene["Equilibrium/Family"] === "static") return section(`Figure at rest${whose}`, "Under the loads, or under the part of them for which a figure was found.", turnedTable(name));
   const t = tables[name], special = [...Array(t.n).keys()].filter(i => t.at("kind", i) > 0);
   const columns = ["degree", "parameter", "omega3", "a1", "a2", "a3", "energy", "J3", "growth_rate"].filter(t.has), described = describedColumns(name);
   const family = scene["Equilibrium/Family"], parameter = FAMILY_PARAMETERS[family] || "a2 / a1";
