@@ -127,8 +127,8 @@ std::vector<scene::Column> figure_columns(std::string_view degree, std::string_v
        "(n_negative changes: a branch may leave, and dissipation decides), 4 instability (a growth rate begins or "
        "ends)"},
       {"parameter", "",
-       "the family's: eccentricity (maclaurin) and a3 in radii at volume 1 (spheroids), from the ratio of the axes a1 "
-       "and a3; spin [1/time] (spinning), a2/a1 (jacobi) or the factor of the loads (static)"},
+       "parameter of the family: eccentricity (maclaurin), a3 in radii at volume 1 (spheroids), spin [1/time] "
+       "(spinning), a2/a1 (jacobi), factor of the loads (static). For spheroids it follows from a3/a1."},
       {"omega3", "1/time", "rate at which the figure turns about its axis 3"}};
   const auto vector = [&](const char* name, scene::Unit unit, const char* documentation) {
     for (int i = 1; i <= 3; ++i)
