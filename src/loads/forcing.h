@@ -74,10 +74,7 @@ struct Forcing {
     visit(branches_a, branches_b);
   }
 
-  Forcing& operator+=(const Forcing& other) {
-    visit_pairs(*this, other, [](auto& mine, const auto& its) { mine += its; });
-    return *this;
-  }
+  Forcing& operator+=(const Forcing& other);
 
   /// Returns true if a force depends on the velocity: viscosity, drag, damping of planes or friction. The stresses of
   /// viscoelastic branches depend on internal strains and not on the velocity.
@@ -86,36 +83,18 @@ struct Forcing {
   bool dissipative() const { return damped() || !branches.empty(); }
   /// Returns true if there is a load other than the follower pressure. The motion of a body of constant volume does not
   /// depend on a pressure.
-  bool acts_at_constant_volume() const {
-    Forcing others = *this;
-    others.pressure = 0;
-    return others.present();
-  }
+  bool acts_at_constant_volume() const;
   /// Returns true if a member differs from its default, so that there is a load.
-  bool present() const {
-    bool any = false;
-    const Forcing none;
-    visit_pairs(*this, none, [&](const auto& mine, const auto& zero) { any = any || mine != zero; });
-    return any;
-  }
+  bool present() const;
 
   /// Returns the potential energy of the loads other than self-gravity, contact, companions and branches. The arguments
   /// are the moments ∫ρ x xᵀ dX and ∫ρ x dX of the body, the integral ∫F dX and the current volume V. The arguments
   /// must have the units of the forcing. If the pressure is 0, the volume is not used. If the members are the time
   /// derivatives of a forcing, the result is the power that the body receives from the change of the forcing.
   double potential(const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
-                   const Eigen::Matrix3d& F_integral, double volume) const {
-    const double energy = 0.5 * quadratic.cwiseProduct(second_moment).sum() - acceleration.dot(first_moment) -
-                          nominal_traction.cwiseProduct(F_integral).sum();
-    return pressure == 0 ? energy : energy + pressure * volume;
-  }
+                   const Eigen::Matrix3d& F_integral, double volume) const;
 };
 
-inline Eigen::Matrix3d to_eigen(const scene::Matrix3& m) {
-  Eigen::Matrix3d result;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) result(i, j) = m[i][j];
-  return result;
-}
+Eigen::Matrix3d to_eigen(const scene::Matrix3& m);
 
 }  // namespace pseudorigid::loads

@@ -1,6 +1,7 @@
 #pragma once
 /// The list of loads, and functions that combine them. To add a load, write a header and add one line to the list.
 
+#include <functional>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -88,85 +89,31 @@ void visit_entries(L& loads, Visit&& visit) {
 }
 
 /// Returns true if at least one load is present, or if the loads rise.
-inline bool any_present(const Loads& loads) {
-  bool any = false;
-  loads.for_each([&](const auto& load) { any = any || present(load); });
-  return any;
-}
+bool any_present(const Loads& loads);
 
 /// Returns the sum of the forcings of all loads whose forcing does not depend on time after the rise of the loads
 /// (rise.h), at full strength.
-inline Forcing full_forcing(const Loads& loads) {
-  Forcing sum;
-  loads.for_each([&]<class L>(const L& load) {
-    if constexpr (!DependsOnTime<L>) sum += load.forcing();
-  });
-  return sum;
-}
+Forcing full_forcing(const Loads& loads);
 /// Returns the part of the full forcing that does not depend on time. Planes are a part of it, even if they move.
-inline Forcing constant_forcing(const Loads& loads) {
-  const Forcing sum = full_forcing(loads);
-  return loads.get<Rise>().is_present() ? Rise::constant(sum) : sum;
-}
+Forcing constant_forcing(const Loads& loads);
 
 /// Returns the sum of the forcings that depend on time, at the time t. If the loads rise, the sum includes the rising
 /// loads, and the factor of rise.h multiplies the sum.
-inline Forcing driving(const Loads& loads, double t) {
-  Forcing sum;
-  loads.for_each([&]<class L>(const L& load) {
-    if constexpr (DependsOnTime<L>) sum += load.forcing(t);
-  });
-  const Rise& rise = loads.get<Rise>();
-  if (!rise.is_present()) return sum;
-  sum += Rise::rising(full_forcing(loads));
-  return Rise::times(rise.factor(t), sum);
-}
+Forcing driving(const Loads& loads, double t);
 /// Returns the derivative of `driving` with respect to time.
-inline Forcing driving_rate(const Loads& loads, double t) {
-  Forcing sum, rate;
-  loads.for_each([&]<class L>(const L& load) {
-    if constexpr (DependsOnTime<L>) sum += load.forcing(t), rate += load.forcing_rate(t);
-  });
-  const Rise& rise = loads.get<Rise>();
-  if (!rise.is_present()) return rate;
-  sum += Rise::rising(full_forcing(loads));
-  rate = Rise::times(rise.factor(t), rate);
-  return rate += Rise::times(rise.factor_rate(t), sum);
-}
+Forcing driving_rate(const Loads& loads, double t);
 /// Returns true if a forcing that depends on time satisfies the condition `has`. The forcings are the sum of the loads
 /// that rise, at full strength, and the largest forcing of each load that depends on time.
-template <class Condition>
-bool depend_on_time(const Loads& loads, const Condition& has) {
-  bool any = loads.get<Rise>().is_present() && has(Rise::rising(full_forcing(loads)));
-  loads.for_each([&]<class L>(const L& load) {
-    if constexpr (DependsOnTime<L>) any = any || has(load.largest_forcing());
-  });
-  return any;
-}
+bool depend_on_time(const Loads& loads, const std::function<bool(const Forcing&)>& has);
 /// Returns true if a forcing depends on time or a plane moves. Planes are not a part of `driving`, because the bodies
 /// compute the positions of planes at the time t.
-inline bool depend_on_time(const Loads& loads) {
-  return full_forcing(loads).planes.moving() || depend_on_time(loads, [](const Forcing& f) { return f.present(); });
-}
+bool depend_on_time(const Loads& loads);
 
 /// Returns the angular frequencies of the periodic loads that are present, without zeros.
-inline std::vector<double> angular_frequencies(const Loads& loads) {
-  std::vector<double> frequencies;
-  loads.for_each([&]<class L>(const L& load) {
-    if constexpr (requires { load.angular_frequency(); })
-      if (present(load) && load.angular_frequency() != 0) frequencies.push_back(load.angular_frequency());
-  });
-  return frequencies;
-}
+std::vector<double> angular_frequencies(const Loads& loads);
 
 /// Returns the loads that affect a body of constant volume, and the rise of the loads. Other loads, such as a pressure,
 /// are set to absent, because the constraint balances them.
-inline Loads at_constant_volume(Loads loads) {
-  loads.for_each([]<class L>(L& load) {
-    if constexpr (!std::is_same_v<L, Rise>)
-      if (!largest_forcing(load).acts_at_constant_volume()) load = L{};
-  });
-  return loads;
-}
+Loads at_constant_volume(Loads loads);
 
 }  // namespace pseudorigid::loads

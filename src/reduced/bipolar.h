@@ -21,10 +21,8 @@
 /// Operators, II.6.1). Other smooth paths may have none (Montaldi). If consecutive states are far apart, the axes may
 /// be exchanged wrongly.
 
-#include <Eigen/Dense>
-#include <algorithm>
+#include <Eigen/Core>
 #include <array>
-#include <cmath>
 
 #include "mechanics/core/principal_axes.h"
 
@@ -42,103 +40,16 @@ struct BipolarRates {
   Eigen::Matrix3d u;              ///< T Q̇ Sᵀ
 };
 
-namespace detail {
-
-inline void exchange_axes(Bipolar& b, int i, int j) {
-  b.T.row(i).swap(b.T.row(j));
-  b.S.row(i).swap(b.S.row(j));
-  std::swap(b.a[i], b.a[j]);
-}
-/// Reverses axis i: the rows i of T and S change their signs, and TᵀAS does not change.
-inline void reverse_axis(Bipolar& b, int i) {
-  b.T.row(i) *= -1;
-  b.S.row(i) *= -1;
-}
-/// Sum of two scalar products: axis i of b with axis j of `before` in T, and the same axes in S. The sum is between −2
-/// and 2. It is negative if axis i is nearer to the reversed axis j.
-inline double overlap(const Bipolar& b, int i, const Bipolar& before, int j) {
-  return b.T.row(i).dot(before.T.row(j)) + b.S.row(i).dot(before.S.row(j));
-}
-
-/// Rotates the frames of coincident axes to the frames nearest to `before`. If two entries of A are equal to round-off,
-/// their rows in T and S may be rotated by a common angle. TᵀAS does not change. If three entries are equal, the pairs
-/// are rotated in turn, and a few sweeps are necessary.
-inline void turn_coincident_axes(Bipolar& b, const Bipolar& before) {
-  constexpr int n_sweeps = 8;
-  constexpr double round_off = 4e-15;
-  for (int sweep = 0; sweep < n_sweeps; ++sweep)
-    for (const auto& [i, j] : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}}) {
-      if (std::abs(b.a[i] - b.a[j]) > round_off * b.a[i]) continue;
-      const double x = overlap(b, i, before, i) + overlap(b, j, before, j);
-      const double y = overlap(b, j, before, i) - overlap(b, i, before, j), length = std::hypot(x, y);
-      if (length == 0) continue;
-      for (Eigen::Matrix3d* R : {&b.T, &b.S}) {
-        const Eigen::RowVector3d u = R->row(i), v = R->row(j);
-        R->row(i) = (x * u + y * v) / length;
-        R->row(j) = (x * v - y * u) / length;
-      }
-    }
-}
-
-}  // namespace detail
-
 /// The decomposition with det T = det S = 1 and axes in descending order. Requires det Q > 0.
-inline Bipolar decompose(const Eigen::Matrix3d& Q) {
-  const mechanics::PrincipalAxes axes = mechanics::principal_axes(Q);
-  Bipolar b{axes.U.transpose(), axes.a.cwiseInverse().asDiagonal() * axes.A, axes.a};
-  for (const auto& [i, j] : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}})
-    if (b.a[i] < b.a[j]) detail::exchange_axes(b, i, j);
-  if (b.T.determinant() < 0) detail::reverse_axis(b, 2);
-  return b;
-}
+Bipolar decompose(const Eigen::Matrix3d& Q);
 
 /// Returns the decomposition of Q that is nearest to `before`, the decomposition at a slightly earlier time. The
 /// candidates have det T = det S = 1 and differ in the order and the signs of the axes. If semi-axes are equal to
 /// round-off, their frames are then rotated to the frames nearest to `before`. Requires det Q > 0.
-inline Bipolar decompose(const Eigen::Matrix3d& Q, const Bipolar& before) {
-  constexpr std::array<std::array<int, 3>, 6> orders{
-      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
-  const Bipolar falling = decompose(Q);
-  Bipolar nearest = falling;
-  double best_agreement = -HUGE_VAL;
-  for (const auto& order : orders) {
-    Bipolar b;
-    Eigen::Vector3d agreement;
-    for (int i = 0; i < 3; ++i) {
-      b.T.row(i) = falling.T.row(order[i]);
-      b.S.row(i) = falling.S.row(order[i]);
-      b.a[i] = falling.a[order[i]];
-      agreement[i] = detail::overlap(b, i, before, i);
-      if (agreement[i] < 0) detail::reverse_axis(b, i);
-    }
-    agreement = agreement.cwiseAbs().eval();
-    if (b.T.determinant() < 0) {
-      int weakest = 0;
-      agreement.minCoeff(&weakest);
-      detail::reverse_axis(b, weakest);
-      agreement[weakest] *= -1;
-    }
-    if (agreement.sum() <= best_agreement) continue;
-    best_agreement = agreement.sum();
-    nearest = b;
-  }
-  detail::turn_coincident_axes(nearest, before);
-  return nearest;
-}
+Bipolar decompose(const Eigen::Matrix3d& Q, const Bipolar& before);
 
 /// The rates Ω*, Λ* and Ȧ, and u. If axes i and j coincide to round-off, the entries ij of Ω* and Λ* are set to 0.
-inline BipolarRates rates(const Bipolar& b, const Eigen::Matrix3d& Qdot) {
-  BipolarRates r{Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(), {}, b.T * Qdot * b.S.transpose()};
-  r.a_rate = r.u.diagonal();
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      const double difference = (b.a[j] - b.a[i]) * (b.a[j] + b.a[i]);
-      if (std::abs(difference) <= 1e-14 * (b.a[i] * b.a[i] + b.a[j] * b.a[j])) continue;
-      r.Omega(i, j) = -(b.a[j] * r.u(i, j) + b.a[i] * r.u(j, i)) / difference;
-      r.Lambda(i, j) = -(b.a[i] * r.u(i, j) + b.a[j] * r.u(j, i)) / difference;
-    }
-  return r;
-}
+BipolarRates rates(const Bipolar& b, const Eigen::Matrix3d& Qdot);
 
 /// The residual of Oliva (5.121) per m̄ at the middle of nine states of one motion. The times of the states have equal
 /// distances h, and u̇ is a central difference of order 8. `gradient` is ∂V/∂Q minus all forces other than the

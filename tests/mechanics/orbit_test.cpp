@@ -5,6 +5,8 @@
 #include <Eigen/Dense>
 #include <numbers>
 
+#include "mechanics/core/kepler_motion.h"
+
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;

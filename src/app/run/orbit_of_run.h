@@ -2,11 +2,10 @@
 /// Companions, which are point masses in orbit with the body (mechanics/core/orbit.h), in the run of a model. This file
 /// has their columns of the configuration, and detects collisions and disruptions.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <optional>
 #include <utility>
 
-#include "gravity/ellipsoid_gravity.h"
 #include "mechanics/core/orbit.h"
 #include "mechanics/core/status.h"
 
@@ -14,25 +13,14 @@ namespace pseudorigid::app {
 
 /// A matrix with the three columns of the deformation Q and a column r_i/|r_i(0)| for each companion i. Here r_i is the
 /// position of the companion relative to the body. Time/Tolerance bounds the error of these columns.
-inline Eigen::MatrixXd with_companions(const Eigen::Matrix3d& Q, const mechanics::Orbit& orbit,
-                                       const mechanics::Orbit::Columns& s) {
-  Eigen::MatrixXd columns(3, 3 + orbit.n());
-  const mechanics::Orbit::Columns at_start = orbit.relative(orbit.position());
-  columns << Q, orbit.relative(s) * at_start.colwise().norm().cwiseInverse().asDiagonal();
-  return columns;
-}
+Eigen::MatrixXd with_companions(const Eigen::Matrix3d& Q, const mechanics::Orbit& orbit,
+                                const mechanics::Orbit::Columns& s);
 
 /// The kinetic and gravitational energy of the body about its centre, in internal units. The body is taken as the
 /// ellipsoid with the second moment S, in the affine motion Q with the rate Q̇. The result is exact for a pseudo-rigid
 /// fluid.
-inline double own_energy(const mechanics::Orbit& orbit, const Eigen::Matrix3d& S, const Eigen::Matrix3d& Q,
-                         const Eigen::Matrix3d& Qdot) {
-  const Eigen::Matrix3d L = Qdot * Q.inverse();
-  const double M = orbit.body_mass();
-  const Eigen::Matrix3d shape = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(5 / M * S).operatorSqrt();
-  const gravity::EllipsoidGravity gravity{0.6 * orbit.gravity_constant() * M * M};
-  return 0.5 * (L * S * L.transpose()).trace() + gravity.energy(shape);
-}
+double own_energy(const mechanics::Orbit& orbit, const Eigen::Matrix3d& S, const Eigen::Matrix3d& Q,
+                  const Eigen::Matrix3d& Qdot);
 
 /// Detects collisions and disruptions in a run. Within a step, the companions are taken to move on straight lines.
 class CollisionWatch {
