@@ -8,7 +8,7 @@
 #include "mechanics/core/principal_axes.h"
 
 namespace pseudorigid::reduced {
-namespace {
+namespace detail {
 
 void exchange_axes(Bipolar& b, int i, int j) {
   b.T.row(i).swap(b.T.row(j));
@@ -16,11 +16,16 @@ void exchange_axes(Bipolar& b, int i, int j) {
   std::swap(b.a[i], b.a[j]);
 }
 
-/// Reverses axis i: the rows i of T and S change their signs, and TᵀAS does not change.
 void reverse_axis(Bipolar& b, int i) {
   b.T.row(i) *= -1;
   b.S.row(i) *= -1;
 }
+
+}  // namespace detail
+
+namespace {
+
+using detail::exchange_axes, detail::reverse_axis;
 
 /// Sum of two scalar products: axis i of b with axis j of `before` in T, and the same axes in S. The sum is between −2
 /// and 2. It is negative if axis i is nearer to the reversed axis j.

@@ -40,6 +40,13 @@ struct BipolarRates {
   Eigen::Matrix3d u;              ///< T Q̇ Sᵀ
 };
 
+namespace detail {
+/// Exchanges axes i and j of b. TᵀAS does not change.
+void exchange_axes(Bipolar& b, int i, int j);
+/// Reverses axis i: the rows i of T and S change their signs, and TᵀAS does not change.
+void reverse_axis(Bipolar& b, int i);
+}  // namespace detail
+
 /// The decomposition with det T = det S = 1 and axes in descending order. Requires det Q > 0.
 Bipolar decompose(const Eigen::Matrix3d& Q);
 
