@@ -95,8 +95,9 @@ struct Comparison {
   /// n → phase_difference after n periods of the reference, for n = 1, 2, 5, 10, 20, 50 … within the run. The value is
   /// interpolated linearly between samples. The map is empty if there is no series phase_difference.
   std::map<int, double> phase_after_periods;
-  // The next four members are empty if the table of the reference lacks the columns of the non-affine motion. The first
-  // one also requires the column kinetic.
+  // The next four members are empty if the table of the reference lacks the columns of the non-affine motion. Each one
+  // also requires a column of its own: kinetic, min_jacobian, max_volume_error and volume_error. F is the deformation
+  // gradient.
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine
                                                           ///< fraction of the kinetic energy K
   std::optional<double> min_jacobian, max_volume_error;  ///< least det F and largest |ln det F| of the reference

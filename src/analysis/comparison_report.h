@@ -32,9 +32,9 @@ nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons)
 std::string summary_sentence(const Comparison& comparison);
 
 /// Returns, for example, "model difference 0.0123 +- 0.0004 (discretisation error, estimated: time 2e-06, space
-/// 0.0004)". The difference is the largest q_difference. A remark is added if the error is at least as large as the
-/// difference. If a part of the error is not known, the text names this part instead of the error and its parts.
-/// Requires `has_state`.
+/// 0.0004)". The difference is the largest value of q_difference. If the error is at least as large as the difference,
+/// a remark states that the difference is not resolved. If a part of the error is not known, the text names this part
+/// instead of the error and its parts. Requires `has_state`.
 std::string model_difference(const Comparison& comparison);
 
 /// Returns, for example, "ratio of the frequencies 1.186319 +- 3e-05 (fit 2e-07, time 2e-05, space 1e-05)". Requires

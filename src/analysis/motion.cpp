@@ -50,9 +50,9 @@ MotionSummary begin_summary(const ModelRunTable& run) {
 }
 
 /// The energy of a motion counts as round-off if it is below the fraction `least_energy_part` of the other energies.
-/// These are the gravitational and external energies, or the potential of a system. The energy of a motion of the ball
-/// also counts as round-off if it is below the fraction `least_kinetic_part` of the unit of energy. This fraction of
-/// the unit is the kinetic energy of velocities of the size of round-off.
+/// The other energies are the gravitational and external energies, or the potential energy of a system. The energy of a
+/// motion of the ball also counts as round-off if it is below the fraction `least_kinetic_part` of the unit of energy.
+/// If velocities are round-off, their kinetic energy has about this size.
 constexpr double least_energy_part = 1e-12, least_kinetic_part = 1e-24;
 
 /// The columns in the table for the terminal, with their labels.
@@ -91,8 +91,8 @@ std::vector<double> Deformation::component(int i, int j) const {
 std::pair<int, int> Deformation::liveliest_component() const {
   Matrix3d variance = Matrix3d::Zero();
   for (const Matrix3d& c : C) variance += (c - C_mean).cwiseAbs2();
-  // Variances that are equal in exact arithmetic differ by round-off. The first of these components is returned. The
-  // result then does not depend on the order of summation.
+  // Variances that are equal in exact arithmetic differ by round-off. The first of the components with such variances
+  // is returned. The result then does not depend on the order of summation.
   const double least = (1 - 1e-9) * variance.maxCoeff();
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j)

@@ -1,7 +1,7 @@
 #pragma once
-/// Exact frequencies of the elastic sphere (Lamb 1882; Eringen and Şuhubi, Elastodynamics II, 8.14). The unknown is x =
-/// ωr/c with the speed c of shear waves. With the speed c_p of pressure waves, y = ωr/c_p = x c/c_p. For the degree n,
-/// with N = n(n+1) and the spherical Bessel functions j_n, the equations are
+/// Exact angular frequencies ω of the elastic sphere (Lamb 1882; Eringen and Şuhubi, Elastodynamics II, 8.14). The
+/// unknown is x = ωr/c, with the radius r and the speed c of shear waves. With the speed c_p of pressure waves, y =
+/// ωr/c_p = x c/c_p. For the degree n, with N = n(n+1) and the spherical Bessel functions j_n, the equations are
 ///
 ///   toroidal                   x j_n' − j_n = 0,        j_n' = j_{n−1} − (n+1)/x j_n
 ///   spheroidal, incompressible [2n(n−1) − x² + γ n k_n][(2N − 2 − x²) j_n − 2x j_n']
