@@ -36,7 +36,7 @@ bool read(std::ifstream& file, std::uint64_t position, Record& record) {
 }
 
 /// The names of the libraries that a library needs, from its ELF file; empty if the file is not an ELF file. The code
-/// uses the address of the string table as its offset in the file. Linkers make both equal.
+/// uses the address of the string table as the offset of this table in the file, because linkers make both equal.
 std::vector<std::string> needed_by(const fs::path& library) {
   std::ifstream file(library, std::ios::binary);
   ElfW(Ehdr) header;
