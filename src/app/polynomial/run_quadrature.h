@@ -45,8 +45,8 @@ class RunQuadrature {
   }
 
   /// Three numbers for a checkpoint. They are the number of points in each direction of an octant, the error of Q, and
-  /// the internal duration to which this error applies. The error is −1 if it was not estimated, and `failed` if the
-  /// estimate failed. A resumed run keeps its rule even if the end of the run has changed.
+  /// the duration in internal time to which this error applies. The error is −1 if it was not estimated, and `failed`
+  /// if the estimate failed. A resumed run keeps its rule even if the end of the run has changed.
   static constexpr std::size_t n_numbers = 3;
   std::array<double, n_numbers> numbers(const Body& body) const {
     return {static_cast<double>(body.space().n_points_in_direction()), error_.value_or(is_known_ ? failed : -1),
@@ -61,8 +61,8 @@ class RunQuadrature {
   }
 
   /// Adds the number of points in each direction to the counters of `statistics`. Also adds the force evaluations of
-  /// the estimates if there are any, and the error if it is known. If the run has become longer than the estimate
-  /// assumes, the error grows as a power of the duration.
+  /// the estimates if there are any, and the error if it is known. If the run has become longer than the duration of
+  /// the estimate, the reported error is larger by a power of the ratio of both durations.
   void report(const Body& body, io::Manifest::Model& statistics) const {
     auto& counters = statistics.counters;
     counters["quadrature_points"] = body.space().n_points_in_direction();
@@ -84,7 +84,8 @@ class RunQuadrature {
            !scene.time.step && scene.time.tolerance < scene::Scene::Time{}.tolerance;
   }
 
-  /// The request for a run from `state` to Time/End.
+  /// The request for the choice of the rule for a run from `state` to Time/End. `adds_points` is true if points may be
+  /// added.
   polynomial::QuadratureRequest request(const polynomial::BodyState& state, double stable_step,
                                         bool adds_points) const {
     return {.end = context_.internal_time(context_.scene.time.end) - state.t,
