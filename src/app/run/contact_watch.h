@@ -23,8 +23,9 @@ namespace pseudorigid::app {
 
 class ContactWatch {
  public:
-  /// Updates the summary at the end of a step. `velocity` is the velocity of the centre of mass. Does nothing if `t` is
-  /// not after the last recorded time, because the step is then a repetition of an earlier step.
+  /// Updates the summary at the end of a step. `now` is the contact at the time `t`, and `velocity` is the velocity of
+  /// the centre of mass. Does nothing if `t` is not after the last recorded time, because the step is then a repetition
+  /// of an earlier step.
   void look(double t, const loads::Contact& now, const Eigen::Vector3d& velocity) {
     if (is_begun_ && t <= t_) return;
     const double v = now.normal.dot(velocity) - now.speed;
@@ -46,8 +47,8 @@ class ContactWatch {
     v_ = v;
   }
 
-  /// Writes the summary into the observables of a sample. `o.force` already has the force at this sample, which also
-  /// counts for the largest force.
+  /// Writes the summary into the observables of a sample. `o.force` must already have the force at this sample. The
+  /// largest force of the summary takes this force into account.
   void write(mechanics::ContactObservables& o) const {
     o.first = first_;
     o.last = last_;

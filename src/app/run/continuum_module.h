@@ -14,7 +14,7 @@
 
 namespace pseudorigid::app {
 
-/// Exception for a library that cannot be opened. Its text is the reason.
+/// Exception that is thrown if the library cannot be opened. Its text is the reason.
 struct NoContinuum : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -30,5 +30,6 @@ struct ContinuumModule {
 
 }  // namespace pseudorigid::app
 
-/// The only function of the library that the program finds by its name. The table is valid until the program ends.
+/// The only function of the library that the program finds by its name. It returns the table of the other functions,
+/// which is valid until the program ends.
 extern "C" const pseudorigid::app::ContinuumModule* pseudorigid_continuum();

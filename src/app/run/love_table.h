@@ -18,8 +18,9 @@ struct LoveRow {
   double h_error = 0, l_error = 0;
 };
 
-/// Rows with bounds of their errors, from the numbers `other` of another discretisation for the same degrees. A bound
-/// is twice the difference plus `round_off`, the relative round-off of the solver, times the number.
+/// Rows with bounds of their errors. `other` has the numbers of another discretisation for the same degrees. The bound
+/// for a number is twice its difference from the other discretisation, plus the number times `round_off`, the relative
+/// round-off of the solver.
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other, double round_off);
 

@@ -50,8 +50,8 @@ class DiscretizationSearch {
   bool writes() const;
   /// Runs the present discretisation. `trace` receives its history of Q.
   ModelOutcome run_rung(DeformationTrace& trace);
-  /// Method and step of a run that does not write. Empty if no run has reached its end, because the run then finds them
-  /// itself.
+  /// Method and step of a run that does not write results. Empty if no run has reached its end yet, because this run
+  /// then finds its own method and step.
   std::optional<Stepping> silent_stepping() const;
   /// Adds the present run to the series of errors. If the run ended early, only counts the failure.
   void note(const ModelOutcome& outcome, DeformationTrace trace);

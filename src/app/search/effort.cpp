@@ -19,8 +19,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Numbers of vertices, edges, faces and cells of a part of the builtin mesh. `n` is the number of intervals between
-/// the nodes of an edge.
+/// Numbers of vertices, edges, faces and cells of a part of the builtin mesh. n_nodes(n) is the number of nodes of the
+/// part if the nodes divide each edge into n intervals.
 struct Part {
   double n_vertices, n_edges, n_faces, n_cells;
   double n_nodes(double n) const { return n_vertices + (n - 1) * (n_edges + (n - 1) * (n_faces + (n - 1) * n_cells)); }
@@ -78,7 +78,7 @@ double damping_of_step(const scene::Scene& scene, const scene::Discretization& d
 }
 
 /// Cost of a step of RATTLE in force evaluations; 1 without viscosity. Products with the viscosity matrix count as
-/// force evaluations. `gamma_h` is γh (mechanics/core/damping.h).
+/// force evaluations. `gamma_h` is γh, with the largest damping rate γ and the step h (mechanics/core/damping.h).
 double work_of_viscous_step(double gamma_h) { return gamma_h > 0 ? 3 + 5 * std::pow(1 + gamma_h / 2, 0.4) : 1; }
 
 /// Estimated time in seconds of the run on one core, with pilot runs and the companion run. `step` is in the user's
@@ -104,7 +104,8 @@ void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
                                      (*model)->name, n, n * seconds_of_force));
 }
 
-/// Adds a line with the time of all runs of the sweep; adds nothing without a sweep.
+/// Adds a line with the time of all runs of the sweep, if each run takes `seconds_of_run`. Adds nothing without a
+/// sweep.
 void describe_effort_of_sweep(const scene::Scene& scene, double seconds_of_run, scene::Needs& needs) {
   if (scene.sweep.empty()) return;
   const auto [first, end] = scene::runs_of_part(scene.sweep_part, scene::n_runs(scene.sweep));
