@@ -1,5 +1,5 @@
 #pragma once
-/// Functions that print a comparison as files, as a table for the terminal, and as one sentence.
+/// Functions that convert a comparison to files, to a table for the terminal, and to one sentence.
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -22,9 +22,9 @@ nlohmann::ordered_json comparison_json(const Comparison& comparison);
 /// cannot be written.
 void write_comparison(const std::filesystem::path& folder, const std::string& name, const Comparison& comparison);
 
-/// Print the comparisons of several models with the same reference. `overview` returns text for the terminal, a heading
-/// and one line for each model. `overview_json` returns the summary sentence, the model difference and the frequency
-/// ratio of each model. The list must not be empty.
+/// Results of the comparisons of several models with the same reference. `overview` returns text for the terminal, a
+/// heading and one line for each model. `overview_json` returns the summary sentence, the model difference and the
+/// frequency ratio of each model. The list must not be empty.
 std::string overview(const std::vector<Comparison>& comparisons);
 nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons);
 

@@ -71,9 +71,9 @@ inline std::string in_short(const ErrorBar& bar) {
 /// body (comparison.h). An error is empty if it is not known.
 struct RunErrors {
   std::optional<double> time{};   ///< bound of the error in time of every entry of Q
-  std::optional<double> space{};  ///< largest |δQ|/|Q|; 0 for a model without a discretisation in space
+  std::optional<double> space{};  ///< largest |error of Q|/|Q|; 0 for a model without a discretisation in space
   std::optional<double> quadrature =
-      0;  ///< largest entry of the error of Q due to the quadrature; 0 if it is a part of `space`
+      0;  ///< bound of the error of every entry of Q due to the quadrature; 0 if it is a part of `space`
   const OtherResolution* other = nullptr;  ///< the same motion on another discretisation; null if there is none
 };
 

@@ -99,8 +99,8 @@ Assessment assess(LineModel& model, double size) {
   return a;
 }
 
-/// A round of the search: the largest number of peaks that become lines, and whether new lines may be close to other
-/// lines.
+/// A round of the search for further lines: the largest number of peaks that become lines, and whether new lines may be
+/// close to other lines.
 struct Round {
   std::size_t n_peaks;
   Neighbours neighbours;

@@ -54,7 +54,7 @@ class LineModel {
   Eigen::Index cosine(std::size_t wave) const {
     return drift_.cols() + 2 * Eigen::Index(wave);
   }  ///< column of cos Ωs in A
-  /// True if a step changes every free frequency by less than 1e-13 of its value.
+  /// True if the step δΩ changes every free frequency by less than 1e-13 of its value.
   bool negligible(const Eigen::VectorXd& step) const;
   Eigen::MatrixXd projected_hessian();  ///< computes the matrix D and returns S
 

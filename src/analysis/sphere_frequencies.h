@@ -32,8 +32,8 @@ inline double incompressible_spheroidal_equation(int n, double x, double gamma) 
          2 * N * (n - 1) * (2 * toroidal_equation(n, x) + pull * j);
 }
 
-/// The left-hand side of the equation for compressible spheroidal modes, n ≥ 0. For n = 0 it is that of the radial
-/// modes. The argument `ratio` is c/c_p.
+/// The left-hand side of the equation for compressible spheroidal modes, n ≥ 0. For n = 0 the equation is that of the
+/// radial modes. The argument `ratio` is c/c_p.
 inline double compressible_spheroidal_equation(int n, double x, double ratio) {
   const double y = ratio * x, N = n * (n + 1);
   const auto j = [](int degree, double z) { return std::sph_bessel(static_cast<unsigned>(degree), z); };

@@ -69,8 +69,8 @@ class Opener {
   }
 
  private:
-  /// Opens the first library of this name in the search path, after the libraries that this library needs. Ignores a
-  /// failure, because the linker tries again when the finite-element library is opened.
+  /// Opens the first library of this name in the search path, after the libraries that it needs. Ignores a failure,
+  /// because the linker tries again when the finite-element library is opened.
   void open(const std::string& name) {
     for (const fs::path& directory : directories_)
       if (const fs::path library = directory / name; fs::exists(library)) {

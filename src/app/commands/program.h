@@ -26,7 +26,7 @@ struct Executable {
   const ContinuumModule* (*open_continuum)() = []() -> const ContinuumModule* {
     throw NoContinuum("this program has none");
   };
-  const Ranks* ranks = &one_rank();  ///< processes that share the run
+  const Ranks* ranks = &one_rank();  ///< processes that share the run; by default this process alone
 
   /// The model with this description, which must be one of `models`.
   const BallModel& model(const scene::ModelDescription& description) const {

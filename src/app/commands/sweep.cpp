@@ -223,7 +223,7 @@ class Workers {
   SweepRows& rows_;
   int first_;  ///< first run that did not have a row when the sweep started
   int end_;
-  std::mutex mutex_;          ///< protects the members below
+  std::mutex mutex_;          ///< protects the members below; n_together_ is atomic
   int next_;                  ///< first run of the next group; at least end_ after the last group
   std::vector<Group> left_;   ///< groups that threads without memory have left
   std::exception_ptr error_;  ///< first exception other than a UserError

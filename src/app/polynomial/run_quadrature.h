@@ -31,14 +31,14 @@ class RunQuadrature {
   RunQuadrature(const RunContext& context, std::string_view model, polynomial::BodySetup setup)
       : context_(context), model_(model), setup_(std::move(setup)) {}
 
-  /// Adds points to the rule and replaces `body`, if follows() is true and the tolerance requires more points. Called
-  /// before the search for the step. `state` is the initial state of the run.
+  /// Adds points to the rule and replaces `body`, if follows() is true and the tolerance requires more points. Must be
+  /// called before the search for the step. `state` is the initial state of the run.
   void choose(Body& body, const polynomial::BodyState& state) {
     if (!follows()) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, 0, true)), state.t, body);
   }
-  /// Estimates the error of the rule if the scene needs this error and it is not known. Called after the search for the
-  /// step. `stable_step` is the stable step of RATTLE in internal units, or 0 if this step is not known.
+  /// Estimates the error of the rule if the scene needs this error and it is not known. Must be called after the search
+  /// for the step. `stable_step` is the stable step of RATTLE in internal units, or 0 if this step is not known.
   void estimate(Body& body, const polynomial::BodyState& state, double stable_step) {
     if (is_known_ || !context_.needs.quadrature_error) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, stable_step, false)), state.t, body);

@@ -17,7 +17,7 @@ namespace pseudorigid::app {
 struct Launch {
   static constexpr int unknown = 0;  ///< value of n_ranks if only MPI can give the number
   int rank = 0;
-  int n_ranks = 1;       ///< `unknown` if the launcher gives only the rank
+  int n_ranks = 1;       ///< number of ranks; `unknown` if the launcher gives only the rank
   int n_ranks_here = 1;  ///< number of ranks on this machine; 1 if the launcher does not give it
 
   Launch() {

@@ -253,7 +253,7 @@ class FieldModel : public RunnableModelOf<S> {
   TensionWatch tension_;
   ContactWatch contacts_;
   CollisionWatch collisions_;
-  mutable std::optional<Faces> faces_;  ///< empty until the first shape
+  mutable std::optional<Faces> faces_;  ///< makes shapes; empty until the first shape
 };
 
 }  // namespace pseudorigid::app

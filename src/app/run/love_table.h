@@ -11,8 +11,8 @@
 
 namespace pseudorigid::app {
 
-/// Love numbers of one degree, and bounds of the errors of h and l that the discretisation causes. The bounds are 0 for
-/// the pseudo-rigid body.
+/// Love numbers of one degree, and bounds of the errors of h and l that the discretisation causes. Here h and l are the
+/// Love numbers of the radial and of the tangential displacement. The bounds are 0 for the pseudo-rigid body.
 struct LoveRow {
   gravity::LoveNumbers numbers;
   double h_error = 0, l_error = 0;

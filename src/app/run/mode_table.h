@@ -23,7 +23,7 @@ struct ModeFrequency {
 
   double spread() const {
     return (largest - least) / omega;
-  }  ///< difference of the largest and the least copy, over omega
+  }  ///< difference of the largest and the least frequency, divided by omega
 };
 
 /// Data of the ball in internal units: Lamé's moduli λ and μ at rest, and γ = ρgr/μ. Here ρ is the density, r the

@@ -91,8 +91,8 @@ inline bool has_last_sample(const io::Checkpoint& c) { return c.has(std::string(
 /// if the program lacks the method of the checkpoint, or if an entry is missing or has the wrong type or size.
 void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot, const std::string& prefix = "");
 
-/// Number of samples in the table when the run is resumed. The number is 0 for a checkpoint at the start: the resumed
-/// run then writes sample 0 again.
+/// Number of samples that the table keeps when the run is resumed. The number is 0 for a checkpoint at the start: the
+/// resumed run then writes sample 0 again.
 inline long n_samples_taken(const mechanics::Cursor& at) { return at.sample == 0 && at.step == 0 ? 0 : at.sample + 1; }
 inline long n_samples_taken(const io::Checkpoint& c) {
   return n_samples_taken({c.get_integer("sample"), c.get_integer("step in interval")});

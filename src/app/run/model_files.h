@@ -65,7 +65,7 @@ class ModelFiles : public ModelSink {
   io::Progress progress_;
   std::optional<io::CsvWriter> csv_,
       shapes_csv_;                        ///< tables of rows and of shapes; empty on ranks other than the first
-  std::optional<io::PvdCollection> pvd_;  ///< list of pictures; empty without pictures, and on later ranks
+  std::optional<io::PvdCollection> pvd_;  ///< list of pictures; empty without pictures, and on other ranks
 };
 
 /// Returns a function that makes sinks for files in the directory of the run. If `shows_progress` is true, the sinks

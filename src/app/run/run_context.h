@@ -1,5 +1,5 @@
 #pragma once
-/// Data that all models of one run share, and the outcome that each of them returns.
+/// Data that all models of one run share, and the outcome that the run of each model returns.
 
 #include <functional>
 #include <map>

@@ -90,7 +90,7 @@ class RunnableModelOf : public RunnableModel {
   /// known.
   virtual void choose_quadrature(const State&) {}
   virtual void estimate_quadrature(const State&, double /*stable_step*/) {}
-  virtual std::string place_of_least_jacobian(const State&) const { return {}; }  ///< for messages of failure
+  virtual std::string place_of_least_jacobian(const State&) const { return {}; }  ///< text for messages
 
   /// Writes the observables of a sample into `row`, in the order of columns() and in the user's units. `time` is the
   /// time in the user's units. Fails if an observable cannot be computed.

@@ -35,8 +35,8 @@ class DiscretizationSearch {
  public:
   static constexpr const char* checkpoint_name = "discretization";
 
-  /// Prepares the search. If the context resumes an earlier run, loads the state of the search, if there is a
-  /// checkpoint of it. Otherwise ends the ladder before the first discretisation that does not fit in the memory.
+  /// Prepares the search. If the context resumes an earlier run, loads the state of the search from its checkpoint, if
+  /// there is one. In a new run, ends the ladder before the first discretisation that does not fit in the memory.
   /// Collective.
   DiscretizationSearch(const RunContext& context, ContinuumRun run);
   /// Runs the search. Returns the outcome of the run that wrote the results, or of an interrupted run. Collective.
@@ -45,8 +45,8 @@ class DiscretizationSearch {
  private:
   const scene::Discretization& rung() const { return ladder_[position_]; }
   bool is_last() const { return position_ + 1 == ladder_.size(); }
-  /// True if the present run writes its results: it is final or the last of the ladder, or its predicted error is small
-  /// enough.
+  /// True if the present run writes its results. This is the case if the run is final or the last of the ladder, or if
+  /// its predicted error is small enough.
   bool writes() const;
   /// Runs the present discretisation. `trace` receives its history of Q.
   ModelOutcome run_rung(DeformationTrace& trace);
@@ -88,7 +88,7 @@ class DiscretizationSearch {
   /// first run, and if Q = Q'.
   double relative_to_largest_ = 0;
   DeformationTrace trace_;                  ///< history of Q in the last run that reached its end
-  DeformationTrace trace_before_;           ///< history of Q in the run before, among those that reached their end
+  DeformationTrace trace_before_;           ///< history of Q in the last but one run that reached its end
   std::optional<Stepping> first_stepping_;  ///< method and step of the first run that reached its end
   double first_resolution_ = 0,
          search_work_ = 0;  ///< resolution of the first run that reached its end; work of all runs but the final one
