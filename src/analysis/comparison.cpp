@@ -196,7 +196,8 @@ void compare_states(Workshop& w) {
   };
   out.error.time = of_both(&RunErrors::time);
   out.error.quadrature = of_both(&RunErrors::quadrature);
-  // If neither ball moves, the divisors are the resolution times |Q| or |C| of model r at the first sample.
+  // The divisors of the next two series are the larger departure and the larger strain amplitude of both models. If
+  // neither ball moves, they are the resolution times |Q| and |C| of model r at the first sample.
   const double departure = std::max({out.model.departure, out.reference.departure, resolution * r.Q[0].norm()});
   const double amplitude =
       std::max({out.model.strain_amplitude, out.reference.strain_amplitude, resolution * r.C[0].norm()});

@@ -89,7 +89,7 @@ struct Assessment {
   double first_error;  ///< standard error of the first frequency Ω
 };
 
-/// Computes the quality of a model. `size` is the largest magnitude of the samples, for their round-off.
+/// Computes the quality of a model. `size` is the largest magnitude of the samples, which determines their round-off.
 Assessment assess(LineModel& model, double size) {
   Assessment a{.peaks = periodogram_peaks(model.residual()), .deviation = 0, .first_error = 0};
   const double freedom = std::max<double>(1, double(model.residual().size() - model.n_parameters()));

@@ -7,7 +7,7 @@
 namespace pseudorigid::analysis {
 namespace {
 
-/// The length T of the record in time.
+/// The length T of the record, in the unit of time of the samples.
 double record_length(const FrequencyFit& fit) { return 2 * std::numbers::pi * fit.cycles / fit.dominant().frequency; }
 
 /// The bound (3/2) ε/(A T) of the error of the frequency (derived in frequency_error.h). A is the amplitude of the

@@ -14,7 +14,7 @@
 
 namespace pseudorigid::analysis {
 
-/// A line of the fit: a free frequency, or a multiple of one.
+/// A line of the fit. Its frequency is a free frequency, or a multiple of a free frequency.
 struct Wave {
   std::size_t base;  ///< index of a free frequency in `bases`
   int multiple;      ///< Ω = multiple · bases[base]

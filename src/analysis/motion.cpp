@@ -23,7 +23,8 @@ bool has_all(const io::Table& table, const Columns& names) {
   return std::ranges::all_of(names, [&](const std::string& name) { return table.has_column(name); });
 }
 
-/// The product m̄|Q||Q̇| of momentum_reference, or 0 if the table lacks a column.
+/// The product m̄|Q||Q̇| at the sample with the largest |Q̇|, or 0 if the table lacks a column. The factor m̄ follows from
+/// the kinetic energy ½m̄|Q̇|² (momentum_reference).
 double momentum_bound(const io::Table& table) {
   if (!table.has_column("kinetic") || !has_all(table, Q_columns) || !has_all(table, Qdot_columns)) return 0;
   const std::vector<double> Q = norms(read<Matrix3d>(table, Q_columns)),

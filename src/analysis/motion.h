@@ -91,7 +91,8 @@ std::string energy_clause(const ModelSummary& summary);
 /// ones". The result is empty if no step failed.
 std::string failure_clause(const ModelSummary& summary);
 
-/// A drift up to this value is reported as round-off. This is the error of some hundred operations in double precision.
+/// A drift up to this value is reported as round-off. The value is about the round-off error of some hundred operations
+/// in double precision.
 inline constexpr double round_off_drift = 1e-13;
 /// The text of a drift, for example "3.2e-07", or "round-off".
 std::string drift_in_words(double drift);

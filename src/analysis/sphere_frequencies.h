@@ -6,7 +6,7 @@
 ///   toroidal                   x j_n' − j_n = 0,        j_n' = j_{n−1} − (n+1)/x j_n
 ///   spheroidal, incompressible [2n(n−1) − x² + γ n k_n][(2N − 2 − x²) j_n − 2x j_n']
 ///                              − 2N(n−1)[2(x j_n' − j_n) + γ k_n j_n] = 0,      k_n = 2(n−1)/(2n+1),
-///       with self-gravity, γ = ρgr/μ, g = (4/3)πGρr, or γ = 0 without
+///       γ = ρgr/μ and g = (4/3)πGρr with self-gravity (density ρ, shear modulus μ), otherwise γ = 0
 ///   spheroidal, compressible   T₁₁T₄₃ − T₁₃T₄₁ = 0,
 ///       T₁₁ = [n(n−1) − x²/2] j_n(y) + 2y j_{n+1}(y),   T₁₃ = N[(n−1) j_n(x) − x j_{n+1}(x)],
 ///       T₄₁ = (n−1) j_n(y) − y j_{n+1}(y),              T₄₃ = [n² − 1 − x²/2] j_n(x) + x j_{n+1}(x)

@@ -59,7 +59,7 @@ std::vector<std::string> needed_by(const fs::path& library) {
   return needed;
 }
 
-/// Opens libraries in depth-first order, each one once.
+/// Opens libraries in depth-first order: each library once, after the libraries that it needs.
 class Opener {
  public:
   /// Opens the libraries that `library` needs, unless the process has them already.

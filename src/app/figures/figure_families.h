@@ -60,7 +60,7 @@ std::vector<double> figure_row(int index, const mechanics::FigureMember& member,
 /// Name of a class of motions, for example "even in z, m = 2".
 using NameOfClass = std::function<std::string(const mechanics::MotionClass& motions)>;
 
-/// The table and the results of families, one for each degree of a model.
+/// The table and the results of a run that computes one family of figures for each degree of a model.
 class FigureRun {
  public:
   using RowOf = std::function<mechanics::Status(int index, const mechanics::FigureMember& member,

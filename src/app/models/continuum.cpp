@@ -20,7 +20,7 @@ using scene::Family;
 using scene::Refusal;
 using scene::Scene;
 
-/// The line for the user about the mesh, the degree and the computed part of the ball.
+/// The line that the program shows to the user about the mesh, the degree and the computed part of the ball.
 std::string continuum_needed(const Scene& scene) {
   const auto found = [](const std::optional<int>& value) { return value ? std::to_string(*value) : "auto"; };
   const auto fixed = scene::fixed_discretization(scene);

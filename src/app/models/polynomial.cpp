@@ -20,7 +20,7 @@ namespace {
 using scene::Refusal;
 using scene::Scene;
 
-/// The line for the user about the degree and the computed part of the ball.
+/// The line that the program shows to the user about the degree and the computed part of the ball.
 std::string polynomial_needed(const Scene& scene) {
   const auto& degrees = scene.polynomial.degrees;
   std::string of_degree = "degree";

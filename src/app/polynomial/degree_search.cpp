@@ -74,7 +74,8 @@ class DegreeSearch {
       }
       const bool is_last = degree_ + 2 > scene::largest_polynomial_degree;
       if (is_last || (errors.n_runs() > 2 && error_ <= tolerance_)) break;
-      // If three degrees have run and this one fails, the motion itself probably ends. A higher degree does not help.
+      // If three degrees have run and this one fails, the motion itself probably ends at this time. A higher degree
+      // does not help.
       if (outcome.end == mechanics::Outcome::failed && errors.n_runs() > 2) break;
       before_ = std::move(trace);
     }

@@ -159,7 +159,7 @@ mechanics::Status ModelStepping::search(const std::optional<double>& error_so_fa
   return {};
 }
 
-/// Predicate of the message about a long search, with times in the user's units.
+/// The predicate of the first message about a long search (SearchNotice), with times in the user's units.
 std::string ModelStepping::about_search(const mechanics::StepRequest& request) const {
   const double time = context_.units.time;
   std::string text = fmt::format("looks for method and step by pilot runs, until {:.4g} of {:.4g}",

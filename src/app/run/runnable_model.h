@@ -57,7 +57,7 @@ class RunnableModelOf : public RunnableModel {
   using State = mechanics::State<S>;
   using Workspace = typename S::Workspace;
 
-  /// The system, which must live as long as the model.
+  /// The system of the model. The reference is valid as long as the model exists.
   virtual const S& system() const = 0;
   /// The state at the start of the run, in internal units.
   virtual State initial_state() const = 0;

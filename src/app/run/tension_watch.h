@@ -21,7 +21,7 @@ class TensionWatch {
         model_(model),
         is_fluid_(scene::is_ideal_fluid(context.scene) && context.scene.body.incompressible) {}
 
-  /// True if the run must compute λ.
+  /// True if the body is an incompressible fluid, so that the run must compute λ.
   bool watches() const { return is_fluid_; }
 
   /// Records the samples in the rows of an interrupted run, without warnings.

@@ -70,8 +70,8 @@ class DiscretizationSearch {
   /// Restores the state of the search from a checkpoint.
   void take(const io::Checkpoint& c);
   void write_checkpoint() const;
-  /// True on the rank that writes the checkpoint, the first one. False in sweeps, which do not write checkpoints of
-  /// their runs.
+  /// True on the first rank, which writes the checkpoint. False in sweeps, which do not write checkpoints of their
+  /// runs.
   bool keeps_states() const { return context_.ranks->is_first() && context_.scene.sweep.empty(); }
 
   const RunContext& context_;

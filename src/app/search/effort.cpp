@@ -27,8 +27,8 @@ struct Part {
 };
 constexpr Part octant{15, 28, 18, 4}, quarter_disc{7, 9, 3, 0}, half_axis{3, 2, 0, 0};
 
-/// Number of nodes of 1, 2, 4 or 8 octants. Neighbouring octants share quarter discs, and quarter discs share half axes
-/// and the centre.
+/// Number of nodes of 1, 2, 4 or 8 octants, with n intervals between the nodes of each edge. Neighbouring octants share
+/// quarter discs, and quarter discs share half axes and the centre.
 double n_nodes_of_images(int n_octants, double n) {
   const double O = octant.n_nodes(n), D = quarter_disc.n_nodes(n), A = half_axis.n_nodes(n);
   if (n_octants == 8) return 8 * O - 12 * D + 6 * A - 1;
@@ -131,7 +131,7 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
   const double n_cells = n_coarse * std::ldexp(1, 3 * d.refinements);
   const double n_pressure = scene.body.incompressible ? k * (k + 1) * (k + 2) / 6 : 0;
   const double n_unknowns = 3 * n_nodes, n_multipliers = n_cells * n_pressure;
-  // Analyses other than motions have dense matrices of the cells: the stiffness, its factors, and with self-gravity a
+  // For analyses other than motions, each cell has dense matrices: the stiffness, its factors, and with self-gravity a
   // part of the stiffness.
   const double entries_of_cell = std::pow(3 * std::pow(k + 1, 3), 2);
   const int n_matrices = scene.analysis == scene::Analysis::motion               ? 0
