@@ -43,7 +43,7 @@ struct Workshop {
     return false;
   }
 
-  /// Adds the series of values/reference, with its maximum and root mean square. A quotient with the numerator 0 is 0.
+  /// Adds the series of values/reference, with its maximum and root mean square. The quotient is 0 if the value is 0.
   void add(std::string name, double reference, std::vector<double> values) {
     Series s{.name = std::move(name), .reference = reference, .values = std::move(values)};
     double squares = 0;
@@ -94,13 +94,13 @@ std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable
   return time;
 }
 
-/// The ratio of the dominant frequencies and the bound of its error. A part of the error is empty if it is not known
-/// for one of the models.
+/// The ratio of the dominant frequencies and the bound of its error. A part of the error (ErrorBar) is empty if this
+/// part is not known for one of the models.
 FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference) {
   const double a = model.frequency.dominant().frequency, b = reference.frequency.dominant().frequency;
   const ErrorBar &of_a = model.frequency_error, &of_b = reference.frequency_error;
-  // With the errors δa and δb, the largest value of (a ± δa)/(b ± δb) has the denominator b − δb. If δb exceeds b/2,
-  // the ratio is not determined anyway, and b/2 is used as the denominator.
+  // With the bounds δa and δb of the errors, the largest value of (a ± δa)/(b ± δb) has the denominator b − δb. If δb
+  // exceeds b/2, the ratio is not determined anyway, and b/2 is used as the denominator.
   const double least =
       b - std::min(of_b.fit + of_b.time.value_or(0) + of_b.space.value_or(0) + of_b.quadrature.value_or(0), b / 2);
   const auto of_parts = [&](double da, double db) { return (da + db * a / b) / least; };
@@ -114,8 +114,9 @@ FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference
   return ratio;
 }
 
-/// Adds phase_difference, and its values after 1, 2, 5, 10 … periods of the reference. `r` and `c` are the samples of
-/// the fitted component of C in both models. Adds nothing if a model does not have a phase (phase.h).
+/// Adds the series phase_difference, and its values after 1, 2, 5, 10, 20, 50 … periods of the reference. `r` and `c`
+/// are the samples of the fitted component of C in both models. Adds nothing if one of the models does not have a phase
+/// (phase.h).
 void compare_phases(Workshop& w, const std::vector<double>& r, const std::vector<double>& c) {
   Comparison& out = w.out;
   const double interval = (out.time.back() - out.time.front()) / double(out.time.size() - 1);
@@ -162,9 +163,9 @@ void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   compare_phases(w, r.component(i, j), c.component(i, j));
 }
 
-/// True if the body spins. The norm of Q̇Qᵀ − QQ̇ᵀ or of QᵀQ̇ − Q̇ᵀQ then exceeds spin_threshold times the largest
-/// |Q||Q̇| at a sample. Let J be the angular momentum, Z the circulation and m̄ the factor in the kinetic energy
-/// ½m̄|Q̇|². The axial vectors of the matrices are J/m̄ and Z/m̄. The table must have the columns of Q and Q̇.
+/// True if the body spins: the norm of Q̇Qᵀ − QQ̇ᵀ or of QᵀQ̇ − Q̇ᵀQ at a sample exceeds spin_threshold times the largest
+/// |Q||Q̇|. Let J be the angular momentum, Z the circulation and m̄ the factor in the kinetic energy ½m̄|Q̇|². The axial
+/// vectors of the two matrices are J/m̄ and Z/m̄. The table must have the columns of Q and Q̇.
 bool spins(const io::Table& table) {
   const auto Q = read<Matrix3d>(table, Q_columns), Qdot = read<Matrix3d>(table, Qdot_columns);
   double spin = 0, bound = 0;
@@ -177,7 +178,8 @@ bool spins(const io::Table& table) {
 }
 
 /// Adds the series of the differences of Q and of C, the error of Q, and the frequencies. Adds the exact ratio of the
-/// frequencies only if the body does not spin. If a table lacks a column of Q, only adds an entry to `not_compared`.
+/// frequencies only if the table of the model shows that the body does not spin. If a table lacks a column of Q, only
+/// adds an entry to `not_compared`.
 void compare_states(Workshop& w) {
   if (!w.available("deformation and frequency", Q_columns)) return;
   Comparison& out = w.out;
@@ -194,7 +196,8 @@ void compare_states(Workshop& w) {
   };
   out.error.time = of_both(&RunErrors::time);
   out.error.quadrature = of_both(&RunErrors::quadrature);
-  // If neither ball moves, the divisors are the resolution times |Q| or |C| of model r at the first sample.
+  // The divisors of the next two series are the larger departure and the larger strain amplitude of both models. If
+  // neither ball moves, they are the resolution times |Q| and |C| of model r at the first sample.
   const double departure = std::max({out.model.departure, out.reference.departure, resolution * r.Q[0].norm()});
   const double amplitude =
       std::max({out.model.strain_amplitude, out.reference.strain_amplitude, resolution * r.C[0].norm()});
@@ -257,8 +260,8 @@ void compare_momentum(Workshop& w, const std::string& name, const Columns& colum
   w.out.reference.*drift_of = drift(c, reference);
 }
 
-/// If a body has companions, its angular momentum is not constant. The drift of the total angular momentum of body and
-/// companions then replaces its drift.
+/// If a body has companions, only the total angular momentum of body and companions is constant. The drift of this
+/// total then replaces the drift of the body's angular momentum.
 void judge_total_momentum(Workshop& w) {
   for (const auto& [table, summary] : {std::pair{&w.r, &w.out.model}, std::pair{&w.c, &w.out.reference}})
     if (table->has_column("total_J1"))
@@ -271,8 +274,9 @@ void compare_multipliers(Workshop& w) {
   w.add("multiplier_difference", std::max(largest(r), largest(c)), each(std::minus{}, c, r));
 }
 
-/// Adds the non-affine part of the motion and the extremes of the volume from the table of the reference. If the table
-/// lacks a column of the non-affine part, only adds an entry to `not_compared`.
+/// Adds the series of the non-affine motion, its mean fraction of the kinetic energy, and the extremes of the volume,
+/// from the table of the reference. If the table lacks a column of the non-affine motion, only adds an entry to
+/// `not_compared`.
 void report_nonaffine_motion(Workshop& w) {
   const Columns columns{"nonaffine_kinetic_fraction", "nonaffine_displacement"};
   if (!w.has(w.c, w.out.reference, "non-affine motion", columns)) return;

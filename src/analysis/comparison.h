@@ -74,7 +74,7 @@ struct Series {
 };
 
 struct FrequencyRatio {
-  double value = 0;  ///< ω_r / ω_c
+  double value = 0;  ///< ω_r / ω_c, with the dominant angular frequencies ω
   ErrorBar error;    ///< bound for the error of the ratio due to the errors of both frequencies
 };
 
@@ -91,12 +91,15 @@ struct Comparison {
   /// expression with the errors of the quadrature rules.
   ErrorBar error;
   std::optional<FrequencyRatio> ratio;  ///< empty if a model has no frequency, or follows a load
-  std::optional<double> exact_ratio;    ///< empty if the scene has none, if the body spins, or if its spin is not known
+  /// Exact value of the ratio for small amplitudes. It is empty if the scene has none, if the body spins, or if the
+  /// program does not know whether the body spins.
+  std::optional<double> exact_ratio;
   /// n → phase_difference after n periods of the reference, for n = 1, 2, 5, 10, 20, 50 … within the run. The value is
   /// interpolated linearly between samples. The map is empty if there is no series phase_difference.
   std::map<int, double> phase_after_periods;
-  // The next four members are empty if the table of the reference lacks the columns of the non-affine motion. The first
-  // one also requires the column kinetic.
+  // The next four members are empty if the table of the reference lacks the columns of the non-affine motion. Each one
+  // also requires a column of its own: kinetic, min_jacobian, max_volume_error and volume_error. F is the deformation
+  // gradient.
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine
                                                           ///< fraction of the kinetic energy K
   std::optional<double> min_jacobian, max_volume_error;  ///< least det F and largest |ln det F| of the reference
@@ -107,7 +110,7 @@ struct Comparison {
 
   /// The series with this name; null if there is none.
   const Series* find(std::string_view name) const;
-  /// Whether the models differ by more than the error of the discretisations. The result is empty if a part of this
+  /// Whether the largest q_difference exceeds the error of the discretisations. The result is empty if a part of this
   /// error is not known. Requires `has_state`.
   std::optional<bool> is_resolved() const {
     const auto bar = error.total();

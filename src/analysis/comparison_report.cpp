@@ -102,8 +102,8 @@ std::string unknown_frequency(const ModelSummary& m) {
   return fmt::format("no frequency can be given for the {} ball ({})", m.adjective, m.frequency.reason);
 }
 
-/// The sentence about two frequencies for the case that the error of their ratio is not known. Instead of an error bar,
-/// the sentence has the words "As far as the fits tell".
+/// The sentence about two frequencies if the error of their ratio is not known. In place of an error bar, the sentence
+/// has the words "As far as the fits tell" and names the unknown parts of the error.
 std::string fitted_frequencies(const Comparison& c) {
   const double excess = c.ratio->value - 1;
   const std::string apart =
@@ -124,7 +124,7 @@ std::string known_frequencies(const Comparison& c, double uncertainty) {
   if (std::abs(excess) > 2 * c.ratio->error.fit + uncertainty + round_off)
     return fmt::format("The {} ball pulsates {} % {} than the {} ball", c.model.adjective,
                        percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower", c.reference.adjective);
-  // The bar alone excludes 0, but the error of the fit may be three times as large.
+  // The difference exceeds the error bar, but not the error with three standard errors of the fit.
   if (std::abs(excess) > uncertainty && known_to > says_little)
     return fmt::format("The {} ball pulsates {} % {} than the {} ball, within three standard errors", c.model.adjective,
                        percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower", c.reference.adjective);

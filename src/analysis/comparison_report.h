@@ -1,5 +1,5 @@
 #pragma once
-/// Functions that print a comparison as files, as a table for the terminal, and as one sentence.
+/// Functions that convert a comparison to files, to a table for the terminal, and to one sentence.
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -22,9 +22,9 @@ nlohmann::ordered_json comparison_json(const Comparison& comparison);
 /// cannot be written.
 void write_comparison(const std::filesystem::path& folder, const std::string& name, const Comparison& comparison);
 
-/// Print the comparisons of several models with the same reference. `overview` returns text for the terminal, a heading
-/// and one line for each model. `overview_json` returns the summary sentence, the model difference and the frequency
-/// ratio of each model. The list must not be empty.
+/// Results of the comparisons of several models with the same reference. `overview` returns text for the terminal, a
+/// heading and one line for each model. `overview_json` returns the summary sentence, the model difference and the
+/// frequency ratio of each model. The list must not be empty.
 std::string overview(const std::vector<Comparison>& comparisons);
 nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons);
 
@@ -32,9 +32,9 @@ nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons)
 std::string summary_sentence(const Comparison& comparison);
 
 /// Returns, for example, "model difference 0.0123 +- 0.0004 (discretisation error, estimated: time 2e-06, space
-/// 0.0004)". The difference is the largest q_difference. A remark is added if the error is at least as large as the
-/// difference. If a part of the error is not known, the text names this part instead of the error and its parts.
-/// Requires `has_state`.
+/// 0.0004)". The difference is the largest value of q_difference. If the error is at least as large as the difference,
+/// a remark states that the difference is not resolved. If a part of the error is not known, the text names this part
+/// instead of the error and its parts. Requires `has_state`.
 std::string model_difference(const Comparison& comparison);
 
 /// Returns, for example, "ratio of the frequencies 1.186319 +- 3e-05 (fit 2e-07, time 2e-05, space 1e-05)". Requires

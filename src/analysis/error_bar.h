@@ -48,8 +48,8 @@ inline std::string unknown_parts(const ErrorBar& bar) {
   return fmt::format("errors in {} and {} not known", fmt::join(names, ", "), last);
 }
 
-/// Returns, for example, "fit 0.003, time 2e-06, space not known". The text omits the fit if its error is 0, and the
-/// quadrature if its error is 0.
+/// Returns, for example, "fit 0.003, time 2e-06, space not known". The text omits the parts `fit` and `quadrature` if
+/// they are 0.
 inline std::string parts_in_words(const ErrorBar& bar) {
   const auto part = [](const char* name, const std::optional<double>& value) {
     return value ? fmt::format("{} {}", name, printed_error(*value)) : fmt::format("{} not known", name);
@@ -67,13 +67,13 @@ inline std::string in_short(const ErrorBar& bar) {
   return total ? " +- " + printed_error(*total) : fmt::format(" ({})", unknown_parts(bar));
 }
 
-/// Estimated errors of the samples of a run. Q is the matrix of the affine part of the motion (comparison.h). An error
-/// is empty if it is not known.
+/// Estimated errors of the samples of a run. Q is the matrix of the affine motion that is nearest to the motion of the
+/// body (comparison.h). An error is empty if it is not known.
 struct RunErrors {
-  std::optional<double> time{};   ///< largest entry of the error of Q in time
-  std::optional<double> space{};  ///< largest |δQ|/|Q|; 0 for a model without a discretisation in space
+  std::optional<double> time{};   ///< bound of the error in time of every entry of Q
+  std::optional<double> space{};  ///< largest |error of Q|/|Q|; 0 for a model without a discretisation in space
   std::optional<double> quadrature =
-      0;  ///< largest entry of the error of Q due to the quadrature; 0 if it is a part of `space`
+      0;  ///< bound of the error of every entry of Q due to the quadrature; 0 if it is a part of `space`
   const OtherResolution* other = nullptr;  ///< the same motion on another discretisation; null if there is none
 };
 

@@ -16,9 +16,9 @@ namespace {
 using Eigen::Index, Eigen::VectorXd;
 using std::numbers::pi;
 
-/// The frequency Ω near a low peak with the least residual. In this file Ω = ωT/2, with the length T of the record. In
-/// a record of less than six cycles, the drift and the mirror image of the line at −Ω displace the peak of the
-/// periodogram.
+/// Returns the frequency Ω with the least residual near the peak at the low frequency `peak`. In this file Ω = ωT/2,
+/// with the length T of the record. In a record of less than six cycles, the drift and the mirror image of the line at
+/// −Ω displace the peak of the periodogram.
 double scan_low_frequencies(LineModel model, double peak) {
   double best = peak, least = std::numeric_limits<double>::infinity();
   for (double omega = std::max(peak - 1.5 * pi, 0.5 * pi); omega <= peak + 1.5 * pi; omega += 0.25 * pi) {
@@ -37,7 +37,8 @@ double scan_low_frequencies(LineModel model, double peak) {
 enum class Neighbours { admitted, excluded };
 
 /// Adds a line for a peak at Ω. The line is free, or constrained to a multiple of the first line. If the peak is close
-/// to a constrained line, this line becomes free instead. Returns false if Ω is too close to another line.
+/// to a line that is constrained already, this line becomes free instead. Returns false if Ω is too close to another
+/// line.
 bool add_line(LineModel& model, double omega, Neighbours neighbours) {
   constexpr double tie_width = 0.5 * pi, resolved = 0.7 * pi,
                    well_separated = 2 * pi;  // distances in Ω; π is one resolution width
@@ -59,7 +60,8 @@ bool add_line(LineModel& model, double omega, Neighbours neighbours) {
   return true;
 }
 
-/// Finds the first line and adds it to the model. Returns an empty text, or the reason why there is no first line.
+/// Finds the first line and makes it the only line of the model. Returns an empty text, or the reason why there is no
+/// first line.
 std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degree) {
   const std::vector<double> peaks = periodogram_peaks(model.residual());
   if (peaks.empty()) return "no line stands out of the noise";
@@ -87,7 +89,7 @@ struct Assessment {
   double first_error;  ///< standard error of the first frequency Ω
 };
 
-/// Computes the quality of a model. `size` is the largest magnitude of the samples, for their round-off.
+/// Computes the quality of a model. `size` is the largest magnitude of the samples, which determines their round-off.
 Assessment assess(LineModel& model, double size) {
   Assessment a{.peaks = periodogram_peaks(model.residual()), .deviation = 0, .first_error = 0};
   const double freedom = std::max<double>(1, double(model.residual().size() - model.n_parameters()));
@@ -97,8 +99,8 @@ Assessment assess(LineModel& model, double size) {
   return a;
 }
 
-/// A round of the search: the largest number of peaks that become lines, and whether new lines may be close to other
-/// lines.
+/// A round of the search for further lines: the largest number of peaks that become lines, and whether new lines may be
+/// close to other lines.
 struct Round {
   std::size_t n_peaks;
   Neighbours neighbours;
@@ -119,8 +121,8 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   trial.refine(LineModel::Accuracy::rough);
   Assessment outcome = assess(trial, size);
   if (!(outcome.first_error < state.first_error)) return false;
-  // Close lines can imitate a modulated amplitude, but then the residual has peaks. The residual of two true lines does
-  // not have peaks.
+  // Lines that are close to each other can imitate a line of varying amplitude, but the residual then has peaks. If
+  // there really are two lines, the residual does not have peaks.
   if (round.neighbours == Neighbours::admitted && !outcome.peaks.empty()) return false;
   std::swap(model.bases, trial.bases);
   std::swap(model.waves, trial.waves);
@@ -129,9 +131,9 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   return true;
 }
 
-/// Adds lines until the residual is round-off, the first frequency has the required precision, or no further line is
-/// permitted or reduces its error. Then refines all frequencies, unless this doubles the error of the first frequency.
-/// Returns the quality of the model.
+/// Adds lines until the residual is round-off or the first frequency has the required precision. Also ends if no
+/// further line is permitted, or if no further line reduces the error of the first frequency. Then refines all
+/// frequencies, unless this doubles the error of the first frequency. Returns the quality of the model.
 Assessment complete_lines(LineModel& model, double size, const FrequencyOptions& options) {
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * size;
   const std::size_t all = std::size_t(options.max_lines);
@@ -154,8 +156,8 @@ Assessment complete_lines(LineModel& model, double size, const FrequencyOptions&
   return outcome;
 }
 
-/// The lines of a model: the first one, and the others by decreasing amplitude. `half_length` is half the length of the
-/// record, which converts Ω to ω.
+/// The lines of a model: the first one, and the others by decreasing amplitude. `deviation` is σ of FrequencyFit.
+/// `half_length` is half the length of the record, which converts Ω to ω.
 std::vector<Line> read_lines(LineModel& model, double deviation, double half_length) {
   const VectorXd curvature = model.inverse_curvature();
   std::vector<Line> lines;

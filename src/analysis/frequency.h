@@ -60,11 +60,11 @@ struct FrequencyOptions {
   double round_off = 1e-12;  ///< a signal with a smaller relative variation counts as constant
 };
 
-/// The strongest line other than the dominant line, its multiples and slow drifts, if it has at least half of the
-/// dominant amplitude; otherwise empty. A line closer to the dominant line than two resolution widths 2π/T does not
-/// count, because a damped motion resembles several close lines. If there is such a line, two frequencies share the
-/// motion, and one alone does not describe it. With gravity, this happens if the frequencies of two modes come close
-/// (avoided crossing).
+/// The strongest line other than the dominant line, its multiples and slow drifts, if its amplitude is at least half of
+/// the dominant amplitude; otherwise empty. A line closer to the dominant line than two resolution widths 2π/T does not
+/// count, because a damped motion resembles several close lines. If there is a second line, the dominant frequency
+/// alone does not describe the motion. With gravity, this happens if the frequencies of two modes come close (avoided
+/// crossing).
 std::optional<Line> second_line(const FrequencyFit& fit);
 
 /// Whether a line describes a slow drift: its frequency is within three standard errors of 0.

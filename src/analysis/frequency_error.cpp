@@ -7,12 +7,12 @@
 namespace pseudorigid::analysis {
 namespace {
 
-/// The length T of the record in time.
+/// The length T of the record, in the unit of time of the samples.
 double record_length(const FrequencyFit& fit) { return 2 * std::numbers::pi * fit.cycles / fit.dominant().frequency; }
 
-/// The bound (3/2) ε/(A T) of the error of the frequency (derived in frequency_error.h). A is the amplitude of the line
-/// and T the length of the record. The number ε = max_t (|q_i|₁ + |q_j|₁) e bounds the error of the entry (i, j) of C.
-/// Here q_i are the columns of Q, and e bounds the error of every entry of Q.
+/// The bound (3/2) ε/(A T) of the error of the frequency (derived in frequency_error.h). A is the amplitude of the
+/// line, and T is the length of the record. Let e bound the error of every entry of Q. Then ε = max_t (|q_i|₁ + |q_j|₁)
+/// e bounds the error of C_ij. Here q_i is a column of Q, and `entry` is (i, j).
 double error_of_phase(const FrequencyFit& fit, const Deformation& deformation, std::pair<int, int> entry, double e) {
   constexpr double of_growing_phase = 1.5;
   const auto [i, j] = entry;

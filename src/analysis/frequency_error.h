@@ -29,8 +29,8 @@
 
 namespace pseudorigid::analysis {
 
-/// The error of the dominant frequency of `fit`. The samples of `fit` are the entry (i, j) of C at the given times. If
-/// the fit does not have lines, the errors in time and space are not known.
+/// The error of the dominant frequency of `fit`. The samples of `fit` are the values of C_ij at the given times, with
+/// `entry` = (i, j). If the fit does not have lines, the errors in time and space are not known.
 ErrorBar frequency_error(const FrequencyFit& fit, const Deformation& deformation, std::pair<int, int> entry,
                          const std::vector<double>& time, const RunErrors& errors);
 

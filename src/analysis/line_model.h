@@ -14,7 +14,7 @@
 
 namespace pseudorigid::analysis {
 
-/// A line of the fit: a free frequency, or a multiple of one.
+/// A line of the fit. Its frequency is a free frequency, or a multiple of a free frequency.
 struct Wave {
   std::size_t base;  ///< index of a free frequency in `bases`
   int multiple;      ///< Ω = multiple · bases[base]
@@ -23,7 +23,8 @@ struct Wave {
 /// The fit of a set of waves, with its coefficients and its residual.
 class LineModel {
  public:
-  /// Makes a model without waves. The vector `y` must outlive the model.
+  /// Makes a model without waves, with Legendre polynomials up to the degree `drift_degree`. The samples `y` must
+  /// outlive the model.
   LineModel(const Eigen::VectorXd& y, int drift_degree);
 
   std::vector<double> bases;  ///< free frequencies; call project() after a change of `bases` or `waves`
@@ -45,16 +46,17 @@ class LineModel {
   Eigen::Index n_parameters() const { return A_.cols() + Eigen::Index(bases.size()); }
   /// The coefficients (a, b) of the wave a cos Ωs + b sin Ωs.
   std::pair<double, double> amplitudes(std::size_t wave) const;
-  /// The diagonal of S⁻¹, with one entry for each free frequency.
+  /// The diagonal of S⁻¹, with one entry for each free frequency. Multiplied by σ² (FrequencyFit), an entry is the
+  /// squared standard error of this frequency.
   Eigen::VectorXd inverse_curvature();
 
  private:
   Eigen::Index cosine(std::size_t wave) const {
     return drift_.cols() + 2 * Eigen::Index(wave);
   }  ///< column of cos Ωs in A
-  /// True if a step changes every free frequency by less than 1e-13 of its value.
+  /// True if the step δΩ changes every free frequency by less than 1e-13 of its value.
   bool negligible(const Eigen::VectorXd& step) const;
-  Eigen::MatrixXd projected_hessian();  ///< computes D and returns S
+  Eigen::MatrixXd projected_hessian();  ///< computes the matrix D and returns S
 
   const Eigen::VectorXd& y_;
   Eigen::MatrixXd drift_, A_, jacobian_;  ///< the columns P_k of A, the matrix A, and the matrix D

@@ -23,7 +23,8 @@ bool has_all(const io::Table& table, const Columns& names) {
   return std::ranges::all_of(names, [&](const std::string& name) { return table.has_column(name); });
 }
 
-/// The product m̄|Q||Q̇| of momentum_reference, or 0 if the table lacks a column.
+/// The product m̄|Q||Q̇| at the sample with the largest |Q̇|, or 0 if the table lacks a column. The factor m̄ follows from
+/// the kinetic energy ½m̄|Q̇|² (momentum_reference).
 double momentum_bound(const io::Table& table) {
   if (!table.has_column("kinetic") || !has_all(table, Q_columns) || !has_all(table, Qdot_columns)) return 0;
   const std::vector<double> Q = norms(read<Matrix3d>(table, Q_columns)),
@@ -50,9 +51,9 @@ MotionSummary begin_summary(const ModelRunTable& run) {
 }
 
 /// The energy of a motion counts as round-off if it is below the fraction `least_energy_part` of the other energies.
-/// These are the gravitational and external energies, or the potential of a system. The energy of a motion of the ball
-/// also counts as round-off if it is below the fraction `least_kinetic_part` of the unit of energy. This fraction of
-/// the unit is the kinetic energy of velocities of the size of round-off.
+/// The other energies are the gravitational and external energies, or the potential energy of a system. The energy of a
+/// motion of the ball also counts as round-off if it is below the fraction `least_kinetic_part` of the unit of energy.
+/// If velocities are round-off, their kinetic energy has about this size.
 constexpr double least_energy_part = 1e-12, least_kinetic_part = 1e-24;
 
 /// The columns in the table for the terminal, with their labels.
@@ -91,8 +92,8 @@ std::vector<double> Deformation::component(int i, int j) const {
 std::pair<int, int> Deformation::liveliest_component() const {
   Matrix3d variance = Matrix3d::Zero();
   for (const Matrix3d& c : C) variance += (c - C_mean).cwiseAbs2();
-  // Variances that are equal in exact arithmetic differ by round-off. The first of these components is returned. The
-  // result then does not depend on the order of summation.
+  // Variances that are equal in exact arithmetic differ by round-off. The first of the components with such variances
+  // is returned. The result then does not depend on the order of summation.
   const double least = (1 - 1e-9) * variance.maxCoeff();
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j)

@@ -33,12 +33,12 @@ struct ModelSummary {
   FrequencyFit frequency;
   ErrorBar frequency_error;      ///< error of the dominant line (frequency_error.h)
   std::optional<double> load{};  ///< angular frequency of the load that causes the dominant line; empty if no load does
-  double departure = 0;          ///< max_t |Q − Q(0)|
+  double departure = 0;          ///< max_t |Q − Q(0)|, the largest distance of Q from its initial value
   double strain_amplitude = 0;   ///< √2 rms_t |C − C̄|, with the mean C̄ over time
   bool turns = false;            ///< true if departure > resolution · |Q(0)|, with the resolution of Deformation
   bool deforms = false;          ///< true if strain_amplitude > resolution · max_t |C|
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
-  double energy_bound = 0;  ///< largest change of the energy without a warning, relative to the reference value
+  double energy_bound = 0;  ///< largest change of the energy without a warning, as a fraction of the reference value
   std::optional<double> energy_beyond_since{};  ///< first time of a change beyond this bound; empty if there is none
   long n_failed_intervals = 0;                  ///< as in ModelRunTable
 };
@@ -74,7 +74,7 @@ FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<
 double energy_reference(std::initializer_list<const io::Table*> models, double unit);
 
 /// Sets the drift of the energy relative to the reference value, its bound, and the first time beyond the bound. Let
-/// the error of Q be τ|Q|, and let D = max|Q − Q(0)| be the departure in `summary`, which must be set before. In an
+/// the error of Q be τ|Q|, and let D = max|Q − Q(0)| be the departure, which `summary` must already contain. In an
 /// oscillation, D is twice the amplitude, and the relative change of the energy is 4τ|Q|/D. If τ (`tolerance`) is given
 /// and the body moves, the bound is this value with |Q| = √3, but at most 1 %. Otherwise the bound is 1 %.
 void set_energy_drift(const io::Table& table, double reference, std::optional<double> tolerance, ModelSummary& summary);
@@ -91,7 +91,8 @@ std::string energy_clause(const ModelSummary& summary);
 /// ones". The result is empty if no step failed.
 std::string failure_clause(const ModelSummary& summary);
 
-/// A drift up to this value is reported as round-off. This is the error of some hundred operations in double precision.
+/// A drift up to this value is reported as round-off. The value is about the round-off error of some hundred operations
+/// in double precision.
 inline constexpr double round_off_drift = 1e-13;
 /// The text of a drift, for example "3.2e-07", or "round-off".
 std::string drift_in_words(double drift);
@@ -110,8 +111,8 @@ std::vector<std::string> columns_of_angular_momentum(const io::Table& table);
 /// Q̇ or K, the reference is the largest norm.
 double momentum_reference(const io::Table& table, const std::vector<Eigen::Vector3d>& momenta);
 
-/// An angular momentum J or a circulation Z below this fraction of m̄|Q||Q̇| is round-off. Here m̄ is the factor in the
-/// kinetic energy K = ½m̄|Q̇|². The body spins if J or Z is larger.
+/// The body spins if its angular momentum J or its circulation Z exceeds this fraction of m̄|Q||Q̇|. Smaller values are
+/// round-off. Here m̄ is the factor in the kinetic energy K = ½m̄|Q̇|².
 inline constexpr double spin_threshold = 1e-9;
 
 /// The label of a column, and the least, greatest and last value of this column in a run.
@@ -135,7 +136,7 @@ struct MotionSummary {
 
 /// Data from the scene that the summary of a run needs.
 struct SceneFacts {
-  double resolution = 1e-10;  ///< relative accuracy of Q and C; smaller variations are not a motion
+  double resolution = 1e-10;  ///< relative accuracy of Q and C; smaller relative variations do not count as a motion
   double energy_unit = 0;     ///< unit of energy of the scene
   /// Time/Tolerance, from which the program chose the step; empty if the scene gives the step.
   std::optional<double> tolerance{};

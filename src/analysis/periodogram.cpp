@@ -13,7 +13,8 @@ namespace {
 using Eigen::Index, Eigen::VectorXd;
 using std::numbers::pi;
 
-/// Magnitudes of the periodogram at θ = 2πk/n_padded for k = 0 … n_padded/2. Zero padding resolves the peaks.
+/// Magnitudes of the periodogram of the samples y at the angles θ = 2πk/n_padded per sample, k = 0 … n_padded/2. Zeros
+/// extend the samples to the number n_padded, so that each peak covers several of these angles.
 std::vector<double> spectrum(const VectorXd& y, std::size_t n_padded) {
   std::vector<double> windowed(n_padded, 0.0);
   const double n = double(y.size());

@@ -13,8 +13,8 @@ namespace {
 using Eigen::Matrix3d, Eigen::Vector3d;
 using std::numbers::pi;
 
-/// The fit of d + a cos ωt + b sin ωt to a window of n_window samples. The time t is counted from the first sample of
-/// the record.
+/// The least-squares fit of d + a cos ωt + b sin ωt to a window of n_window samples. The time t is counted from the
+/// first sample of the record.
 class MovingFit {
  public:
   MovingFit(std::span<const double> values, double angle, std::size_t n_window)
@@ -32,7 +32,8 @@ class MovingFit {
     ++first_;
   }
   std::size_t first() const { return first_; }
-  /// The coefficients of the present window as a − ib. The argument of this number is the phase at a time t minus ωt.
+  /// The coefficients of the fit to the present window, as the number a − ib. If the phase at a time t is θ, the
+  /// argument of this number is θ − ωt.
   std::complex<double> amplitude() const {
     const Vector3d fit = normal_.ldlt().solve(right_);
     return {fit[1], -fit[2]};

@@ -18,8 +18,8 @@ inline const Columns Qdot_columns{"Qdot11", "Qdot12", "Qdot13", "Qdot21", "Qdot2
                                   "Qdot23", "Qdot31", "Qdot32", "Qdot33"};
 
 /// Reads the columns `names` of a table, which must have at least one row. Throws UserError if the table lacks a
-/// column. Returns an Eigen object of fixed size for each row of the table. The entries of the object, row by row, are
-/// the values of the columns in the order of `names`.
+/// column. Returns an Eigen vector or matrix of fixed size for each row of the table. Its entries, row by row, are the
+/// values of the columns in the order of `names`.
 template <class Value>
 std::vector<Value> read(const io::Table& table, const Columns& names) {
   std::vector<Value> samples(table.n_rows());
@@ -69,8 +69,8 @@ inline double weighted_mean(const std::vector<double>& values, const std::vector
   return ratio_or_zero(sum, total);
 }
 
-/// The largest distance of a value from the first value, divided by `reference`. It is 0 for an empty list, and if all
-/// values are equal, even if `reference` is 0.
+/// The largest distance of a value from the first value, divided by `reference`. The result is 0 for an empty list. It
+/// is also 0 if all values are equal, even if `reference` is 0.
 inline double drift(const std::vector<double>& values, double reference) {
   return ratio_or_zero(largest(each([&](double v) { return v - values[0]; }, values)), reference);
 }

@@ -27,9 +27,10 @@ namespace pseudorigid::analysis {
 /// The assumed rate, and the bounds of the rate of finite elements. Measured rates are between the bounds or larger
 /// (docs/benchmarks.md, "Error in space").
 inline constexpr double assumed_space_rate = 3, least_space_rate = 2.5, largest_space_rate = 6;
-/// Lower bound of the rate p for polynomial bodies, whose resolution N is their degree. If the companion run is the
-/// only other run, the error is computed with this rate. Releases of incompressible balls have rates above 2. A
-/// compressible ball whose pressure front meets at the centre has the rate 1.3, for which the estimate is too small.
+/// Lower bound of the rate p for polynomial bodies, whose resolution N is their degree. If the program makes only one
+/// other run of the scene (the companion run), it computes the error with this rate. The measured rates of
+/// incompressible balls after a release are above 2. A compressible ball whose pressure front meets at the centre has
+/// the rate 1.3, for which the estimate is too small.
 inline constexpr double least_polynomial_rate = 1.5;
 
 /// The error e of a run with resolution N, if the difference from a run with resolution N_other is d. `rate` is p.

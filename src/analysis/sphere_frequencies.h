@@ -1,12 +1,12 @@
 #pragma once
-/// Exact frequencies of the elastic sphere (Lamb 1882; Eringen and Şuhubi, Elastodynamics II, 8.14). The unknown is x =
-/// ωr/c with the speed c of shear waves. With the speed c_p of pressure waves, y = ωr/c_p = x c/c_p. For the degree n,
-/// with N = n(n+1) and the spherical Bessel functions j_n, the equations are
+/// Exact angular frequencies ω of the elastic sphere (Lamb 1882; Eringen and Şuhubi, Elastodynamics II, 8.14). The
+/// unknown is x = ωr/c, with the radius r and the speed c of shear waves. With the speed c_p of pressure waves, y =
+/// ωr/c_p = x c/c_p. For the degree n, with N = n(n+1) and the spherical Bessel functions j_n, the equations are
 ///
 ///   toroidal                   x j_n' − j_n = 0,        j_n' = j_{n−1} − (n+1)/x j_n
 ///   spheroidal, incompressible [2n(n−1) − x² + γ n k_n][(2N − 2 − x²) j_n − 2x j_n']
 ///                              − 2N(n−1)[2(x j_n' − j_n) + γ k_n j_n] = 0,      k_n = 2(n−1)/(2n+1),
-///       with self-gravity, γ = ρgr/μ, g = (4/3)πGρr, or γ = 0 without
+///       γ = ρgr/μ and g = (4/3)πGρr with self-gravity (density ρ, shear modulus μ), otherwise γ = 0
 ///   spheroidal, compressible   T₁₁T₄₃ − T₁₃T₄₁ = 0,
 ///       T₁₁ = [n(n−1) − x²/2] j_n(y) + 2y j_{n+1}(y),   T₁₃ = N[(n−1) j_n(x) − x j_{n+1}(x)],
 ///       T₄₁ = (n−1) j_n(y) − y j_{n+1}(y),              T₄₃ = [n² − 1 − x²/2] j_n(x) + x j_{n+1}(x)
@@ -32,8 +32,8 @@ inline double incompressible_spheroidal_equation(int n, double x, double gamma) 
          2 * N * (n - 1) * (2 * toroidal_equation(n, x) + pull * j);
 }
 
-/// The left-hand side of the equation for compressible spheroidal modes, n ≥ 0. For n = 0 it is that of the radial
-/// modes. The argument `ratio` is c/c_p.
+/// The left-hand side of the equation for compressible spheroidal modes, n ≥ 0. For n = 0 the equation is that of the
+/// radial modes. The argument `ratio` is c/c_p.
 inline double compressible_spheroidal_equation(int n, double x, double ratio) {
   const double y = ratio * x, N = n * (n + 1);
   const auto j = [](int degree, double z) { return std::sph_bessel(static_cast<unsigned>(degree), z); };

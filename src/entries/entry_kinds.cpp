@@ -126,7 +126,7 @@ std::string Number::expected() const {
 
 namespace {
 
-/// Reads the word `auto` (no value), or a value of `kind`.
+/// Reads the word `auto`, which makes `value` empty, or a value of `kind`.
 template <class T, class Kind>
 Problem read_unless_auto(std::string_view text, const Kind& kind, std::optional<T>& value) {
   if (text == "auto") return value.reset(), std::nullopt;
@@ -202,8 +202,9 @@ Problem Text::read(std::string_view text, std::string& value) const {
 
 namespace {
 
-/// An expansion of a shell at the beginning of a text, such as `~`, `$NAME` or `$(`. The member `value` is the
-/// replacement of `~` or of a variable. It is empty for other expansions and for variables that are not set.
+/// An expansion of a shell at the beginning of a text, such as `~`, `$NAME` or `$(`. The member `word` is this
+/// beginning. The member `value` is the replacement of `~` or of a variable. It is empty for other expansions and for
+/// variables that are not set.
 struct ShellWord {
   std::string word, value;
 };

@@ -69,7 +69,7 @@ struct Number {
 inline constexpr Number positive{.low = 0, .low_excluded = true};
 inline constexpr Number not_negative{.low = 0};
 
-/// The word `auto`, which gives no value, or a number.
+/// The word `auto`, which gives no value, or a number that `number` admits.
 struct AutoOrNumber {
   Number number;
 
@@ -92,7 +92,7 @@ struct Integer {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The word `auto`, which gives no value, or a whole number.
+/// The word `auto`, which gives no value, or a whole number that `number` admits.
 struct AutoOrInteger {
   Integer number;
 
@@ -103,7 +103,8 @@ struct AutoOrInteger {
   std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
-/// The word `auto`, which gives an empty list, or increasing whole numbers separated by `,`.
+/// The word `auto`, which gives an empty list, or increasing whole numbers separated by `,`. Each number must be one
+/// that `number` admits.
 struct AutoOrIntegers {
   Integer number;
 
@@ -175,7 +176,7 @@ struct AutoOrMatrix {
   std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
-/// A list of numbers separated by `,`.
+/// A list of numbers separated by `,`. Each number must be one that `number` admits.
 struct Numbers {
   std::size_t n = 0;  ///< required number of entries; if it is 0, the list can have any length
   Number number{};
@@ -201,7 +202,8 @@ struct Rows {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The message about a word that is not permitted, with the nearest permitted word if one is near enough.
+/// The part of a message that quotes a word that is not permitted, with the nearest permitted word if one is near
+/// enough (wording.h).
 std::string unknown_word(std::string_view word, const std::vector<std::string_view>& allowed);
 
 /// A table of names. Each name has a value of type E, which is an enumeration or a pointer to a member.

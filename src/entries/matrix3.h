@@ -11,7 +11,8 @@ namespace pseudorigid::scene {
 /// A matrix, stored row by row. The type makes the entries independent of any linear algebra library.
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 inline constexpr Matrix3 identity3{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-/// Bound of the round-off of a sum of a few products, relative to the sum of their absolute values.
+/// Bound of the round-off error of a sum of a few products, as a fraction of the sum of the absolute values of the
+/// products.
 inline constexpr double round_off_of_sum = 8 * std::numeric_limits<double>::epsilon();
 /// Largest permitted condition number and stretch. Beyond them, round-off exceeds the accuracy of the user's data.
 inline constexpr double largest_condition = 1e12, largest_stretch = 1e12;

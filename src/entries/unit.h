@@ -1,7 +1,7 @@
 #pragma once
-/// The unit of an entry or of a column in words. The words are `length`, `mass`, `time`, `pressure`, `radius` or `1`
-/// with whole powers. `*` and `/` join them from left to right ("mass*length^2/time"). An empty text means a pure
-/// number. Any other word does not compile.
+/// The unit of an entry or of a column in words. The words are `length`, `mass`, `time`, `pressure`, `radius` or `1`.
+/// `^` raises a word to a positive whole power, and `*` and `/` join words from left to right ("mass*length^2/time").
+/// An empty text means a pure number. Any other word does not compile.
 
 #include <string_view>
 
@@ -45,7 +45,7 @@ class Unit {
     if (!is_unit(words_)) throw "a unit has the factors length, mass, time, pressure, radius and 1, with whole powers";
   }
 
-  /// True if every word is known and every power is a whole number other than 0.
+  /// True if every word is known, and every power is written as a positive whole number.
   static constexpr bool is_unit(std::string_view words) {
     bool sound = true;
     detail::visit_factors(words, [&](std::string_view word, int power) {

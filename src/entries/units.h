@@ -12,8 +12,8 @@
 
 namespace pseudorigid::io {
 
-/// The internal units of length, mass and time, measured in the units of the input. The functions return derived units
-/// in the same way.
+/// The internal units of length, mass and time, measured in the units of the input. The functions return the internal
+/// units of derived quantities, also measured in the units of the input.
 struct Units {
   double length = 1, mass = 1, time = 1;
 

@@ -21,8 +21,8 @@ std::string_view last_part(std::string_view path) {
   return path.substr(path.rfind('/') + 1);  // npos + 1 == 0: the whole path
 }
 
-/// A character from web pages or word processors that is easily mistaken for `typed`. The text `typed` is a character
-/// of the keyboard, or empty if the character is to be deleted.
+/// A character from web pages or word processors that resembles a character of the keyboard: its bytes in UTF-8, its
+/// name for messages, and the character `typed` of the keyboard. `typed` is empty if the character is to be deleted.
 struct Lookalike {
   std::string_view bytes, name, typed;
 };
@@ -98,7 +98,8 @@ std::string_view trimmed(std::string_view text) {
 }
 
 int edit_distance(std::string_view from, std::string_view to) {
-  // Levenshtein's recursion: row[j] is the distance from the letters of `from` so far to the first j letters of `to`.
+  // Levenshtein's recursion: row[j] is the distance between the letters of `from` up to the present one and the first j
+  // letters of `to`.
   std::vector<int> row(to.size() + 1);
   std::iota(row.begin(), row.end(), 0);
   for (const char letter : from) {

@@ -19,12 +19,12 @@ std::string_view trimmed(std::string_view text);
 /// Case is ignored.
 int edit_distance(std::string_view from, std::string_view to);
 
-/// Returns the candidate nearest to `word` by edit distance, or an empty optional if no candidate is near enough. The
-/// last part of a word is the part after its last "/", or the whole word. If several candidates are equally near,
-/// returns the longest. A candidate is near enough if the distance is at most a third of the length of the last part of
-/// `word`, or 1. An empty word or a word of more than 80 bytes has no near candidate. For paths like "Body/Radius" the
-/// last part is also compared alone, and 1 is added to this distance. This comparison finds an entry in the wrong
-/// subsection.
+/// Returns the candidate nearest to `word` by edit distance, or an empty optional if no candidate is near enough. If
+/// several candidates are equally near, returns the longest. The last part of a word is the part after its last "/", or
+/// the whole word. A candidate is near enough if its distance is at most a third of the length of the last part of
+/// `word`. A distance of 1 is always near enough. An empty word or a word of more than 80 bytes has no near candidate.
+/// For paths like "Body/Radius" the last parts are also compared alone, and 1 is added to their distance. This
+/// comparison finds an entry in the wrong subsection.
 std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
 /// Returns the question `; did you mean "…"?` with the nearest candidate, or an empty text if there is none. Characters

@@ -26,8 +26,8 @@ std::string one_sentence(std::string text) {
   return text + "; see pseudorigid --help";
 }
 
-/// Checks of arguments for CLI11, which accepts an empty argument. Each returns the error message, or "" if the
-/// argument is valid.
+/// Checks of arguments for CLI11. They refuse an empty argument, which CLI11 would accept. Each returns the error
+/// message, or "" if the argument is valid.
 std::string names_a_file(const std::string& scene) {
   return scene.empty() ? "expected the name of a parameter file, got nothing" : "";
 }
@@ -50,7 +50,7 @@ scene::Format format_of(const std::string& name) {
   throw CLI::ValidationError("--format", "expected prm, markdown or json, got \"" + name + "\"");
 }
 
-/// Text with the directory of the installed scenes; empty if the program is not installed.
+/// Text for --help with the directory of the installed scenes; empty if this directory does not exist.
 std::string note_on_scenes() {
   std::error_code none;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", none);

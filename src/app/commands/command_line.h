@@ -23,7 +23,7 @@ struct Options {
   bool resume = false;                  ///< true if the run continues from its last checkpoint
   io::Verbosity verbosity = io::Verbosity::normal;
   scene::Format format = scene::Format::markdown;  ///< argument of --format of the command `parameters`
-  std::string help;                                ///< text of --help, for the whole program or for one command
+  std::string help;  ///< text of --help, for the whole program or for the command of the command line
 };
 
 /// Returns the options of the command line. An empty command line and --help give Command::help. Throws UserError if

@@ -44,9 +44,9 @@ std::optional<double> counter(const io::Manifest::Model& statistics, const char*
   return found == statistics.counters.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// The errors that a model's run has estimated. An error is empty if the run has not estimated it. The error in space
-/// and the quadrature error of the pseudo-rigid body are 0. For finite elements, the error in space contains the
-/// quadrature error, so the latter is 0.
+/// The errors that a run of `model` has estimated, and the motion on another discretisation. An error is empty if the
+/// run has not estimated it. The error in space and the quadrature error of the pseudo-rigid body are 0. For finite
+/// elements, the error in space contains the quadrature error, so the latter is 0.
 analysis::RunErrors errors_of(const scene::ModelDescription& model, const io::Manifest::Model& statistics,
                               const OtherResolutions& others) {
   const auto other = others.find(model.name);

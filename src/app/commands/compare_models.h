@@ -25,16 +25,16 @@ struct RunOfModel {
   const scene::ModelDescription* model;
   std::string name;                ///< name of the files of the run
   std::string adjective;           ///< adjective of the ball in tables and sentences (adjective_of)
-  io::Manifest::Model statistics;  ///< counters of the run, with its estimated errors
+  io::Manifest::Model statistics;  ///< counters of the run; among them are its estimated errors
   io::Table table;
 };
 
-/// The adjective of the ball in a run for tables and sentences, for example "elastic". If the run has chosen its degree
-/// N, the adjective contains N, for example "polynomial N = 7". `statistics` has the counter `degree`; without this
-/// counter the adjective does not contain N.
+/// The adjective of the ball in a run for tables and sentences, for example "elastic". If the program has chosen the
+/// degree N of the run, the adjective contains N, for example "polynomial N = 7". The counter `degree` of `statistics`
+/// has N. Without this counter the adjective does not contain N.
 std::string adjective_of(const scene::ModelRun& run, const io::Manifest::Model& statistics);
 
-/// Compares each run with the last run, at the samples that all runs have. Returns a comparison for each run but the
+/// Compares each run with the last run, at the samples that all runs have. Returns a comparison for each run except the
 /// last, in the order of the runs. Returns an empty vector if there are fewer than two runs, or fewer than two common
 /// samples. Throws UserError for the reasons of analysis::compare.
 std::vector<analysis::Comparison> comparisons_of(const RunContext& context, std::vector<RunOfModel> runs,

@@ -21,7 +21,8 @@ using analysis::Comparison, analysis::ModelSummary;
 /// time that is not known.
 constexpr double none = 0, unknown = -1;
 
-/// A column of comparison.csv that compares two models, and the group of quantities that this column requires.
+/// A column of comparison.csv that compares two models. The column exists if the scene requests the quantities of
+/// `group`.
 struct Difference {
   const char* name;
   bool mechanics::Quantities::*group;
@@ -45,7 +46,8 @@ constexpr std::array differences{
     Difference{"multiplier_difference", &mechanics::Quantities::multiplier},
 };
 
-/// The results of all models for one run of the sweep.
+/// The results of all models for one run of the sweep, with the outcome `end` and the message of a run that has not
+/// finished.
 struct Results {
   std::vector<RunOfModel> runs;
   std::vector<bool> finished;  ///< for each element of `runs`: true if it has all samples
@@ -60,8 +62,8 @@ double counter(const io::Manifest::Model& statistics, const char* name, double o
   return found == statistics.counters.end() ? otherwise : found->second;
 }
 
-/// A column for a model: the part of its name after "m_", and a function for its value. `summary` is null if the runs
-/// are not compared.
+/// A column for a model: the part of its name after "m_" (compared_runs.h), and a function for its value. `summary` is
+/// null if the runs are not compared.
 struct ColumnOfRun {
   const char* name;
   double (*value)(const RunOfModel& run, const ModelSummary* summary);
@@ -115,7 +117,8 @@ double phase_after(const Comparison& c) {
   return found == c.phase_after_periods.end() ? unknown : std::abs(found->second);
 }
 
-/// A column for a comparison: its name, for a model the part after "m_", and a function for its value.
+/// A column for a comparison: its name, and a function for its value. For a column of columns_of_pair, the name is the
+/// part after "m_" (compared_runs.h).
 struct ColumnOfPair {
   const char* name;
   double (*value)(const Comparison&);

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Usual and largest number of characters of a number in a table. The largest number of characters is that of a sign,
+/// Usual and largest number of characters of a number in a table. The largest number of characters consists of a sign,
 /// 17 digits, a point, an exponent of three digits such as e-105, and a comma.
 constexpr double bytes_per_value = 20, most_bytes_per_value = 25;
 /// Usual number of bytes of a number in a compressed picture, measured for motions without symmetry.
@@ -80,15 +80,16 @@ std::optional<double> values_of_tables(const scene::Scene& scene, const scene::N
   return scene.analysis == equilibrium && !needs.system ? values_of_families(scene, needs) : 0;
 }
 
-/// Number of points in a picture of the whole ball. The points belong to the finite elements, or to the blocks that the
-/// other models use. If the discretisation of the finite elements is not known yet, the number of the blocks is used.
+/// Number of points in a picture of the whole ball. The points belong to the finite elements, or to the blocks into
+/// which the pictures of the other models divide the ball. If the discretisation of the finite elements is not known
+/// yet, the number of points of the blocks is used.
 double n_points(const scene::ModelDescription& model, const std::optional<Effort>& of_elements) {
   static const auto of_blocks = static_cast<double>(io::ball_blocks(4, 2).points.size());
   return model.discretized && of_elements ? of_elements->n_points_of_picture : of_blocks;
 }
 
-/// The estimated size of the finite-element run (app/search/effort.h). Empty without finite elements, or if the
-/// discretisation is not known yet.
+/// The estimated size of the finite-element run (app/search/effort.h). Empty if the scene does not use finite elements,
+/// or if the discretisation is not known yet.
 std::optional<Effort> effort_of_elements(const scene::Scene& scene, const scene::Needs& needs) {
   const auto fixed = scene::fixed_discretization(scene);
   if (!needs.discretized || !fixed) return std::nullopt;
@@ -140,8 +141,8 @@ double bytes_of_files(const fs::path& folder) {
 }
 
 /// Free bytes on the disk of the directory, plus the bytes of the earlier results in the directory, which the run
-/// replaces. Empty if the operating system does not give the free space. Other problems of the directory are reported
-/// when the directory is created.
+/// replaces. Empty if the operating system does not give the free space. Other problems with the directory are not
+/// reported here, but when the run creates the directory.
 std::optional<double> room_in(const io::RunDirectory& directory) {
   std::error_code error;
   const fs::space_info space = fs::space(nearest_existing(directory.path()), error);

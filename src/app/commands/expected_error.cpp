@@ -17,9 +17,9 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Bounds of the sweeps of docs/adequacy.md. `largest_amplitude` is the largest |ln stretch|. Let L = Q̇Q⁻¹ be the
-/// velocity gradient, c the speed of shear waves and r the radius. `largest_rate` is half of the largest Frobenius norm
-/// of L in units of c/r. `no_spin` is the largest |L − Lᵀ|/(1 + |L|) that counts as round-off.
+/// Bounds of the initial states in the sweeps of docs/adequacy.md. `largest_amplitude` is the largest |ln stretch|. Let
+/// L = Q̇Q⁻¹ be the velocity gradient, c the speed of shear waves and r the radius. `largest_rate` is half of the
+/// largest Frobenius norm |L| in units of c/r. A value of |L − Lᵀ|/(1 + |L|) up to `no_spin` counts as round-off.
 constexpr double largest_amplitude = 0.25, largest_rate = 0.75, no_spin = 1e-9;
 
 /// True if the initial state has no spin and is in the range of the sweeps of docs/adequacy.md. Without spin, the
@@ -44,8 +44,8 @@ std::optional<double> pulsation_of_polynomial(const scene::Scene& scene, int N) 
   return {};
 }
 
-/// The relative error `excess` as text in per cent. If |excess| < 1e-7, the text is a bound, because the frequencies
-/// are not computed more accurately.
+/// The relative error `excess` of a frequency as text in per cent. If |excess| < 1e-7, the text is a bound, because the
+/// frequencies are not computed more accurately.
 std::string in_per_cent(double excess) {
   return std::abs(excess) < 1e-7 ? "0.00001 % or less" : fmt::format("{:+.2g} %", 100 * excess);
 }

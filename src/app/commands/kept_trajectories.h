@@ -13,8 +13,8 @@ namespace pseudorigid::app {
 /// Name of the table without ".csv".
 inline constexpr const char* trajectories_name = "trajectories";
 
-/// The names of the columns of the CSV file that a single run of the scene would write. For the ball it is the file of
-/// the first model, because only sweeps with one model keep samples.
+/// The names of the columns of the CSV file that a single run of the scene would write. If the scene has models of the
+/// ball, it is the file of the first model, because only sweeps with one model keep samples.
 std::vector<std::string> columns_of_run(const scene::Scene& scene, const scene::Needs& needs);
 
 }  // namespace pseudorigid::app

@@ -13,8 +13,8 @@ namespace {
 struct Part {
   std::string file;                ///< name of the table without .csv
   std::string prefix;              ///< beginning of the names of the columns of sweep.csv
-  std::vector<std::string> names;  ///< columns of the table; the first one numbers its rows
-  std::vector<int> numbers;        ///< values of the first column, in the order of the columns of sweep.csv
+  std::vector<std::string> names;  ///< columns of the table; the first one has the numbers of the rows
+  std::vector<int> numbers;        ///< numbers of the rows that sweep.csv receives, in its order
 };
 
 std::vector<std::string> names_of(const std::vector<scene::Column>& columns) {

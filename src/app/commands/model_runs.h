@@ -1,6 +1,6 @@
 #pragma once
-/// The runs of a sweep in which every model of the scene runs. Each run keeps the tables of its models in memory, and
-/// the derived class makes its row from them.
+/// The runs of a sweep in which every model of the scene runs. Each run keeps the tables of its models in memory. The
+/// derived class makes a row of sweep.csv from these tables.
 
 #include <map>
 #include <memory>
@@ -40,11 +40,12 @@ class ModelRuns : public SweepTask {
   const Executable& executable_;
 
  private:
-  /// The columns of sweep.csv for the scene of a run. A run with other columns than the first one is refused.
+  /// The names of the columns of sweep.csv for the scene of a run. If they differ from those of the first run, run(k)
+  /// throws UserError.
   virtual std::vector<std::string> columns_of(const scene::Scene& scene, const scene::Needs& needs) const = 0;
 
   /// Runs the models in `context`, and sets the outcome and the message of `run`. The models write their tables into
-  /// `tables`. Appends the results to the row of `run`, unless the run is interrupted; a row of an interrupted run is
+  /// `tables`. Appends the results to the row of `run`, unless the run is interrupted. The row of an interrupted run is
   /// not used.
   virtual void compute(const RunContext& context, Tables& tables, FinishedRun& run) const = 0;
 

@@ -14,7 +14,7 @@ namespace pseudorigid::app {
 namespace {
 
 /// Throws std::system_error if the limit of the address space (ulimit -v) is too low. Does nothing if there is no
-/// limit, or if the limit cannot be read. Without this check the libraries would fail later at various places with
+/// limit, or if the limit cannot be read. Without this check, the libraries would fail later at various places and with
 /// various messages.
 void require_address_space() {
   constexpr double needed = 0.67e9;  // bytes; measured: the loader fails below 0.5e9, and MPI hangs below 0.65e9

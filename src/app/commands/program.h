@@ -26,7 +26,7 @@ struct Executable {
   const ContinuumModule* (*open_continuum)() = []() -> const ContinuumModule* {
     throw NoContinuum("this program has none");
   };
-  const Ranks* ranks = &one_rank();  ///< processes that share the run
+  const Ranks* ranks = &one_rank();  ///< processes that share the run; by default this process alone
 
   /// The model with this description, which must be one of `models`.
   const BallModel& model(const scene::ModelDescription& description) const {
@@ -34,8 +34,9 @@ struct Executable {
   }
 };
 
-/// Executes the command line and returns the exit code: 0 done, 2 wrong input, 1 a defect. The code is 3 if the run
-/// stopped early, or if a resource such as memory or disk space is exhausted. Exceptions do not leave this function.
+/// Executes the command line and returns the exit code: 0 if the command is done, 2 for wrong input, and 1 for a defect
+/// of the program. The code is 3 if the run stopped early, or if a resource such as memory or disk space is exhausted.
+/// Exceptions do not leave this function.
 int run_program(int argc, char** argv, const Executable& executable);
 
 }  // namespace pseudorigid::app

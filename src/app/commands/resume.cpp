@@ -27,8 +27,8 @@ namespace {
 constexpr const char* end_of_time = "Time/End";
 constexpr const char* number_of_samples = "Output/Samples";
 /// Entries that may change when a run is resumed. `keep_sampling` has already checked Time/End and set Output/Samples.
-/// The other entries concern pictures, and new pictures follow the resumed scene. The list does not need other entries
-/// of the section Time, because the compared texts do not contain their values (`run_identity`).
+/// The other entries concern pictures, and new pictures follow the resumed scene. Other entries of the section Time
+/// need not be in the list, because the compared texts do not contain their values (`run_identity`).
 constexpr std::array<std::string_view, 6> may_change{end_of_time,     number_of_samples, "Output/Frames",
                                                      "Output/Fields", "Output/Cells",    "Output/Graphics"};
 
@@ -90,8 +90,8 @@ std::map<std::string, std::vector<std::string>> headers(const scene::Scene& scen
   return headers;
 }
 
-/// Throws UserError if a row of a table of shapes is incomplete, because a killed run may have left such a row. Does
-/// nothing if the table does not exist.
+/// Throws UserError if a row of a table of shapes is incomplete. A killed run may have left such a row. Does nothing if
+/// the table does not exist.
 void require_shapes(const std::filesystem::path& path) {
   if (io::is_there(path)) io::require_rows(path, io::columns_in(path), io::n_rows_before(path, HUGE_VAL));
 }

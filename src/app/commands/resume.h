@@ -11,7 +11,7 @@
 
 namespace pseudorigid::app {
 
-/// The paths of all checkpoints of models, systems, sweeps and searches that exist in the directory.
+/// The paths of all checkpoints in the directory: those of models, systems, sweeps and searches.
 std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene);
 
 /// Sets the number of samples of a resumed scene, so that the interval between samples remains the interval of the

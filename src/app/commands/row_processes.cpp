@@ -27,7 +27,7 @@ namespace {
 /// Kind of an answer: a row, or the kind of the exception that the task has thrown.
 enum class Answer : std::int64_t { row, wrong_input, no_memory, failure };
 
-/// The first part of an answer, with the kind of the answer and the sizes of the parts that follow.
+/// The first part of an answer: its kind, the outcome `end` of the run, and the sizes of the parts that follow.
 struct Header {
   Answer answer;
   std::int64_t end, n_row, n_columns, n_values, n_letters;
@@ -66,8 +66,8 @@ bool write_answer(int file, Answer answer, const FinishedRun& run) {
   return written;
 }
 
-/// Computes run k. Converts an exception to an answer whose run has only the message; for std::bad_alloc the message is
-/// empty.
+/// Computes run k. If the task throws an exception, the answer has the kind of the exception, and its run has only the
+/// message. For std::bad_alloc the message is empty.
 std::pair<Answer, FinishedRun> answer_of(const SweepTask& task, int k) {
   try {
     return {Answer::row, task.run(k)};

@@ -15,7 +15,7 @@
 namespace pseudorigid::app {
 
 /// Owner of a copy (fork) of this process, which computes rows of `task`. The destructor closes the pipes to the copy
-/// and ends the copy.
+/// and kills the copy.
 class RowProcess {
  public:
   /// The calling process must have a single thread, because a copy has only the calling thread and the locks of the
@@ -25,13 +25,14 @@ class RowProcess {
   RowProcess(const RowProcess&) = delete;
   RowProcess& operator=(const RowProcess&) = delete;
 
-  /// Computes the row of run k. If `task` throws in the process, this function also throws: a UserError for a
-  /// UserError, std::bad_alloc for std::bad_alloc, and otherwise std::runtime_error. Except for std::bad_alloc, the
-  /// exception has the text of the original exception. If the process ends, this function throws std::runtime_error.
+  /// Computes the row of run k. If `task` throws a UserError or std::bad_alloc in the copy, this function throws the
+  /// same type. For other exceptions it throws std::runtime_error. Except for std::bad_alloc, the exception has the
+  /// text of the original exception. If the copy ends without an answer, this function throws std::runtime_error.
   FinishedRun run(int k);
 
  private:
-  /// Loop of the copy: reads the number of a run, writes its answer, and ends when the pipe closes.
+  /// Loop of the copy: reads the number of a run from `requests`, writes the answer to `answers`, and ends when a pipe
+  /// closes.
   [[noreturn]] static void serve(const SweepTask& task, int requests, int answers);
   /// Reads `size` bytes of an answer. Returns false if the copy has ended. After an interrupt, sends SIGTERM to the
   /// copy, which then ends its run.

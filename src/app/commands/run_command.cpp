@@ -45,9 +45,9 @@ ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& co
 /// True if the directory has a checkpoint, from which --resume can continue.
 bool is_resumable(const RunContext& context) { return !checkpoints(context.directory, context.scene).empty(); }
 
-/// The context in which a model runs. All ranks share a motion of finite elements, but a single process computes modes,
-/// Love numbers and equilibria in one octant. The collective call of_first(true) starts a shared run on the ranks that
-/// wait in assist_scene.
+/// The context in which a model runs. All ranks share a motion of finite elements. Modes, Love numbers and equilibria
+/// are computed by a single process, in one octant of the ball. The collective call of_first(true) starts a shared run
+/// on the ranks that wait in assist_scene.
 RunContext context_of(const scene::ModelDescription& model, const RunContext& context, const Executable& executable) {
   RunContext of_model = context;
   if (model.discretized && context.scene.analysis == scene::Analysis::motion && executable.ranks->of_first(true))
@@ -63,7 +63,7 @@ std::string print(const std::string& results) try {
   return error.what();
 }
 
-/// Writes the last line of the log, and the outcome of the run into the manifest. If the run has not finished, this
+/// Writes the last line of the log, and the outcome of the run into the manifest. If the run has not finished, the last
 /// line is `message` followed by `advice`. Returns the exit code.
 int end_run(mechanics::Outcome outcome, int exit_code, const std::string& message, const char* advice,
             const RunContext& context, io::ManifestFile& manifest) {
@@ -111,7 +111,7 @@ int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, cons
   using enum mechanics::Outcome;
   const ModelOutcome sweep = run_sweep(raw, context, executable, shows_progress);
   manifest.content().models["sweep"] = sweep.statistics;
-  // A sweep has this outcome only if the input of one of its runs is wrong.
+  // The outcome of a sweep is `failed` only if the input of one of its runs is wrong.
   const int exit_code = sweep.end == failed ? exit_wrong_input : exit_code_of(sweep.end);
   return end_run(sweep.end, exit_code, sweep.message, sweep.end == interrupted ? " (--resume goes on from there)" : "",
                  context, manifest);
@@ -177,7 +177,7 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
   return content;
 }
 
-/// Writes report.html from the other files, so it must be called at the end of the run.
+/// Writes report.html. The page is made from the other files, so this function must be called at the end of the run.
 void add_report(const RunContext& context) {
   io::write_report(context.directory, io::movers_in(context.directory.manifest()));
   context.log->info("the report is {}", context.directory.report().string());

@@ -1,6 +1,6 @@
 #pragma once
-/// Conversion of the scene in the parameter file to the scene that runs, which is validated and has explicit initial
-/// values.
+/// Conversion of the scene in the parameter file to the scene that runs. The scene that runs is validated and has
+/// explicit initial values.
 
 #include "app/reduced/ball_equilibria.h"
 #include "scene/validate.h"

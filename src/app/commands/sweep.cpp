@@ -47,8 +47,8 @@ std::string describe_run(const scene::Sweep& sweep, int k) {
   throw UserError(fmt::format("{}: {}: {}", raw.origins.of(entry), entry, sentence));
 }
 
-/// The names of the columns of sweep.csv for a scene. `conserved` has the names of the columns that the motion
-/// conserves; only sweeps with one model use it.
+/// The names of the columns of sweep.csv for a scene. `conserved` has the names of the model's columns that the motion
+/// conserves. Only sweeps with one model use `conserved`.
 std::vector<std::string> columns_of(const scene::Scene& scene, const scene::Needs& needs,
                                     const std::set<std::string>& conserved) {
   return scene::is_linear(scene.analysis) ? columns_of_linear_runs(scene, needs)
@@ -56,8 +56,8 @@ std::vector<std::string> columns_of(const scene::Scene& scene, const scene::Need
                                           : columns_of_sweep(scene, needs, conserved);
 }
 
-/// Refuses parameters that give the run k other columns of sweep.csv than the first run, for example the number of
-/// modes.
+/// Throws UserError if run k has other columns of sweep.csv than the first run, for example because a parameter is the
+/// number of modes.
 void require_same_columns(const scene::ReadScene& raw, int k) {
   const auto columns = [&](int run) {
     const scene::Scene scene = scene_of_run(raw, scene::values_of_run(raw.scene.sweep, run));
@@ -68,7 +68,8 @@ void require_same_columns(const scene::ReadScene& raw, int k) {
                                       describe_run(raw.scene.sweep, k)));
 }
 
-/// Refuses a parameter with the name of another column of sweep.csv, because each parameter is a column of this file.
+/// Throws UserError if a parameter has the name of another column of sweep.csv. Each parameter is itself a column of
+/// this file.
 void require_own_names(const scene::ReadScene& raw) {
   scene::Scene scene = scene_of_run(raw, scene::values_of_run(raw.scene.sweep, 0));
   const scene::Sweep parameters = std::exchange(scene.sweep, {});
@@ -83,7 +84,8 @@ void require_own_names(const scene::ReadScene& raw) {
           raw, fmt::format("expected other names than those of the columns of sweep.csv, got \"{}\"", parameter.name));
 }
 
-/// Refuses a parameter that no expression uses, because its runs would be equal.
+/// Throws UserError if no expression uses one of the parameters. Runs that differ only in this parameter would be
+/// equal.
 void require_used(const scene::ReadScene& raw) {
   std::set<std::string> used;
   for (const auto& [path, text] : raw.scene.expressions) used.merge(scene::names_used(text, raw.scene.sweep));
@@ -99,7 +101,7 @@ void require_used(const scene::ReadScene& raw) {
 /// to the other threads and ends. If all threads have ended, the calling thread continues alone.
 class Workers {
  public:
-  /// `end` is the run after the last one.
+  /// `end` is the number of the last run plus 1.
   Workers(const SweepTask& task, const scene::Sweep& parameters, int end, const RunContext& context, SweepRows& rows)
       : task_(task),
         parameters_(parameters),
@@ -142,8 +144,8 @@ class Workers {
     int begin, next, end;
   };
 
-  /// The next group: one that another thread has left, or a new one. Empty after an interrupt, or if there is no
-  /// further group.
+  /// The next group: one that another thread has left, or a new one. Empty after an interrupt, or if there is no group
+  /// left.
   std::optional<Group> take() {
     const std::lock_guard lock(mutex_);
     if (io::interrupt_requested()) return {};
@@ -158,8 +160,8 @@ class Workers {
   }
 
   /// Computes groups until none is left. If memory is exhausted and `has_others` is true, leaves the group to another
-  /// thread and returns. Any other exception is recorded and ends the sweep. A UserError is recorded with its run; of
-  /// several, the earliest run counts.
+  /// thread and returns. Any other exception ends the sweep and is recorded. For a UserError, the number of the run is
+  /// also recorded. If several runs throw a UserError, the record is that of the earliest run.
   void take_groups(bool has_others) {
     while (std::optional<Group> mine = take()) try {
         work_on(*mine);
@@ -207,7 +209,7 @@ class Workers {
     rows_.deliver(k, std::move(run));
   }
 
-  /// Counts a failed run, and logs the first ten.
+  /// Counts a failed run. Logs the message of each of the first ten failed runs.
   void note_failure(int k, const std::string& message) {
     const std::lock_guard lock(mutex_);
     if (++n_failed_ <= 10)
@@ -219,9 +221,9 @@ class Workers {
   const scene::Sweep& parameters_;
   const RunContext& context_;
   SweepRows& rows_;
-  int first_;  ///< first run without a row when the sweep starts
+  int first_;  ///< first run that did not have a row when the sweep started
   int end_;
-  std::mutex mutex_;          ///< protects the members below
+  std::mutex mutex_;          ///< protects the members below; n_together_ is atomic
   int next_;                  ///< first run of the next group; at least end_ after the last group
   std::vector<Group> left_;   ///< groups that threads without memory have left
   std::exception_ptr error_;  ///< first exception other than a UserError
@@ -250,9 +252,9 @@ int n_threads_with_addresses(int n_threads) {
   return static_cast<int>(std::clamp(io::available_addresses() / (double(stack) + heap), 1., double(n_threads)));
 }
 
-/// The number of processes for which the memory suffices, if every run has the discretisation of the first run. It is
-/// at least 1 and at most n_threads. If the scene has a mesh file or its discretisation is not known, the number is
-/// n_threads.
+/// The number of processes for which the memory suffices, if every run has the discretisation of the first run. The
+/// number is at least 1 and at most n_threads. If the scene has a mesh file or its discretisation is not known, the
+/// number is n_threads.
 int n_processes_of(const scene::Scene& scene, int n_threads) {
   const auto discretization = scene::fixed_discretization(scene);
   if (!discretization || scene::has_mesh_file(scene)) return n_threads;
@@ -260,7 +262,7 @@ int n_processes_of(const scene::Scene& scene, int n_threads) {
   return std::clamp(static_cast<int>(std::min(room, 1e6)), 1, n_threads);
 }
 
-/// The task of the scene: linear analyses, compared models, a system, or a single model.
+/// The task of the scene: a linear analysis (modes or Love numbers), compared models, a system, or a single model.
 std::unique_ptr<SweepTask> task_of(const scene::ReadScene& raw, const RunContext& context,
                                    const Executable& executable) {
   const scene::Needs& needs = context.needs;

@@ -25,9 +25,9 @@ class SweepRows {
  public:
   static constexpr const char* name = "sweep";  ///< name of the table and of the checkpoint, without extension
 
-  /// Creates the table of the runs first_run, …, first_run + n_runs − 1, or continues it if the sweep is resumed. The
-  /// numbers of runs in this class count from 0. Throws UserError if the checkpoint or a table of the earlier run is
-  /// missing or damaged.
+  /// Creates the table of the runs first_run, …, first_run + n_runs − 1, or continues the table if the sweep is
+  /// resumed. In this class the numbers of the runs count from 0. Throws UserError if the checkpoint or a table of the
+  /// earlier run is missing or damaged.
   SweepRows(const RunContext& context, const std::vector<std::string>& columns, int first_run, int n_runs,
             bool shows_progress)
       : identity_(run_identity(context.scene)),
@@ -54,7 +54,8 @@ class SweepRows {
   /// The first run whose row is not yet written.
   int next_run() const { return first_run_ + n_written_; }
 
-  /// Stores the row of a run, and writes all rows that no longer wait for an earlier row. Thread-safe.
+  /// Stores the row of a run, and writes all rows whose earlier rows are written. Several threads may call this
+  /// function at the same time.
   void deliver(int run, FinishedRun finished) {
     const std::lock_guard lock(mutex_);
     waiting_.emplace(run, std::move(finished));

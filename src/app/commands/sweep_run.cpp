@@ -18,14 +18,14 @@
 namespace pseudorigid::app {
 namespace {
 
-/// The first columns after the parameters, for every model and system.
+/// The columns of sweep.csv that follow the parameters, for every model and system.
 constexpr std::array<const char*, 5> columns_of_any{"finished", "time", "steps", "forces", "estimated_time_error"};
 constexpr std::array<const char*, 2> names_of_frequencies{"frequency", "amplitude"};
 
 bool has_frequencies(const scene::Needs& needs) { return !needs.system && needs.quantities.state; }
 
-/// Names of the columns of the ball that the motion conserves in every run. Only the runs of `corners` are examined.
-/// The set is empty for systems other than the ball.
+/// Names of the columns of the ball that the motion conserves in every run. Only the runs of `corners`, with the first
+/// or last values of the parameters, are examined. The set is empty for systems other than the ball.
 std::set<std::string> conserved_columns(const scene::ReadScene& raw) {
   bool is_free = true, incompressible = true;
   for (const int k : corners(raw.scene.sweep)) {

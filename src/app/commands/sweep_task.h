@@ -28,8 +28,8 @@ class SweepTask {
   /// Computes run k. Several threads call this function at the same time. Throws UserError if the scene of the run is
   /// not valid.
   virtual FinishedRun run(int k) const = 0;
-  /// Computes the runs first, …, last − 1 together, in SIMD lanes, and returns them in this order. Returns an empty
-  /// value if the runs must be computed one by one.
+  /// Computes the runs first, …, last − 1 at the same time, in SIMD lanes, and returns them in this order. Returns an
+  /// empty value if the runs must be computed one by one.
   virtual std::optional<std::vector<FinishedRun>> run_together(int /*first*/, int /*last*/) const { return {}; }
 };
 

@@ -46,7 +46,8 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   const continuum::RankOrder& rank_order() const { return rank_order_; }
   Eigen::Vector2d energies(const State& state) const override { return continuum::energies(ball_, state); }
 
-  /// Text with the least det F and its place in the body. Collective.
+  /// Text with the least det F and its place in the body, with the deformation gradient F. Collective: all ranks must
+  /// call this function.
   std::string place_of_least_jacobian(const State& state) const override {
     return "least " + continuum::in_words(ball_.least_jacobian(state.q));
   }
@@ -105,8 +106,8 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   std::array<double, 3> own_remarks() const override { return wrinkling_.remarks(); }
   void take_own_remarks(std::span<const double, 3> remarks) override { wrinkling_.take_remarks(remarks); }
 
-  /// Adds the numbers of messages, bytes and reductions since the mesh was built. The search for the step is included.
-  /// Messages and bytes are means over the ranks; reductions are those of one rank. Collective.
+  /// Adds the numbers of messages, bytes and reductions of MPI since the mesh was built. The search for the step is
+  /// included. Messages and bytes are means over the ranks; reductions are those of one rank. Collective.
   void report_messages(std::map<std::string, double>& counters) const {
     const continuum::MessageCounts own = continuum::message_counts() - counts_at_start_;
     const auto sums = continuum::sum_over_ranks(std::array{own.messages, own.bytes}, MPI_COMM_WORLD);
@@ -116,7 +117,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   }
 
   /// The mesh of the scene: the part of the builtin ball between its symmetry planes, or the whole body of a mesh file.
-  /// Logs the displacement if the centre of mass of the file is not the origin.
+  /// If the centre of mass of the file is not the origin, logs the displacement of the body.
   static continuum::BallMesh mesh_of(const RunContext& context, int n_refinements) {
     const MPI_Comm communicator = context.ranks->size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF;
     if (!scene::has_mesh_file(context.scene))
@@ -132,8 +133,8 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
     mesh.cells = body.mesh.cells;
     return {mesh, n_refinements, communicator};
   }
-  /// Grading of the builtin mesh towards the two poles on one axis. If the scene has planes, this axis is closest to
-  /// the normal of the first plane. Otherwise it is the z axis.
+  /// Grading of the builtin mesh towards its two poles on one axis. If the scene has contact planes, this is the axis
+  /// closest to the normal of the first plane. Otherwise it is the z axis.
   static continuum::Grading grading_of(const scene::Scene& scene) {
     continuum::Grading grading{.size = scene.continuum.grading};
     const auto planes = loads::constant_forcing(internal_loads(scene)).planes;

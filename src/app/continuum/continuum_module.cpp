@@ -55,8 +55,8 @@ ModelOutcome run_within_memory(const RunContext& context) try {
   throw std::bad_alloc();
 }
 
-/// Runs the model on all ranks; every rank must call this function. A rank that fails alone aborts all ranks. The first
-/// rank then cannot complete the manifest or remove the lock, so the failing rank does both.
+/// Runs the model on all ranks; every rank must call this function. If only one rank fails, it aborts all ranks. The
+/// first rank then cannot complete the manifest or remove the lock, so the failing rank does both.
 ModelOutcome run_on_all_ranks(const RunContext& context) {
   return together_or_not_at_all(
       *context.ranks, [&] { return run_within_memory(context); },

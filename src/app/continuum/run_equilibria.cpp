@@ -18,11 +18,11 @@ namespace {
 
 using mechanics::FigureFamily, mechanics::FigureMember, mechanics::SpecialFigure;
 
-/// Numbers of eigenvectors of each parity in the basis of the small motions. The difference of the rates with both
-/// numbers is a bound of the error of the basis.
+/// Number of eigenvectors of each parity in the basis of the small motions, and a smaller number. The difference
+/// between the rates that result from both numbers is taken as a bound of the error of the basis.
 constexpr int n_eigenvectors = 10, n_fewer_eigenvectors = 6;
 
-/// The largest difference of the rates in the rows of two figures.
+/// The largest difference between the rates of small motions in the rows of two figures.
 double difference_of_rates(const FigureMember& a, const FigureMember& b) {
   const auto rates = slowest_rates(a), others = slowest_rates(b);
   double largest = 0;
@@ -36,7 +36,8 @@ class FamilyOnMesh {
   FamilyOnMesh(const RunContext& context, const scene::Discretization& discretization)
       : context_(context), family_(family_of_figures(context.scene)), figures_(setup(context.scene, discretization)) {}
 
-  /// The figures of the scene. `factor` is the factor of the loads of a ball at rest.
+  /// The figures of the scene. If they are at rest under loads, `factor` is the factor of the loads. Otherwise it is
+  /// not used.
   FigureFamily family(double factor) const {
     if (scene::finds_static_equilibria(context_.scene)) return at_rest(factor);
     return finder().family(parameters_of(context_.scene.equilibria), [&] { return context_.interrupted(); });
@@ -49,7 +50,7 @@ class FamilyOnMesh {
     numbers.axes = numbers.observables.Q.diagonal();
     return {};
   }
-  /// Sets `error` to the error of the rates of a figure that is due to the basis of the small motions.
+  /// Sets `error` to the error of the rates of a figure that the finite basis of the small motions causes.
   mechanics::Status error_of_basis(const FigureMember& member, double& error) const {
     FigureMember with_fewer = member;
     auto status = continuum::stability_of(figures_, member.figure, n_fewer_eigenvectors, with_fewer.classes);
@@ -77,7 +78,7 @@ class FamilyOnMesh {
     return {figures_, analyse, family_, resolution};
   }
   /// The figure at rest with this factor of the loads, or with the largest factor for which a figure is found. In the
-  /// second case `missing` has the reason.
+  /// second case `missing` has the reason. If this factor is 0, the family has no member.
   FigureFamily at_rest(double factor) const {
     FigureFamily found;
     FigureMember member;
@@ -100,18 +101,18 @@ class FamilyOnMesh {
   continuum::BallFigures figures_;
 };
 
-/// The members and special points of the companion mesh, for the errors of the rows.
+/// The members and special points of the family on the companion mesh, from which the errors of the rows are estimated.
 class Companion {
  public:
-  /// `factor` is the factor of the loads of a ball at rest.
+  /// If the figures are at rest under loads, `factor` is the factor of the loads.
   Companion(const RunContext& context, const scene::Discretization& discretization, double factor)
       : mesh_(context, discretization),
         family_(mesh_.family(factor)),
         round_off_(1e-11 * (1 + gravity_to_elasticity(context.scene))) {}
 
-  /// Appends the errors of a row with these numbers. `of_basis` is the error of the basis of the small motions. If the
-  /// companion has no such figure, each error is as large as the value. The errors contain the tolerance of Newton's
-  /// iteration and that of the eigenvalues, because both meshes may agree to round-off.
+  /// Appends the errors of a row with these numbers. `of_basis` is the error that the basis of the small motions
+  /// causes. If the companion mesh does not have such a figure, each error is as large as the value. The errors contain
+  /// the tolerances of Newton's iteration and of the eigenvalues, because both meshes may agree to round-off.
   mechanics::Status append_errors(const FigureMember& member, const SpecialFigure* special,
                                   const FigureNumbers& numbers, double of_basis, std::vector<double>& row) {
     const FigureMember* other = special ? match(*special) : match(member);
@@ -133,7 +134,7 @@ class Companion {
     const auto found = std::ranges::find(family_.members, member.parameter, &FigureMember::parameter);
     return found == family_.members.end() ? nullptr : &*found;
   }
-  /// The special point of the same kind and class that is nearest.
+  /// The special point of the same kind and class of motions whose parameter is nearest; null if there is none.
   const FigureMember* match(const SpecialFigure& special) const {
     const FigureMember* nearest = nullptr;
     for (const SpecialFigure& other : family_.special)
@@ -147,7 +148,7 @@ class Companion {
 
   FamilyOnMesh mesh_;
   FigureFamily family_;
-  double round_off_;  ///< relative error of a figure by the tolerance of Newton's iteration; it rises with gravity
+  double round_off_;  ///< relative error of a figure from the tolerance of Newton's iteration; it rises with gravity
 };
 
 std::string name_of(const mechanics::MotionClass& motions) {

@@ -21,9 +21,9 @@ mechanics::Status find(const scene::Scene& scene, const scene::Discretization& d
   return continuum::love_numbers(ball.problem(), degrees, numbers);
 }
 
-/// Raises the relative error of a degree to the largest one of the lower degrees. The degrees must be passed in rising
-/// order. A mesh resolves tides of a low degree better. If the difference from the companion is relatively smaller at a
-/// higher degree, the reason is chance, and the bound would be too small.
+/// Raises the relative error of a degree to the largest relative error of the lower degrees. The function must be
+/// called for the degrees in rising order. A mesh resolves tides of a low degree better. If the difference from the
+/// companion is relatively smaller at a higher degree, the reason is chance, and the bound would be too small.
 struct RisingBound {
   double relative = 0;
 
@@ -33,8 +33,8 @@ struct RisingBound {
   }
 };
 
-/// Makes the rows of the degrees of the scene. `numbers` and `other` have all degrees from 2 to the largest degree of
-/// the scene, on the discretisation and on its companion.
+/// Makes the rows for the degrees that the scene requests. `numbers` has the Love numbers of all degrees from 2 to the
+/// largest of these, on the discretisation of the scene. `other` has them on its companion.
 std::vector<LoveRow> rows_of(const scene::Scene& scene, const std::vector<continuum::BallLoveNumbers>& numbers,
                              const std::vector<continuum::BallLoveNumbers>& other) {
   const auto means = [](const auto& all) {

@@ -28,8 +28,8 @@ std::vector<ModeFrequency> rows_of(const std::vector<BallFrequency>& frequencies
   return rows;
 }
 
-/// Writes pictures of the modes: for each frequency, a displacement of the ball at rest. The largest displacement is
-/// one radius. The entry Output/Frames limits the number of pictures.
+/// Writes a picture for each frequency: the displacement of the ball from rest in one mode of this frequency. The
+/// largest displacement is one radius. The entry Output/Frames limits the number of pictures.
 void write_shapes(const std::vector<BallFrequency>& frequencies, const continuum::BallSpace& space,
                   const RunContext& context) {
   const scene::Cells cells = context.scene.output.cells;
@@ -75,8 +75,9 @@ ModelOutcome run_modes(const RunContext& context) {
   counters["applications_of_the_inverse"] = static_cast<double>(report.n_applications);
   const std::vector<ModeFrequency> rows = rows_of(frequencies);
   outcome.message = !status ? status.reason() : instability(rows, context.units);
-  // A mesh breaks the symmetry of the sphere, so the frequencies of the copies of a mode differ. If the mesh resolves
-  // the mode, the relative differences are less than a tenth.
+  // The copies of a mode are the 2n + 1 modes of degree n that the sphere has at one frequency. A mesh breaks the
+  // symmetry of the sphere, so their frequencies differ. If the mesh resolves the mode, the relative differences are
+  // less than a tenth.
   constexpr double most = 0.1;
   constexpr const char* remedy = "raise Continuum/Degree or Continuum/Refinements";
   if (const std::string copies = differing_copies(rows, most); outcome.message.empty() && !copies.empty())

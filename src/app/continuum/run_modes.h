@@ -7,8 +7,8 @@
 namespace pseudorigid::app {
 
 /// Computes the modes on the discretisation of the scene, which must set degree and refinements. The outcome is
-/// `failed` if the computation fails, if the ball is unstable at rest, or if the mesh is too coarse. After an
-/// interrupt, it is `interrupted`. In all these cases, the run does not write the file.
+/// `failed` if the computation fails, if the ball is unstable at rest, or if the mesh is too coarse for a mode. After
+/// an interrupt, it is `interrupted`. In all these cases, the run does not write the file.
 ModelOutcome run_modes(const RunContext& context);
 
 }  // namespace pseudorigid::app

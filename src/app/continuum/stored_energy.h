@@ -7,7 +7,7 @@
 
 namespace pseudorigid::app {
 
-/// The law, and the volumetric stiffness of the elements (scene/stabilization.h).
+/// The stored energy of the elements: the law and the volumetric stiffness (scene/stabilization.h).
 inline continuum::StoredEnergy stored_energy(const scene::Scene& scene) {
   return {internal_law(scene), scene::volumetric_stiffness_of_elements(scene) / units_of(scene).stress()};
 }

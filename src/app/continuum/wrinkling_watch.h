@@ -21,7 +21,8 @@ class WrinklingWatch {
     if (context.needs.surface_watch) limit_ = materials::surface_limit(law);
   }
 
-  /// Checks the positions x at a sample. `time` is in the user's units. Collective.
+  /// Checks the positions x of the nodes at a sample. `time` is in the user's units. Collective: all ranks must call
+  /// this function.
   void look(double time, const continuum::BallSpace& space, const continuum::Vector& x) {
     if (!limit_) return;
     const continuum::LeastPlace surface = continuum::least_surface_stretch(space, x);
@@ -35,8 +36,8 @@ class WrinklingWatch {
         time, surface.value, surface.where[0], surface.where[1], surface.where[2], *limit_);
   }
 
-  /// The least ratio of stretches, the time of the warning (0 without a warning), and 1 if there was a warning; for
-  /// checkpoints.
+  /// Three numbers for checkpoints: the least ratio of stretches, the time of the warning (0 without a warning), and 1
+  /// if there was a warning, otherwise 0.
   std::array<double, 3> remarks() const { return {least_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
   /// Restores the numbers of `remarks`.
   void take_remarks(std::span<const double, 3> remarks) {

@@ -19,17 +19,18 @@ using mechanics::ClassStability, mechanics::Figure, mechanics::FigureCondition, 
 using mechanics::FigureParameter;
 using scene::Family;
 
-/// ln(a₂/a₁) for a member of Jacobi's family, or −1e-5 if the logarithm is smaller in magnitude. At a₂ = a₁ the family
-/// bifurcates from the spheroids, and the ratio does not determine the figure. Near this point the figure is an even
-/// function of the logarithm, because a change of sign exchanges the axes. The replacement therefore changes the spin
-/// and the axes by terms of order 1e-10.
+/// ln(a₂/a₁) of the semi-axes for a member of Jacobi's family, or −1e-5 if the logarithm is smaller in magnitude. The
+/// family bifurcates from the spheroids at a₂ = a₁, and the ratio does not determine the figure there. Near this point
+/// the figure is an even function of the logarithm, because a change of sign exchanges the axes. The replacement
+/// therefore changes the spin and the axes by terms of order 1e-10.
 double log_ratio_of_axes(double a2_to_a1) {
   constexpr double apart = 1e-5;
   const double value = std::log(a2_to_a1);
   return std::abs(value) < apart ? -apart : value;
 }
 
-/// The number of negative directions of the energy, added over all classes of motions.
+/// The number of directions in which the second variation of the energy of a figure is negative, added over all classes
+/// of small motions.
 int negative_directions(const FigureMember& member) {
   int n = 0;
   for (const ClassStability& of_class : member.classes) n += of_class.stability.n_negative;

@@ -15,14 +15,15 @@
 
 namespace pseudorigid::app {
 
-/// Refuses a family that a model does not offer. `model` is the name of the model in the message, and `others` are the
-/// models that offer all families.
+/// The refusal if the scene requests a family that is not in `offered`, otherwise empty. `model` is the name of the
+/// model in the message, and `others` are the models that offer all families.
 std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model,
                                              const std::vector<scene::Family>& offered,
                                              std::vector<std::string_view> others);
 
-/// The family of the scene. It maps a value of the parameter, in the unit of the family, to a condition on the figure.
-/// For Jacobi's family, the pseudo-rigid figure is the initial guess. The scene must exist as long as the result.
+/// The family of the scene as a function that maps a value of the parameter, in the unit of the family, to a condition
+/// on the figure. For Jacobi's family, the pseudo-rigid figure is the initial guess. The scene must exist as long as
+/// the result.
 mechanics::FamilyOfFigures family_of_figures(const scene::Scene& scene);
 
 /// The values of the parameter that the scene requests.
@@ -33,33 +34,33 @@ const mechanics::ClassStability* fastest_growing(const mechanics::FigureMember& 
 
 /// The number of rates in a row of the table.
 inline constexpr std::size_t n_slowest_rates = 10;
-/// The ten rates s of lowest frequency |Im s| among the rates of all classes of motions, by rising frequency. A rate
-/// with Im s > 0 is followed by its complex conjugate, which is a rate as well. If there are fewer rates, the others
-/// are 0.
+/// The ten rates s of lowest frequency |Im s| among all classes of small motions exp(st), by rising frequency. A rate
+/// with Im s > 0 is followed by its complex conjugate, which is a rate as well. If there are fewer than ten rates, the
+/// others are 0.
 std::vector<std::complex<double>> slowest_rates(const mechanics::FigureMember& member);
 
 /// The columns of the table with their units and texts. `degree` and `m` are the texts of the columns with these names.
-/// They must be literals, because a column refers to its text.
+/// They must be string literals, because a column does not copy its text.
 std::vector<scene::Column> figure_columns(std::string_view degree, std::string_view m);
 
-/// The numbers of a row in internal units, in addition to those of the member.
+/// The numbers of a row in internal units that the member itself does not contain.
 struct FigureNumbers {
   int degree;               ///< degree of the body or of the elements
   double spin;              ///< spin Ω about axis 3
-  Eigen::Vector3d axes;     ///< semi-axes of the ellipsoid x = QX
+  Eigen::Vector3d axes;     ///< semi-axes of the ellipsoid x = QX that is nearest to the figure
   Eigen::Vector3d surface;  ///< points at which the surface cuts the axes
   mechanics::ContinuumObservables observables;
 };
 
-/// A row with the columns of figure_columns in internal units. Only the parameter has the unit of its family.
-/// `special` is null for an ordinary member of the family.
+/// A row with the columns of figure_columns in internal units. Only the parameter has the unit of its family. `special`
+/// is null if `member` is an ordinary member of the family and not a special point.
 std::vector<double> figure_row(int index, const mechanics::FigureMember& member,
                                const mechanics::SpecialFigure* special, const FigureNumbers& numbers);
 
 /// Name of a class of motions, for example "even in z, m = 2".
 using NameOfClass = std::function<std::string(const mechanics::MotionClass& motions)>;
 
-/// The table and the results of families, one for each degree of a model.
+/// The table and the results of a run that computes one family of figures for each degree of a model.
 class FigureRun {
  public:
   using RowOf = std::function<mechanics::Status(int index, const mechanics::FigureMember& member,
@@ -68,13 +69,14 @@ class FigureRun {
   /// `file` is the name of the table without ".csv".
   FigureRun(const RunContext& context, std::string_view file, const std::vector<scene::Column>& columns);
 
-  /// Writes the members and the special points of the family of one degree by rising parameter, and adds its lines to
-  /// the results, which begin with `of_degree`. Parameters without a figure give warnings. Sets the outcome to
-  /// `interrupted` if the family is not complete, and to `failed` if a row cannot be computed.
+  /// Writes the members and the special points of the family of one degree by rising parameter. Adds a line with the
+  /// number of members, and a line for each special point, to the results. The first line and the warnings begin with
+  /// the text `of_degree`. Parameters without a figure give warnings. Sets the outcome to `interrupted` if an interrupt
+  /// left the family incomplete, and to `failed` if a row cannot be computed.
   void add(const std::string& of_degree, const mechanics::FigureFamily& family, const NameOfClass& name_of,
            const RowOf& row_of);
   bool goes_on() const { return outcome_.end == mechanics::Outcome::finished; }
-  /// Sets the outcome and its message.
+  /// Sets the outcome and the message of the run.
   void end(mechanics::Outcome how, std::string message);
   ModelOutcome& outcome() { return outcome_; }
   /// Completes the table and the statistics. The outcome is `failed` if no figure was found.
@@ -84,7 +86,7 @@ class FigureRun {
   void write(const mechanics::FigureFamily& family, const RowOf& row_of);
 
   const RunContext& context_;
-  std::string file_, parameter_;  ///< name of the parameter of the family
+  std::string file_, parameter_;  ///< name of the table without ".csv"; name of the family's parameter
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   io::ColumnTable table_;
   ModelOutcome outcome_;

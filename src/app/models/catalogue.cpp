@@ -14,7 +14,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// True if the description has all parts that every model must have.
+/// True if the description has all the parts that a model must have (ball_models.h).
 bool is_complete(const scene::ModelDescription& m) {
   return !m.name.empty() && !m.adjective.empty() && !m.documentation.empty() && !m.columns.empty() && m.header &&
          m.needed && m.skipped && m.refuses;

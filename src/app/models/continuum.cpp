@@ -20,7 +20,7 @@ using scene::Family;
 using scene::Refusal;
 using scene::Scene;
 
-/// The line for the user about the mesh, the degree and the computed part of the ball.
+/// The line that the program shows to the user about the mesh, the degree and the computed part of the ball.
 std::string continuum_needed(const Scene& scene) {
   const auto found = [](const std::optional<int>& value) { return value ? std::to_string(*value) : "auto"; };
   const auto fixed = scene::fixed_discretization(scene);
@@ -38,7 +38,8 @@ std::string continuum_needed(const Scene& scene) {
               : fmt::format(", {}, one of {} ({})", sector.name(), sector.n_images(), sector.reason));
 }
 
-/// The discretisation of the companion run in words; empty if a search chooses the discretisation.
+/// The discretisation of the companion run in words. The companion run estimates the error in space. Empty if a search
+/// chooses the discretisation.
 std::optional<std::string> continuum_companion(const Scene& scene) {
   const auto fixed = scene::fixed_discretization(scene);
   return fixed ? std::optional(scene::describe(scene::companion(*fixed))) : std::nullopt;
@@ -67,8 +68,9 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
   return {};
 }
 
-/// Refuses equilibria of families, bodies and loads for which finite elements have none. Loads must be symmetric under
-/// reflection of every axis, because an octant is computed. Its planes exclude rigid motions.
+/// Refuses families, bodies and loads whose equilibria the finite-element model cannot compute. The loads must be
+/// symmetric under the reflection of every axis, because only one octant is computed. The symmetry planes of the octant
+/// exclude rigid motions.
 std::optional<Refusal> refuses_equilibria(const Scene& scene) {
   if (scene.analysis != scene::Analysis::equilibrium) return {};
   if (auto refusal = refuses_family(scene, "finite elements",
@@ -121,13 +123,13 @@ std::optional<Refusal> refuses_discretization(const Scene& scene) {
   return {};
 }
 
-/// True if self-gravity or a confining potential acts, which can keep the pressure in a fluid positive.
+/// True if self-gravity or a confining potential acts. Such a load can keep the pressure in a fluid positive.
 bool is_held_together(const Scene& scene) {
   return loads::present(scene.loads.get<loads::SelfGravity>()) || scene::is_confined(scene);
 }
 
-/// Refuses bodies and loads that other models have and the finite-element model does not have. Also refuses an ideal
-/// fluid without volumetric stiffness, because nothing else keeps the shape of its elements.
+/// Refuses bodies and loads that other models offer but the finite-element model does not offer. Also refuses an ideal
+/// fluid without volumetric stiffness, because no other force keeps the shape of its elements.
 std::optional<Refusal> refuses_body(const Scene& scene) {
   const auto offered_for_others = [&](const char* path, const char* what) {
     return Refusal{path, fmt::format("{} is", what), {}, scene::names_where(scene, [](const auto& model) {
@@ -183,7 +185,7 @@ bool continuum_takes_method(std::string_view name) {
          (!id || mechanics::with_method(*id, []<class Method>(Method) { return mechanics::takes_any_vector<Method>; }));
 }
 
-/// The table of figures, which does not depend on the number of degrees of freedom of the pseudo-rigid body.
+/// The table of figures. The argument, the number of degrees of freedom of the pseudo-rigid body, does not affect it.
 scene::EquilibriaTable continuum_equilibria(int) {
   return {"equilibria-continuum",
           "These are figures of the finite-element ball that turn as a whole (Equilibrium/Family), a row each. With "

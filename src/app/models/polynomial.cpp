@@ -20,7 +20,7 @@ namespace {
 using scene::Refusal;
 using scene::Scene;
 
-/// The line for the user about the degree and the computed part of the ball.
+/// The line that the program shows to the user about the degree and the computed part of the ball.
 std::string polynomial_needed(const Scene& scene) {
   const auto& degrees = scene.polynomial.degrees;
   std::string of_degree = "degree";
@@ -37,7 +37,8 @@ std::string polynomial_needed(const Scene& scene) {
                      sector.reason);
 }
 
-/// The degree of the companion run in words; empty if a search chooses the degree.
+/// The degree of the companion run in words. The companion run estimates the error in space. Empty if a search chooses
+/// the degree.
 std::optional<std::string> polynomial_companion(const Scene& scene) {
   const auto& degrees = scene.polynomial.degrees;
   return degrees.empty() ? std::nullopt
@@ -46,18 +47,18 @@ std::optional<std::string> polynomial_companion(const Scene& scene) {
 
 std::string polynomial_skipped(const Scene&) { return "polynomial body: not among Models"; }
 
-/// Name of the files of a run whose degree is not the last of the list.
+/// Name of the files of a run of degree N that is not the last degree of the list in the scene.
 std::string rung(int N) { return fmt::format("polynomial-{}", N); }
 
-/// The names of the files of all possible runs but the last of a list.
+/// The possible names of the files of runs whose degree is not the last of the list.
 std::vector<std::string> rungs() {
   std::vector<std::string> names;
   for (int N = 1; N < scene::largest_polynomial_degree; ++N) names.push_back(rung(N));
   return names;
 }
 
-/// A run for each degree of the list, or one run if a search chooses the degree. The last run has the name of the
-/// model.
+/// One run for each degree of the list, or one run in total if a search chooses the degree. The last run has the name
+/// of the model.
 std::vector<scene::ModelRun> runs(const Scene& scene) {
   const auto& degrees = scene.polynomial.degrees;
   if (degrees.empty()) return {{"polynomial", "polynomial", true}};
@@ -67,7 +68,7 @@ std::vector<scene::ModelRun> runs(const Scene& scene) {
   return runs;
 }
 
-/// Refuses bodies and loads that other models have and the polynomial model does not have.
+/// Refuses bodies and loads that other models offer but the polynomial model does not offer.
 std::optional<Refusal> refuses_body(const Scene& scene) {
   const auto others = scene::names_where(scene, [](const auto& model) { return model.name != "polynomial"; });
   if (scene.body.inertia)

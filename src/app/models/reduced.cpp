@@ -11,8 +11,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Refuses an initial deformation beyond the limit of the law. Also refuses a method that does not fit the form in
-/// which the pseudo-rigid body is integrated (app/reduced/reduced_scene.h).
+/// Refuses an initial deformation beyond the limit of the law. Also refuses a method that cannot integrate the form of
+/// the pseudo-rigid body that the scene requires (app/reduced/reduced_scene.h).
 template <bool incompressible>
 std::optional<scene::Refusal> refuses_body(const scene::Scene& scene) {
   const ReducedScene s = reduced_scene(scene);

@@ -23,7 +23,7 @@ struct PolynomialTask {
 };
 
 /// Number of quadrature points in each direction of an octant: the entry of the scene, but at least the number that the
-/// degree requires. Empty if the scene leaves the choice to the program.
+/// degree requires. Empty if the scene does not give a number.
 inline std::optional<int> quadrature_points(const scene::Scene& scene, int degree) {
   if (!scene.polynomial.quadrature_points) return std::nullopt;
   return std::max(*scene.polynomial.quadrature_points, polynomial::PolynomialSpace::least_points(degree));

@@ -74,7 +74,8 @@ class DegreeSearch {
       }
       const bool is_last = degree_ + 2 > scene::largest_polynomial_degree;
       if (is_last || (errors.n_runs() > 2 && error_ <= tolerance_)) break;
-      // If three degrees have run and this one fails, the motion itself probably ends. A higher degree does not help.
+      // If three degrees have run and this one fails, the motion itself probably ends at this time. A higher degree
+      // does not help.
       if (outcome.end == mechanics::Outcome::failed && errors.n_runs() > 2) break;
       before_ = std::move(trace);
     }
@@ -87,7 +88,7 @@ class DegreeSearch {
     return outcome;
   }
 
-  /// Text about the chosen degree for the log.
+  /// Text about the chosen degree for the log: "found before", or the estimated error and the tolerance.
   std::string in_words() const {
     return n_runs_ == 0 ? std::string(", found before")
                         : fmt::format(" taken, estimated error of Q {:.1e} (tolerance {:.1e})", error_, tolerance_);
@@ -133,7 +134,7 @@ class DegreeSearch {
 };
 
 /// Runs the polynomial body of degree N, which is the only or the last degree of the scene. If the scene does not have
-/// finite elements, this body is the reference of comparisons. If the scene then also needs the error of the reference
+/// finite elements, this body is the reference of comparisons. If the scene then also requests error estimates
 /// (`needs.companion`), a companion run of another degree estimates the discretisation error of this body.
 ModelOutcome run_richest_degree(const RunContext& context, const PolynomialRun& run, int N) {
   const scene::Needs& needs = context.needs;

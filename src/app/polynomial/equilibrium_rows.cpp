@@ -45,7 +45,8 @@ EquilibriumRows::EquilibriumRows(const polynomial::BodySetup& setup, bool incomp
                            : Body(polynomial::CompressibleBody(of_whole_body(setup, false)))),
       spectrum_(spectrum) {}
 
-/// Sets the observables of the figure that rotates about axis 3 with the rate `spin`, in the inertial frame.
+/// Sets the observables of a figure in the inertial frame. The figure has the positions x, and rotates about axis 3 at
+/// the rate `spin`.
 mechanics::Status EquilibriumRows::observe(const Eigen::VectorXd& x, double spin,
                                            mechanics::ContinuumObservables& observables) const {
   return std::visit(

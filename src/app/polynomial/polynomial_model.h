@@ -86,8 +86,8 @@ class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces>
   }
 
  private:
-  /// The points of a picture in the blocks of a ball. If the blocks are cut into cells, a quarter of a circle has 8
-  /// straight edges.
+  /// The points of a picture, in the blocks into which the ball is divided. If the blocks are cut into cells, a quarter
+  /// of a circle has 8 straight edges.
   struct Picture {
     explicit Picture(const polynomial::PolynomialSpace& space) : ball(io::ball_blocks(4, 2)), at(space, ball.points) {}
     io::BallBlocks ball;

@@ -31,22 +31,22 @@ class RunQuadrature {
   RunQuadrature(const RunContext& context, std::string_view model, polynomial::BodySetup setup)
       : context_(context), model_(model), setup_(std::move(setup)) {}
 
-  /// Adds points to the rule and replaces `body`, if follows() is true and the tolerance requires more points. Called
-  /// before the search for the step. `state` is the initial state of the run.
+  /// Adds points to the rule and replaces `body`, if follows() is true and the tolerance requires more points. Must be
+  /// called before the search for the step. `state` is the initial state of the run.
   void choose(Body& body, const polynomial::BodyState& state) {
     if (!follows()) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, 0, true)), state.t, body);
   }
-  /// Estimates the error of the rule if the scene needs this error and it is not known. Called after the search for the
-  /// step. `stable_step` is the stable step of RATTLE in internal units, or 0 if this step is not known.
+  /// Estimates the error of the rule if the scene needs this error and it is not known. Must be called after the search
+  /// for the step. `stable_step` is the stable step of RATTLE in internal units, or 0 if this step is not known.
   void estimate(Body& body, const polynomial::BodyState& state, double stable_step) {
     if (is_known_ || !context_.needs.quadrature_error) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, stable_step, false)), state.t, body);
   }
 
   /// Three numbers for a checkpoint. They are the number of points in each direction of an octant, the error of Q, and
-  /// the internal duration to which this error applies. The error is −1 if it was not estimated, and `failed` if the
-  /// estimate failed. A resumed run keeps its rule even if the end of the run has changed.
+  /// the duration in internal time to which this error applies. The error is −1 if it was not estimated, and `failed`
+  /// if the estimate failed. A resumed run keeps its rule even if the end of the run has changed.
   static constexpr std::size_t n_numbers = 3;
   std::array<double, n_numbers> numbers(const Body& body) const {
     return {static_cast<double>(body.space().n_points_in_direction()), error_.value_or(is_known_ ? failed : -1),
@@ -61,8 +61,8 @@ class RunQuadrature {
   }
 
   /// Adds the number of points in each direction to the counters of `statistics`. Also adds the force evaluations of
-  /// the estimates if there are any, and the error if it is known. If the run has become longer than the estimate
-  /// assumes, the error grows as a power of the duration.
+  /// the estimates if there are any, and the error if it is known. If the run has become longer than the duration of
+  /// the estimate, the reported error is larger by a power of the ratio of both durations.
   void report(const Body& body, io::Manifest::Model& statistics) const {
     auto& counters = statistics.counters;
     counters["quadrature_points"] = body.space().n_points_in_direction();
@@ -84,7 +84,8 @@ class RunQuadrature {
            !scene.time.step && scene.time.tolerance < scene::Scene::Time{}.tolerance;
   }
 
-  /// The request for a run from `state` to Time/End.
+  /// The request for the choice of the rule for a run from `state` to Time/End. `adds_points` is true if points may be
+  /// added.
   polynomial::QuadratureRequest request(const polynomial::BodyState& state, double stable_step,
                                         bool adds_points) const {
     return {.end = context_.internal_time(context_.scene.time.end) - state.t,

@@ -8,8 +8,8 @@
 
 namespace pseudorigid::app {
 
-/// The exit codes mean, in this order: done, a defect of the program, wrong input, and a run that stopped early or
-/// lacked a resource.
+/// The exit codes mean, in this order: the command is done, the program has a defect, the input is wrong, and the run
+/// stopped early or lacked a resource.
 constexpr int exit_done = 0, exit_defect = 1, exit_wrong_input = 2, exit_stopped = 3;
 
 /// The exit code of a run with this outcome. A failed and an interrupted run have the same code.

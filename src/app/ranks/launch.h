@@ -1,6 +1,6 @@
 #pragma once
 /// Rank and number of processes under mpirun or srun, from environment variables of the launcher. With these variables,
-/// a process that does not need MPI can avoid the start of MPI.
+/// a process that does not need MPI need not start MPI.
 ///
 /// Open MPI's mpirun sets OMPI_*. MPICH's mpirun and `srun --mpi=pmi2` set PMI_*. With PMIx alone (`srun --mpi=pmix`),
 /// the environment has the rank but not the number of processes, which only MPI can give. SLURM_PROCID is not used as a
@@ -17,7 +17,7 @@ namespace pseudorigid::app {
 struct Launch {
   static constexpr int unknown = 0;  ///< value of n_ranks if only MPI can give the number
   int rank = 0;
-  int n_ranks = 1;       ///< `unknown` if the launcher gives only the rank
+  int n_ranks = 1;       ///< number of ranks; `unknown` if the launcher gives only the rank
   int n_ranks_here = 1;  ///< number of ranks on this machine; 1 if the launcher does not give it
 
   Launch() {

@@ -47,8 +47,8 @@ void on_all_ranks(const Ranks& ranks, Work&& work) {
 }
 
 /// Runs collective work and returns its result. If the work fails on one of several ranks, this rank calls
-/// `last_words(failure)` and aborts all ranks. A FailureOnAllRanks passes unchanged, because all ranks throw it. In a
-/// single process every exception passes unchanged. `last_words` can write the failure to the log before the abort.
+/// `last_words(failure)`, for example to write the failure to the log, and aborts all ranks. A FailureOnAllRanks passes
+/// unchanged, because all ranks throw it. In a single process every exception passes unchanged.
 template <class Work, class LastWords>
 auto together_or_not_at_all(const Ranks& ranks, Work&& work, LastWords&& last_words) {
   try {

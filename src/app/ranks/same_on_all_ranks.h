@@ -1,6 +1,6 @@
 #pragma once
-/// Check that processes that were started together have the same input. Otherwise the input of some processes would be
-/// ignored, or the ranks would wait for each other forever.
+/// Check that processes that were started together have the same input. Without this check, the input of some processes
+/// would be ignored, or the ranks would wait for each other forever.
 
 #include <string>
 #include <string_view>

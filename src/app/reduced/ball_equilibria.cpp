@@ -19,7 +19,8 @@ using reduced::EquilibriumFamily;
 using reduced::EquilibriumPoint;
 using scene::Family;
 
-/// Makes the families of a scene. The object contains the potential, because the body refers to the potential.
+/// Makes the families of a scene. The object contains the potential as a member, because the body refers to the
+/// potential.
 class FamilyMaker {
  public:
   explicit FamilyMaker(const scene::Scene& scene)
@@ -27,9 +28,9 @@ class FamilyMaker {
         potential_(potential_of(scene_)),
         body_{potential_, scene_.body.E0.trace() / 3, scene.body.incompressible} {}
 
-  /// Computes a family; none and at_rest give an empty family. `range` is the range of the parameter of the family. If
-  /// the parameter is a spin, it has the user's unit in `range` and in the result. `ratio` is a₃/a₁, which only
-  /// Riemann's families use.
+  /// Computes a family; `none` and `at_rest` give an empty family. `range` is the range of the parameter of the family.
+  /// If the parameter is a spin, it has the user's unit in `range` and in the result, and `time_unit` is the internal
+  /// unit of time. `ratio` is a₃/a₁ of the semi-axes, which only Riemann's families use.
   EquilibriumFamily make(Family family, reduced::ParameterRange range, double ratio, double time_unit) const {
     switch (family) {
       case Family::none:
@@ -101,7 +102,7 @@ std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& 
   return row;
 }
 
-/// Writes the members and the special points by rising parameter.
+/// Writes the members and the special points of the family into equilibria.csv, by rising parameter.
 void write_family(const EquilibriumFamily& family, const RunContext& context) {
   std::vector<std::pair<int, const EquilibriumPoint*>> rows;
   for (const EquilibriumPoint& point : family.points) rows.emplace_back(member, &point);

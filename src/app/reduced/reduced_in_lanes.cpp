@@ -52,14 +52,14 @@ reduced::MatricesInLanes in_lanes(const MatrixOf& matrix_of) {
   return values;
 }
 
-/// The matrix of one body, the inverse of `in_lanes`.
+/// The matrix of one body. This is the inverse of `in_lanes`.
 Eigen::Matrix3d of_lane(const reduced::MatricesInLanes& values, int body) {
   Eigen::Matrix3d matrix;
   for (int i = 0; i < 9; ++i) matrix(i / 3, i % 3) = values[i * n_body_lanes + body];
   return matrix;
 }
 
-/// The run of eight bodies of the same form.
+/// The run of n_body_lanes = 8 bodies of the same form.
 template <class Body>
 class RunInLanes {
  public:
@@ -128,8 +128,8 @@ class RunInLanes {
     return limit;
   }
 
-  /// The method and the step for all bodies. If the scene gives both, nothing is searched. Otherwise pilot runs in
-  /// lanes find a step for the body with the largest error.
+  /// The method and the step for all bodies. If the scene gives both, there is no search. Otherwise pilot runs in lanes
+  /// find the step that the body with the largest error needs.
   mechanics::StepChoice choose() const {
     const auto& time = first().scene.time;
     const std::optional<mechanics::MethodId> asked = mechanics::find_method(time.method);
@@ -148,7 +148,8 @@ class RunInLanes {
     return mechanics::detail::choose_among({in_pilots(method)}, {}, true, request);
   }
 
-  /// The method in the form in which the search for the step runs it. Empty for an adaptive method.
+  /// The method as the search for the step uses it: with its order, its stability limit and its pilot runs. Empty for
+  /// an adaptive method.
   mechanics::detail::FixedStepMethod in_pilots(mechanics::MethodId id) const {
     return mechanics::with_method(id, [&]<class Method>(Method) -> mechanics::detail::FixedStepMethod {
       if constexpr (Method::adaptive)
@@ -161,7 +162,7 @@ class RunInLanes {
     });
   }
 
-  /// The result of a pilot run, with the matrices of all bodies as one configuration.
+  /// The result of a pilot run for the search. One configuration contains the matrices of all bodies.
   static mechanics::detail::PilotRun pilot(const reduced::MotionsInLanes& motions) {
     mechanics::detail::PilotRun run;
     run.t = motions.t;
@@ -211,7 +212,7 @@ class RunInLanes {
     return true;
   }
 
-  static constexpr double pilot_window = 20;  // the same as in ReducedModel::pilot_window
+  static constexpr double pilot_window = 20;  // duration of a pilot run in internal time, as in ReducedModel
 
   std::span<const RunContext> contexts_;
   const std::vector<ReducedScene>& scenes_;

@@ -118,10 +118,10 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     return {};
   }
 
-  /// Records the contact after a step. Fails after a collision or a disruption (orbit_of_run.h). For a body that can
-  /// change its volume, also checks the least singular value of Q. This value is the distance of Q from the nearest
-  /// singular matrix (Eckart and Young). If it is at most the tolerance of Q, the exact motion may have collapsed
-  /// already, and the function fails.
+  /// Records the contact after a step. Fails after a collision or a disruption (orbit_of_run.h). If the body can change
+  /// its volume, also checks the least singular value of Q, which is the distance of Q from the nearest singular matrix
+  /// (Eckart and Young). If this value is at most the tolerance of Q, the exact motion may have collapsed already, and
+  /// the function fails.
   mechanics::Status judge(const State& state) override {
     look_at_contact(state);
     const Eigen::Matrix3d Q = Q_of(state);
@@ -188,7 +188,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     if constexpr (is_loaded) return system_.has_contact();
     return false;
   }
-  /// Fails after a collision with a companion or a disruption of the body. Does nothing without companions.
+  /// Fails after a collision with a companion or a disruption of a fluid body. Does nothing without companions.
   mechanics::Status look_at_orbit(const State& state, const Eigen::Matrix3d& Q) {
     if constexpr (is_loaded)
       if (mechanics::has_companions(system_)) {
@@ -201,21 +201,23 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
       }
     return {};
   }
-  /// Records the contact; does nothing without planes.
+  /// Records the contact. Does nothing if the scene has no contact planes.
   void look_at_contact(const State& state) {
     if constexpr (is_loaded)
       if (on_planes()) contacts_.look(state.t, system_.contact(state.t, state.q), System::center(state.v));
   }
 
   Eigen::Matrix3d Q_of(const State& state) const { return system_.motion(state).q; }
-  /// The motion of the centre of mass. With planes, it is a part of the state. Otherwise it does not depend on Q.
+  /// The motion of the centre of mass. With contact planes, it is a part of the state. Otherwise it is computed
+  /// separately, because it does not depend on Q.
   reduced::CenterOfMass::Motion center_at(const State& state) {
     if constexpr (is_loaded)
       if (on_planes()) return {System::center(state.q), System::center(state.v)};
     return center_.at(state.t);
   }
 
-  /// The fields for a picture. All fields except positions and velocities are uniform in the body.
+  /// The fields for a picture, in internal units. All fields except positions and velocities are uniform in the body.
+  /// Lambda is the multiplier of the volume constraint, or 0 without this constraint.
   mechanics::BodyFields fields(const State& state, double Lambda) {
     const auto& body = system_.body();
     const auto motion = system_.motion(state);
@@ -237,7 +239,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     return fields;
   }
 
-  /// Updates the largest entries of |Q| and of |Q − Q₀|, with the initial value Q₀.
+  /// Updates `motion_` and `size_`, the largest entries of |Q − Q₀| and of |Q|, with the initial value Q₀.
   void note_motion(const Eigen::Matrix3d& Q) {
     ++n_noted_;
     motion_ = std::max(motion_, (Q - Q_of(start_)).cwiseAbs().maxCoeff());

@@ -35,8 +35,8 @@ enum class ReducedForm {
   elastic,      ///< neo-Hookean energy (Ciarlet–Geymonat's type) and no loads; law known at compile time
   general,      ///< any law, self-gravity, and loads with a potential
   diagonal,     ///< Q stays diagonal, three unknowns; loads as for `general`
-  dissipative,  ///< viscosity, drag or loads that depend on time, and the energy of these forces
-  loaded        ///< planes, companions or viscoelastic branches; any other loads
+  dissipative,  ///< viscosity, drag or loads that depend on time; computes their energies
+  loaded        ///< planes, companions or viscoelastic branches, with all other loads
 };
 
 template <bool incompressible>

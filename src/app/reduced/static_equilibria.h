@@ -13,7 +13,7 @@ namespace pseudorigid::app {
 std::vector<scene::Column> static_equilibria_columns(int n_modes);
 
 /// Searches for the critical points and writes the file. The outcome is `failed` if the search fails or finds no point.
-/// Warns if Morse's count shows that points are missing.
+/// Warns if the numbers of points of each Morse index show that points are missing (reduced/static_equilibria.h).
 ModelOutcome run_static_equilibria(const RunContext& context);
 
 }  // namespace pseudorigid::app

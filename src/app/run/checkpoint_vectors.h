@@ -16,7 +16,7 @@
 
 namespace pseudorigid::app {
 
-/// True if the vectors of the model are distributed over the ranks.
+/// True if the vectors of the model are distributed over the ranks. Only such a model has the function rank_order().
 template <class Model>
 inline constexpr bool is_distributed = requires(const Model& model) {
   model.rank_order();
@@ -30,7 +30,7 @@ void give_memory(Workspace& workspace, std::span<const double> memory) {
     throw std::invalid_argument("memory of another method");
 }
 
-/// Transfer for a model whose vectors are complete on one process. The functions have the interface of the transfer for
+/// Transfer for a model whose vectors are complete on one process. The functions are those of the transfer for
 /// distributed vectors below.
 template <class Model>
 class CheckpointVectors {
@@ -86,7 +86,7 @@ class CheckpointVectors<Model> {
     memory_is_whole_ = true;
   }
   /// Copies the memory of this rank into the workspace of its method. If the snapshot has the memory of all ranks,
-  /// first selects the part of this rank. Throws std::invalid_argument if the memory belongs to another method.
+  /// selects the part of this rank first. Throws std::invalid_argument if the memory belongs to another method.
   template <class Workspace>
   void restore_memory(Workspace& workspace, Snapshot& snapshot) {
     layout_.emplace(order_);
@@ -99,7 +99,7 @@ class CheckpointVectors<Model> {
     if (!snapshot.memory.empty()) snapshot.memory = layout_->take(snapshot.memory);
   }
   /// Returns the complete vectors on the first rank, which writes the checkpoint. On the other ranks they are empty.
-  /// Collective.
+  /// Collective: all ranks must call this function.
   SavedVectors collect(State& state, const Snapshot& snapshot) const {
     return {order_.collect_position(state.q), order_.collect_field(mechanics::local_values(state.v)),
             snapshot.memory.empty() ? std::vector<double>() : layout_->collect(snapshot.memory)};

@@ -4,13 +4,13 @@
 ///
 ///   e = (n·ẋ_c − ż₀ at the end of the last contact) / (ż₀ − n·ẋ_c at the start of the first contact)
 ///
-/// with the centre of mass x_c, and the normal n and the speed ż₀ of a plane. This plane has the largest force, or is
-/// the nearest one if there is no contact. A contact starts or ends when the height of the body above the nearest plane
-/// is zero. The height is interpolated linearly within a step. The velocity is not interpolated. The formula uses two
-/// velocities. One is the velocity after the last step before the first contact. The other is the velocity after the
-/// step in which the last contact ends. A contact that exists at time 0 starts there, with the velocity at time 0. If
-/// the denominator is 0, e is 0. Each quantity of the summary is 0 until its event occurs. All quantities are in
-/// internal units.
+/// with the centre of mass x_c, and the normal n and the speed ż₀ of a plane. This plane is the plane with the largest
+/// force, or the nearest plane if there is no contact. A contact starts or ends when the height of the body above the
+/// nearest plane is zero. The height is interpolated linearly within a step, but the velocity ẋ_c is not. At the start
+/// of the first contact, ẋ_c is the velocity after the last step before the contact. At the end of the last contact, it
+/// is the velocity after the step in which the contact ends. A contact that exists at time 0 starts there, with the
+/// velocity at time 0. If the denominator is 0, e is 0. Each quantity of the summary is 0 until its event occurs. All
+/// quantities are in internal units.
 
 #include <algorithm>
 #include <array>
@@ -23,8 +23,9 @@ namespace pseudorigid::app {
 
 class ContactWatch {
  public:
-  /// Updates the summary at the end of a step. `velocity` is the velocity of the centre of mass. Does nothing if `t` is
-  /// not after the last recorded time, because the step is then a repetition of an earlier step.
+  /// Updates the summary at the end of a step. `now` is the contact at the time `t`, and `velocity` is the velocity of
+  /// the centre of mass. Does nothing if `t` is not after the last recorded time, because the step is then a repetition
+  /// of an earlier step.
   void look(double t, const loads::Contact& now, const Eigen::Vector3d& velocity) {
     if (is_begun_ && t <= t_) return;
     const double v = now.normal.dot(velocity) - now.speed;
@@ -46,8 +47,8 @@ class ContactWatch {
     v_ = v;
   }
 
-  /// Writes the summary into the observables of a sample. `o.force` already has the force at this sample, which also
-  /// counts for the largest force.
+  /// Writes the summary into the observables of a sample. `o.force` must already have the force at this sample. The
+  /// largest force of the summary takes this force into account.
   void write(mechanics::ContactObservables& o) const {
     o.first = first_;
     o.last = last_;

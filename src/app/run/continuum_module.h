@@ -14,7 +14,7 @@
 
 namespace pseudorigid::app {
 
-/// Exception for a library that cannot be opened. Its text is the reason.
+/// Exception that is thrown if the library cannot be opened. Its text is the reason.
 struct NoContinuum : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -22,13 +22,16 @@ struct NoContinuum : std::runtime_error {
 /// The functions of the library.
 struct ContinuumModule {
   ModelOutcome (*run)(const RunContext& context);     ///< runs the finite-element model; collective
-  std::map<std::string, std::string> (*libraries)();  ///< maps names to versions, for the manifest
-  std::string_view (*instructions)();                 ///< SIMD instructions of the kernels; throws mechanics::NoKernels
+  std::map<std::string, std::string> (*libraries)();  ///< maps names of libraries to their versions
+  /// Returns the SIMD instructions of the kernels. Throws mechanics::NoKernels if the processor cannot run the kernels,
+  /// or if the requested build of the kernels does not exist.
+  std::string_view (*instructions)();
   /// Starts MPI for the processes of a launcher. The destructor of the returned object ends MPI.
   std::unique_ptr<Ranks> (*start_ranks)(int argc, char** argv);
 };
 
 }  // namespace pseudorigid::app
 
-/// The only function of the library that the program finds by its name. The table is valid until the program ends.
+/// The only function of the library that the program finds by its name. It returns the table of the other functions,
+/// which is valid until the program ends.
 extern "C" const pseudorigid::app::ContinuumModule* pseudorigid_continuum();

@@ -1,6 +1,7 @@
 #pragma once
 /// The history of the affine part Q of a motion, a 3×3 matrix, at the samples of a run. Two measures describe the
-/// difference between a history Q and another history Q'. The maxima are over the samples that both histories contain:
+/// difference between a history Q and another history Q'. Their maxima are over the samples that both histories
+/// contain:
 ///
 ///   largest   max_t max_ij |Q_ij − Q'_ij|,     relative   max_t |Q − Q'| / |Q|   (Frobenius).
 ///

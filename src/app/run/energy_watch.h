@@ -1,7 +1,7 @@
 #pragma once
-/// Judges whether the steps in an interval between samples keep the energy of a violent motion. Let K be the kinetic
-/// and V the potential energy, E = K + V, and N the number of samples. The indices 0 and 1 denote the ends of the
-/// interval. The condition is
+/// Judges whether the steps in an interval between samples conserve the energy of a violent motion. Let K be the
+/// kinetic and V the potential energy, E = K + V, and N the number of samples. The indices 0 and 1 denote the ends of
+/// the interval. The condition is
 ///
 ///   |E_1 − E_0| ≤ 1e-3/√N · max(E_m, K_0 + K_1),   E_m = K + |V − V of the body at rest| at the start of the run.
 ///
@@ -24,9 +24,10 @@ class EnergyWatch {
   EnergyWatch(const Model& model, long n_samples)
       : model_(model), most_(1e-3 / std::sqrt(static_cast<double>(n_samples))) {}
 
-  /// Whether the condition holds between the states at both ends, whose least det F is J_before and J_after. The result
-  /// is true if forces dissipate or depend on time. The result is also true if J_before and J_after are at least 0.95.
-  /// Errors of the energy then result from the chosen step and are not judged.
+  /// Whether the condition holds between the states at both ends of an interval. J_before and J_after are the least det
+  /// F in these states, with the deformation gradient F. The result is true if forces dissipate or depend on time. It
+  /// is also true if J_before and J_after are at least 0.95. Errors of the energy then result from the chosen step and
+  /// are not judged.
   bool keeps_energy(const State& before, double J_before, const State& after, double J_after) {
     constexpr double watched = 0.95;
     if (mechanics::dissipative(model_.system()) || mechanics::time_dependent(model_.system())) return true;
@@ -43,7 +44,7 @@ class EnergyWatch {
  private:
   const Model& model_;
   double most_;
-  std::optional<double> of_motion_;  ///< E_m; empty before it is needed
+  std::optional<double> of_motion_;  ///< E_m of the formula above; empty before it is needed
 };
 
 }  // namespace pseudorigid::app

@@ -59,7 +59,8 @@ class FieldModel : public RunnableModelOf<S> {
       return this->system().multiplier_scale();
   }
   /// The matrix Q of the affine part of the positions. If the scene has companions, their positions relative to the
-  /// body are further columns (with_companions). If the scene has contact, the centre of mass is a fourth column.
+  /// body are further columns (with_companions). If the scene has contact planes, the centre of mass is a fourth
+  /// column.
   Eigen::MatrixXd configuration(const State& state) const final {
     if (context_.needs.orbit)
       return with_companions(affine_part(state.q), this->system().orbit(), this->system().companions(state.q));
@@ -84,7 +85,8 @@ class FieldModel : public RunnableModelOf<S> {
     }
     return start;
   }
-  /// The body without velocity, pressed into the nearest plane by the estimated depth of its first contact (flight.h).
+  /// The body without velocity, pressed into the nearest plane by the estimated depth of its first contact
+  /// (depth_of_contact in flight.h).
   State in_contact(const State& state) const final {
     State pressed = start_of_pilot(state);
     const loads::Contact now = this->system().contact(pressed.t, pressed.q);
@@ -105,8 +107,9 @@ class FieldModel : public RunnableModelOf<S> {
     return rest;
   }
   double least_jacobian(const State& state) const final { return least_jacobian_at(state.q); }
-  /// True if the least det F at q + h v and at q − h v exceeds half of its value at q. This linear motion predicts a
-  /// step h. Collective.
+  /// True if the least det F at q + h v and at q − h v exceeds half of its value at q. Here q are the positions, v the
+  /// velocities and F the deformation gradient. The positions q ± h v approximate a step h forwards and a step h
+  /// backwards. Collective.
   bool keeps_volume(const State& state, double h) const final {
     const double most_change = 0.5, bound = (1 - most_change) * least_jacobian_at(state.q);
     Vector x = state.q;
@@ -116,11 +119,11 @@ class FieldModel : public RunnableModelOf<S> {
     }
     return true;
   }
-  /// Length of the pilot runs in internal time, at most `end`. It is the rise time of the loads plus 10 if a force
-  /// depends on time. Otherwise the length is 3 with planes, and 1 without planes. For an elastic ball without
-  /// self-gravity, the shear front from the surface has reached the centre at t = 1. This time is 0.4 periods of the
-  /// slowest mode. A contact of a fast body can take up to three times as long. A force that depends on time can act
-  /// later, so the length is then about four periods.
+  /// Length of the pilot runs in internal time, at most `end`. It is the rise time of the loads plus a length that
+  /// depends on the scene: 10 if a force depends on time, otherwise 3 with contact planes and 1 without. For an elastic
+  /// ball without self-gravity, the shear front from the surface has reached the centre at t = 1. This time is 0.4
+  /// periods of the slowest mode. A contact of a fast body can take up to three times as long. A force that depends on
+  /// time can act later, so the length is then about four periods.
   double pilot_window(double end) const final {
     const double window = mechanics::time_dependent(this->system()) ? 10.0 : context_.needs.contact ? 3.0 : 1.0;
     return std::min(end, window + rise_time(context_.scene));
@@ -147,8 +150,8 @@ class FieldModel : public RunnableModelOf<S> {
     for (std::size_t n = 0; n < rows.n_rows(); ++n)
       (*trace_)[sample_at(rows.row(n)[0])] = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + first);
   }
-  /// Three numbers of the non-affine displacement, three of the derived class, and the numbers of the contacts if the
-  /// scene has planes.
+  /// Numbers for a checkpoint: three of the non-affine displacement, three of the derived class, and those of the
+  /// contacts if the scene has contact planes.
   std::vector<double> remarks() const final {
     std::vector<double> remarks;
     for (const auto& part : {nonaffine_.remarks(), own_remarks()})
@@ -213,15 +216,15 @@ class FieldModel : public RunnableModelOf<S> {
     request_.energies |= request_.vibration;
   }
 
-  /// The field c + A X of positions, or of velocities.
+  /// The field c + A X of positions or of velocities, with the reference position X.
   virtual Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const = 0;
   /// The matrix Q of the affine motion that is nearest to the field in the mean square over the mass. Collective.
   virtual Eigen::Matrix3d affine_part(const Vector& x) const = 0;
   /// The mean of the field over the mass: the centre of mass, or its velocity. Collective.
   virtual Eigen::Vector3d mean(const Vector& x) const = 0;
-  /// Least det F over the quadrature points. Collective.
+  /// Least det F over the quadrature points, with the deformation gradient F. Collective.
   virtual double least_jacobian_at(const Vector& x) const = 0;
-  /// The energy of vibration. `known` has the other observables of the state. Collective.
+  /// The observables of the energy of vibration. `known` has the other observables of the state. Collective.
   virtual mechanics::VibrationObservables vibration(const State& state,
                                                     const mechanics::ContinuumObservables& known) = 0;
   /// Three numbers of the derived class for checkpoints, as in RunnableModel::remarks.
@@ -231,8 +234,8 @@ class FieldModel : public RunnableModelOf<S> {
   const RunContext& context_;
 
  private:
-  /// The motion of the companions at the start of a pilot run. It is their motion at least half a pilot run before the
-  /// closest approach, or at the start of the run (Orbit::near_closest_approach).
+  /// The motion of the companions at the start of a pilot run. It is their motion at the start of the run, or at least
+  /// half a pilot run before the closest approach to the body (Orbit::near_closest_approach).
   mechanics::Orbit::Motion near_pericentre(const mechanics::Orbit& orbit) const {
     const double end = context_.internal_time(context_.scene.time.end);
     return orbit.near_closest_approach(end, pilot_window(end) / 2);
@@ -250,7 +253,7 @@ class FieldModel : public RunnableModelOf<S> {
   TensionWatch tension_;
   ContactWatch contacts_;
   CollisionWatch collisions_;
-  mutable std::optional<Faces> faces_;  ///< empty until the first shape
+  mutable std::optional<Faces> faces_;  ///< makes shapes; empty until the first shape
 };
 
 }  // namespace pseudorigid::app

@@ -11,22 +11,24 @@
 
 namespace pseudorigid::app {
 
-/// A free flight in internal units. `displacement` is relative to the plane.
+/// A free flight in internal units. `displacement` is the displacement of the body relative to the plane, and
+/// `velocity_change` is the change of the velocity of its centre of mass.
 struct Flight {
   double duration;
   Eigen::Vector3d displacement, velocity_change;
 };
 
-/// The flight from the present state to a height of 0.01 radii above the nearest plane. `velocity` is the velocity of
-/// the centre of mass. Empty if there is no plane, or if the body is at most 0.01 radii above the nearest plane. Also
-/// empty if its path does not reach the plane, or if a quadratic potential or a drag acts.
+/// The flight from the present state to a height of 0.01 radii above the nearest plane. `now` is the present contact,
+/// and `velocity` is the velocity of the centre of mass. Empty if there is no plane, or if the body is at most 0.01
+/// radii above the nearest plane. Also empty if the path does not reach the plane, or if a quadratic potential or a
+/// drag acts.
 std::optional<Flight> flight_to_contact(const loads::Contact& now, const Eigen::Vector3d& velocity,
                                         const loads::Forcing& loads);
 
-/// Estimate of the largest penetration δ of the unit ball in its first contact, from the energy of a rigid ball, in
-/// internal units. A ball with the closing speed v has δ³ = 2v²/k, with the stiffness k of all planes. A ball that
-/// rests under the acceleration b towards the plane has δ² = 4b/(3k). The estimate is the larger one, but at most half
-/// a radius.
+/// Estimate of the largest penetration δ of the unit ball in its first contact, from the energy or the weight of a
+/// rigid ball, in internal units. A ball with the closing speed v has δ³ = 2v²/k, with the stiffness k of all planes. A
+/// ball that rests under the acceleration b towards the plane has δ² = 4b/(3k). The estimate is the larger one, but at
+/// most half a radius.
 double depth_of_contact(const loads::Contact& now, const Eigen::Vector3d& velocity, const loads::Forcing& loads);
 
 }  // namespace pseudorigid::app

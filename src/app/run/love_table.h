@@ -11,15 +11,16 @@
 
 namespace pseudorigid::app {
 
-/// Love numbers of one degree, and bounds of the errors of h and l that the discretisation causes. The bounds are 0 for
-/// the pseudo-rigid body.
+/// Love numbers of one degree, and bounds of the errors of h and l that the discretisation causes. Here h and l are the
+/// Love numbers of the radial and of the tangential displacement. The bounds are 0 for the pseudo-rigid body.
 struct LoveRow {
   gravity::LoveNumbers numbers;
   double h_error = 0, l_error = 0;
 };
 
-/// Rows with bounds of their errors, from the numbers `other` of another discretisation for the same degrees. A bound
-/// is twice the difference plus `round_off`, the relative round-off of the solver, times the number.
+/// Rows with bounds of their errors. `other` has the numbers of another discretisation for the same degrees. The bound
+/// for a number is twice its difference from the other discretisation, plus the number times `round_off`, the relative
+/// round-off of the solver.
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other, double round_off);
 

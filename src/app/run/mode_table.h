@@ -23,7 +23,7 @@ struct ModeFrequency {
 
   double spread() const {
     return (largest - least) / omega;
-  }  ///< difference of the largest and the least copy, over omega
+  }  ///< difference of the largest and the least frequency, divided by omega
 };
 
 /// Data of the ball in internal units: Lamé's moduli λ and μ at rest, and γ = ρgr/μ. Here ρ is the density, r the
@@ -34,9 +34,9 @@ struct BallAtRest {
   double gamma;
 };
 
-/// Text about the first frequency whose copies differ by more than the fraction `spread`; empty if there is no such
-/// frequency. Example: "the copies of T3 differ by 5.3e-01". If the difference exceeds a hundredth, the copies belong
-/// to different modes, or the mesh is too coarse for the mode.
+/// Text about the first frequency whose copies differ by more than `spread`, relative to the frequency; empty if there
+/// is no such frequency. Example: "the copies of T3 differ by 5.3e-01". If the difference exceeds a hundredth, the
+/// copies belong to different modes, or the mesh is too coarse for the mode.
 std::string differing_copies(const std::vector<ModeFrequency>& frequencies, double spread = 1e-2);
 /// Text about the fastest growing motion; empty if no motion grows. The rate is in the user's unit 1/time. Example:
 /// "the ball is unstable at rest: a motion of kind T1 grows at the rate 0.3".

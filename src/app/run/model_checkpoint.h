@@ -46,8 +46,8 @@ struct RunPosition {
 /// Entries of a scene as texts, which a resumed run compares with the texts of its own scene. `frozen_scene` has the
 /// entries that must be equal, except for `may_change` in commands/resume.cpp. `stepping` has the entries that
 /// determine method and step. If one of these entries changes, the program chooses method and step again. The end of
-/// the run is such an entry only if the scene does not give the step. `choice` has the entries that determine the
-/// method.
+/// the run is such an entry only if the scene does not give the step. `choice` has the entries of `stepping` except the
+/// step and the end. If these are equal, a run can keep its method and only shorten its step.
 struct RunIdentity {
   std::string frozen_scene, stepping, choice;
 };
@@ -77,8 +77,8 @@ struct SavedVectors {
   std::vector<double> q, v, memory;
 };
 
-/// The prefix of the entries of a second snapshot in a checkpoint. This snapshot is the last sample of a run that
-/// stopped within an interval. The resumed run can then integrate the whole interval again.
+/// The prefix of the entries of a second snapshot in a checkpoint. This snapshot is that of the last sample, if the run
+/// stopped within an interval between samples. The resumed run can then integrate the whole interval again.
 inline constexpr const char* at_last_sample = "last sample: ";
 
 /// Adds the entries of a snapshot and of its vectors. The names of the entries begin with `prefix`.
@@ -91,8 +91,8 @@ inline bool has_last_sample(const io::Checkpoint& c) { return c.has(std::string(
 /// if the program lacks the method of the checkpoint, or if an entry is missing or has the wrong type or size.
 void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot, const std::string& prefix = "");
 
-/// Number of samples in the table when the run is resumed. The number is 0 for a checkpoint at the start: the resumed
-/// run then writes sample 0 again.
+/// Number of samples that the table keeps when the run is resumed. The number is 0 for a checkpoint at the start: the
+/// resumed run then writes sample 0 again.
 inline long n_samples_taken(const mechanics::Cursor& at) { return at.sample == 0 && at.step == 0 ? 0 : at.sample + 1; }
 inline long n_samples_taken(const io::Checkpoint& c) {
   return n_samples_taken({c.get_integer("sample"), c.get_integer("step in interval")});

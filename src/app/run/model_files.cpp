@@ -95,7 +95,7 @@ void ModelFiles::resume_shapes(const std::string& name, const std::vector<std::s
   on_all_ranks(*context_.ranks, [&] {
     if (!writes()) return;
     // Keeps the shapes before the next sample. If the earlier run had an earlier end, the times of its shapes differ
-    // from the present schedule. The first row, at the start, is always kept.
+    // from the present schedule (ShapeSchedule). The first row, at the start, is always kept.
     const auto path = context_.directory.csv(name);
     const std::int64_t least = n_samples_taken > 0 ? 1 : 0;
     shapes_csv_.emplace(

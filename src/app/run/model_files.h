@@ -48,8 +48,8 @@ class ModelFiles : public ModelSink {
   bool writes() const { return context_.ranks->is_first(); }  ///< the first rank writes
   std::filesystem::path csv() const { return context_.directory.csv(model_); }
   std::filesystem::path checkpoint() const { return context_.directory.checkpoint(model_); }
-  /// A time half an interval before the next sample. This time separates the written samples from the next ones in
-  /// spite of round-off.
+  /// A time half an interval before the next sample. Although times have round-off, this time separates the written
+  /// samples from the next ones.
   double next_time(long n_samples_taken) const {
     return context_.time_of_sample(n_samples_taken) - context_.time_of_sample(1) / 2;
   }
@@ -65,7 +65,7 @@ class ModelFiles : public ModelSink {
   io::Progress progress_;
   std::optional<io::CsvWriter> csv_,
       shapes_csv_;                        ///< tables of rows and of shapes; empty on ranks other than the first
-  std::optional<io::PvdCollection> pvd_;  ///< list of pictures; empty without pictures, and after rank 0
+  std::optional<io::PvdCollection> pvd_;  ///< list of pictures; empty without pictures, and on other ranks
 };
 
 /// Returns a function that makes sinks for files in the directory of the run. If `shows_progress` is true, the sinks

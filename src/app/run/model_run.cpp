@@ -8,7 +8,7 @@
 namespace pseudorigid::app {
 
 namespace {
-constexpr std::chrono::seconds seconds_between_checkpoints{5};  // a killed run loses about this time
+constexpr std::chrono::seconds seconds_between_checkpoints{5};  // a killed run loses at most about this time
 }
 
 ModelRunBase::ModelRunBase(RunnableModel& model, const RunContext& context, const SystemTraits& traits,
@@ -54,10 +54,10 @@ bool ModelRunBase::is_time_to_save() const {
 
 /// Returns to the last sample, so that the interval can be integrated again with shorter steps. Returns false if a
 /// repetition is not possible. A repetition requires a costly force, a method of fixed step and a step that the program
-/// has chosen. A repetition is not possible if the model itself ended the run, or if the steps would need more than
-/// `most_halvings` halvings. After `most_failures` failed steps in a run, a further failed step ends the run. The next
-/// interval begins with the steps that its own state and the last failure require. A motion that is violent for a short
-/// time therefore does not shorten the steps of the whole run.
+/// has chosen. A repetition is not possible if the model itself ended the run, or if it would need more than
+/// `most_halvings` halvings of the step. After `most_failures` failed steps in a run, a further failed step ends the
+/// run. The next interval begins with the steps that its own state and the last failure require. A motion that is
+/// violent for a short time therefore does not shorten the steps of the whole run.
 bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
   if (!repeats_intervals() || !verdict_) return false;
   const bool asked = least_halvings_ > position_.halvings;
@@ -82,8 +82,8 @@ bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
     good_.memory.clear();
   }
   good_.position = position_;
-  // Shorter steps because of the state are usual. The first failed step causes a warning, because the motion before it
-  // was not resolved.
+  // Often the state of the body requires shorter steps; this causes no warning. The first failed step causes a warning,
+  // because the motion before it was not resolved.
   const std::string text = fmt::format(
       "{}: from t = {} the step is {:.4g} for one interval between samples, since with a longer one {}",
       any_model_.name, physical_time(time()), std::ldexp(position_.step, -halvings) * context_.units.time,
@@ -133,7 +133,8 @@ mechanics::Status ModelRunBase::begin() {
   return {};
 }
 
-/// Chooses the quadrature rule, method and step at the start of a run.
+/// Chooses the quadrature rule, the method and the step at the start of a run. Fails if the choice of method and step
+/// fails.
 mechanics::Status ModelRunBase::choose_stepping() {
   choose_quadrature();
   Status status = choose();

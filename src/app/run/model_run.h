@@ -180,8 +180,8 @@ class ModelRun final : public ModelRunBase {
                                        mechanics::method_fits<mechanics::DormandPrince8, System>()};
 
   static constexpr int n_lanczos = 24;
-  /// Relative accuracy of ω² at which Lanczos' iteration ends. If it is 0, the iteration makes all n_lanczos steps. For
-  /// a costly force, a better estimate would cost more than it saves by steps that are longer by a hundredth.
+  /// Relative accuracy of the squared frequency at which Lanczos' iteration ends. If it is 0, the iteration makes all
+  /// n_lanczos steps. For a costly force, a better estimate costs more than the steps save that it lengthens by 1 %.
   static constexpr double accuracy = traits.has_costly_force ? 0.02 : 0;
 
   double time() const override { return state_.t; }
@@ -196,7 +196,7 @@ class ModelRun final : public ModelRunBase {
     double least_jacobian;
     double rattle_limit = HUGE_VAL;  ///< largest stable step of RATTLE times less_reserve; infinite if not computed
   };
-  /// The local volume in the present state `state`. The stable step is computed only if the least det F is at most 0.8.
+  /// Properties of the present state `state`. The stable step is computed only if the least det F is at most 0.8.
   LocalVolume look_at(const State& state) const {
     constexpr double violent = 0.8;
     LocalVolume seen{model_.least_jacobian(state)};
@@ -393,7 +393,7 @@ class ModelRun final : public ModelRunBase {
   std::optional<LastSample> last_sample_;   ///< last sample in the checkpoint, until `keep_last_sample` uses it
   std::optional<LocalVolume> kept_volume_;  ///< local volume of the kept state; empty after a resumption
   EnergyWatch<Model> energy_;
-  std::optional<typename System::Workspace> system_workspace_;  ///< workspace for rows, if the method's has none
+  std::optional<typename System::Workspace> system_workspace_;  ///< workspace for rows if the method has none
   CheckpointVectors<Model> vectors_;
 };
 

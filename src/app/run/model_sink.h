@@ -41,7 +41,7 @@ class ModelSink {
   virtual std::optional<io::Checkpoint> state_to_resume() { return std::nullopt; }
   /// Continues the table of rows after its first n_samples_taken rows.
   virtual void resume(const std::vector<std::string>& /*columns*/, long /*n_samples_taken*/) {}
-  /// The rows of the earlier run that `resume` has kept.
+  /// The rows of the earlier run that `resume` has kept in the table.
   virtual io::Table rows_so_far() { return {}; }
 
   /// True if the sink writes a picture of this sample.

@@ -43,11 +43,12 @@ class SearchNotice {
   double next_ = first_;
 };
 
-/// Largest ratio of a step to the stability limit when the step is chosen. The frequency can then grow by a quarter
-/// before the step is unstable.
+/// Largest ratio of a step to the stability limit when the step is chosen. The largest frequency of the motion can then
+/// grow by a quarter before the step is unstable.
 constexpr double reserve = 0.8;
 
-/// Stability limit of a method, computed from the limit of RATTLE; infinite for adaptive methods.
+/// Stability limit of the step of a method, computed from the limit `rattle_limit` of RATTLE; infinite for adaptive
+/// methods.
 double limit_of(mechanics::MethodId id, double rattle_limit) {
   return mechanics::with_method(id, [&]<class Method>(Method) {
     if constexpr (Method::adaptive)
@@ -57,7 +58,7 @@ double limit_of(mechanics::MethodId id, double rattle_limit) {
   });
 }
 
-/// Text that follows the name of a method in the log; empty for symplectic methods.
+/// Text about the symmetry of a method, which follows its name in the log; empty for symplectic methods.
 std::string_view promise(mechanics::MethodId id) {
   return mechanics::with_method(id, []<class Method>(Method) {
     return Method::symplectic ? std::string_view() : std::string_view(" (symmetric, not symplectic)");
@@ -158,7 +159,7 @@ mechanics::Status ModelStepping::search(const std::optional<double>& error_so_fa
   return {};
 }
 
-/// Predicate of the message about a long search, with times in the user's units.
+/// The predicate of the first message about a long search (SearchNotice), with times in the user's units.
 std::string ModelStepping::about_search(const mechanics::StepRequest& request) const {
   const double time = context_.units.time;
   std::string text = fmt::format("looks for method and step by pilot runs, until {:.4g} of {:.4g}",
@@ -169,12 +170,11 @@ std::string ModelStepping::about_search(const mechanics::StepRequest& request) c
   return text;
 }
 
-/// Chooses the sample of the next check of the largest frequency, which changes with the deformation.
-/// `stable_rattle_step` is the stability limit of RATTLE now. The stability limit falls if the frequency grows. The
-/// check is planned for the time at which the limit would fall to the step. The assumed rate of ln(limit) is twice the
-/// fastest change between two checks so far, but at least a third of a usual rate. At the usual rate, the limit falls
-/// to 0.8 of its value in a sixteenth of the run. The first plan uses the usual rate. The next check is at least a
-/// sixteenth of the run after the present sample.
+/// Chooses the sample of the next check of the largest frequency. `stable_rattle_step` is the stability limit of RATTLE
+/// now. If the frequency grows, this limit falls. The check is planned for the time at which the limit would have
+/// fallen to the step. The assumed rate of ln(limit) is twice the fastest change between two checks so far, but at
+/// least a third of a usual rate. At the usual rate, the limit falls to 0.8 of its value in a sixteenth of the run. The
+/// first plan uses the usual rate. The next check is at least a sixteenth of the run after the present sample.
 void ModelStepping::plan_look(double stable_rattle_step) {
   if (!traits_.constrained_form) return;
   LooksAtFrequency& looks = position_.looks;

@@ -29,7 +29,7 @@ struct SystemTraits {
   bool takes_explicit;   ///< true if the method explicit-8 fits the system
 };
 
-/// The part of a run that chooses its method and step; the base class of ModelRunBase.
+/// The part of a run that chooses its method and step. It is the base class of ModelRunBase.
 class ModelStepping {
  public:
   virtual ~ModelStepping() = default;
@@ -70,8 +70,8 @@ class ModelStepping {
   /// Replaces the present step by the step of the scene, if this is shorter.
   void shorten() { position_.step = std::min(position_.step, step_bound()); }
 
-  /// Checks the largest frequency, and halves the step until the step is at most 0.9 of the stability limit. Does
-  /// nothing if the system is not in constrained form, or if the frequency is not found.
+  /// Checks the largest frequency of small vibrations, and halves the step until it is at most 0.9 of the stability
+  /// limit. Does nothing if the system is not in constrained form, or if the frequency is not found.
   void reconsider();
 
   bool is_adaptive() const { return is_adaptive(position_.method); }
@@ -92,8 +92,8 @@ class ModelStepping {
 
   /// Tolerance of the scaled constraint, for systems with a costly force. It is the value of Time/Constraint tolerance
   /// if the scene gives one. Otherwise it is 1e-4 of Time/Tolerance, or 0 if the scene gives the step. The method uses
-  /// the larger of this tolerance and the tolerance of the system. With 1e-13 in place of 1e-4, errors and steps would
-  /// change by less than a thousandth.
+  /// the larger of this tolerance and the tolerance of the system. A factor of 1e-13 instead of 1e-4 would change
+  /// errors and steps by less than a thousandth.
   double constraint_tolerance() const {
     const auto& time = context_.scene.time;
     constexpr double part = 1e-4;
@@ -106,7 +106,7 @@ class ModelStepping {
   static constexpr double less_reserve = 0.9;
   /// Largest number of halvings of the step in one interval between samples.
   static constexpr int most_halvings = 6;
-  /// Largest number of repetitions of intervals in a run because of a failed step.
+  /// Largest number of failed steps in a run after which their intervals are integrated again.
   static constexpr long most_failures = 32;
   /// Largest number of halvings of the step in one interval because of a change of the energy.
   static constexpr int most_halvings_for_energy = 5;

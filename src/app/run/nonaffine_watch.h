@@ -3,7 +3,7 @@
 /// own gravity and quadratic potentials is affine, x = QX (Dirichlet). A non-affine part of a computed motion is
 /// therefore an error. This error grows, because no force restores the affine form. The program warns at the first
 /// sample at which the error exceeds 1 % of the size of the body. At the end of the run, the program reports the
-/// largest error. The shape of a mesh from a file is not checked.
+/// largest error. For a mesh from a file, the program does not check that the body is an ellipsoid.
 
 #include <algorithm>
 #include <array>
@@ -39,8 +39,8 @@ class NonaffineWatch {
         model_, time, 100 * displacement);
   }
 
-  /// The largest displacement, the time of the warning (0 without a warning), and 1 if there was a warning; for
-  /// checkpoints.
+  /// Three numbers for checkpoints: the largest displacement, the time of the warning (0 without a warning), and 1 if
+  /// there was a warning, otherwise 0.
   std::array<double, 3> remarks() const { return {largest_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
   void take_remarks(std::span<const double, 3> remarks) {
     largest_ = remarks[0];
@@ -60,8 +60,8 @@ class NonaffineWatch {
   static constexpr double acceptable =
       0.01;  ///< largest displacement without a warning, relative to the size of the body
 
-  /// False if a traction, viscous or viscoelastic stress, contact with planes, or the full potential of companions
-  /// acts. The exact motion is then not affine.
+  /// True if the exact motion of a fluid ball is affine under the loads of the scene. It is not affine if a traction,
+  /// viscous or viscoelastic stress, contact with planes, or the full potential of companions acts.
   static bool stays_affine(const scene::Scene& scene) {
     const loads::Forcing forcing = loads::full_forcing(scene.loads);
     return forcing.nominal_traction.isZero(0) && forcing.viscosity == 0 && forcing.planes.empty() &&

@@ -22,7 +22,7 @@ Eigen::MatrixXd with_companions(const Eigen::Matrix3d& Q, const mechanics::Orbit
 double own_energy(const mechanics::Orbit& orbit, const Eigen::Matrix3d& S, const Eigen::Matrix3d& Q,
                   const Eigen::Matrix3d& Qdot);
 
-/// Detects collisions and disruptions in a run. Within a step, the companions are taken to move on straight lines.
+/// Detects collisions and disruptions in a run. The companions are assumed to move on straight lines within a step.
 class CollisionWatch {
  public:
   /// Checks the state at the end of a step for a collision or a disruption. S is the second moment of the body, and s

@@ -11,8 +11,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Writes the grid to `path` in a single process. On several ranks, writes the piece of this rank, and on the first
-/// rank also the list of all pieces.
+/// In a single process, writes the grid to `path`. On several ranks, writes the piece of this rank. The first rank then
+/// also writes the list of all pieces.
 void write_pieces(const RunContext& context, std::filesystem::path path, const io::UnstructuredGrid& grid) {
   const int n_ranks = context.ranks->size();
   if (n_ranks == 1) return io::write_vtu(path, grid);

@@ -15,16 +15,16 @@
 
 namespace pseudorigid::app {
 
-/// A refusal of the entry Time/Method with this sentence. It proposes every method as a remedy; the program then
-/// recommends those that the scene admits.
+/// A refusal of the entry Time/Method with this sentence. Every method is named as a remedy. The program then
+/// recommends only the methods that the scene admits.
 inline scene::Refusal refusal_of_method(std::string sentence) {
   scene::Refusal refusal{"Time/Method", std::move(sentence)};
   mechanics::for_each_method([&]<class Method>(Method) { refusal.remedies.push_back({{refusal.path, Method::name}}); });
   return refusal;
 }
 
-/// True if the method of this name can integrate systems of the type `System`. Also true for a name without a method,
-/// such as "auto".
+/// True if the method of this name can integrate systems of the type `System`. Also true if no method has this name, as
+/// for "auto".
 template <class System>
 bool method_can_run(std::string_view name) {
   const auto id = mechanics::find_method(name);

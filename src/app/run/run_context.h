@@ -1,5 +1,5 @@
 #pragma once
-/// Data that all models of one run share, and the outcome that each of them returns.
+/// Data that all models of one run share, and the outcome that the run of each model returns.
 
 #include <functional>
 #include <map>
@@ -53,7 +53,7 @@ struct RunContext {
   bool interrupted() const { return ranks->any(io::interrupt_requested()); }
 };
 
-/// A copy of the context with another scene and other needs, to which the copy refers.
+/// A copy of the context that refers to another scene and to other needs. Both must exist as long as the copy.
 inline RunContext derived(const RunContext& context, const scene::Scene& scene, const scene::Needs& needs) {
   const auto& [its_scene, its_needs, directory, units, log, sink_of, resumes, ranks, tables] = context;
   return {.scene = scene,
@@ -67,8 +67,8 @@ inline RunContext derived(const RunContext& context, const scene::Scene& scene, 
           .tables = tables};
 }
 
-/// The table of modes or Love numbers with this name. It is an entry of context.tables, or a CSV file if context.tables
-/// is null.
+/// The table of modes or Love numbers with this name: an entry of context.tables, or a CSV file if context.tables is
+/// null.
 inline io::ColumnTable table_of(const RunContext& context, const std::string& name,
                                 const std::vector<scene::Column>& columns) {
   if (context.tables) return {(*context.tables)[name], columns, context.scales()};
@@ -90,7 +90,7 @@ struct ModelOutcome {
   std::map<std::string, io::Manifest::Model> of_rungs{};  ///< statistics of further runs by the names of their files
   std::optional<analysis::OtherResolution>
       other{};            ///< the same motion on another discretisation, for the error in space
-  std::string results{};  ///< text for standard output
+  std::string results{};  ///< text for standard output at the end of the run
   bool is_over = false;  ///< true if the model has ended its motion, for example by a collision, so that a smaller step
                          ///< does not continue it
 };

@@ -5,7 +5,7 @@
 
 namespace pseudorigid::app {
 
-/// Runs the pseudo-rigid model: a motion, relative equilibria or Love numbers, as the scene requires.
+/// Runs the pseudo-rigid model: a motion, relative or static equilibria, or Love numbers, as the scene requires.
 ModelOutcome run_reduced(const RunContext& context);
 
 /// Runs the polynomial bodies of all degrees of the scene, for every analysis that the model offers.
@@ -14,8 +14,8 @@ ModelOutcome run_polynomial(const RunContext& context);
 /// Runs the system that the scene names, a row of the table in systems/table.h.
 ModelOutcome run_system(const RunContext& context);
 
-/// Runs the finite-element model: a motion, modes or Love numbers, as the scene requires. The function is defined only
-/// in libpseudorigid-continuum, which links deal.II (continuum_module.h).
+/// Runs the finite-element model: a motion, modes, equilibria or Love numbers, as the scene requires. The function is
+/// defined only in libpseudorigid-continuum, which links deal.II (continuum_module.h).
 ModelOutcome run_continuum(const RunContext& context);
 
 }  // namespace pseudorigid::app

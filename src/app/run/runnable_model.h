@@ -57,7 +57,7 @@ class RunnableModelOf : public RunnableModel {
   using State = mechanics::State<S>;
   using Workspace = typename S::Workspace;
 
-  /// The system, which must live as long as the model.
+  /// The system of the model. The reference is valid as long as the model exists.
   virtual const S& system() const = 0;
   /// The state at the start of the run, in internal units.
   virtual State initial_state() const = 0;
@@ -75,22 +75,22 @@ class RunnableModelOf : public RunnableModel {
   virtual mechanics::Status judge(const State&) { return {}; }
   /// The undeformed body at rest with the centre of mass of `state`; by default `state` itself.
   virtual State at_rest(const State& state) const { return state; }
-  /// Least det F in the body; 1 if the model does not resolve the local volume.
+  /// Least det F in the body, with the deformation gradient F; 1 if the model does not resolve the local volume.
   virtual double least_jacobian(const State&) const { return 1; }
-  /// Whether a step h forwards or backwards with the present velocity keeps the least det F above half of its present
-  /// value.
+  /// Whether a step h forwards and a step h backwards, both with the present velocity, keep the least det F above half
+  /// of its present value.
   virtual bool keeps_volume(const State&, double /*h*/) const { return true; }
   /// The state at the start of the pilot runs, for a run that begins with `state`.
   virtual State start_of_pilot(const State& state) const { return state; }
-  /// A state of the body at rest in its first contact, for the largest rate of damping by friction; by default `state`
-  /// itself. Called only for systems with friction.
+  /// A state of the body at rest in its first contact, in which friction has its largest rate of damping; by default
+  /// `state` itself. Called only for systems with friction.
   virtual State in_contact(const State& state) const { return state; }
   /// `choose_quadrature` chooses the quadrature rule before the search for the step. `estimate_quadrature` estimates
   /// the error of the rule after the search. `stable_step` is the stable step of RATTLE, or 0 if this step is not
   /// known.
   virtual void choose_quadrature(const State&) {}
   virtual void estimate_quadrature(const State&, double /*stable_step*/) {}
-  virtual std::string place_of_least_jacobian(const State&) const { return {}; }  ///< for messages of failure
+  virtual std::string place_of_least_jacobian(const State&) const { return {}; }  ///< text for messages
 
   /// Writes the observables of a sample into `row`, in the order of columns() and in the user's units. `time` is the
   /// time in the user's units. Fails if an observable cannot be computed.

@@ -16,8 +16,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Convert the entries of a load from the user's units to internal units. Arrays are converted element by element; an
-/// empty optional and a truth value do not change.
+/// Convert the entries of a load from the user's units to internal units. Arrays are converted element by element. An
+/// empty optional and a bool do not change.
 void convert(const io::Units& units, scene::Unit unit, double& value) { value = units.to_internal(value, unit); }
 void convert(const io::Units& units, scene::Unit unit, std::optional<double>& value) {
   if (value) convert(units, unit, *value);

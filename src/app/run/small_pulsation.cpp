@@ -17,8 +17,8 @@ bool is_sphere(const scene::Scene& scene) {
   return !scene.body.inertia && std::ranges::all_of(scene.body.semi_axes, is_one) && !scene::has_mesh_file(scene);
 }
 
-/// True if F = Id is an equilibrium without loads. This holds if the law has no pressure at F = Id. It also holds for
-/// an incompressible body, whose multiplier balances this pressure.
+/// True if F = Id is an equilibrium without loads, with the deformation gradient F. This holds if the law has no
+/// pressure at F = Id. It also holds for an incompressible body, whose multiplier balances this pressure.
 bool rests(const materials::AnyLaw& law, bool incompressible) {
   return incompressible || materials::pressure_at_rest(law) == 0;
 }

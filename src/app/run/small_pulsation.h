@@ -19,8 +19,8 @@ struct SmallPulsation {
 };
 
 /// The frequencies for an elastic sphere without loads, or for an incompressible one under its own gravity only. Empty
-/// for other bodies, and for a compressible body whose law has a pressure at F = Id. Also empty for γ > 18: two
-/// frequencies then share the pulsation of degree 2 (docs/adequacy.md).
+/// for other bodies, and for a compressible body whose law has a pressure in the undeformed state. Also empty for γ >
+/// 18: the pulsation of degree 2 then consists of two frequencies (docs/adequacy.md).
 std::optional<SmallPulsation> small_pulsation(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

@@ -21,7 +21,7 @@ class TensionWatch {
         model_(model),
         is_fluid_(scene::is_ideal_fluid(context.scene) && context.scene.body.incompressible) {}
 
-  /// True if the run must compute λ.
+  /// True if the body is an incompressible fluid, so that the run must compute λ.
   bool watches() const { return is_fluid_; }
 
   /// Records the samples in the rows of an interrupted run, without warnings.
@@ -46,7 +46,7 @@ class TensionWatch {
   }
 
  private:
-  /// Records a sample. Returns true if it is the first sample under tension of a fluid.
+  /// Records a sample. Returns true if the body is a fluid and this sample is the first one under tension.
   bool note(double time, double lambda) {
     if (!is_fluid_ || first_) return false;
     if (lambda < 0)
@@ -62,7 +62,7 @@ class TensionWatch {
   std::string_view model_;
   bool is_fluid_;
   std::optional<Sample> before_;  ///< the last recorded sample
-  std::optional<double> first_;   ///< first time of tension in the user's units
+  std::optional<double> first_;   ///< first time of tension in the user's units; empty before it
 };
 
 }  // namespace pseudorigid::app

@@ -1,7 +1,7 @@
 #pragma once
 /// Description of one run of the finite-element model. A scene may need several runs. One run writes the results. The
-/// other runs only give the values of the mass moment Q at the samples (the history of Q), without observables, files
-/// or messages.
+/// other runs only give the affine part Q of the motion, a 3×3 matrix, at the samples (the history of Q), without
+/// observables, files or messages.
 
 #include <functional>
 #include <optional>

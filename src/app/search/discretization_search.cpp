@@ -25,7 +25,7 @@ constexpr double time_part = 0.05;
 constexpr double benefit_of_doubt = 2;
 
 /// The discretisations of the search that fit in the memory of this machine, from the coarsest to the last that fits.
-/// The coarsest one has been checked before. Collective.
+/// The coarsest one is always included, because its memory has been checked before. Collective.
 std::vector<scene::Discretization> affordable(const RunContext& context) {
   std::vector<scene::Discretization> ladder = scene::ladder(context.scene);
   const std::size_t n_coarse_cells =
@@ -123,9 +123,9 @@ void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace tr
                        scene::describe(rung()), apart.largest, errors_.error());
 }
 
-/// True if the present run is the final one. It is final if it is marked as final or is the last of the ladder. It is
-/// final if its estimated error is within the tolerance. It is also final if two successive runs have ended early: the
-/// motion is then the cause, and a finer mesh does not help.
+/// True if the present run is the final one: if it is marked as final, if it is the last of the ladder, or if its
+/// estimated error is within the tolerance. It is also final if two successive runs have ended early: the motion is
+/// then the cause, and a finer mesh does not help.
 bool DiscretizationSearch::settles() const {
   return settled_ || is_last() || n_failures_ == 2 ||
          (n_failures_ == 0 && errors_.error() <= context_.scene.continuum.tolerance);

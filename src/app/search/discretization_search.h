@@ -35,8 +35,8 @@ class DiscretizationSearch {
  public:
   static constexpr const char* checkpoint_name = "discretization";
 
-  /// Prepares the search. If the context resumes an earlier run, loads the state of the search, if there is a
-  /// checkpoint of it. Otherwise ends the ladder before the first discretisation that does not fit in the memory.
+  /// Prepares the search. If the context resumes an earlier run, loads the state of the search from its checkpoint, if
+  /// there is one. In a new run, ends the ladder before the first discretisation that does not fit in the memory.
   /// Collective.
   DiscretizationSearch(const RunContext& context, ContinuumRun run);
   /// Runs the search. Returns the outcome of the run that wrote the results, or of an interrupted run. Collective.
@@ -45,13 +45,13 @@ class DiscretizationSearch {
  private:
   const scene::Discretization& rung() const { return ladder_[position_]; }
   bool is_last() const { return position_ + 1 == ladder_.size(); }
-  /// True if the present run writes its results: it is final or the last of the ladder, or its predicted error is small
-  /// enough.
+  /// True if the present run writes its results. This is the case if the run is final or the last of the ladder, or if
+  /// its predicted error is small enough.
   bool writes() const;
   /// Runs the present discretisation. `trace` receives its history of Q.
   ModelOutcome run_rung(DeformationTrace& trace);
-  /// Method and step of a run that does not write. Empty if no run has reached its end, because the run then finds them
-  /// itself.
+  /// Method and step of a run that does not write results. Empty if no run has reached its end yet, because this run
+  /// then finds its own method and step.
   std::optional<Stepping> silent_stepping() const;
   /// Adds the present run to the series of errors. If the run ended early, only counts the failure.
   void note(const ModelOutcome& outcome, DeformationTrace trace);
@@ -70,8 +70,8 @@ class DiscretizationSearch {
   /// Restores the state of the search from a checkpoint.
   void take(const io::Checkpoint& c);
   void write_checkpoint() const;
-  /// True on the rank that writes the checkpoint, the first one. False in sweeps, which do not write checkpoints of
-  /// their runs.
+  /// True on the first rank, which writes the checkpoint. False in sweeps, which do not write checkpoints of their
+  /// runs.
   bool keeps_states() const { return context_.ranks->is_first() && context_.scene.sweep.empty(); }
 
   const RunContext& context_;
@@ -88,7 +88,7 @@ class DiscretizationSearch {
   /// first run, and if Q = Q'.
   double relative_to_largest_ = 0;
   DeformationTrace trace_;                  ///< history of Q in the last run that reached its end
-  DeformationTrace trace_before_;           ///< history of Q in the run before, among those that reached their end
+  DeformationTrace trace_before_;           ///< history of Q in the last but one run that reached its end
   std::optional<Stepping> first_stepping_;  ///< method and step of the first run that reached its end
   double first_resolution_ = 0,
          search_work_ = 0;  ///< resolution of the first run that reached its end; work of all runs but the final one

@@ -19,16 +19,16 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Numbers of vertices, edges, faces and cells of a part of the builtin mesh. `n` is the number of intervals between
-/// the nodes of an edge.
+/// Numbers of vertices, edges, faces and cells of a part of the builtin mesh. n_nodes(n) is the number of nodes of the
+/// part if the nodes divide each edge into n intervals.
 struct Part {
   double n_vertices, n_edges, n_faces, n_cells;
   double n_nodes(double n) const { return n_vertices + (n - 1) * (n_edges + (n - 1) * (n_faces + (n - 1) * n_cells)); }
 };
 constexpr Part octant{15, 28, 18, 4}, quarter_disc{7, 9, 3, 0}, half_axis{3, 2, 0, 0};
 
-/// Number of nodes of 1, 2, 4 or 8 octants. Neighbouring octants share quarter discs, and quarter discs share half axes
-/// and the centre.
+/// Number of nodes of 1, 2, 4 or 8 octants, with n intervals between the nodes of each edge. Neighbouring octants share
+/// quarter discs, and quarter discs share half axes and the centre.
 double n_nodes_of_images(int n_octants, double n) {
   const double O = octant.n_nodes(n), D = quarter_disc.n_nodes(n), A = half_axis.n_nodes(n);
   if (n_octants == 8) return 8 * O - 12 * D + 6 * A - 1;
@@ -78,7 +78,7 @@ double damping_of_step(const scene::Scene& scene, const scene::Discretization& d
 }
 
 /// Cost of a step of RATTLE in force evaluations; 1 without viscosity. Products with the viscosity matrix count as
-/// force evaluations. `gamma_h` is γh (mechanics/core/damping.h).
+/// force evaluations. `gamma_h` is γh, with the largest damping rate γ and the step h (mechanics/core/damping.h).
 double work_of_viscous_step(double gamma_h) { return gamma_h > 0 ? 3 + 5 * std::pow(1 + gamma_h / 2, 0.4) : 1; }
 
 /// Estimated time in seconds of the run on one core, with pilot runs and the companion run. `step` is in the user's
@@ -104,7 +104,8 @@ void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
                                      (*model)->name, n, n * seconds_of_force));
 }
 
-/// Adds a line with the time of all runs of the sweep; adds nothing without a sweep.
+/// Adds a line with the time of all runs of the sweep, if each run takes `seconds_of_run`. Adds nothing without a
+/// sweep.
 void describe_effort_of_sweep(const scene::Scene& scene, double seconds_of_run, scene::Needs& needs) {
   if (scene.sweep.empty()) return;
   const auto [first, end] = scene::runs_of_part(scene.sweep_part, scene::n_runs(scene.sweep));
@@ -130,7 +131,7 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
   const double n_cells = n_coarse * std::ldexp(1, 3 * d.refinements);
   const double n_pressure = scene.body.incompressible ? k * (k + 1) * (k + 2) / 6 : 0;
   const double n_unknowns = 3 * n_nodes, n_multipliers = n_cells * n_pressure;
-  // Analyses other than motions have dense matrices of the cells: the stiffness, its factors, and with self-gravity a
+  // For analyses other than motions, each cell has dense matrices: the stiffness, its factors, and with self-gravity a
   // part of the stiffness.
   const double entries_of_cell = std::pow(3 * std::pow(k + 1, 3), 2);
   const int n_matrices = scene.analysis == scene::Analysis::motion               ? 0

@@ -45,8 +45,8 @@ double stable_step(const scene::Scene& scene, const scene::Discretization& discr
 
 /// The result of scene::needs with lines about the effort. They have the force evaluations of the pseudo-rigid model,
 /// and the size, the steps and the time of a finite-element run. If the scene gives a method and an unstable step,
-/// there is also a warning. For modes and Love numbers, there is only the size. There is no line for finite elements on
-/// a mesh file or without a fixed discretisation.
+/// there is also a warning. For analyses other than a motion, there is only the size. There is no line for finite
+/// elements on a mesh file or without a fixed discretisation.
 scene::Needs needs_with_effort(const scene::Scene& scene);
 
 /// The reason why this machine cannot compute with a discretisation; empty if it can. One reason is lack of memory. The
@@ -57,8 +57,8 @@ std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene
                                           std::size_t n_coarse_cells, double share);
 
 /// Throws UserError if this machine cannot compute with the scene's discretisation, or with the coarsest one of a
-/// search. Modes and Love numbers are computed in one process, so `share` then counts as 1. Does nothing if no finite
-/// elements are computed.
+/// search. Analyses other than a motion are computed in one process, so `share` then counts as 1. Does nothing if no
+/// finite elements are computed.
 void require_memory(const scene::Scene& scene, const scene::Origins& origins, std::size_t n_coarse_cells, double share);
 
 }  // namespace pseudorigid::app

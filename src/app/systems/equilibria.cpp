@@ -32,8 +32,9 @@ ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissi
                             const std::vector<scene::Column>& coordinates, const systems::Scales& scales,
                             const RunContext& context, mechanics::CriticalPoints* points) {
   // Coordinates that are not periodic are lengths in the system's own unit (systems/*_scene.h). The search starts at
-  // points whose coordinates are at most twice this unit. Critical points outside, or on a much smaller scale, are
-  // found only if Newton's iteration leads there. The text in the log therefore calls the result a search.
+  // points whose coordinates are at most twice this unit. Critical points outside this region, or at distances much
+  // smaller than the unit, are found only if Newton's iteration leads there. The text in the log therefore calls the
+  // result a search.
   constexpr double radius = 2;
   mechanics::CriticalPoints found;
   ModelOutcome outcome;

@@ -21,10 +21,10 @@ using mechanics::CriticalPoint;
 using mechanics::PhaseVector;
 using mechanics::Status;
 
-/// Distances from a critical point in (q, q̇), in the scales of the system. A motion along a direction of a manifold
-/// starts at `start_along`. Motions in all directions of an unstable manifold start at `start_around`, measured in the
-/// slowest direction. A motion has arrived at a point if its distance is below `arrival_distance`. A motion has left
-/// the point at which it starts if its distance was above `departure_distance`.
+/// Distances from a critical point in (q, q̇), in the scales of the system. A motion along a single direction of a
+/// manifold starts at the distance `start_along`. Motions in all directions of an unstable manifold start at
+/// `start_around`, measured in the slowest direction. A motion has arrived at a point if its distance is below
+/// `arrival_distance`. A motion has left the point at which it starts if its distance was above `departure_distance`.
 constexpr double start_along = 1e-5, start_around = 1e-3, arrival_distance = 1e-6, departure_distance = 1e-2;
 /// Tolerance per step of the integration (explicit-8).
 constexpr double local_tolerance = 1e-13;
@@ -43,8 +43,8 @@ struct End {
   Status step{};                  ///< status of the last step; a failure ends the motion
 };
 
-/// Columns of manifolds.csv: numbers of the motion and of its critical point, 1 for a stable manifold, the time, and
-/// the columns of the system.
+/// Columns of manifolds.csv: the number of the motion, the number of its critical point, 1 for a stable and 0 for an
+/// unstable manifold, the time, and the columns of the system.
 std::vector<scene::Column> curve_columns(const std::vector<scene::Column>& of_system) {
   std::vector<scene::Column> columns{{"curve", "", ""}, {"point", "", ""}, {"stable", "", ""}, {"time", "time", ""}};
   columns.insert(columns.end(), of_system.begin(), of_system.end());
@@ -169,7 +169,7 @@ class ManifoldRun {
   }
 
   /// Returns true if the state is at a critical point. Sets `end` to the nearest critical point and the distance from
-  /// it. The point at which the motion starts counts only after the motion has left it.
+  /// it. The point at which the motion starts counts only after the motion has left it; `has_left` then becomes true.
   template <class State>
   bool arrives(const Curve& curve, const State& state, bool& has_left, End& end) {
     end = {};

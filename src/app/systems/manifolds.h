@@ -10,8 +10,8 @@
 /// is below 1e-6, and at the latest at Time/End. The distance is measured in (q, q̇), in the scales of the system
 /// (systems/system_scene.h). A motion that passes a critical point at a smaller distance is therefore also reported as
 /// a connection. A motion on a stable manifold also ends, without a connection, if a step fails, or if its energy is
-/// far above all critical points. A motion on an unstable manifold that cannot be followed to its end has no row in
-/// connections.csv, and the run then fails.
+/// far above the energies of all critical points. A motion on an unstable manifold that cannot be followed to its end
+/// has no row in connections.csv, and the run then fails.
 
 #include <vector>
 

@@ -25,14 +25,14 @@ namespace {
 using mechanics::Status;
 using Method = mechanics::DormandPrince8;
 
-/// Number of times in a step at which the column is evaluated, and number of steps between checks of the interrupt
-/// flag.
+/// Number of times in each step at which the column of the section is evaluated, and number of steps between checks of
+/// the interrupt flag.
 constexpr int looks_per_step = 8, steps_between_interrupts = 256;
 /// Local tolerance of the integration that locates a crossing. This tolerance is close to the least one that the method
 /// accepts.
 constexpr double tolerance_of_location = 1e-15;
 
-/// The motion and the table of its crossings.
+/// The motion and the table of its crossings of the surface of section.
 template <class Form>
 class SectionRun {
   using Field = mechanics::FieldOf<Form>;
@@ -146,7 +146,8 @@ class SectionRun {
     return {};
   }
 
-  /// True if the change of sign between two distances is a crossing in a direction that the scene requests.
+  /// True if the change of sign between the distances `before` and `after` is a crossing in a direction that the scene
+  /// requests.
   bool counts(double before, double after) const {
     const scene::Crossings wanted = context_.scene.section.crossings;
     const bool rises = before < 0 && after >= 0, falls = before > 0 && after <= 0;

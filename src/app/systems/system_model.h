@@ -36,8 +36,9 @@ class SystemModel final : public RunnableModelOf<Form> {
   State initial_state() const override { return model_.start(); }
   Eigen::MatrixXd configuration(const State& state) const override { return state.q; }
   double rate(const State& state) const override { return model_.rate(state); }
-  /// The duration of a pilot run, at most 1000 in internal time. Most runs are shorter, and the pilot run then covers
-  /// the whole run in a fraction of a second. A shorter pilot run would not contain the later motion.
+  /// The duration of a pilot run, at most 1000 in internal time. Most runs are shorter than this, and the pilot run
+  /// then covers the whole run in a fraction of a second. A shorter pilot run would not contain the later part of the
+  /// motion.
   double pilot_window(double end) const override { return std::min(end, 1000.0); }
 
   std::vector<std::string> columns() const override { return columns_.names; }
@@ -52,7 +53,7 @@ class SystemModel final : public RunnableModelOf<Form> {
 
  private:
   /// The columns, with the time as the first. The time of a row is in the user's units already, so the column of the
-  /// time has no unit to convert.
+  /// time gets no unit and is not converted.
   static std::vector<scene::Column> time_and(std::vector<scene::Column> columns) {
     columns.insert(columns.begin(), {"time", "", ""});
     return columns;

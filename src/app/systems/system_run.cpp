@@ -21,8 +21,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// The reason why the program cannot run the scene; empty if there is none. The reason is an entry of the system, the
-/// duration, the method, or time that runs backwards.
+/// The reason why the program cannot run the scene; empty if there is none. The reason can be an entry of the system,
+/// the duration, the method, or a negative end of a system that cannot run backwards in time.
 std::optional<scene::Refusal> refuses_scene(const systems::AnySystemScene& system, const scene::Scene& scene) {
   if (auto refusal = system.description.refuses(scene)) return refusal;
   using enum scene::Analysis;
