@@ -2,8 +2,8 @@
 /// Functions of a conservative system in addition to its law of motion. The functions are the energies, the mass
 /// operator, the rate of the reaction, and the one-parameter groups that leave the energies unchanged (Noether).
 /// Critical points, conserving methods and observables use these functions. RATTLE uses only apply_mass, and only for
-/// damping. K is the kinetic energy, V the potential energy, M the mass operator and f the force. With the fields ξ_i
-/// of the symmetries and a small number ε, the formulas are
+/// damping. K is the kinetic energy, V the potential energy, M the mass operator and f the force. With the vector
+/// fields ξ_i of the symmetries, their rates ξ̇_i along a motion and a small number ε, the formulas are
 ///
 ///   K = ½ ⟨q̇, M q̇⟩,   V(q),   f = −dV,
 ///   symmetry i:  (q, q̇) ↦ (q, q̇) + ε (ξ_i(q), ξ̇_i(q̇)),   momentum ⟨M q̇, ξ_i(q)⟩.
