@@ -30,9 +30,9 @@ struct KernelChoice {
   bool runs_here;
 };
 
-/// Returns the index of the build with the name `wanted`. If `wanted` is empty, returns the index of the first build
-/// that this processor can run. Throws NoKernels if no build has the name, or if this processor cannot run it. If
-/// `wanted` is empty, throws NoKernels if this processor can run no build.
+/// Returns the index of the build for the instruction set `wanted`. Throws NoKernels if there is no such build, or if
+/// this processor cannot run it. If `wanted` is empty, returns the index of the first build that this processor can
+/// run, and throws NoKernels if there is none.
 std::size_t choose_build(const std::vector<KernelChoice>& builds, std::string_view wanted);
 
 /// Returns the value of the environment variable PSEUDORIGID_INSTRUCTIONS, or an empty text if the variable is not set.
