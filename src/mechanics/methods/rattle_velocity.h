@@ -7,9 +7,9 @@
 /// If f depends on v, a fixed-point iteration on the force solves this equation together with the projection. If the
 /// iteration is slow and the force is damping, linear systems replace it (damping.h). Damping that is linear in v needs
 /// one linear system. Other damping, such as friction, needs Newton's method. The residual is the negative derivative
-/// of a convex function of v. Each correction is therefore shortened until it does not pass the minimum of this
-/// function by far, and the iteration converges from every v. The accepted velocity satisfies the nonlinear equation up
-/// to the tolerance of the constraints or round-off.
+/// of a convex function of v (Ψ in damping.h). Each correction is therefore shortened until it does not pass the
+/// minimum of this function by far, and the iteration converges from every v. The accepted velocity satisfies the
+/// nonlinear equation up to the tolerance of the constraints or round-off.
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,8 @@
 namespace pseudorigid::mechanics {
 
 struct RattleVelocity {
-  /// v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v, until G v is below the tolerance or round-off. The projection completes the step of
-  /// RATTLE. Fails if a Gram solve fails or the projection does not converge. Does nothing without constraints.
+  /// Repeats v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v until G v is below the tolerance or round-off. This projection completes the
+  /// step of RATTLE. Fails if a Gram solve fails or the projection does not converge. Does nothing without constraints.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {
