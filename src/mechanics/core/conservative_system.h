@@ -18,8 +18,8 @@ template <class S>
 concept ConservativeSystem = ConstrainedSystem<S> &&
     requires(const S s, const typename S::Vector q, const typename S::Vector v, const typename S::Multiplier lambda,
              typename S::Vector f) {
-  { s.potential_energy(q) } -> std::convertible_to<double>;  // V; not finite if q is not admissible
-  { s.kinetic_energy(v) } -> std::convertible_to<double>;    // K
+  { s.potential_energy(q) } -> std::convertible_to<double>;  // V(q); not finite if q is not admissible
+  { s.kinetic_energy(v) } -> std::convertible_to<double>;    // K at the velocity v
   s.apply_mass(v, f);                                        // f = M v
   s.add_reaction_rate(q, v, lambda, f);                      // f += Σ_k λ_k D²g_k(q)(v, ·), the rate of G(q)ᵀλ
   { s.n_symmetries() } -> std::convertible_to<int>;

@@ -133,7 +133,7 @@ class GaussMonitor {
       q = std::max(q, std::abs(s.q[k]));
       v = std::max(v, std::abs(s.v[k]));
     }
-    // Round-off of an acceleration of this size moves neither q nor v by more than the round-off of q and v.
+    // The round-off of accelerations of the size unseen_ changes q and v by at most the round-off of q and v.
     unseen_ = std::min(v / std::abs(s.h), q / (s.h * s.h));
     // Bound of the round-off of forces that cancel. Each force has the size ω²q with a frequency ω, and hω ≤ 4
     // (stability_limit in gauss_16.h). The bound is 32 times the round-off 2⁻⁵³ω²q.

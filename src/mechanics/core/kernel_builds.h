@@ -14,7 +14,7 @@ namespace pseudorigid::mechanics {
 
 template <class Table>
 struct KernelBuild {
-  std::string_view instructions;  ///< for example "x86-64-v3"; "native": those of the compiling machine
+  std::string_view instructions;  ///< for example "x86-64-v3", or "native" for those of the compiling machine
   bool (*runs_here)();            ///< returns true if this processor has the instructions
   const Table* table;
 };
@@ -24,7 +24,7 @@ struct NoKernels : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The instruction set of a build; `runs_here` is true if this processor has it.
+/// The instruction set of a build. `runs_here` is true if this processor has these instructions.
 struct KernelChoice {
   std::string_view instructions;
   bool runs_here;

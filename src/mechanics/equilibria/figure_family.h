@@ -37,7 +37,7 @@ struct FigureMember {
 
 struct SpecialFigure {
   SpecialKind kind;
-  MotionClass motions;  ///< class of the special point; for a fold, the class of the family
+  MotionClass motions;  ///< class of the special point; for a fold, the class of the motions along the family
   FigureMember member;
 };
 

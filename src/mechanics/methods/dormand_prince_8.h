@@ -60,15 +60,15 @@ struct DormandPrince8Workspace {
   double tolerance;
   double h = 0;                    // length of the next step, negative backwards in time; 0: not yet chosen
   double h_max = HUGE_VAL;         // bound of the length of a step
-  double t_start = 0, h_last = 0;  // start and length of the last step
+  double t_start = 0, h_last = 0;  // time at the start of the last step, and its length
   Vector q_start, v_start, q_end, v_end;
   Vector q_rounding, v_rounding;          // remainders of the compensated sums of q and v
   Vector q_rounding_end, v_rounding_end;  // these remainders at the end of a trial step
   Vector q_stage, v_stage;
   std::array<Vector, dop853::n_all_stages> A;  // A[12] is the acceleration at the end of the step
   std::array<Vector, 4> dense_q, dense_v;      // F₃ … F₆ of the dense output (`evaluate`) for q and v
-  bool acceleration_known = false;  // A[12] is the acceleration at the state; clear this flag if you change the state
-  bool dense_known = false;         // dense_q and dense_v belong to the last step
+  bool acceleration_known = false;  // true if A[12] is the acceleration at the state; clear it if you change the state
+  bool dense_known = false;         // true if dense_q and dense_v belong to the last step
   Counters counters;
 
   /// Passes each member that a checkpoint must contain to `visit`.
@@ -123,7 +123,7 @@ struct DormandPrince8 {
     for (bool rejected = false;; rejected = true) {
       const bool last = std::abs(distance) <= 1.01 * std::abs(w.h);  // avoids a tiny step to t_limit
       const double h = last ? distance : w.h;
-      double error = 0;  // estimate divided by the tolerance
+      double error = 0;  // estimated error divided by the tolerance
       Status status = try_step(field, h, state, w, error);
       if (status && error <= 1) {
         const double factor = std::clamp(0.9 * std::pow(error, -0.125), 1.0 / 3, rejected ? 1.0 : 6.0);

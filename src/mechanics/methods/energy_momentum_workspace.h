@@ -1,8 +1,8 @@
 #pragma once
-/// The vectors and numbers that the method energy-momentum keeps during an integration. The state X = (q, p) has the
-/// values X₀, X_m and X₁ at the start, the middle and the end of a step, with the changes Δq and Δv. The multipliers of
-/// the constraints g = 0 and γ = ġ = 0 are λ and μ. The header energy_momentum.h has the formulas with A, B, C, P and
-/// θ.
+/// The vectors and numbers that the method energy-momentum keeps during an integration. The state X = (q, p), with the
+/// momentum p = M v, has the values X₀, X_m and X₁ at the start, the middle and the end of a step. The changes in a
+/// step are Δq and Δv. The multipliers of the constraints g = 0 and γ = ġ = 0 are λ and μ. The header energy_momentum.h
+/// has the formulas with A, B, C, P and θ.
 
 #include "mechanics/core/conservative_system.h"
 #include "mechanics/core/orbit_complement.h"

@@ -77,7 +77,7 @@ struct Gauss16Workspace {
   double h_last = 0;      // length of the last step or part of a step; 0: there was none
   double scale = 0;       // largest acceleration in the first iteration of the last step or part
   int n_halvings = 0;     // largest number of halvings in the last call of `advance`
-  int n_unprojected = 0;  // calls of `advance` since the last projection
+  int n_unprojected = 0;  // number of calls of `advance` since the last projection
   Counters counters;
 
   /// Passes each member that a checkpoint must contain to `visit`.
@@ -110,7 +110,7 @@ struct Gauss16 {
     return n_iterations * cost_of_iteration(field_of(system));
   }
 
-  /// Returns the permitted error e of the accelerations, for a `tolerance` of the configuration and a run of length T =
+  /// Returns the permitted error e of the accelerations, for the tolerance of the configuration and a run of length T =
   /// `end`. Runs of a pseudo-rigid body, a rigid body and the double pendulum were measured, with T = 100 and 3000. The
   /// energy fell at a rate of 1e-3 to 5e-2 times e|v|, with the velocity v. The error of the configuration was at most
   /// 0.03 e T². For the returned e, this error is less than a sixth of the tolerance.

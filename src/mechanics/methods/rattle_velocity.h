@@ -118,7 +118,7 @@ struct RattleVelocity {
       add(1.0, w.damping.solution, state.v, w.v_rounding);
       if (Status status = project_velocity(system, state, w); !status) return status;
     }
-    w.acceleration_known = false;  // the known acceleration is at the velocity before the last correction
+    w.acceleration_known = false;  // w.acceleration belongs to the velocity before the last correction
     return {};
   }
 
@@ -154,7 +154,7 @@ struct RattleVelocity {
   static Status search_along_correction(const S& system, double h, const typename S::Vector& rounding_half,
                                         State<S>& state, RattleWorkspace<S>& w, double& change) {
     constexpr int most_bisections = 60;
-    constexpr double relative = 1e-3;  // the linear system is solved up to this part of the residual
+    constexpr double relative = 1e-3;  // the linear system is solved up to this fraction of the residual
     const typename S::Vector before = state.v, rounding_before = w.v_rounding, residual = w.damping.residual;
     const auto& u = w.damping.solution;
     const auto slope_of = [&](const typename S::Vector& r) {
@@ -253,7 +253,7 @@ struct RattleVelocity {
       // If each change is c times the previous one, the sum of all further changes is size · c/(1 − c).
       const double c = size / size_before;
       if (size <= round_off || (i > 0 && c < 0.5 && size * c / (1 - c) <= enough) || (c >= 0.5 && size <= jitter)) {
-        w.acceleration_known = false;  // the known acceleration is at the velocity before the last iteration
+        w.acceleration_known = false;  // w.acceleration belongs to the velocity before the last iteration
         return {};
       }
       constexpr double slow = 0.3;

@@ -21,7 +21,7 @@ struct Kicked : Method {
   template <class F>
   struct Workspace : Method::template Workspace<F> {
     using Method::template Workspace<F>::Workspace;
-    double part = 1;  // −1 reverses all kicks
+    double part = 1;  // 1, or −1 to reverse all kicks
     std::uint64_t n_kicks = 0;
   };
 

@@ -21,21 +21,21 @@ namespace pseudorigid::mechanics {
 
 /// The conditions under which a method and a step are chosen. Times are in the unit of time of the system.
 struct StepRequest {
-  double end = 0;        ///< end T of the run
+  double end = 0;        ///< end T of the run, which starts at 0
   double window = 0;     ///< length w of the pilot runs
   double tolerance = 0;  ///< permitted error of the configuration over [0, T]
   /// Largest permitted step of RATTLE (rattle_step_limit), to which the limits of other methods are proportional. The
   /// limit is infinite if the system has no constrained form, and 0 if it is not known.
   double rattle_limit = 0;
   double step_bound = HUGE_VAL;  ///< largest length of a step with all its substeps that the user permits
-  double interval = HUGE_VAL;    ///< time between samples, a bound for methods with fixed steps
+  double interval = HUGE_VAL;    ///< time between samples, which bounds the step of methods with fixed steps
   bool stiff = false;            ///< true if the damping would limit the step of all methods except RATTLE
   /// True if force evaluations are costly. The search then first tries shorter pilot runs. The search omits methods
   /// that cannot save more than 20 % of the force evaluations of the best method so far, and does not measure how
   /// adaptive methods amplify round-off.
   bool spare_pilots = false;
   std::optional<MethodId> method{};    ///< the requested method; empty: the cheapest method
-  std::function<bool()> give_up = {};  ///< called after every pilot step; true ends the search
+  std::function<bool()> give_up = {};  ///< called after every pilot step; the search ends if it returns true
 };
 
 namespace detail {
