@@ -23,7 +23,8 @@ namespace pseudorigid::mechanics {
 inline constexpr int dynamic_constraints = -1;
 
 /// A system with constraints. q, v, f are S::Vector; λ, g, r are S::Multiplier. Functions return a failure as a Status.
-/// Examples of failures are J = det F ≤ 0, a number that is not finite, and a solve without convergence.
+/// Examples of failures are a deformation gradient F with det F ≤ 0, a number that is not finite, and a solve without
+/// convergence.
 template <class S>
 concept ConstrainedSystem = requires(const S s, double t, const typename S::Vector q, const typename S::Vector v,
                                      typename S::Vector f, const typename S::Multiplier lambda,

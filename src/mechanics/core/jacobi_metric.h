@@ -33,7 +33,8 @@ struct JacobiMetric {
   }
 };
 
-/// Coordinates of a point of the chart, and the integral of a function along the curve as an additional coordinate.
+/// A point of a curve: its coordinates in the chart, and the integral of a function along the curve as an additional
+/// coordinate.
 template <Chart C>
 using CurveWithIntegral = Coordinates<double, C::dimension + 1>;
 
