@@ -1,7 +1,8 @@
 #pragma once
-/// One type for any second-order field, so that the compiler compiles each adaptive method once and not once per
-/// system. The corresponding type for the constrained form is in any_system.h. If the field has no invariant manifold,
-/// `project` does not change the state.
+/// One type for any second-order field q̈ = a(t, q, q̇), so that the compiler compiles each adaptive method once and not
+/// once per system. The corresponding type for systems with constraints is in any_system.h. The function `project`
+/// moves a state to the invariant manifold of the field. If there is no such manifold, `project` does not change the
+/// state.
 
 #include <memory>
 #include <type_traits>
@@ -21,7 +22,8 @@ requires(!ConstrainedSystem<F>) typename F::Workspace& own_workspace(AnyWorkspac
   return w.as<typename F::Workspace>();
 }
 
-/// Functions of a field that methods call. The vectors have dynamic size, and dynamic_vectors.h converts them.
+/// Functions of a field that methods call. The vectors have dynamic size. The functions of dynamic_vectors.h convert
+/// them to the vectors of the concrete field.
 struct FieldInterface {
   using Vector = Eigen::VectorXd;
   virtual ~FieldInterface() = default;

@@ -1,8 +1,8 @@
 #pragma once
 /// One type for any system in constrained form. With this type the compiler compiles each method once and not once per
 /// system. The corresponding type for second-order fields, which adaptive methods integrate, is in any_field.h. The
-/// template parameter n is 0 for a system without constraints. For all other systems n is dynamic_constraints, and only
-/// the concrete system has the number of its constraints.
+/// template parameter n is 0 for a system without constraints. For all other systems n is dynamic_constraints, so that
+/// systems with different numbers of constraints have one type.
 ///
 /// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). The cost of the call is
 /// noticeable if a force takes only some nanoseconds. The models of the ball therefore use their own types.
@@ -55,7 +55,8 @@ struct SystemInterface {
   virtual void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const = 0;
 };
 
-/// Returns the workspace of the system S, which is a part of the workspace of its field.
+/// Returns the workspace of the system S. The object w contains the workspace of the field ExplicitMultiplier<S>, which
+/// has the workspace of S as a member.
 template <ConstrainedSystem S>
 typename S::Workspace& own_workspace(AnyWorkspace& w) {
   return w.as<typename ExplicitMultiplier<S>::Workspace>().system;
@@ -73,7 +74,7 @@ class HeldSystem final : public SystemInterface {
 
  public:
   explicit HeldSystem(S system) : system_(std::move(system)), field_(system_) {}
-  HeldSystem(const HeldSystem&) = delete;  // the field refers to the system
+  HeldSystem(const HeldSystem&) = delete;  // field_ refers to system_ of this object
 
   Vector make_vector() const override { return flat(system_.make_vector()); }
   Vector make_multiplier() const override { return flat(system_.make_multiplier()); }

@@ -3,8 +3,8 @@
 /// value and its n partial derivatives, exact to round-off. The function must accept any scalar type. Nested scalars
 /// give second derivatives.
 ///
-/// Eigen's type is used because all n variables have one scalar type. A function with values in the matrices, such as
-/// the metric of a chart, then returns an ordinary matrix. In Boost.Math's autodiff each variable has a different type.
+/// Eigen's type is used because all n variables have one scalar type. A function whose values are matrices, such as the
+/// metric of a chart, then returns an ordinary matrix. In Boost.Math's autodiff each variable has a different type.
 ///
 /// Arithmetic on these scalars returns expressions that refer to their operands. A function must therefore declare the
 /// scalar itself as its return type (T, not auto).

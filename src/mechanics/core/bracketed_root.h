@@ -1,8 +1,8 @@
 #pragma once
 /// A zero of a continuous function between two points at which the function has opposite signs. Each step is an inverse
 /// quadratic interpolation if this is safe, otherwise a bisection (Chandrupatla, Adv. Eng. Software 28 (1997) 145). The
-/// iteration ends at an exact zero, or if the width of the bracket is less than 2 · `resolution` times the size of the
-/// zero.
+/// iteration ends at an exact zero. It also ends if the width of the bracket is less than 2 · `resolution` times the
+/// absolute value of the best point.
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,9 @@
 #pragma once
-/// A chart of a Riemannian manifold (Oliva, Geometric Mechanics, 5.1) with coordinates q ∈ ℝⁿ and the metric g_ij(q).
-/// The system has a potential U, an external force F_ext and a dissipation D. Derived quantities are
+/// A chart of a Riemannian manifold Q (Oliva, Geometric Mechanics, 5.1) with coordinates q ∈ ℝⁿ and the metric g_ij(q).
+/// The system has a potential U, an external force F_ext and a dissipation D. With sums over repeated indices, derived
+/// quantities are
 ///
-///   Γ_l,ij = ½ (∂_i g_jl + ∂_j g_il − ∂_l g_ij),   Γᵏ_ij = Σ_l gᵏˡ Γ_l,ij,
+///   Γ_l,ij = ½ (∂_i g_jl + ∂_j g_il − ∂_l g_ij),   Γᵏ_ij = gᵏˡ Γ_l,ij,
 ///   (Dq̇/dt)ᵏ = q̈ᵏ + Γᵏ_ij q̇ⁱq̇ʲ                                                                     (5.3)
 ///   μ(v)_i = g_ij vʲ                                                                               (5.4)
 ///   K = ½ g_ij q̇ⁱq̇ʲ,   F = −dU + F_ext(t, q, q̇) + μ D(q̇)                                           (5.5), (5.122)
@@ -36,23 +37,23 @@ using ChartVector = Coordinates<double, C::dimension>;
 template <class C>
 using ChartMatrix = Eigen::Matrix<double, C::dimension, C::dimension>;
 
-// Optional functions of a chart. If one of them is missing, the program assumes that it is zero.
+// Optional functions of a chart. If one of them is missing, the program assumes that its value is zero.
 template <class C>
 concept HasPotential = requires(const C chart, const ChartVector<C> q) {
   chart.potential(q);
-};  // U(q), a template over the scalar type of q
+};  // (q): returns U(q); a template over the scalar type of q
 template <class C>
 concept HasDissipation = requires(const C chart, const ChartVector<C> q) {
   chart.dissipation(q, q);
-};  // D(v) ∈ TQ, ⟨D(v), v⟩ < 0 for v ≠ 0
+};  // (q, v): returns the vector D(v) ∈ TQ, with ⟨D(v), v⟩ < 0 for v ≠ 0
 template <class C>
 concept HasExternalForce = requires(const C chart, const ChartVector<C> q) {
   chart.external_force(0.0, q, q);
-};  // F_ext(t, q, v) ∈ T*Q
+};  // (t, q, v): returns the covector F_ext ∈ T*Q
 template <class C>
 concept HasPeriods = requires(const C chart) {
   chart.periods();
-};  // period of each coordinate; 0: not periodic
+};  // returns the period of each coordinate, or 0 if the coordinate is not periodic
 
 /// The metric and its partial derivatives dg[k] = ∂g/∂q_k. The scalar T is double, or a vector of lanes that holds one
 /// number for each of several points (lanes.h).
@@ -76,7 +77,7 @@ MetricJet<C, T> metric_jet(const C& chart, const std::type_identity_t<Coordinate
   return jet;
 }
 
-/// Returns Σ_ij Γ_l,ij uⁱvʲ for each l.
+/// Returns Σ_ij Γ_l,ij uⁱvʲ for each l, from the metric and its derivatives in `jet`.
 template <Chart C, class T>
 Coordinates<T, C::dimension> christoffel_of_first_kind(const MetricJet<C, T>& jet,
                                                        const std::type_identity_t<Coordinates<T, C::dimension>>& u,
@@ -140,7 +141,7 @@ Status apply_inverse_mass(const Eigen::Matrix<double, n, n>& g, const Eigen::Mat
   return {};
 }
 
-/// Sets the Christoffel symbols Gamma[k](i, j) = Γᵏ_ij. Fails if the metric is not positive definite, or if a
+/// Sets the Christoffel symbols Gamma[k](i, j) = Γᵏ_ij at q. Fails if the metric is not positive definite, or if a
 /// derivative is not finite.
 template <Chart C>
 Status christoffel_symbols(const C& chart, const ChartVector<C>& q, std::array<ChartMatrix<C>, C::dimension>& Gamma) {

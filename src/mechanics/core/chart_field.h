@@ -16,8 +16,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns F_l − Γ_l,ij q̇ⁱq̇ʲ for each l, with the force F without its external part F_ext. The result therefore does
-/// not depend on time. The function also sets g to the metric at q.
+/// Returns F_l − Γ_l,ij vⁱvʲ for each l, at the position q and the velocity v. The force F is taken without its
+/// external part F_ext, so the result does not depend on time. The function also sets g to the metric at q.
 template <class T, Chart C>
 Coordinates<T, C::dimension> covariant_force(const C& chart, const Coordinates<T, C::dimension>& q,
                                              const Coordinates<T, C::dimension>& v,

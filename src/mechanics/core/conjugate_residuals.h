@@ -1,10 +1,10 @@
 #pragma once
-/// The generalized conjugate residual method (Eisenstat, Elman, Schultz 1983), truncated as Orthomin, for A x = r₀ with
-/// a nearly symmetric matrix A. The preconditioner M acts on the right, so the residuals r_k belong to A x = r₀ without
-/// preconditioner. Iteration k uses w = A M⁻¹ r_k and sums over the last m indices j < k. The iteration makes y_k of
-/// length 1, so |…| is the length of the numerator. z_k is the same combination of M⁻¹ r_k and the z_j:
+/// The generalized conjugate residual method (Eisenstat, Elman, Schultz 1983), truncated as Orthomin, solves A x = r₀
+/// for a nearly symmetric matrix A. The preconditioner M acts on the right, so the r_k are the residuals of A x = r₀
+/// itself. With w = A M⁻¹ r_k, iteration k computes a vector y_k of length 1 and a direction z_k with A z_k = y_k. The
+/// sums include the last m indices j < k, and |…| is the length of the numerator of y_k:
 ///
-///   y_k = (w − Σ (y_j·w) y_j)/|…|,   z_k with A z_k = y_k, by the same combination,
+///   y_k = (w − Σ (y_j·w) y_j)/|…|,   z_k = (M⁻¹ r_k − Σ (y_j·w) z_j)/|…|,
 ///   x ← x + (y_k·r_k) z_k,   r_{k+1} = r_k − (y_k·r_k) y_k,   |r_{k+1}|² = |r_k|² − (y_k·r_k)².
 ///
 /// If the sums include all j < k, the residual is the smallest in the Krylov space. If A M⁻¹ were symmetric and
@@ -32,7 +32,7 @@ class ConjugateResiduals {
  public:
   struct Result {
     int n_iterations = 0;
-    bool converged = false;  ///< |r| is at most the tolerance
+    bool converged = false;  ///< true if |r| is at most the tolerance
   };
 
   /// Solves A x = r from the guess x = 0, and sets r to the remaining residual. The iteration ends if |r| is at most
@@ -81,9 +81,9 @@ class ConjugateResiduals {
   static constexpr int n_with_few = 40, n_kept_if_slow = 40;
 
  private:
-  /// On entry y_k is w and z_k is M⁻¹ r_k. Makes y_k orthonormal to the previous y_j, and changes z_k such that A z_k =
-  /// y_k. Returns the length |w − Σ (y_j·w) y_j|, or 0 if only round-off remains or a number is not finite. Sets
-  /// of_residual_ to w·r_k.
+  /// On entry y_k contains w, z_k contains M⁻¹ r_k, and r is r_k. Makes y_k orthogonal to the previous y_j and of
+  /// length 1, and changes z_k such that A z_k = y_k. Returns the length |w − Σ (y_j·w) y_j|, or 0 if only round-off
+  /// remains or a number is not finite. Sets of_residual_ to w·r_k.
   double orthogonalise(int k, const Vector& r) {
     const std::size_t n = std::min(k, n_slots_ - 1);
     Vector &y = y_[k % n_slots_], &z = z_[k % n_slots_];

@@ -23,18 +23,19 @@ namespace pseudorigid::mechanics {
 inline constexpr int dynamic_constraints = -1;
 
 /// A system with constraints. q, v, f are S::Vector; λ, g, r are S::Multiplier. Functions return a failure as a Status.
-/// Examples of failures are J = det F ≤ 0, a number that is not finite, and a solve without convergence.
+/// Examples of failures are a deformation gradient F with det F ≤ 0, a number that is not finite, and a solve without
+/// convergence.
 template <class S>
 concept ConstrainedSystem = requires(const S s, double t, const typename S::Vector q, const typename S::Vector v,
                                      typename S::Vector f, const typename S::Multiplier lambda,
                                      typename S::Multiplier r, typename S::Workspace w) {
-  { S::n_constraints } -> std::convertible_to<int>;                   // 0, 1, 2, 6, … or dynamic_constraints
-  { s.force(t, q, v, w, f) } -> std::same_as<Status>;                 // f = −dV + loads, with the potential V
-  s.apply_inverse_mass(f, f);                                         // a = M⁻¹ f; both may be the same vector
-  { s.constraint(q, r) } -> std::same_as<Status>;                     // g(q)
-  s.constraint_rate(q, v, r);                                         // G(q) v
-  s.constraint_curvature(q, v, r);                                    // D²g(q)(v, v)
-  s.add_reaction(q, lambda, f);                                       // f += G(q)ᵀ λ
+  { S::n_constraints } -> std::convertible_to<int>;    // 0, 1, 2, 6, … or dynamic_constraints
+  { s.force(t, q, v, w, f) } -> std::same_as<Status>;  // f = −dV + loads, with the potential V
+  s.apply_inverse_mass(f, f);                          // (f, a): a = M⁻¹ f; both may be the same vector
+  { s.constraint(q, r) } -> std::same_as<Status>;      // r = g(q)
+  s.constraint_rate(q, v, r);                          // r = G(q) v
+  s.constraint_curvature(q, v, r);                     // r = D²g(q)(v, v)
+  s.add_reaction(q, lambda, f);                        // f += G(q)ᵀ λ
   { s.solve_gram(q, q, lambda, w, r) } -> std::same_as<SolveReport>;  // (q₁, q₀, b, w, x): solves G(q₁)M⁻¹G(q₀)ᵀ x = b
   { s.constraint_tolerance() } -> std::convertible_to<double>;  // largest |g|_∞, |G v|_∞ that count as zero
   { s.make_vector() } -> std::same_as<typename S::Vector>;      // zero vector of the right size
@@ -55,8 +56,8 @@ inline constexpr bool has_costly_force = [] {
   return !VectorSpace<typename S::Vector>::dense;
 }();
 
-/// A system with `force_with_reaction(t, q, v, lambda, w, f)`, which computes f + G(q)ᵀλ at lower cost than the two
-/// terms separately.
+/// A system with `force_with_reaction(t, q, v, lambda, w, f)`, which sets f to the sum of the force and G(q)ᵀλ. The sum
+/// costs less than the two terms separately.
 template <class S>
 concept FindsForceWithReaction = requires(const S s, const typename S::Vector q, typename S::Vector f,
                                           const typename S::Multiplier lambda, typename S::Workspace w) {

@@ -68,7 +68,7 @@ struct ConstraintTemporaries {
 
   typename S::Vector reaction, direction;  // M⁻¹G(q₀)ᵀδ; for a single constraint also the vector M⁻¹G(q₀)ᵀ
   typename S::Multiplier residual, delta;
-  bool direction_known = false;  // set this flag to false if you change q₀
+  bool direction_known = false;  // true if `direction` belongs to q₀; set this flag to false if you change q₀
   long n_gram_iterations = 0;
 };
 
@@ -128,18 +128,18 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
 }
 
 /// Permits an iterative solver of Gram systems to stop at a third of the residual `enough`. If `enough` is 0, the
-/// solver uses its default. The function does nothing if the workspace has no `residual_sought`, because the solver is
-/// direct.
+/// solver uses its default. If the workspace has no `residual_sought`, the solver is direct, and the function does
+/// nothing.
 template <ConstrainedSystem S>
 void seek_residual(typename S::Workspace& system_workspace, double enough) {
   constexpr double linear_part = 1.0 / 3;  // the remaining tolerance is for the nonlinear part
   if constexpr (requires { system_workspace.residual_sought; }) system_workspace.residual_sought = linear_part * enough;
 }
 
-/// Runs Newton's iteration. `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. Fails if
-/// `evaluate` or a Gram solve fails, or if the iteration is stuck. With tolerance 0 the iteration continues until the
-/// residual is round-off. If a residual is at most `foregone`, the iteration ends after its correction, without
-/// evaluating the new residual.
+/// Runs Newton's iteration. `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. `what` names
+/// x in messages, and `noise` returns the noise of the residual. Fails if `evaluate` or a Gram solve fails, or if the
+/// iteration is stuck. With tolerance 0 the iteration continues until the residual is round-off. If a residual is at
+/// most `foregone`, the iteration ends after its correction, without evaluating the new residual.
 template <ConstrainedSystem S, class Evaluate, class Apply, class Noise>
 Status meet_constraint(const S& system, const char* what, double tolerance, const typename S::Vector& q1,
                        const typename S::Vector& q0, typename S::Workspace& system_workspace,
@@ -176,7 +176,7 @@ Status meet_velocity_constraint(const S& system, double tolerance, const typenam
 }
 
 /// Solves g(q) = 0 for q; `apply` adds w.reaction to q. The reactions act at q₀. Fails if the constraint cannot be
-/// evaluated, a Gram solve fails, or the iteration is stuck. `foregone` is that of meet_constraint.
+/// evaluated, a Gram solve fails, or the iteration is stuck. `foregone` has the same meaning as in meet_constraint.
 template <ConstrainedSystem S, class Apply>
 Status meet_position_constraint(const S& system, double tolerance, const typename S::Vector& q,
                                 const typename S::Vector& q0, typename S::Workspace& system_workspace,

@@ -1,26 +1,25 @@
 #pragma once
 /// Damping: forces F(q, v) = −∂R/∂v with a convex function R of v. Examples are viscosity, drag and friction. The mass
-/// is M, and the constraint g = 0 has the derivative G = Dg. Let r be the residual of an implicit step of size 2s at
-/// the velocity v,
+/// is M, and the constraint g = 0 has the derivative G = Dg. A step of size 2s begins with an explicit half step to the
+/// velocity v_half. The second half step is implicit. With the force f, its residual r at a velocity v satisfies
 ///
 ///   M r = M (v_half − v) + s f(q, v),
 ///
-/// with the force f and the velocity v_half after the explicit half step. The step ends with the velocity v + u. The
-/// correction u and the multiplier μ satisfy
+/// The step ends with the velocity v + u. The correction u and the multiplier μ satisfy
 ///
 ///   (M + s C) u + G(q)ᵀμ = M r,   G(q) u = 0,
 ///
-/// with the symmetric and positive semidefinite operator C = ∂²R/∂v² at v. A force that is linear in v has one operator
-/// C(q), and v + u is exact. For other forces, such as friction, u is the correction of Newton's method. Let Ψ(v) = ½(v
-/// − v_half)ᵀM (v − v_half) + sR be a convex function. M r is then −∂Ψ/∂v, up to forces that do not depend on v. The
-/// function add_damping also computes the operator S of the secant, F(v) = F(0) − S v.
+/// with the symmetric and positive semidefinite operator C = ∂²R/∂v² at v. If F is linear in v, C depends only on q,
+/// and v + u is the exact solution. For other forces, such as friction, u is the correction of Newton's method. The
+/// function Ψ(v) = ½(v − v_half)ᵀM (v − v_half) + sR is convex, and M r is −∂Ψ/∂v up to forces that do not depend on v.
+/// The function add_damping can also apply the operator S of the secant, which is defined by F(v) = F(0) − S v.
 ///
 /// On ker G the equation is P(1 + s M⁻¹C) u = P r with the projection P = 1 − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G. The operator on the
 /// left is symmetric and positive in the inner product ⟨x, y⟩ = xᵀM y, so conjugate gradients solve the equation. The
 /// eigenvalues of the operator are between 1 and 1 + sγ, with the largest damping rate γ. From the lower bound, the
 /// error of u is at most the residual, both in the norm √(xᵀM x). From the upper bound, the number of iterations grows
-/// like √(sγ). For small bodies, a preconditioner (damping_preconditioner.h) makes the number small. The implicit step
-/// is stable for every γ.
+/// like √(sγ). For bodies with few unknowns, a preconditioner (damping_preconditioner.h) makes the number small. The
+/// implicit step is stable for every γ.
 
 #include <algorithm>
 #include <limits>
@@ -69,10 +68,11 @@ struct DampingTemporaries<S> {
         at_rest(residual) {}
 
   [[no_unique_address]] DampingPreconditioner<S> preconditioner;
-  typename S::Vector residual;  ///< r, or P r after the projection
-  typename S::Vector solution;  ///< u
-  /// The direction p of conjugate gradients, and −C p. `product` is P(1 + s M⁻¹C) p and then P T M r with the
-  /// preconditioner T. `momentum` is M x for a scalar product with x.
+  typename S::Vector residual;  ///< the residual r, or P r after the projection
+  typename S::Vector solution;  ///< the correction u
+  /// `direction` is the direction p of conjugate gradients, and `force` is the product −C p with the damping operator.
+  /// `product` is first P T M r with the preconditioner T, and then P(1 + s M⁻¹C) p. `momentum` is M x for a scalar
+  /// product with x.
   typename S::Vector direction, force, product, momentum;
   typename S::Vector at_rest;  ///< f(q, 0), if `rest_known` is true (rattle_velocity.h)
   bool rest_known = false;
@@ -106,8 +106,8 @@ Status project_onto_tangent_space(const S& system, double tolerance, const typen
 
 }  // namespace detail
 
-/// Replaces r = w.residual by P r, and sets w.round_off. `enough` is the permitted residual of solve_damping, which
-/// follows. Fails if a Gram solve fails or the iteration for the constraint does not converge.
+/// Replaces r = w.residual by P r, and sets w.round_off. `enough` is the permitted residual of solve_damping, which the
+/// caller calls next. Fails if a Gram solve fails or the iteration for the constraint does not converge.
 template <Damped S>
 Status project_residual(const S& system, const typename S::Vector& q, double enough,
                         typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
@@ -119,8 +119,9 @@ Status project_residual(const S& system, const typename S::Vector& q, double eno
 
 namespace detail {
 
-/// Conjugate gradients for `solve_damping`, with at most `most_iterations` products. They end when the remaining
-/// residual is at most `sufficient`.
+/// Runs conjugate gradients for `solve_damping` until the remaining residual is at most `sufficient`. The tolerance of
+/// the projections is a fraction of `enough`. Fails if a projection fails, if `most_iterations` products with C are not
+/// enough, or if 1 + s M⁻¹C is not positive.
 template <Damped S>
 Status conjugate_gradients(const S& system, double s, const State<S>& state, double enough, double sufficient,
                            bool preconditioned, int most_iterations, typename S::Workspace& system_workspace,
@@ -167,11 +168,11 @@ Status conjugate_gradients(const S& system, double s, const State<S>& state, dou
 
 }  // namespace detail
 
-/// Sets w.solution to u for the projected residual P r = w.residual. On return w.residual is the remaining residual.
-/// The operator C is taken at `state`. The iteration ends when the remaining residual is at most `enough`, w.round_off
-/// or 64 units of round-off of P r. The function fails if a projection fails, if 2000 iterations are not enough, or if
-/// 1 + s M⁻¹C is not positive. The last case occurs in a long step backwards in time, s < 0, and for numbers that are
-/// not finite.
+/// Sets w.solution to u for the projected residual P r = w.residual and the operator C at `state`. On return w.residual
+/// is the remaining residual. The iteration ends when the remaining residual is at most `enough`, w.round_off or 64
+/// units of round-off of P r. The function fails if a projection fails, if 2000 iterations are not enough, or if 1 + s
+/// M⁻¹C is not positive. The last case occurs in a long step backwards in time, s < 0, and for numbers that are not
+/// finite.
 template <Damped S>
 Status solve_damping(const S& system, double s, const State<S>& state, double enough,
                      typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,

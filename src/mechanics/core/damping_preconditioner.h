@@ -1,6 +1,6 @@
 #pragma once
 /// A dense preconditioner for the linear systems of damping.h, for bodies with few unknowns. With the mass M, the
-/// operator C of the damping, the derivative G of the constraint and half a step s, the preconditioner is
+/// operator C of the damping, the derivative G of the constraint and the half step s, the preconditioner is
 ///
 ///   T = B⁻¹ − B⁻¹Gᵀ(G B⁻¹Gᵀ)⁻¹G B⁻¹ + β M⁻¹,   B = M + s C,   β = 1/(1 + s γ).
 ///
@@ -8,13 +8,14 @@
 /// are the inverse of B on ker G, and are 0 on the reactions Gᵀλ. The last term makes T positive for the present G as
 /// well, and adds at most the smallest eigenvalue of B⁻¹.
 ///
-/// A system with n entries needs n products with C for the matrix, and the factors cost about n²/100 more. An iteration
-/// with T costs about c = 1.4 + n²/300000 products, because of one more projection and the product with T. The matrix
-/// is computed when the products that it could have saved are as many as its own. It is computed again when the
-/// configuration has changed so much that the same holds again. T is left out until the next matrix if a solve with it
-/// costs more than recent ones without it. One reason is that rotations are not damped, and rotations of the earlier
-/// configuration are damped in the present one. The counts and the configuration are in the memory of the method, so
-/// that a resumed run has the same matrix.
+/// For n damped entries, the matrix T needs n products with C, and the factorisations cost as much as about n²/100 more
+/// products. An iteration with T costs as much as about c = 1.4 + n²/300000 products, because of one more projection
+/// and the product with T. The matrix is computed when it could have saved as many products as it costs. It is computed
+/// again when a matrix for the present configuration could have saved as many products. If a solve with T costs more
+/// than recent solves without T, T is not used until the next matrix is computed. One reason is a rotation of the body.
+/// Damping does not act on the velocity fields of rotations, but the fields that belong to the earlier configuration
+/// are damped in the present one. The counts and the configuration are in the memory of the method, so that a resumed
+/// run has the same matrix.
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -28,14 +29,15 @@
 
 namespace pseudorigid::mechanics {
 
-/// A system with `n_damped_entries()`: the number n of entries that damping acts on, on all processes. If one process
-/// has all of them, they are the first n of `local_values`. The number is 0 without viscosity.
+/// A system with a function `n_damped_entries()`. It returns the number n of entries on which damping acts, summed over
+/// all processes. If one process has all these entries, they are the first n of `local_values`. The number is 0 without
+/// viscosity.
 template <class S>
 concept DenselyDamped = requires(const S s) {
   { s.n_damped_entries() } -> std::convertible_to<int>;
 };
 
-/// An empty object for systems without the matrix.
+/// The preconditioner of systems without `n_damped_entries`: an empty object, which is never used.
 template <class S>
 class DampingPreconditioner {
  public:
@@ -54,7 +56,7 @@ class DampingPreconditioner<S> {
  public:
   using Vector = typename S::Vector;
 
-  /// Without `used`, if n is above 2000, or if damping is not linear in v, the matrix is never computed.
+  /// The matrix is never computed if `used` is false, if n is above 2000, or if damping is not linear in v.
   DampingPreconditioner(const S& system, bool used) {
     constexpr int largest = 2000;
     if constexpr (requires { system.damping_is_linear(); }) used = used && system.damping_is_linear();
@@ -64,8 +66,9 @@ class DampingPreconditioner<S> {
     if (n_ > 0) q_ = system.make_vector();
   }
 
-  /// Computes or renews the matrix if that pays for half steps s at the state. Returns true if `apply` can be called,
-  /// and then keeps the residual of the solve. Adds the products for a new matrix to `n_products`.
+  /// Computes a new matrix for the half step s at the state if enough products could have been saved. Returns true if
+  /// there is a matrix for `apply`. The function then stores a copy of `residual` for `give_up`. Adds the products for
+  /// a new matrix to `n_products`.
   bool prepare(const S& system, double s, const State<S>& state, const Vector& residual, long& n_products) {
     if (n_ == 0 || std::ssize(local_values(q_)) < n_) return false;
     if (excess_ > patience_ * products_for_matrix()) {
@@ -85,10 +88,11 @@ class DampingPreconditioner<S> {
     return in_use_;
   }
 
-  /// The number of products that a solve may take with the matrix.
+  /// Returns the largest number of products that a solve with the matrix may need. A solve with more products costs
+  /// more than recent solves without the matrix.
   int most_products() const { return static_cast<int>(without_ / cost_); }
 
-  /// z = T f.
+  /// Sets z = T f. Entries on which damping does not act are copied from f.
   void apply(const Vector& f, Vector& z) {
     auto from = local_values(const_cast<Vector&>(f));
     auto to = local_values(z);
@@ -97,8 +101,8 @@ class DampingPreconditioner<S> {
     Entries(to.data(), n_).noalias() = matrix_ * Entries(from.data(), n_);
   }
 
-  /// Takes note of the number of products of a solve. The matrix is too old if this number is larger than at first. A
-  /// step has two solves of different sizes (rattle_velocity.h), so the first two solves count.
+  /// Records the number of products of a solve. The matrix is old if a solve needs more products than the first two
+  /// solves with this matrix. Both solves count, because a step has two solves of different sizes (rattle_velocity.h).
   void count(long n_products) {
     const auto n = static_cast<double>(n_products);
     if (in_use_) saved_ += without_ - cost_ * n;
@@ -112,8 +116,8 @@ class DampingPreconditioner<S> {
     }
   }
 
-  /// Leaves out the matrix until the next one, and sets `residual` to that of `prepare`. After a matrix that did not
-  /// save its cost, the next one has to save twice as many products.
+  /// Stops the use of the matrix until the next one is computed. Sets `residual` to the copy that `prepare` stored. If
+  /// the matrix did not save its cost, the next matrix has to save twice as many products, up to a factor of 1024.
   void give_up(Vector& residual) {
     constexpr double most_patience = 1024;
     patience_ = saved_ < products_for_matrix() ? std::min(2 * patience_, most_patience) : 1;
@@ -139,7 +143,8 @@ class DampingPreconditioner<S> {
  private:
   double products_for_matrix() const { return n_ + n_ * n_ / 100.0; }
 
-  /// Sets the matrix for the configuration q_ and half a step s_. Returns false if B or G B⁻¹Gᵀ is not positive.
+  /// Sets the matrix for the configuration q_ and the half step s_. Returns false if B, G B⁻¹Gᵀ or 1 + s γ is not
+  /// positive, or if the matrix is not finite.
   bool compute(const S& system) {
     Eigen::MatrixXd B(n_, n_), inverse_mass(n_, n_);
     double rate = 0;
@@ -160,7 +165,7 @@ class DampingPreconditioner<S> {
       local_values(unit)[i] = 0;
     }
     for (int i = 0; i < n_; ++i) {
-      if (inverse_mass(i, i) > 0) continue;  // a component that a symmetry plane fixes has the row and column of 1
+      if (inverse_mass(i, i) > 0) continue;  // components fixed by a symmetry plane get rows of the identity
       B.row(i).setZero();
       B.col(i).setZero();
       B(i, i) = 1;
@@ -175,7 +180,7 @@ class DampingPreconditioner<S> {
     return matrix_.allFinite();
   }
 
-  /// T ← T − T Gᵀ(G T Gᵀ)⁻¹G T for the configuration q_. Returns false if G T Gᵀ is not positive.
+  /// Replaces T by T − T Gᵀ(G T Gᵀ)⁻¹G T for the configuration q_. Returns false if G T Gᵀ is not positive.
   bool subtract_reactions(const S& system, const Eigen::MatrixXd& inverse_mass, Eigen::MatrixXd& T) const {
     if constexpr (!unconstrained<S>) {
       Vector unit = system.make_vector();
@@ -197,16 +202,16 @@ class DampingPreconditioner<S> {
 
   int n_ = 0;
   Vector q_, residual_;
-  double cost_ = 0;       // products that cost as much as an iteration with the matrix
-  double s_ = 0, t_ = 0;  // of the matrix, as q_
-  double excess_ = 0;     // products that a newer matrix would have saved
-  double least_ = 0;      // most products of the first two solves with this matrix
-  double without_ = 0;    // most products of recent solves without a matrix
-  double saved_ = 0;      // products that this matrix has saved
+  double cost_ = 0;       // cost of an iteration with the matrix, in products
+  double s_ = 0, t_ = 0;  // half step and time of the matrix; q_ is its configuration
+  double excess_ = 0;     // number of products that a newer matrix would have saved
+  double least_ = 0;      // larger number of products of the first two solves with this matrix
+  double without_ = 0;    // largest number of products of recent solves without a matrix
+  double saved_ = 0;      // number of products that this matrix has saved
   double patience_ = 1;   // factor on the products that a new matrix has to save
-  double n_solves_ = 0;   // with this matrix
+  double n_solves_ = 0;   // number of solves with this matrix
   bool in_use_ = false;   // true if there is a matrix for q_ and s_ that saves products
-  bool known_ = false;    // true if matrix_ is this matrix
+  bool known_ = false;    // true if matrix_ is the matrix for q_ and s_; false after a resumption
   Eigen::MatrixXd matrix_;
 };
 

@@ -21,11 +21,11 @@ struct Spectrum {
 };
 Spectrum spectrum(const Eigen::MatrixXd& A);
 
-/// Returns an orthonormal basis of {x: Bx = 0} as columns. If B has no rows, the basis is the identity. Singular values
-/// of at most `absent` times the largest one count as zero.
+/// Returns an orthonormal basis of {x: Bx = 0} as columns. If B has no rows, the basis is the identity. A singular
+/// value counts as zero if it is at most `absent` times the largest singular value.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& B, double absent);
-/// Returns an orthonormal basis of the span of the columns of N. Singular values of at most `absent` times the largest
-/// one count as zero.
+/// Returns an orthonormal basis of the span of the columns of N. A singular value counts as zero if it is at most
+/// `absent` times the largest singular value.
 Eigen::MatrixXd span_of(const Eigen::MatrixXd& N, double absent);
 
 /// Returns A⁻¹B by elimination with full pivoting. A must be regular.

@@ -122,7 +122,7 @@ class ExplicitMultiplier {
       return {};
     } else {
       auto& c = w.constraint;
-      c.direction_known = false;  // the correction of v reuses the direction from that of q, since q hardly changes
+      c.direction_known = false;  // the corrections of q and v use one direction, since q hardly changes
       const double tolerance = system_.constraint_tolerance();
       if (Status status = detail::meet_position_constraint(system_, tolerance, q, q, w.system, c,
                                                            [&] { axpy(1.0, c.reaction, q); });

@@ -1,6 +1,6 @@
 #pragma once
-/// The attribute PSEUDORIGID_FLATTEN, which inlines all calls in a function. It is empty under sanitizers, because
-/// their checks and compile times grow with the inlined code.
+/// The attribute PSEUDORIGID_FLATTEN, which inlines all calls in a function. The attribute is empty under sanitizers,
+/// because the checks and the compile times of sanitizers grow with the inlined code.
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define PSEUDORIGID_FLATTEN

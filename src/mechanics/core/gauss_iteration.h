@@ -1,19 +1,19 @@
 #pragma once
 /// The iteration on the stages of a Gauss step. Sources that are compiled for several instruction sets include this
-/// header (kernel_builds.h). The eight stages are the lanes of vectors. The state at the time t is (q, v), and the step
-/// is h. With the accelerations a_j of the stages, and the coefficients c_i and A = (a_ij) of gauss_coefficients.h, an
-/// iteration is
+/// header (kernel_builds.h). The eight stages are the lanes of vectors. The state at the time t is (q, v), the step is
+/// h, and the field gives the acceleration a(t, q, v). With the accelerations a_j of the stages, and the coefficients
+/// c_i and A = (a_ij) of gauss_coefficients.h, an iteration is
 ///
 ///   v_i = v + h Σ_j a_ij a_j,   q_i = q + h c_i v + h² Σ_j (A²)_ij a_j,   a_i ← a(t + c_i h, q_i, v_i).
 ///
-/// If a does not depend on v, an iteration multiplies the error by O(h²). Let δ_k be the increment of the accelerations
-/// in iteration k, and θ = δ_k/δ_{k−1}. The error after this iteration is about θ δ_k. The iteration ends when this
-/// error is below the given tolerance or below an eighth of the round-off of the accelerations. It also ends when δ_k
-/// is below half of this round-off, or when an increment near round-off is not smaller than the previous one.
+/// If a does not depend on v, an iteration multiplies the error by O(h²). Let δ_k be the largest change of an
+/// acceleration in iteration k, and θ = δ_k/δ_{k−1}. The error after this iteration is about θ δ_k. The iteration ends
+/// when this error is below the given tolerance or below an eighth of the round-off of the accelerations. It also ends
+/// when δ_k is below half of this round-off, or when a δ_k near round-off is not smaller than δ_{k−1}.
 ///
-/// Unlike rounding errors, this error is a smooth function of the state, so the errors of many steps add up. If no
-/// tolerance is given, the bounds of the error and of δ_k are therefore both round-off / 4096. The sum of these errors
-/// over 10⁷ steps is about as large as the sum of random rounding errors.
+/// Unlike rounding errors, the error of an iteration that ends too early is a smooth function of the state, so the
+/// errors of many steps add up. If no tolerance is given, the bounds of the error and of δ_k are therefore both
+/// round-off / 4096. The sum of these errors over 10⁷ steps is about as large as the sum of random rounding errors.
 ///
 /// A field in lanes is a struct
 ///
@@ -58,8 +58,8 @@ inline constexpr int n_lane_groups = gauss::n_stages / native_lanes;
   std::memcpy(&x.v, &bits, sizeof bits);
   return x;
 }
-/// Returns the greater number in each lane. If one of them is NaN, the result is the number of `b`. The intrinsics are
-/// used because a comparison in C++ compiles to two instructions.
+/// Returns the greater number in each lane. If one of the two numbers is NaN, the result is the number in `b`. The
+/// intrinsics are used because a comparison in C++ compiles to two instructions.
 [[gnu::always_inline]] inline StageLanes greater_lanes(StageLanes a, StageLanes b) {
 #if defined(__AVX512F__)
   return StageLanes(StageLanes::Native(_mm512_maskz_max_pd(0xff, a.v, b.v)));
@@ -96,7 +96,8 @@ template <class Native>
 #endif
 }
 
-/// Adds the first n_groups groups of lanes of Σ_j x_j column_j to `sum`. The index j runs over the eight stages.
+/// Adds the first n_groups groups of lanes of Σ_j x_j column_j to `sum`. A group has native_lanes lanes. The index j
+/// runs over the eight stages.
 template <int n_groups, class Columns>
 [[gnu::always_inline]] inline void add_columns(const OfStages& x, const Columns& columns, StageLanes (&sum)[n_groups]) {
 #pragma GCC unroll 8
@@ -119,8 +120,9 @@ template <int n_groups = n_lane_groups, class Columns>
     store_lanes(g < n_groups ? sum[g % n_groups] : in_all_lanes(0), out.data() + g * native_lanes);
 }
 
-/// Decides after each iteration if the iteration goes on, is done, or is stuck. It is stuck if an increment is not
-/// finite, has grown three times, or is too large after 60 iterations.
+/// Decides after each iteration if the iteration goes on, is done, or is stuck. The increment is the largest change of
+/// an acceleration in an iteration. The iteration is stuck if the increment is not finite, has grown three times, or is
+/// too large after 60 iterations.
 class GaussMonitor {
  public:
   enum Verdict { go_on, done, stuck };
@@ -131,7 +133,7 @@ class GaussMonitor {
       q = std::max(q, std::abs(s.q[k]));
       v = std::max(v, std::abs(s.v[k]));
     }
-    // Round-off of an acceleration of this size moves neither q nor v by more than the round-off of q and v.
+    // The round-off of accelerations of the size unseen_ changes q and v by at most the round-off of q and v.
     unseen_ = std::min(v / std::abs(s.h), q / (s.h * s.h));
     // Bound of the round-off of forces that cancel. Each force has the size ω²q with a frequency ω, and hω ≤ 4
     // (stability_limit in gauss_16.h). The bound is 32 times the round-off 2⁻⁵³ω²q.
@@ -172,14 +174,14 @@ class GaussMonitor {
   int n_iterations_ = 0, n_grown_ = 0;
 };
 
-/// The parts of q_i − q and v_i − v that do not change during the iteration. There is one OfStages for each entry of q
-/// and of v.
+/// The parts of q_i − q and v_i − v that do not change during the iteration. Each pointer refers to an array with one
+/// OfStages for each entry.
 struct StageStarts {
   OfStages *q, *v;
 };
-/// Sets `start`. If s.last is not null, also sets s.a to the guess that the last step gives. The function takes any
-/// number of entries and is therefore compiled once, not once for each field. The unused parameter `Vector` gives each
-/// instruction set its own function.
+/// Computes the numbers of `start`. If s.last is not null, also sets s.a to the guess that the last step gives. The
+/// function takes any number of entries and is therefore compiled once, not once for each field. The unused parameter
+/// `Vector` gives each instruction set its own function.
 template <class Vector = StageLanes>
 [[gnu::noinline]] void begin_stages(GaussStages& s, StageStarts start) {
   const int n = s.n;
@@ -270,7 +272,7 @@ inline constexpr int n_groups_without_low = (velocity_low + native_lanes - 1) / 
 
 /// Computes s.sums, which contain the increments of q and v in the step. Sets s.tail to the largest |Legendre
 /// coefficient| of order 6 or 7, divided by the larger of s.scale and `noise`. Sets s.converged to true if all
-/// increments are finite, otherwise to false. The maximum in s.tail does not show a NaN, because std::max may ignore a
+/// increments are finite, otherwise to false. The flag is needed in addition to s.tail, because std::max may ignore a
 /// NaN.
 template <class Vector = StageLanes>
 [[gnu::noinline]] void finish_stages(GaussStages& s, double noise) {

@@ -10,13 +10,15 @@ void split(gauss::Real x, double& high, double& low) {
   low = static_cast<double>(x - high);
 }
 
-/// Returns the matrix with the entries ℓ_j(1 + r c_i) in row i and column j.
+/// Returns the matrix with the entries ℓ_j(1 + r c_i) in row i and column j, with the Lagrange polynomials ℓ_j and the
+/// nodes c_i of the stages. The matrix extrapolates the accelerations of a step to the stages of a next step that is r
+/// times as long.
 constexpr gauss::Matrix ahead(gauss::Real r) {
   gauss::Matrix l{};
   for (std::size_t i = 0; i < gauss::n_stages; ++i) l[i] = gauss::lagrange(1 + r * gauss::c[i]);
   return l;
 }
-/// The matrix ahead(r) for two successive steps of the same length, which is the most frequent case.
+/// The matrix `ahead` for a next step of the same length, which is the most frequent case.
 constexpr gauss::Matrix equally_ahead = ahead(1);
 
 }  // namespace

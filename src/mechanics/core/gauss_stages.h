@@ -32,10 +32,10 @@ struct GaussTables {
   Columns a_squared{};               ///< h² (A²)_ij
   Columns a_low{}, a_squared_low{};  ///< rounding errors of `a` and `a_squared`
   Columns guess{};                   ///< ℓ_j(1 + r c_i), for a guess from the stages of a step of size h/r
-  Columns sums{};                    ///< sums of a_j, in the order of GaussSum
+  Columns sums{};                    ///< column j: the coefficients of a_j in the sums of GaussSum
   OfStages c{};                      ///< h c_i
   OfStages c_low{};                  ///< rounding errors of `c`
-  double h = 0, ratio = 0;           ///< h and r
+  double h = 0, ratio = 0;           ///< h, and the ratio r of `guess`
 
   /// Sets h, and all coefficients except `guess`.
   void set_step(double step);
@@ -51,7 +51,7 @@ struct GaussStages {
   const double* q = nullptr;
   const double* v = nullptr;
   const GaussTables* tables = nullptr;
-  const OfStages* last = nullptr;  ///< stages of the last step, which give the guess. If null, `a` is the guess.
+  const OfStages* last = nullptr;  ///< stages of the last step, for the guess of `a`. If null, `a` contains the guess.
   /// Bound of the error of the accelerations at which the iteration ends. If it is 0, the bound is the round-off of the
   /// accelerations divided by 4096.
   double tolerance = 0;
@@ -63,7 +63,7 @@ struct GaussStages {
   static constexpr std::size_t n_scratch = 5;
 
   bool converged = false;
-  long n_iterations = 0;  ///< a solution adds its number of iterations
+  long n_iterations = 0;  ///< each solution adds its number of iterations
   /// `tail` is the largest |Legendre coefficient| of order 6 or 7, divided by the larger of `scale` and the round-off
   /// of the accelerations. On entry `scale` is the largest acceleration in the last step. The first iteration sets
   /// `scale` to the largest acceleration.
@@ -80,8 +80,8 @@ struct GaussField {
 };
 
 /// Solves for the stages of any field by calls of `field.evaluate`. Sets stages.converged to true if the iteration
-/// converges and the field does not fail. Throws NoKernels if no build of the iteration can be chosen
-/// (kernel_builds.h).
+/// converges and the field does not fail, otherwise to false. Throws NoKernels if no build of the iteration can be
+/// chosen (kernel_builds.h).
 void solve_gauss_stages(const GaussField& field, GaussStages& stages);
 
 }  // namespace pseudorigid::mechanics

@@ -6,8 +6,8 @@
 ///   ∇̃_X Y = ∇_X Y + dρ(X)Y + dρ(Y)X − ⟨X, Y⟩ grad ρ                                               (5.12)
 ///   dρ = −dU / (2(h − U))                                                                         (5.14)
 ///
-/// Here ρ = ½ ln 2(h − U). The Levi-Civita connections of g and g_h are ∇ and ∇̃. Motions of energy h are the geodesics
-/// of g_h, with the arc length ds̃ = 2(h − U) dt (5.2.1).
+/// Here ρ = ½ ln 2(h − U), and X and Y are vector fields. The Levi-Civita connections of g and g_h are ∇ and ∇̃. Motions
+/// of energy h are the geodesics of g_h, with the arc length ds̃ = 2(h − U) dt (5.2.1).
 
 #include <utility>
 
@@ -33,7 +33,8 @@ struct JacobiMetric {
   }
 };
 
-/// Coordinates of a point of the chart, and the integral of a function along the curve as an additional coordinate.
+/// A point of a curve: its coordinates in the chart, and the integral of a function along the curve as an additional
+/// coordinate.
 template <Chart C>
 using CurveWithIntegral = Coordinates<double, C::dimension + 1>;
 
@@ -89,8 +90,8 @@ class JacobiGeodesicField {
   double h_;
 };
 
-/// The motion of the chart in the time t, with its Jacobi length s̃ as the last coordinate. With the kinetic energy K,
-/// ds̃/dt = 2K = 2(h − U), so d²s̃/dt² = −2 dU(q̇).
+/// The motion of a conservative chart in the time t, with its Jacobi length s̃ as the last coordinate. With the kinetic
+/// energy K, ds̃/dt = 2K = 2(h − U), so d²s̃/dt² = −2 dU(q̇).
 template <Chart C>
 class JacobiLengthField {
  public:

@@ -28,10 +28,10 @@ struct OrbitalMotion {
   Eigen::Vector3d position, velocity;
 };
 
-/// Returns the solution E of Kepler's equation E − e sin E = mean, for 0 ≤ e < 1.
+/// Returns the solution E of Kepler's equation E − e sin E = `mean`, the mean anomaly, for 0 ≤ e < 1.
 double eccentric_anomaly(double mean, double e);
 
-/// Returns the solution H of e sinh H − H = mean, for e > 1.
+/// Returns the solution H of e sinh H − H = `mean`, the mean anomaly, for e > 1.
 double hyperbolic_anomaly(double mean, double e);
 
 /// Returns the relative position and velocity for the elements `o` and g = G(M + m). The results are not finite for a

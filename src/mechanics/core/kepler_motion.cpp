@@ -9,7 +9,7 @@ KeplerIncrements kepler_increments(double k, const Eigen::Vector3d& s, const Eig
   const double r = s.norm(), eta = s.dot(sdot), beta = 2 * k / r - sdot.squaredNorm();
   double X = h / r, low = -HUGE_VAL, high = HUGE_VAL;
   UniversalFunctions G(beta, X);
-  double end = r;  // r(X)
+  double end = r;  // the distance r(X) at the end
   for (int i = 0; i < most_iterations; ++i) {
     G = UniversalFunctions(beta, X);
     end = r + eta * G.G1 + (k - beta * r) * G.G2;

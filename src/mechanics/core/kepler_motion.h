@@ -1,6 +1,7 @@
 #pragma once
-/// The motion s̈ = −k s/|s|³ of Kepler, for any conic and any time h. With the universal anomaly X (Danby, Fundamentals
-/// of Celestial Mechanics, 6.9), r = |s|, η = s·ṡ, β = 2k/r − |ṡ|² and the functions
+/// The motion s̈ = −k s/|s|³ of Kepler, for any conic and any time h. The vectors s and ṡ are the position and the
+/// velocity at the start. With the universal anomaly X (Danby, Fundamentals of Celestial Mechanics, 6.9), r = |s|, η =
+/// s·ṡ, β = 2k/r − |ṡ|² and the functions
 ///
 ///   G_n(X) = Xⁿ c_n(βX²),   c_n(z) = 1/n! − z/(n + 2)! + z²/(n + 4)! − …,
 ///

@@ -14,7 +14,7 @@ namespace pseudorigid::mechanics {
 
 template <class Table>
 struct KernelBuild {
-  std::string_view instructions;  ///< for example "x86-64-v3"; "native": those of the compiling machine
+  std::string_view instructions;  ///< for example "x86-64-v3", or "native" for those of the compiling machine
   bool (*runs_here)();            ///< returns true if this processor has the instructions
   const Table* table;
 };
@@ -24,15 +24,15 @@ struct NoKernels : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The instruction set of a build; `runs_here` is true if this processor has it.
+/// The instruction set of a build. `runs_here` is true if this processor has these instructions.
 struct KernelChoice {
   std::string_view instructions;
   bool runs_here;
 };
 
-/// Returns the index of the build with the name `wanted`. If `wanted` is empty, returns the index of the first build
-/// that this processor can run. Throws NoKernels if no build has the name, or if this processor cannot run it. If
-/// `wanted` is empty, throws NoKernels if this processor can run no build.
+/// Returns the index of the build for the instruction set `wanted`. Throws NoKernels if there is no such build, or if
+/// this processor cannot run it. If `wanted` is empty, returns the index of the first build that this processor can
+/// run, and throws NoKernels if there is none.
 std::size_t choose_build(const std::vector<KernelChoice>& builds, std::string_view wanted);
 
 /// Returns the value of the environment variable PSEUDORIGID_INSTRUCTIONS, or an empty text if the variable is not set.

@@ -112,11 +112,11 @@ struct Lanes {
     v += b.v;
     return *this;
   }
-  /// The smaller number in each lane. A NaN counts as smaller than any number.
+  /// Returns the smaller number in each lane. A NaN counts as smaller than any number.
   friend Lanes min(Lanes a, Lanes b) { return (a.v < b.v) | (a.v != a.v) ? a.v : b.v; }
 
-  /// Natural logarithm of positive normal numbers, with an error of about one unit in the last place. Other numbers
-  /// give wrong results. The computation uses
+  /// Returns the natural logarithm of positive normal numbers, with an error of about one unit in the last place. Other
+  /// numbers give wrong results. The computation uses
   ///   x = 2^e m, m in [√½, √2), z = (m−1)/(m+1), ln x = e ln 2 + 2(z + z³/3 + z⁵/5 + …).
   friend Lanes log(Lanes x) {
     NativeBits bits;
@@ -134,23 +134,23 @@ struct Lanes {
     return (2 * z + 2 * z * z2 * series) + e * 0.69314718055994530942;
   }
 
-  /// ln(1 + x) for x > −1, without cancellation for small x. The last term corrects the rounding error of u = 1 + x to
-  /// first order.
+  /// Returns ln(1 + x) for x > −1, without cancellation for small x. The last term corrects the rounding error of u = 1
+  /// + x to first order.
   friend Lanes log1p(Lanes x) {
     const Native u = 1.0 + x.v;
     return log(Lanes(u)).v - ((u - 1.0) - x.v) / u;
   }
 
-  /// 1/√x with an error of about one unit in the last place, for positive x in the range of single precision. Other x
-  /// may give wrong numbers. The computation starts from a guess y with 11 or more correct bits. With e = 1 − xy² the
-  /// result is y (1 + e/2 + 3e²/8 + 5e³/16 + 35e⁴/128). The instructions for square root and division take several
-  /// times as long.
+  /// Returns 1/√x with an error of about one unit in the last place, for positive x in the range of single precision.
+  /// Other x may give wrong numbers. The computation starts from a guess y with 11 or more correct bits. With e = 1 −
+  /// xy² the result is y (1 + e/2 + 3e²/8 + 5e³/16 + 35e⁴/128). The instructions for square root and division take
+  /// several times as long.
   friend Lanes inverse_sqrt(Lanes x) {
     const Native y = inverse_sqrt_guess(x.v), e = 1.0 - x.v * y * y;
     return y + y * e * (0.5 + e * (0.375 + e * (0.3125 + e * 0.2734375)));
   }
 
-  /// Loads the triples (x, y, z) at base + offsets[lane].
+  /// Loads the triple (x, y, z) at base + offsets[lane] into each lane of x, y and z.
   [[gnu::always_inline]] static void load_triples(const double* base, const unsigned int* offsets, Lanes& x, Lanes& y,
                                                   Lanes& z) {
     const auto pair = [&](int lane) {

@@ -1,10 +1,10 @@
 #pragma once
 /// The memory of a method as a list of numbers. The memory contains everything that the method keeps from step to step,
-/// such as multipliers, earlier positions and compensations of round-off. A checkpoint file contains the list. A run
-/// that is resumed with the list repeats the uninterrupted run bit for bit. A run of the ball on several ranks repeats
-/// it only up to the constraint tolerance. The function `visit_memory(visit)` of a workspace passes numbers, lists of
-/// numbers and vectors to `visit`, always in the same order. For a distributed vector the list contains the entries of
-/// this rank.
+/// such as multipliers, earlier positions and the remainders of compensated sums. A checkpoint file contains the list.
+/// A run that is resumed with the list repeats the uninterrupted run bit for bit. A run of the ball on several ranks
+/// repeats it only up to the constraint tolerance. The function `visit_memory(visit)` of a workspace passes numbers,
+/// lists of numbers and vectors to `visit`, always in the same order. For a distributed vector the list contains the
+/// entries of this rank.
 
 #include <algorithm>
 #include <cstddef>

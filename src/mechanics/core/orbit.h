@@ -1,7 +1,8 @@
 #pragma once
 /// Point masses, the companions, that move under the gravity of the body and of each other. G is the gravitational
-/// constant. The body has the mass M, the centre of mass x_c and the second moment S = ∫ρ(x − x_c)(x − x_c)ᵀ. Companion
-/// i has the mass m_i and the position r_i relative to x_c. To second degree in the size of the body, the energy is
+/// constant. The body has the mass M, the centre of mass x_c and the second moment S = ∫ρ(x − x_c)(x − x_c)ᵀ dV.
+/// Companion i has the mass m_i and the position r_i relative to x_c. To second degree in the size of the body, the
+/// energy is
 ///
 ///   U = −Σ_i G m_i [M/|r_i| + (3 r̂_iᵀS r̂_i − tr S)/(2|r_i|³)] − Σ_{i<j} G m_i m_j/|r_i − r_j|.
 ///
@@ -47,7 +48,8 @@ struct Companion {
 struct Companions : std::vector<Companion> {
   using std::vector<Companion>::vector;
 
-  /// True if a finite-element body uses the whole potential of the companions in place of its second degree.
+  /// True if a finite-element body uses the whole potential of the companions in place of the expansion to second
+  /// degree.
   bool full_potential = false;
 
   Companions& operator+=(const Companions& others) {
@@ -91,10 +93,10 @@ class Orbit {
   double energy(const Eigen::Matrix3d& S, const Columns& s) const;
   /// Returns the energy of the companions with each other, for their positions r_i.
   double energy_of_companions(const Columns& r) const;
-  /// Returns the forces −∂U/∂s_k.
+  /// Returns the forces −∂U/∂s_k, for the second moment S of the body and the coordinates s.
   Columns force(const Eigen::Matrix3d& S, const Columns& s) const;
-  /// Returns the forces on s_k, for the positions r_i and the forces of the body on the companions. The function adds
-  /// the forces between the companions.
+  /// Returns the forces on the coordinates s_k. `r` has the positions r_i, and `of_body` the forces of the body on the
+  /// companions. The function adds the forces between the companions.
   Columns force_on_coordinates(const Columns& r, const Columns& of_body) const;
   /// Moves s along Kepler's orbits for the time h. A symplectic method calls this function in place of the drift s ← s
   /// + hṡ, after the half step of the velocity. The half steps of the method use the whole force. The function
@@ -116,15 +118,15 @@ class Orbit {
   /// coordinates and rates at the last step that is at least the time `before` ahead of the closest approach. The
   /// result is the start if there is no such step. The result is also the start if the least distance is more than 0.9
   /// times the distance at the start. A single companion in a bound orbit repeats its motion, so the search ends after
-  /// one period. Changes of the pericentre by tides are not known before the run. The search also ends if two
-  /// companions, or a companion and the centre of the body, are nearer than the radius of the ball. In the run, a
-  /// distance below the longest semi-axis of the body is a collision (app/run/orbit_of_run.h). The search also ends
-  /// after 100,000 steps, which bounds its time, or if the size of a step is 0 or NaN.
+  /// one period. The search neglects changes of the pericentre by tides. The search also ends if two companions, or a
+  /// companion and the centre of the body, are nearer than the radius of the ball. In the run, a distance below the
+  /// longest semi-axis of the body is a collision (app/run/orbit_of_run.h). The search also ends after 100,000 steps,
+  /// which bounds its time, or if the size of a step is 0 or NaN.
   Motion near_closest_approach(double end, double before) const;
   /// Returns the angular momentum of the orbits, Σ μ_k R_k × Ṙ_k. The angular momentum of the body about its centre is
   /// not included.
   static Eigen::Vector3d momentum(const Columns& s, const Columns& sdot);
-  /// Returns the torque of all companions on the body about x_c, −∫ρ y × T y with y = x − x_c.
+  /// Returns the torque of all companions on the body about x_c, −∫ρ y × T y dV with y = x − x_c.
   Eigen::Vector3d torque(const Eigen::Matrix3d& S, const Columns& s) const;
 
  private:

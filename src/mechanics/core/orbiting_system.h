@@ -15,7 +15,7 @@ concept Orbiting = requires(const S system, const typename S::Vector q, typename
   { system.orbit() } -> std::same_as<const Orbit&>;
   /// The coordinates s_k in a position, or the rates ṡ_k in a velocity.
   { system.companions(q) } -> std::same_as<Orbit::Columns>;
-  system.set_companions(s, changed);  // sets these entries of `changed` to s
+  system.set_companions(s, changed);  // sets the companions' entries of `changed` to s
 };
 
 /// True if there is a companion.
@@ -25,9 +25,9 @@ bool has_companions(const S& system) {
   return false;
 }
 
-/// Replaces the straight motion of the companions in q during the time h by the motion along Kepler orbits
-/// (Orbit::drift). The vector `before` contains the position before the motion, and v the velocity after the first half
-/// step.
+/// Replaces the straight motion of the companions in q during the time h by the motion along Kepler orbits, and changes
+/// their velocities in v accordingly (Orbit::drift). The vector `before` contains the position before the motion. On
+/// entry v is the velocity after the first half step.
 template <Orbiting S>
 void drift_companions(const S& system, double h, const typename S::Vector& before, typename S::Vector& q,
                       typename S::Vector& v) {

@@ -131,7 +131,7 @@ PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
         const Eigen::Matrix3d R = detail::axes::cayley(theta);
         U = detail::axes::product(U, R);
         W = detail::axes::product(W, R);
-        if (largest < its_root && detail::axes::orthogonal(G, its_root)) break;  // θ² is round-off
+        if (largest < its_root && detail::axes::orthogonal(G, its_root)) break;  // theta² is round-off
       } else {
         detail::axes::sweep(W, U, round_off);
       }

@@ -1,5 +1,6 @@
 #pragma once
-/// Systems with internal variables z, such as the internal strains of viscoelastic branches:
+/// Systems with internal variables z, such as the internal strains of viscoelastic branches. With the mass M, the force
+/// f, the constraint g, G = Dg and the multiplier λ, the equations of motion are
 ///
 ///   M q̈ = f(t, q, q̇, z) + G(q)ᵀλ,   g(q) = 0,   ż = R(q, z).
 ///
@@ -28,9 +29,9 @@ bool relaxes(const S& system) {
   return false;
 }
 
-/// Returns the failure of a method for a system with internal variables, because only RATTLE includes the flow of z in
-/// its steps. Methods for dissipative systems return this failure. All other methods refuse such a system as
-/// dissipative.
+/// Returns the failure with which a method refuses a system with internal variables. Only RATTLE includes the flow of z
+/// in its steps. The function is for methods that accept dissipative systems. All other methods refuse such a system
+/// anyway, because the flow dissipates energy.
 inline Status refuses_relaxation() {
   return Status::failure("the internal strains of viscoelastic branches are integrated by rattle; use rattle");
 }

@@ -13,12 +13,13 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// Adds a_i · unit · size_i to each x_i, with pseudo-random a_i in (−2, 2). `pattern` 1, 2, … is the seed of the random
-/// numbers, so the changes are reproducible.
+/// Adds a_i · unit · size_i to each x_i, with pseudo-random a_i in (−2, 2). `pattern` = 1, 2, … is the seed of the
+/// random numbers, so the changes are reproducible.
 template <class Vector>
 void perturb(double unit, Vector size, int pattern, Vector& x) {
   scale(4 * unit, size);
-  std::minstd_rand random(static_cast<unsigned>(pattern) * 7654321U);  // similar seeds give similar numbers
+  // Similar seeds give similar numbers, so the seeds are multiples of a large number.
+  std::minstd_rand random(static_cast<unsigned>(pattern) * 7654321U);
   constexpr double range = std::minstd_rand::max();
   const auto units = local_values(size), entries = local_values(x);
   for (std::size_t i = 0; i < entries.size(); ++i)

@@ -1,5 +1,6 @@
 #pragma once
-/// The factorisation g = LLᵀ of a symmetric, positive definite matrix with a few rows, and x = g⁻¹b by Ly = b, Lᵀx = y:
+/// The factorisation g = LLᵀ of a symmetric, positive definite matrix with a few rows. The solution x = g⁻¹b follows
+/// from Ly = b and Lᵀx = y. With the pivots d_j,
 ///
 ///   d_j = g_jj − Σ_{k<j} L_jk²,   L_jj = √d_j,   L_ij = (g_ij − Σ_{k<j} L_ik L_jk) / L_jj   for i > j
 ///

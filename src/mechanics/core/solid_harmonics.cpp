@@ -7,8 +7,8 @@
 namespace pseudorigid::mechanics {
 namespace {
 
-/// Returns the factor of Re (x + iy)^|m| or Im (x + iy)^|m| in |x|^l Y_lm, at [l][|m|]. The arguments z and r2 = |x|²
-/// are jets with respect to the position x.
+/// Returns the factor of Re (x + iy)^|m| or Im (x + iy)^|m| in r^l Y_lm, at [l][|m|]. The arguments z and r2 = r² are
+/// jets with respect to the position (x, y, z), and r is its distance from the origin.
 std::vector<std::vector<Jet>> polar_factors(int N, const Jet& z, const Jet& r2) {
   std::vector<std::vector<Jet>> factor(N + 1, std::vector<Jet>(N + 1));
   factor[0][0] = constant(std::sqrt(1 / (4 * std::numbers::pi)));

@@ -34,7 +34,8 @@ inline std::array<bool, 3> is_odd(int l, int m) {
   return {(order % 2 == 1) != (m < 0), m < 0, (l - order) % 2 == 1};
 }
 
-/// Returns the functions |x|^l Y_lm with their gradients at x for l ≤ N, at [l][l + m].
+/// Returns the functions r^l Y_lm with their gradients at the position x, with r = |x|. The function of degree l ≤ N
+/// and order m is at [l][l + m].
 std::vector<std::vector<Jet>> solid_harmonics(int N, const std::array<double, 3>& x);
 
 }  // namespace pseudorigid::mechanics

@@ -80,8 +80,8 @@ Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspa
 }
 
 /// Solves for the stages in the fastest way that the field supports. Fails if the field cannot be evaluated. Sets
-/// stages.converged to true if the stages are found. After success the flag is false if the iteration does not
-/// converge. Throws NoKernels as solve_gauss_stages does.
+/// stages.converged to true if the stages are found. The flag is false if the iteration does not converge, although the
+/// function then succeeds. Throws NoKernels as solve_gauss_stages does.
 template <SecondOrderField F>
 Status solve_stages(const F& field, GaussStages& stages, typename F::Workspace& w) {
   if constexpr (requires { field.solve_stages(stages, w); }) {

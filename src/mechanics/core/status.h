@@ -16,7 +16,8 @@ namespace pseudorigid::mechanics {
   return text;
 }
 
-/// Success, or one sentence for the user ("det F = -0.03 at X = (…)"). A success contains only a null pointer.
+/// Success, or a failure with one sentence for the user ("det F = -0.03 at X = (…)"). A success contains only a null
+/// pointer.
 class [[nodiscard]] Status {
  public:
   Status() = default;

@@ -18,7 +18,8 @@ namespace pseudorigid::mechanics {
 
 template <class V>
 struct VectorSpace {  // dense Eigen vectors and matrices
-  // dense: V is an Eigen type of this process. compensated: `add` stores the round-off of sums.
+  // `dense` is true if this process has all entries of V in an Eigen type. `compensated` is true if `add` stores the
+  // round-off of sums.
   static constexpr bool dense = true, compensated = true;
   static void add(double a, const V& x, V& y, V& c) {
     for (Eigen::Index i = 0; i < y.size(); ++i) {
@@ -40,7 +41,7 @@ struct VectorSpace {  // dense Eigen vectors and matrices
   static void dots(std::span<const V* const> x, const V& y, std::span<double> products) {
     for (std::size_t k = 0; k < x.size(); ++k) products[k] = dot(*x[k], y);
   }
-  /// y ← s (y + Σ a_k x_k)
+  /// Replaces y by s (y + Σ a_k x_k).
   static void combine(double s, V& y, std::span<const double> a, std::span<const V* const> x) {
     for (std::size_t k = 0; k < x.size(); ++k) y.noalias() += a[k] * *x[k];
     y *= s;
@@ -83,8 +84,8 @@ template <class V>
 double dot(const V& x, const V& y) {
   return VectorSpace<V>::dot(x, y);
 }
-/// y ← y + a x. If the sums of this type are compensated, c stores the round-off. The caller sets c to zero at the
-/// start of a sum.
+/// Adds a x to y. If the sums of this type are compensated, c stores the round-off of y. The caller sets c to zero at
+/// the start of a sum.
 template <class V>
 void add(double a, const V& x, V& y, V& c) {
   if constexpr (VectorSpace<V>::compensated)

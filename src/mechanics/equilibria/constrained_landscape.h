@@ -96,8 +96,8 @@ class ConstrainedLandscape {
     f = flat(value);
     return f.allFinite() ? Status() : Status::failure("the force is not finite");
   }
-  /// Conversions between the vectors or multipliers of the system and Eigen vectors. `filled` returns x with the given
-  /// entries.
+  /// Conversions between the vectors or multipliers of the system and Eigen vectors. `flat` returns the entries of x,
+  /// and `filled` returns x with the given entries.
   static Vector flat(auto& x) {
     const auto values = local_values(x);
     Vector entries(static_cast<Eigen::Index>(values.size()));

@@ -11,11 +11,12 @@
 namespace pseudorigid::mechanics {
 namespace {
 
-/// Eigenvalues of H with absolute values of at most this fraction of the largest count as zero. The reason is that
-/// Hessians by differences have errors of about 1e-12.
+/// An eigenvalue of H counts as zero if its absolute value is at most this fraction of the largest absolute value. The
+/// reason is that Hessians by differences have errors of about 1e-12. H is the Hessian on the tangent space, and D is
+/// the damping there (critical_point.h).
 constexpr double zero_curvature = 1e-8;
-/// Eigenvalues of H with absolute values of at most this bound also count as zero. Such numbers can be round-off of
-/// terms of order 1 that cancel. The relative bound is not enough: without any force, the largest eigenvalue can be
+/// An eigenvalue of H also counts as zero if its absolute value is at most this bound. Such a number can be round-off
+/// of terms of order 1 that cancel. The relative bound is not enough: without any force, the largest eigenvalue can be
 /// 1e-170.
 constexpr double round_off_curvature = 1e-14;
 /// A rate counts as neither stable nor unstable if the absolute value of its real part is at most this fraction of the
@@ -23,7 +24,8 @@ constexpr double round_off_curvature = 1e-14;
 /// this error.
 constexpr double zero_rate = 1e-6;
 
-/// Returns a basis T of ker G with TᵀMT = Id, as columns. M must be positive definite.
+/// Returns a basis T of ker G with TᵀMT = Id, as columns, for the mass M and the derivative G of the constraints. M
+/// must be positive definite.
 Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G) {
   const Eigen::LLT<Eigen::MatrixXd> factor(M);  // M = LLᵀ, T = L⁻ᵀZ with Z ⟂ L⁻¹Gᵀ
   Eigen::MatrixXd Z = Eigen::MatrixXd::Identity(M.rows(), M.cols());
@@ -35,8 +37,8 @@ Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G
   return factor.matrixU().solve(Z);
 }
 
-/// Sets the rates and directions without damping: z² = −κ for each eigenvalue κ of H. An eigenvalue with |κ| ≤ `zero`
-/// gives z = 0. Sets n_unstable and n_stable to p.morse_index, which the caller must have set.
+/// Sets the rates z and the directions of p without damping: z² = −κ for each eigenvalue κ of H. An eigenvalue with |κ|
+/// ≤ `zero` gives z = 0. Sets n_unstable and n_stable to p.morse_index, which the caller must have set.
 void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.values.size();
   p.rates.resize(2 * n);
@@ -50,11 +52,12 @@ void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::Ma
   p.n_unstable = p.n_stable = p.morse_index;
 }
 
-/// Sets the rates z and directions δq = T y of ÿ + Dẏ + Hy = 0, and the numbers of stable and unstable rates. The rates
-/// are the eigenvalues of a matrix of twice the size of H. Fails if the eigenvalues do not converge.
+/// Sets the rates z and the directions δq = T y of p, for the solutions y ~ e^{zt} of ÿ + Dẏ + Hy = 0. Also sets the
+/// numbers of stable and unstable rates. The rates are the eigenvalues of a matrix of twice the size of H. Fails if the
+/// eigenvalues do not converge.
 Status linearise(const Eigen::MatrixXd& H, const Eigen::MatrixXd& D, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.rows();
-  Eigen::MatrixXd A(2 * n, 2 * n);  // the matrix of (y, ẏ)
+  Eigen::MatrixXd A(2 * n, 2 * n);  // the matrix of the first-order system for (y, ẏ)
   A << Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Identity(n, n), -H, -D;
   const Spectrum solution = spectrum(A);
   if (!solution.converged) return Status::failure("the rates of small motions at a critical point do not converge");

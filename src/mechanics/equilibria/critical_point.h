@@ -27,14 +27,14 @@ struct CriticalPoint {
 
   /// Returns true if every rate has a real part other than zero, up to round-off.
   bool hyperbolic() const { return n_unstable + n_stable == rates.size(); }
-  /// Returns true if the point satisfies 5.8.3: it is hyperbolic, and the number of unstable directions is the Morse
-  /// index.
+  /// Returns true if the point satisfies Oliva's theorem 5.8.3: it is hyperbolic, and the number of unstable directions
+  /// is the Morse index.
   bool obeys_5_8_3() const { return hyperbolic() && n_unstable == morse_index; }
 };
 
 /// Sets p to the description of the critical point (q, λ). `added_damping` is the matrix C of a force −C v in addition
-/// to the system's own damping. Fails if the Hessian or the damping cannot be computed, or if H or D is not finite. The
-/// last case can occur if M is singular.
+/// to the system's own damping. Fails if the Hessian or the damping cannot be computed, if H or D is not finite, or if
+/// the iteration for the rates does not converge. H or D can be infinite if M is singular.
 Status describe_critical_point(const AnyLandscape& landscape, const Eigen::VectorXd& q, const Eigen::VectorXd& lambda,
                                const Eigen::MatrixXd& added_damping, CriticalPoint& p);
 

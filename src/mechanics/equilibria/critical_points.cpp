@@ -9,6 +9,8 @@
 namespace pseudorigid::mechanics {
 namespace {
 
+/// Runs the search of critical_points.h. V is the potential energy, g the constraint with G = Dg, λ the multiplier, and
+/// δ the change of (q, λ) in a step of Newton's iteration.
 class CriticalPointFinder {
  public:
   using Vector = Eigen::VectorXd;
@@ -85,8 +87,8 @@ class CriticalPointFinder {
     return false;
   }
 
-  /// Sets `step` to the solution δ of Newton's equation (critical_points.h). Returns false if the Hessian fails or δ is
-  /// not finite.
+  /// Sets `step` to the solution δ of Newton's equation for the residual r (critical_points.h). Returns false if the
+  /// Hessian fails or δ is not finite.
   bool newton_step(const Vector& q, const Vector& lambda, const Vector& r, Vector& step) const {
     const Eigen::Index n = q.size(), n_constraints = lambda.size();
     Matrix H, G;
@@ -137,7 +139,8 @@ class CriticalPointFinder {
     return q;
   }
 
-  /// Maps periodic coordinates to (−P/2, P/2] up to `same_place`: a value just above −P/2 is increased by P.
+  /// Maps each coordinate with a period P to (−P/2, P/2]. A value that exceeds −P/2 by less than `same_place` · P/2 is
+  /// increased by P.
   Vector canonical(Vector q) const {
     for (Eigen::Index i = 0; i < q.size(); ++i)
       if (const double P = periods_[i]; P > 0) {

@@ -28,8 +28,8 @@ struct CriticalPointSearch {
   std::function<Eigen::VectorXd(const std::function<double()>& uniform)> start{};
   int n_starts = 200;
   std::uint64_t seed = 1;
-  /// Called after each n_starts starting points. If it returns true, points are known to be missing (morse_count.h).
-  /// The search then continues up to `n_starts_at_most` starting points.
+  /// This function is called after each n_starts starting points. If it returns true, points are known to be missing
+  /// (morse_count.h). The search then continues up to `n_starts_at_most` starting points.
   std::function<bool(const std::vector<CriticalPoint>& points)> misses_points{};
   int n_starts_at_most = 0;
   /// Returns the matrix C of a linear damping −C v in addition to the system's own damping. Empty: no additional
@@ -40,12 +40,13 @@ struct CriticalPointSearch {
 struct CriticalPoints {
   std::vector<CriticalPoint> points;  // ordered by increasing V
   int n_starts = 0, n_converged = 0;
-  bool misses_points = false;  ///< points were known to be missing when the search ended
+  bool misses_points = false;  ///< true if points were known to be missing when the search ended
 };
 
 /// Searches for critical points and sets `found`. Fails if the centre of the search has the wrong number of
-/// coordinates, or if the stability of a point cannot be computed (critical_point.h). The member n_converged is the
-/// number of starting points from which the iteration converged.
+/// coordinates, or if the stability of a point cannot be computed (critical_point.h). A starting point without
+/// convergence is not a failure. The member n_converged is the number of starting points from which the iteration
+/// converged.
 Status find_critical_points(const AnyLandscape& landscape, const CriticalPointSearch& search, CriticalPoints& found);
 
 /// Searches for critical points, with n_unstable and n_stable as in Oliva 5.8.3. If `dissipative` is false, n_unstable

@@ -63,7 +63,8 @@ Status FigureFinder::member(double parameter, FigureMember& member) {
   return {};
 }
 
-/// Appends the special points between the members with the parameters a and b.
+/// Appends the special points between the members with the parameters a and b to `result`. If the number of negative
+/// directions changes in a class without an index point, appends b to `without_special`.
 void FigureFinder::locate_special(double a, double b, FigureFamily& result) {
   struct Found {
     SpecialPoint point;

@@ -21,7 +21,7 @@ namespace pseudorigid::mechanics {
 /// A class of small motions, which are not coupled to the motions of other classes.
 struct MotionClass {
   bool odd_in_z;  ///< true if the motions are odd under x₃ ↦ −x₃
-  int m;          ///< azimuthal number on a spheroid; on an ellipsoid 0 if even under the half turn, otherwise 1
+  int m;          ///< azimuthal number on a spheroid; on an ellipsoid 0 if even under the half turn about x₃, else 1
 };
 
 struct ClassStability {
@@ -37,7 +37,7 @@ struct FigureMember {
 
 struct SpecialFigure {
   SpecialKind kind;
-  MotionClass motions;  ///< class of the special point; for a fold, the class of the family
+  MotionClass motions;  ///< class of the special point; for a fold, the class of the motions along the family
   FigureMember member;
 };
 
@@ -51,8 +51,8 @@ struct FigureFamily {
   std::vector<FigureMember> members;
   std::vector<SpecialFigure> special;  ///< special points, sorted by parameter between two members
   std::vector<NoFigure> missing;
-  /// Parameters of members before which the number of negative directions changes, although the search finds no special
-  /// point. The first member is not compared, and neither are members without rotation.
+  /// Parameters of the members that differ from the preceding member in the number of negative directions, although the
+  /// search between the two finds no index point. Pairs with a member at rest are not compared.
   std::vector<double> without_special;
 };
 
@@ -62,7 +62,8 @@ struct NearbyFigure {
   double drive;
 };
 
-/// `condition` returns the condition that determines the figure with a parameter of the family.
+/// A family of spheroids or ellipsoids. `condition` returns the condition that determines the figure with the given
+/// parameter.
 struct FamilyOfFigures {
   Figure figure;
   std::function<FigureCondition(double parameter)> condition;
@@ -78,7 +79,7 @@ class FigureFinder {
  public:
   /// The object refers to `equations`, which must exist as long as the object. `resolution` is half of the relative
   /// width of the bracket at which the search for a special point ends. Each step of the search solves an eigenvalue
-  /// problem.
+  /// problem, so a coarser resolution saves time.
   FigureFinder(const FigureEquations& equations, StabilityOfFigure analyse, FamilyOfFigures family,
                double resolution = 1e-12);
 
@@ -104,8 +105,8 @@ class FigureFinder {
   FamilyOfFigures family_;
   double resolution_;
   std::function<bool()> give_up_{};
-  std::map<double, EquilibriumFigure> known_;  ///< known figures, by the value of their condition
-  std::map<double, FigureMember> members_;     ///< known members, by their parameter
+  std::map<double, EquilibriumFigure> known_;  ///< known figures; the key is the value of their condition
+  std::map<double, FigureMember> members_;     ///< known members; the key is their parameter
 };
 
 }  // namespace pseudorigid::mechanics

@@ -18,7 +18,7 @@ Status FigureEquations::solve(const FigureCondition& condition, EquilibriumFigur
 }
 
 Status FigureEquations::follow(double from, const FigureCondition& condition, EquilibriumFigure& figure) const {
-  constexpr double shortest = 1.0 / 512;  // fraction of the distance between the parameters
+  constexpr double shortest = 1.0 / 512;  // shortest step, as a fraction of the distance between the parameters
   constexpr double longest = 0.25;  // largest step of the parameter, so that the search does not jump to other branches
   constexpr double astray = 0.5;    // bound of the distance between solution and prediction, as a fraction of the step
   const double way = condition.value - from;

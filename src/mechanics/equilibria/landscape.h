@@ -16,7 +16,7 @@ template <class L>
 concept Landscape = requires(const L l, const Eigen::VectorXd q, Eigen::VectorXd x, Eigen::MatrixXd A) {
   { l.n_coordinates() } -> std::convertible_to<int>;
   { l.n_constraints() } -> std::convertible_to<int>;
-  { l.periods() } -> std::convertible_to<Eigen::VectorXd>;  // period of each coordinate; 0: not periodic
+  { l.periods() } -> std::convertible_to<Eigen::VectorXd>;  // period of each coordinate, or 0 if not periodic
   { l.potential(q) } -> std::convertible_to<double>;        // potential energy V
   { l.gradient(q, x) } -> std::same_as<Status>;             // gradient ∇V
   { l.constraint(q, x) } -> std::same_as<Status>;           // constraints g

@@ -32,7 +32,7 @@ struct SymmetryDirections {
   Eigen::MatrixXd y, rate;
 };
 
-/// The linear system dx/dt' = −W⁻¹S x on the reduced space, with the scaled time t' = scale · t.
+/// The linear system dx/dt' = −W⁻¹S x on the reduced space N^W / (N ∩ N^W), with the scaled time t' = scale · t.
 struct ReducedLinearSystem {
   Eigen::MatrixXd S, W;
   double scale = 1;
@@ -48,8 +48,8 @@ struct Rate {
 struct LinearStability {
   std::vector<Rate> rates;
   Eigen::VectorXd second_variation;  ///< eigenvalues of S, increasing: second variation of the energy at fixed momenta
-  int n_negative = 0;  ///< number of negative eigenvalues; if none is negative or 0, the motion is stable (Dirichlet)
-  double growth_rate = 0;  ///< largest real part, 0 if it is round-off
+  int n_negative = 0;      ///< number of negative eigenvalues; if all are positive, the motion is stable (Dirichlet)
+  double growth_rate = 0;  ///< largest real part of a rate, or 0 if this part is round-off
   bool stable = true;      ///< spectral stability: no rate has a positive real part above round-off
 };
 

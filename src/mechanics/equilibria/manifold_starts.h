@@ -20,7 +20,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// A displacement (x, y) of position and velocity.
+/// A displacement (x, y) of a state: `q` is the displacement x of the position, and `v` is y of the velocity.
 struct PhaseVector {
   Eigen::VectorXd q, v;
   double rate = 0;  ///< growth or decay rate |Re z|
@@ -59,9 +59,9 @@ inline std::vector<PhaseVector> both_ways(const std::vector<PhaseVector>& basis,
   return starts;
 }
 
-/// Returns n displacements (x, y), whose component along each basis vector has at most the initial size defined at the
-/// top of this file, or 1e-12 if this is larger. The directions are at equal angles if the basis has two vectors.
-/// Otherwise they are random with a fixed seed. The basis must not be empty.
+/// Returns n displacements (x, y). Each displacement has a component along each basis vector of at most the initial
+/// size defined at the top of this file, or 1e-12 if this is larger. The directions are at equal angles if the basis
+/// has two vectors. Otherwise they are random with a fixed seed. The basis must not be empty.
 inline std::vector<PhaseVector> all_around(const std::vector<PhaseVector>& basis, int n, double epsilon) {
   constexpr double least = 1e-12;  // least size for a fast direction, above the round-off of q*
   std::vector<double> sizes;

@@ -12,7 +12,7 @@ namespace pseudorigid::mechanics {
 
 struct ClassifiedMode {
   double omega_squared;
-  bool spheroidal;  ///< false: toroidal
+  bool spheroidal;  ///< true for a spheroidal mode, false for a toroidal mode
   int degree;
   int n_copies = 1;  ///< number of modes of this frequency that the entry represents
 };
@@ -21,7 +21,7 @@ struct ClassifiedMode {
 /// 1 copies. The sign of ω is the sign of ω². A negative ω means growth at the rate −ω.
 struct ModeGroup {
   bool spheroidal;
-  int degree, overtone;            ///< overtone 0: the fundamental
+  int degree, overtone;            ///< degree n; overtone 0 is the fundamental
   std::vector<std::size_t> modes;  ///< indices in the list by increasing ω²; an entry with several copies is repeated
   double omega;                    ///< mean ω of the copies
   double least, largest;           ///< least and largest ω of the copies

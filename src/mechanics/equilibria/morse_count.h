@@ -1,7 +1,7 @@
 #pragma once
-/// Morse's count. Let D be a compact part of a manifold of dimension n, with V increasing outwards at its boundary. Let
-/// V have only nondegenerate critical points in D, c_k of them with index k. With the Betti numbers b_k of D
-/// (coefficients in Z/2),
+/// Morse's count of the critical points of a function V. Let D be a compact part of a manifold of dimension n, with V
+/// increasing outwards at its boundary. Let V have only nondegenerate critical points in D, c_k of them with index k.
+/// With the Betti numbers b_k of D (coefficients in Z/2),
 ///
 ///   Σ c_k t^k − Σ b_k t^k = (1 + t) Σ r_k t^k,   r_k ≥ 0      (Milnor, Morse Theory, 5)
 ///

@@ -8,7 +8,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns the distance d. `periods` has the period P of each coordinate, or 0 if the coordinate is not periodic.
+/// Returns the distance d of the state (q, v) from (q0, 0). `periods` has the period P of each coordinate, or 0 if the
+/// coordinate is not periodic.
 template <class Vector>
 double phase_distance(const Vector& q, const Vector& v, const Eigen::VectorXd& q0, const Eigen::VectorXd& periods) {
   Eigen::VectorXd d = q - q0;

@@ -84,7 +84,7 @@ using StabilityAlong = std::function<std::optional<LinearStability>(double s)>;
 
 /// Appends the zeros of the test functions for index and instability between a and b to `found`. Only zeros with a
 /// change of sign between a and b are found. If there is no motion at a or b, or if the numbers of eigenvalues at a and
-/// b differ, appends nothing. `resolution` is the argument of bracketed_root.
+/// b differ, appends nothing. `resolution` is the relative resolution of s (bracketed_root.h).
 inline void locate_changes_of_stability(const StabilityAlong& stability, double a, double b,
                                         std::vector<SpecialPoint>& found,
                                         double resolution = std::numeric_limits<double>::epsilon()) {

@@ -60,15 +60,15 @@ struct DormandPrince8Workspace {
   double tolerance;
   double h = 0;                    // length of the next step, negative backwards in time; 0: not yet chosen
   double h_max = HUGE_VAL;         // bound of the length of a step
-  double t_start = 0, h_last = 0;  // start and length of the last step
+  double t_start = 0, h_last = 0;  // time at the start of the last step, and its length
   Vector q_start, v_start, q_end, v_end;
-  Vector q_rounding, v_rounding;          // remainders of the compensated sums of the state
-  Vector q_rounding_end, v_rounding_end;  // remainders at the end of a trial step
+  Vector q_rounding, v_rounding;          // remainders of the compensated sums of q and v
+  Vector q_rounding_end, v_rounding_end;  // these remainders at the end of a trial step
   Vector q_stage, v_stage;
   std::array<Vector, dop853::n_all_stages> A;  // A[12] is the acceleration at the end of the step
   std::array<Vector, 4> dense_q, dense_v;      // F₃ … F₆ of the dense output (`evaluate`) for q and v
-  bool acceleration_known = false;  // A[12] is the acceleration at the state; clear this flag if you change the state
-  bool dense_known = false;         // dense_q and dense_v belong to the last step
+  bool acceleration_known = false;  // true if A[12] is the acceleration at the state; clear it if you change the state
+  bool dense_known = false;         // true if dense_q and dense_v belong to the last step
   Counters counters;
 
   /// Passes each member that a checkpoint must contain to `visit`.
@@ -123,7 +123,7 @@ struct DormandPrince8 {
     for (bool rejected = false;; rejected = true) {
       const bool last = std::abs(distance) <= 1.01 * std::abs(w.h);  // avoids a tiny step to t_limit
       const double h = last ? distance : w.h;
-      double error = 0;  // estimate divided by the tolerance
+      double error = 0;  // estimated error divided by the tolerance
       Status status = try_step(field, h, state, w, error);
       if (status && error <= 1) {
         const double factor = std::clamp(0.9 * std::pow(error, -0.125), 1.0 / 3, rejected ? 1.0 : 6.0);
@@ -138,8 +138,8 @@ struct DormandPrince8 {
     }
   }
 
-  /// Sets `out` to the state at the time t, by the polynomial of order 7 in θ = (t − t_n)/h. Fails if t is not within
-  /// the last step, or if an additional stage or the projection fails.
+  /// Sets `out` to the state at the time t, by the polynomial of order 7 in θ = (t − t_n)/h. The last step begins at
+  /// t_n and has the size h. Fails if t is not within the last step, or if an additional stage or the projection fails.
   template <SecondOrderField F>
   static Status interpolate(const F& field, double t, State<F>& out, Workspace<F>& w) {
     const double theta = (t - w.t_start) / w.h_last;
@@ -242,7 +242,7 @@ struct DormandPrince8 {
     return {};
   }
 
-  /// Returns the number `error` of the head of this file, before its division by the tolerance.
+  /// Returns the number `error` defined at the head of this file. The caller divides it by the tolerance.
   template <class F>
   static double estimate_error(double h, const State<F>& state, const Workspace<F>& w) {
     double q5 = 0, v5 = 0, q3 = 0, v3 = 0;
@@ -280,8 +280,8 @@ struct DormandPrince8 {
     return std::isfinite(a.squaredNorm()) ? Status() : Status::failure("the acceleration is not finite");
   }
 
-  /// Moves the state to the end of the trial of size h, with the time t. The start of the step is kept for the dense
-  /// output.
+  /// Moves the state to the end of the trial of size h, and sets its time to t. The start of the step is kept for the
+  /// dense output.
   template <class F>
   static void accept(double t, double h, State<F>& state, Workspace<F>& w) {
     w.t_start = state.t;

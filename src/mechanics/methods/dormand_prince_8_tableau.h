@@ -94,8 +94,8 @@ inline constexpr Row<long double> e5_exact{0.1312004499419488073250102996e-1L,
                                            0.8192320648511571246570742613e-1L,
                                            -0.2235530786388629525884427845e-1L};
 
-/// Weights of the accelerations in the coefficients F₃ … F₆ of the dense output of order 7 in θ = (t − t_n)/h. F₀ … F₂
-/// belong to Hermite's interpolation.
+/// Weights d of the accelerations in the coefficients F₃ … F₆. The dense output is a polynomial of order 7 in θ, which
+/// is the time since the start of the step divided by h. F₀ … F₂ belong to Hermite's interpolation.
 inline constexpr Rows<4> d_exact{
     {{-0.84289382761090128651353491142e1L, 0, 0, 0, 0, 0.56671495351937776962531783590L,
       -0.30689499459498916912797304727e1L, 0.23846676565120698287728149680e1L, 0.21170345824450282767155149946e1L,

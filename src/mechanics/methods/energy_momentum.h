@@ -155,9 +155,9 @@ struct EnergyMomentum {
                            "; use a smaller step");
   }
 
-  /// Returns the largest change of V among eight fixed small changes of q. Change k adds (7i + 3k) mod 5 − 2 units to
-  /// entry i, and a unit is 2ε max|q_i|. The round-off of V alone does not show the round-off of its terms, which may
-  /// be larger and cancel.
+  /// Returns the largest change of V among five fixed small changes of q. Change k adds (7i + 3k) mod 5 − 2 units to
+  /// entry i = 1, 2, … of q, and a unit is 2ε max|q_i|. The round-off of V alone does not show the round-off of its
+  /// terms, which may be larger and cancel.
   template <ConservativeSystem S>
   static double noise_of_potential(const S& system, const typename S::Vector& q) {
     const double V = system.potential_energy(q), unit = 2 * epsilon * max_norm(q);
@@ -224,8 +224,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// A += a [f(q) + G(q)ᵀλ − D²g(q)(v, ·)ᵀμ], B += a G(q)ᵀμ. With a = 1, and A = B = 0 before the call, the pair (−A,
-  /// B) is ∇F without the term M v. Fails if the force fails.
+  /// Adds a [f(q) + G(q)ᵀλ − D²g(q)(v, ·)ᵀμ] to A, and a G(q)ᵀμ to B. With a = 1, and A = B = 0 before the call, the
+  /// pair (−A, B) is ∇F without the term M v. Fails if the force fails.
   template <ConservativeSystem S>
   static Status add_gradient(const S& system, double a, double t, const typename S::Vector& q,
                              const typename S::Vector& v, EnergyMomentumWorkspace<S>& w, typename S::Vector& A,
@@ -244,8 +244,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Sets C = Π D + θ P, with D = 0 if the system has no symmetries. Computes θ if w.hold is 0, and otherwise keeps it.
-  /// Fails if a force or the constraint fails.
+  /// Sets C = Π D + θ P, with D = 0 if the system has no symmetries. Computes θ if w.hold is 0. Otherwise θ keeps its
+  /// value. P is computed from ΔX. Fails if a force or the constraint fails.
   template <ConservativeSystem S>
   static Status correct(const S& system, double h, double t, EnergyMomentumWorkspace<S>& w) {
     w.P_q = w.dq;
@@ -333,8 +333,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Adds (Δq, Δv) to the state, and restores the momenta. Stores the energy error and the values from which the next
-  /// step predicts its guess.
+  /// Adds (Δq, Δv) to the state, and restores the momenta. Adds the energy error of the step to w.energy_gained, and
+  /// stores the values from which the next step predicts its guess.
   template <ConservativeSystem S>
   static void accept(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
     const double K_start = system.kinetic_energy(state.v);

@@ -16,8 +16,8 @@ struct FixedPointMonitor {
   double previous = HUGE_VAL, least = HUGE_VAL;
   int iteration = 0, n_since_least = 0;
 
-  /// Records the increment. Returns true if none of the last three increments was smaller than all earlier ones, and
-  /// the current increment is at most `limit`.
+  /// Records the increment. Returns true if none of the last three increments was smaller than all earlier increments,
+  /// and the current increment is at most `limit`.
   bool stalled(double increment, double limit) {
     n_since_least = increment < least ? 0 : n_since_least + 1;
     least = std::min(least, increment);

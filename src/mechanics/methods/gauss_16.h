@@ -11,8 +11,8 @@
 /// bilinear in q and v are conserved up to round-off if the stages are iterated to round-off. Examples are the angular
 /// momentum J and the circulation Z of a body. Forces may depend on velocity and time and may dissipate. A system with
 /// constraints is integrated with its explicit multiplier (explicit_multiplier.h). The multiplier keeps g = 0 to the
-/// error of the step. Every 32 steps, and before a state is observed, the state is projected with G = Dg and
-/// multipliers δ and μ,
+/// error of the step. Every 32 steps, and before a state is observed, the state is projected. With the mass M, G = Dg
+/// and multipliers δ and μ, the projection is
 ///
 ///   q ← q + M⁻¹Gᵀδ,   v ← v − M⁻¹D²(δ·g)(v),   then  v ← v + M⁻¹Gᵀμ.
 ///
@@ -69,15 +69,15 @@ struct Gauss16Workspace {
   /// Bound of the error of the accelerations at which the iteration on the stages ends. If it is 0, the bound is the
   /// round-off of the accelerations divided by 4096.
   double iteration_tolerance = 0;
-  Vector q_rounding, v_rounding;  // rounding errors of q and v
+  Vector q_rounding, v_rounding;  // remainders of q and v, which are sums in extended precision
   Vector change;
   std::size_t n_entries;
-  std::vector<OfStages> last, stages, sums, scratch;  // `last` has the stages of the last step
+  std::vector<OfStages> last, stages, sums, scratch;  // `last` has the stages of the last step or part
   GaussTables tables;
   double h_last = 0;      // length of the last step or part of a step; 0: there was none
-  double scale = 0;       // largest acceleration in the first iteration of this step or part
+  double scale = 0;       // largest acceleration in the first iteration of the last step or part
   int n_halvings = 0;     // largest number of halvings in the last call of `advance`
-  int n_unprojected = 0;  // calls of `advance` since the last projection
+  int n_unprojected = 0;  // number of calls of `advance` since the last projection
   Counters counters;
 
   /// Passes each member that a checkpoint must contain to `visit`.
@@ -110,7 +110,7 @@ struct Gauss16 {
     return n_iterations * cost_of_iteration(field_of(system));
   }
 
-  /// Returns the permitted error e of the accelerations, for a `tolerance` of the configuration and a run of length T =
+  /// Returns the permitted error e of the accelerations, for the tolerance of the configuration and a run of length T =
   /// `end`. Runs of a pseudo-rigid body, a rigid body and the double pendulum were measured, with T = 100 and 3000. The
   /// energy fell at a rate of 1e-3 to 5e-2 times e|v|, with the velocity v. The error of the configuration was at most
   /// 0.03 e T². For the returned e, this error is less than a sixth of the tolerance.
@@ -204,7 +204,7 @@ struct Gauss16 {
     return {};
   }
 
-  /// Returns true if the step sizes differ only by the round-off of the sample times.
+  /// Returns true if the two step sizes differ only by the round-off of the sample times.
   static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
 
   template <class S>
@@ -313,7 +313,7 @@ struct Gauss16 {
     }
   }
 
-  /// Projects position and velocity by the formulas of the head of this file. The velocity is not lifted if the system
+  /// Projects position and velocity by the formulas at the head of this file. The velocity is not lifted if the system
   /// has no `add_reaction_rate`. Fails if the constraint or a Gram solve fails, or if one of the iterations does not
   /// converge.
   template <ConstrainedSystem S>

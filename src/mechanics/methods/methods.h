@@ -81,7 +81,7 @@ inline constexpr double step_limit = [] {
     return Method::stability_limit;
 }();
 
-/// Position of a method in the table.
+/// The position of a method in the table identifies the method.
 enum class MethodId : std::size_t {};
 
 namespace detail {

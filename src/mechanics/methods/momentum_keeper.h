@@ -23,8 +23,9 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// Returns the solution α of Σ_j gram_ij α_j = lost_i with the least norm. Combinations of symmetries that do not move
-/// the body do not contribute to α. An example is a rotation of space and of the body about a common axis.
+/// Returns the solution α of Σ_j gram_ij α_j = lost_i with the least norm. A pivot of at most 10⁻⁸ times the largest
+/// pivot counts as zero. Combinations of symmetries that do not move the body do not contribute to α. An example is a
+/// rotation of space and of the body about a common axis.
 Eigen::VectorXd least_solution(const Eigen::MatrixXd& gram, const Eigen::VectorXd& lost);
 
 }  // namespace detail
@@ -48,8 +49,8 @@ class MomentumKeeper {
     for (std::size_t i = 0; i < xi_.size(); ++i) start_[i] = dot(momentum_, xi_[i]);
   }
 
-  /// Corrects state.v and its remainder v_rounding as in the head of this file. Does nothing without symmetries, or if
-  /// all errors of momenta are round-off.
+  /// Corrects state.v by the formula at the head of this file. v_rounding is the remainder of the compensated sum of
+  /// state.v. Does nothing without symmetries, or if all errors of momenta are round-off.
   void keep(const S& system, State<S>& state, Vector& v_rounding) {
     const auto n = static_cast<Eigen::Index>(xi_.size());
     if (n == 0) return;
@@ -95,7 +96,7 @@ class MomentumKeeper {
 
   std::vector<Vector> xi_;
   Vector momentum_, unused_;
-  std::vector<double> start_;  // the stored momenta p(0)
+  std::vector<double> start_;  // the momenta p_i(0) of the first state
   bool known_ = false;
 };
 

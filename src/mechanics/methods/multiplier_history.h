@@ -17,7 +17,7 @@ namespace pseudorigid::mechanics {
 template <class S>
 struct MultiplierHistory {
   static constexpr int n_values = VectorSpace<typename S::Vector>::dense ? 2 : 4;
-  std::array<typename S::Multiplier, n_values> values;  ///< the latest first
+  std::array<typename S::Multiplier, n_values> values;  ///< the multipliers λ(t_i), the latest first
   std::array<double, n_values> times{};
   int n_known = 0;
 
@@ -44,9 +44,9 @@ struct MultiplierHistory {
     visit(n_known);
   }
 
-  /// Sets lambda ← Σ ℓ_i(t) λ(t_i) with as many of the latest times as possible such that Σ|ℓ_i| is at most 16.
-  /// Otherwise an extrapolation far beyond close times would amplify round-off. If no multiplier is known, lambda is
-  /// the latest entry of the history. This entry is zero at the start of a run.
+  /// Sets lambda ← Σ ℓ_i(t) λ(t_i) with as many of the latest times as possible such that Σ|ℓ_i| is at most 16. Without
+  /// this bound, an extrapolation far beyond close times would amplify round-off. If no multiplier is known, lambda is
+  /// set to the latest entry of the history, which is zero at the start of a run.
   void guess(double t, typename S::Multiplier& lambda) const {
     std::array<double, n_values> weights{};
     for (int n = n_known; n > 0; --n)

@@ -78,7 +78,7 @@ constexpr std::array<long double, k + 1> first_polynomial(const std::array<long 
   return rho;
 }
 
-/// Returns β_0, …, β_{k/2−1} for given coefficients of ρ, with indices counted from the middle.
+/// Returns β_0, …, β_{k/2−1} for given coefficients of ρ. Their indices are counted from the middle, and β_{k/2} = 0.
 template <int k>
 constexpr std::array<long double, k / 2> second_polynomial(const std::array<long double, k + 1>& rho) {
   constexpr int m = k / 2;
@@ -116,7 +116,7 @@ constexpr MultistepFormula<k> multistep_formula(const std::array<long double, k 
   const auto beta = detail::second_polynomial<k>(rho);
   const auto velocity = detail::velocity_weights<k>();
   MultistepFormula<k> formula;
-  long double sum = rho[k];  // coefficients of ρ/(ζ − 1), the highest power first
+  long double sum = rho[k];  // runs through the coefficients of ρ/(ζ − 1), the highest power first
   for (int i = 0; i < k - 1; ++i) {
     sum += rho[k - 1 - i];
     formula.difference[i] = static_cast<double>(-sum);

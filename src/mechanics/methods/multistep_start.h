@@ -3,7 +3,8 @@
 /// another method. For orders 8 and 12 this method is the explicit method of order 8 with a tolerance at round-off. For
 /// order 4 it is a composition of RATTLE of order 4.
 ///
-/// Each starting method is a type Start<S> for a system S. An object exists as long as the run and has these functions:
+/// Each starting method is a type Start<S> for a system S. The argument w is the workspace of the multistep method. An
+/// object exists as long as the run and has these functions:
 ///
 ///   begin(system, w)                       prepares steps from a new state or with a new h
 ///   acceleration(system, state, w, a)      sets a to the acceleration at the state, including the reaction

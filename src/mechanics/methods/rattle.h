@@ -22,9 +22,10 @@
 /// the force at v_{n+1} and is implicit:
 ///   v_{n+1} = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}, v_{n+1}) + Gᵀμ_n].
 /// rattle_velocity.h solves this equation together with the projection. The step remains symmetric and of order 2; a
-/// linear drag −cv gives Cayley's factor (1 − hc/2)/(1 + hc/2). Damping does not limit the step: an oscillator
-/// ẍ = −ω²x − cẋ is stable up to hω = 2 for every c. If the fixed-point iteration is already slow in the first step,
-/// the first half step is implicit as well. Otherwise an overdamped body would start with a fast transient.
+/// linear drag −cv gives Cayley's factor (1 − hc/2)/(1 + hc/2). Damping does not limit the step: an oscillator ẍ = −ω²x
+/// − cẋ is stable up to hω = 2 for every c. If the fixed-point iteration is already slow in the first step, the first
+/// half step is implicit as well. An explicit half step would start the motion of an overdamped body with a fast
+/// transient.
 ///
 /// The coordinates of companions move along Kepler orbits in place of straight lines (orbiting_system.h). The step then
 /// resolves only the forces that disturb the orbits.
@@ -95,8 +96,8 @@ struct Rattle {
   }
 
  private:
-  /// Makes the second half step. If a force depends on the velocity, the implicit equation is solved from the guess 2
-  /// v_{n+1/2} − v_n. Fails if the force fails or the equation is not solved.
+  /// Makes the second half step. If a force depends on the velocity, the iteration for the implicit equation starts
+  /// from the guess 2 v_{n+1/2} − v_n. Fails if the force fails or the iteration does not converge.
   template <ConstrainedSystem S>
   static Status kick_again(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     state.t += h;
@@ -148,7 +149,7 @@ struct Rattle {
     return 0.5 * s * (dot(state.v, w.force) - dot(start, w.force));
   }
 
-  /// q ← q + h v, with v corrected along M⁻¹G(q_n)ᵀ such that g(q) = 0 at the new q. Without constraints, v does not
+  /// Adds h v to q, with v corrected along M⁻¹G(q_n)ᵀ such that g(q) = 0 at the new q. Without constraints, v does not
   /// change. Fails if the constraint or a Gram solve fails, or if the iteration does not converge.
   template <ConstrainedSystem S>
   static Status move_on_constraint(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {

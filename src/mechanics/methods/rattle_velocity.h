@@ -7,9 +7,9 @@
 /// If f depends on v, a fixed-point iteration on the force solves this equation together with the projection. If the
 /// iteration is slow and the force is damping, linear systems replace it (damping.h). Damping that is linear in v needs
 /// one linear system. Other damping, such as friction, needs Newton's method. The residual is the negative derivative
-/// of a convex function of v. Each correction is therefore shortened until it does not pass the minimum of this
-/// function by far, and the iteration converges from every v. The accepted velocity satisfies the nonlinear equation up
-/// to the tolerance of the constraints or round-off.
+/// of a convex function of v (Ψ in damping.h). Each correction is therefore shortened until it does not pass the
+/// minimum of this function by far, and the iteration converges from every v. The accepted velocity satisfies the
+/// nonlinear equation up to the tolerance of the constraints or round-off.
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,8 @@
 namespace pseudorigid::mechanics {
 
 struct RattleVelocity {
-  /// v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v, until G v is below the tolerance or round-off. The projection completes the step of
-  /// RATTLE. Fails if a Gram solve fails or the projection does not converge. Does nothing without constraints.
+  /// Repeats v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v until G v is below the tolerance or round-off. This projection completes the
+  /// step of RATTLE. Fails if a Gram solve fails or the projection does not converge. Does nothing without constraints.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {
@@ -118,7 +118,7 @@ struct RattleVelocity {
       add(1.0, w.damping.solution, state.v, w.v_rounding);
       if (Status status = project_velocity(system, state, w); !status) return status;
     }
-    w.acceleration_known = false;  // the known acceleration is at the velocity before the last correction
+    w.acceleration_known = false;  // w.acceleration belongs to the velocity before the last correction
     return {};
   }
 
@@ -154,7 +154,7 @@ struct RattleVelocity {
   static Status search_along_correction(const S& system, double h, const typename S::Vector& rounding_half,
                                         State<S>& state, RattleWorkspace<S>& w, double& change) {
     constexpr int most_bisections = 60;
-    constexpr double relative = 1e-3;  // the linear system is solved up to this part of the residual
+    constexpr double relative = 1e-3;  // the linear system is solved up to this fraction of the residual
     const typename S::Vector before = state.v, rounding_before = w.v_rounding, residual = w.damping.residual;
     const auto& u = w.damping.solution;
     const auto slope_of = [&](const typename S::Vector& r) {
@@ -253,7 +253,7 @@ struct RattleVelocity {
       // If each change is c times the previous one, the sum of all further changes is size · c/(1 − c).
       const double c = size / size_before;
       if (size <= round_off || (i > 0 && c < 0.5 && size * c / (1 - c) <= enough) || (c >= 0.5 && size <= jitter)) {
-        w.acceleration_known = false;  // the known acceleration is at the velocity before the last iteration
+        w.acceleration_known = false;  // w.acceleration belongs to the velocity before the last iteration
         return {};
       }
       constexpr double slow = 0.3;

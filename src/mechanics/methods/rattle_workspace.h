@@ -39,7 +39,7 @@ struct VelocityIteration {
 
   typename S::Vector half;            // v_n in the first half step, v_{n+1/2} in the second
   typename S::Vector before;          // v_{n+1} of the previous iteration
-  typename S::Vector free, reaction;  // v_{n+1} before the last projection; sum of its changes by projections
+  typename S::Vector free, reaction;  // v_{n+1} before the last projection; sum of changes of v_{n+1} by projections
 
  private:
   static typename S::Vector vector_if(bool wanted, const S& system) {
@@ -69,14 +69,14 @@ struct RattleWorkspace {
   [[no_unique_address]] DampingTemporaries<S> damping;
   typename S::Vector q_rounding, v_rounding;  // remainders of the compensated sums of q and v
   detail::ConstraintTemporaries<S> constraint;
-  typename S::Multiplier impulse;  // Λ, which record_multiplier divides by the half steps
+  typename S::Multiplier impulse;  // Λ; after record_multiplier (rattle.h) the multiplier λ
   MultiplierHistory<S> history;
   double constraint_tolerance;   // permitted |g|_∞ and |G v|_∞; the default is that of the system
   double pending_weight = 0;     // length of the last half step, if its reaction is not yet in v; otherwise 0
-  double acceleration_time = 0;  // time of `acceleration`
+  double acceleration_time = 0;  // time at which `acceleration` was computed
   bool acceleration_known = false;
   bool begun = false;  ///< true after the first step of a damped system
-  bool stiff = false;  ///< true if the fixed-point iteration on the damping is slow and a linear system is solved
+  bool stiff = false;  ///< true if linear systems replace the fixed-point iteration, which is slow for this damping
   Counters counters;
 
   /// Passes each member that a checkpoint must contain to `visit`. A resumed run computes the other members again.

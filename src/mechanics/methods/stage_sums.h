@@ -1,6 +1,7 @@
 #pragma once
-/// Sums Σ_j c_j k_j over the stages k_j, with coefficients c_j known to the compiler. Zero coefficients are omitted.
-/// One loop over the entries of dense Eigen vectors computes all sums of a stage, without a temporary vector.
+/// Sums Σ_j c_j k_j over the vectors k_j of the stages, with coefficients c_j known to the compiler. Zero coefficients
+/// are omitted. One loop over the entries of dense Eigen vectors computes all sums of a stage, without a temporary
+/// vector.
 
 #include <Eigen/Core>
 #include <array>

@@ -28,9 +28,9 @@
 /// at t = 100 r/c and 1e-2 at 1430 r/c. The error of the mean deformation Q at 100 r/c is 1e-5. RATTLE with the same
 /// step has the error 7e-3.
 ///
-/// A round-off error ε of the constraint causes an error ε/h² of the multipliers. The history multiplies this error by
-/// the coefficients β̂ (up to 5 for order 8, 62 for order 12). The resulting error of the motion grows as the square
-/// root of the number of steps. Therefore use order 8 for long runs.
+/// A round-off error ε of the constraint causes an error ε/h² of the multipliers. The step multiplies this error by the
+/// coefficients β̂, whose largest absolute value is 5 for order 8 and 62 for order 12. The resulting error of the motion
+/// grows as the square root of the number of steps. Therefore use order 8 for long runs.
 
 #include <algorithm>
 #include <array>
@@ -67,7 +67,7 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   Start<S> start;
   typename S::Multiplier multiplier;  // λ_n, extrapolated and then corrected
   std::array<typename S::Vector, n_slots> d, a;
-  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // λ of the last steps, in a ring
+  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // λ of the last steps, in a ring of slots
   double h = 0;               // size of the steps in the history; 0: there was no step
   int newest = 0;             // slot of d_n, the difference of the last step to q_n
   int n_known = 0;            // number of differences d in the history
@@ -212,11 +212,11 @@ struct SymmetricMultistep {
     }
   }
 
-  /// Computes d_{n+1} and q_{n+1} with a_n from the extrapolated multiplier, and then corrects all three until
-  /// g(q_{n+1}) = 0. Fails if the constraint or a Gram solve fails, or if the iteration for the constraint does not
-  /// converge. For dense vectors, also fails if the result is not finite. All calls are inlined, because calls kept the
-  /// temporaries of small systems in memory. In a measurement, accesses to these temporaries took a sixth of the time
-  /// of a step of the pseudo-rigid body.
+  /// Computes d_{n+1} and q_{n+1} with a_n from the extrapolated multiplier. Then corrects a_n, d_{n+1} and q_{n+1}
+  /// until g(q_{n+1}) = 0. Fails if the constraint or a Gram solve fails, or if the iteration for the constraint does
+  /// not converge. For dense vectors, also fails if the result is not finite. All calls are inlined, because calls kept
+  /// the temporaries of small systems in memory. In a measurement, accesses to these temporaries took a sixth of the
+  /// time of a step of the pseudo-rigid body.
   template <class S>
   PSEUDORIGID_FLATTEN static Status make_step(const S& system, State<S>& state, Workspace<S>& w) {
     constexpr bool dense = VectorSpace<typename S::Vector>::dense;
@@ -258,16 +258,16 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Returns the residual |g| below which the iteration ends after one more correction, without a check. For a fixed
-  /// number of constraints the Gram matrix is exact. An iteration of Newton then reduces the residual to its square
-  /// times the curvature of g. The factor 1e-4 permits curvatures up to 10⁴. For a dynamic number of constraints, the
-  /// result is 0, so that every residual is checked.
+  /// Returns the residual |g| below which the iteration ends after one more correction, without evaluating g again. For
+  /// a fixed number of constraints the Gram matrix is exact. An iteration of Newton then reduces the residual to its
+  /// square times the curvature of g. The factor 1e-4 permits curvatures up to 10⁴. For a dynamic number of
+  /// constraints, the result is 0, so that every residual is checked.
   template <class S>
   static double foregone(const S&, const Workspace<S>& w) {
     return S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * w.constraint_tolerance);
   }
 
-  /// sum ← Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i}. `sum` may be the oldest d_{n−i}.
+  /// Sets `sum` to Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i}. `sum` may be the vector of the oldest d_{n−i}.
   template <class S>
   static void sum_history(Workspace<S>& w, typename S::Vector& sum) {
     const auto slot = [&](int i) { return w.newest >= i ? w.newest - i : w.newest - i + w.n_slots; };

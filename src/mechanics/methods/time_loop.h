@@ -37,7 +37,7 @@ struct Cursor {
 struct RunResult {
   Outcome outcome = Outcome::finished;
   std::string reason;  ///< the reason of a failure in one sentence, or "interrupted"; empty for a finished run
-  double t = 0;        ///< time reached
+  double t = 0;        ///< time that the run reached
 };
 
 /// Functions of the caller during the loop. If the loop begins at the start of the run, `sample` is also called for k =
@@ -86,7 +86,7 @@ requires(!Method::adaptive) RunResult
   return {Outcome::finished, "", state.t};
 }
 
-/// Makes the run as the function above, with a method that chooses the sizes of its steps. The steps do not end at the
+/// Does the same as the function above for a method that chooses the sizes of its steps. The steps do not end at the
 /// samples, so the state at a sample is interpolated. The last step ends at T. cursor.step counts the steps since the
 /// last sample.
 template <class Method, class F, TimeLoopHooks<F, typename Method::template Workspace<F>> Hooks>

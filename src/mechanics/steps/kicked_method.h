@@ -4,8 +4,8 @@
 ///   x ← x (1 ± ε part)   for each component x of q and q̇,
 ///
 /// with `part` = 1, or −1 to reverse all kicks. The signs are irregular but the same in every run, and ε is the spacing
-/// of floating-point numbers at 1. The perturbed motion could also result from other rounding errors. As in
-/// floating-point arithmetic, an exact 0 remains 0.
+/// of floating-point numbers at 1. Other rounding errors could also cause the perturbed motion. As in floating-point
+/// arithmetic, an exact 0 remains 0.
 
 #include <Eigen/Core>
 #include <bit>
@@ -21,7 +21,7 @@ struct Kicked : Method {
   template <class F>
   struct Workspace : Method::template Workspace<F> {
     using Method::template Workspace<F>::Workspace;
-    double part = 1;  // −1 reverses all kicks
+    double part = 1;  // 1, or −1 to reverse all kicks
     std::uint64_t n_kicks = 0;
   };
 

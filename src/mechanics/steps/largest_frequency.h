@@ -80,8 +80,8 @@ void fill_irregular(const S& system, typename S::Vector& x) {
 template <ConstrainedSystem S>
 class TangentOperator {
  public:
-  /// `scale` is the size of the vector that the differences change. A scale of 0 is replaced by 1. The references must
-  /// stay valid as long as the object.
+  /// `scale` is the size of the vector that the differences change: q for K, and v for C. A scale of 0 is replaced by
+  /// 1. The references must stay valid as long as the object.
   TangentOperator(const S& system, const State<S>& state, typename S::Workspace& workspace, bool of_velocity,
                   double scale)
       : system_(system),
@@ -105,10 +105,9 @@ class TangentOperator {
     return evaluate(force_at_state_);
   }
 
-  /// Sets result.w to K u and result.u to M⁻¹K u, and projects both. If `of_velocity` is true, C replaces K. If the
-  /// force fails, the increment of the difference is divided by 10, up to five times. The force can fail for a body
-  /// that is thin compared with its length. Fails if the force fails with the smallest increment, or if the Gram solve
-  /// fails.
+  /// Sets result.w to K u and result.u to M⁻¹K u, and projects both. If the operator is C, C replaces K. If the force
+  /// fails, the increment of the difference is divided by 10, up to five times. The force can fail for a body that is
+  /// thin compared with its length. Fails if the force fails with the smallest increment, or if the Gram solve fails.
   Status apply(const typename S::Vector& u, MassPair<S>& result) {
     Status status = difference(u, result.w);
     for (int n_smaller = 0; !status && n_smaller < 5; ++n_smaller) {

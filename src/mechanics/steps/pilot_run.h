@@ -21,21 +21,21 @@ namespace pseudorigid::mechanics {
 
 /// The conditions under which a method and a step are chosen. Times are in the unit of time of the system.
 struct StepRequest {
-  double end = 0;        ///< end T of the run
+  double end = 0;        ///< end T of the run, which starts at 0
   double window = 0;     ///< length w of the pilot runs
   double tolerance = 0;  ///< permitted error of the configuration over [0, T]
   /// Largest permitted step of RATTLE (rattle_step_limit), to which the limits of other methods are proportional. The
   /// limit is infinite if the system has no constrained form, and 0 if it is not known.
   double rattle_limit = 0;
   double step_bound = HUGE_VAL;  ///< largest length of a step with all its substeps that the user permits
-  double interval = HUGE_VAL;    ///< time between samples, a bound for methods with fixed steps
+  double interval = HUGE_VAL;    ///< time between samples, which bounds the step of methods with fixed steps
   bool stiff = false;            ///< true if the damping would limit the step of all methods except RATTLE
   /// True if force evaluations are costly. The search then first tries shorter pilot runs. The search omits methods
   /// that cannot save more than 20 % of the force evaluations of the best method so far, and does not measure how
   /// adaptive methods amplify round-off.
   bool spare_pilots = false;
   std::optional<MethodId> method{};    ///< the requested method; empty: the cheapest method
-  std::function<bool()> give_up = {};  ///< called after every pilot step; true ends the search
+  std::function<bool()> give_up = {};  ///< called after every pilot step; the search ends if it returns true
 };
 
 namespace detail {
@@ -54,11 +54,11 @@ inline constexpr long max_pilot_forces = 4'000'000;
 /// step changed by 4 %.
 inline constexpr double pilot_constraint = 5e-3;
 
-/// Result of a pilot run. `q` has the configuration at each sample, or the kinetic and the potential energy. `speed` is
-/// the largest |v|_∞ at the samples, and `n_force` the number of force evaluations.
+/// Result of a pilot run. `q` has the configuration at each sample, or the pair of kinetic and potential energy if the
+/// run records energies. `speed` is the largest |v|_∞ at the samples, and `n_force` the number of force evaluations.
 struct PilotRun {
   Status status;
-  double t = 0;  ///< time reached
+  double t = 0;  ///< time that the pilot run reached
   std::vector<Eigen::VectorXd> q;
   double speed = 0;
   long n_force = 0;
@@ -68,14 +68,14 @@ struct PilotRun {
 struct NoEnergies {};
 
 /// A method with steps of fixed size, with functions that make pilot runs of one system. `n_stages` is the cost of a
-/// step in force evaluations, and `step_limit` is the largest hω.
+/// step in force evaluations. `step_limit` is the largest hω, with the step h and the largest frequency ω.
 struct FixedStepMethod {
   MethodId id;
   double order, n_stages, step_limit;
   /// Makes a pilot run over `window`, with n_steps steps from each sample to the next.
   std::function<PilotRun(double window, long n_samples, long n_steps)> pilot;
-  /// Makes the same pilot run, but records kinetic and potential energy instead of the configuration. Empty if the
-  /// method is symplectic or the caller does not give the energies.
+  /// Makes the same pilot run, but records kinetic and potential energy instead of the configuration. The function is
+  /// empty if the method is symplectic or if the caller does not give the energies.
   std::function<PilotRun(double window, long n_samples, long n_steps)> energies{};
 };
 /// An adaptive method, with functions that make pilot runs of one system with a given local tolerance.
@@ -89,8 +89,8 @@ struct AdaptiveMethod {
 /// Returns the length of the pilot runs, which is at most that of the run.
 inline double pilot_window(const StepRequest& request) { return std::min(request.window, request.end); }
 
-/// Hooks of the time loop that record a pilot run. The recorded configuration is Q_of(state). The run is interrupted if
-/// it needs max_pilot_forces force evaluations or if give_up returns true.
+/// Functions that the time loop calls (time_loop.h), to record a pilot run. The recorded configuration is Q_of(state).
+/// The run is interrupted if it needs max_pilot_forces force evaluations or if give_up returns true.
 template <class S, class QOf>
 struct PilotHooks {
   const QOf& Q_of;
@@ -207,7 +207,7 @@ AdaptiveMethod adaptive_method(MethodId id, const S& system, const State<S>& ini
           }};
 }
 
-/// Returns the largest |q_a − q_b|_∞ over the samples that both runs have.
+/// Returns the largest |q_a − q_b|_∞ of the configurations q_a and q_b over the samples that both runs have.
 inline double largest_difference(const PilotRun& a, const PilotRun& b) {
   double d = 0;
   for (std::size_t k = 0; k < std::min(a.q.size(), b.q.size()); ++k)
@@ -215,26 +215,27 @@ inline double largest_difference(const PilotRun& a, const PilotRun& b) {
   return d;
 }
 
-/// Returns the error of the configuration at the time `end` from the random walk of round-off over n_substeps substeps.
-/// `speed` is the size |v|_∞ of the velocity. Every substep rounds the velocity. If sums are compensated, only the
-/// increments of the velocity have round-off. The random walk is then smaller by the factor min(1, hω), with the size h
-/// of a substep and the largest frequency ω.
+/// Returns the error of the configuration at the time `end` that the random walk of round-off over n_substeps substeps
+/// causes. `speed` is the size |v|_∞ of the velocity. Every substep rounds the velocity. If sums are compensated, only
+/// the increments of the velocity have round-off. The random walk is then smaller by the factor min(1, hω), with the
+/// size h of a substep and the largest frequency ω.
 inline double round_off_walk(bool compensated, double speed, double end, double n_substeps, double h_omega) {
   const double part = compensated ? std::min(1.0, h_omega) : 1.0;
   return 0.5 * std::numeric_limits<double>::epsilon() * (1 + part * std::sqrt(n_substeps) * std::max(1.0, speed * end));
 }
 
-/// Result of the search for one method. The verdict `dearer` means that the method would need too many force
-/// evaluations. The verdict `failed` has the reason in `reason`, a sentence.
+/// Result of the search for the step or the local tolerance of one method. The verdict `dearer` means that the method
+/// would need too many force evaluations compared with other methods. If the verdict is `failed`, `reason` contains the
+/// reason in one sentence.
 struct Trial {
   enum class Verdict { accepted, dearer, failed } verdict = Verdict::failed;
   MethodId method = id_of<Rattle>;
-  double limit = 0, step = 0;  ///< permitted and chosen step; adaptive: StepRequest::step_bound
+  double limit = 0, step = 0;  ///< permitted and chosen step; for an adaptive method both are step_bound
   double local_tolerance = 0;  ///< for adaptive methods only
   /// Estimated error of the configuration over the run, and number of force evaluations of the run.
   double error = 0, n_forces_of_run = 0;
-  bool at_round_off = false;   ///< round-off prevents the method from meeting the tolerance
-  bool set_by_energy = false;  ///< the error of the energy determines the step
+  bool at_round_off = false;   ///< true if round-off prevents the method from meeting the tolerance
+  bool set_by_energy = false;  ///< true if the error of the energy determines the step
   /// Time after which round-off exceeds the tolerance; empty if no such time is known.
   std::optional<double> round_off_rules_from{};
   std::string reason{};

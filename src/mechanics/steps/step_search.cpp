@@ -32,11 +32,11 @@ struct Grid {
 /// of RATTLE, which is 2.
 bool is_multistep(const FixedStepMethod& method) { return method.n_stages == 1 && method.order > 2; }
 
-/// Returns the change of the energy over the whole run, extrapolated from the pilot run, which covers the fraction
-/// `part` of the run. The change is relative to the energy of the motion above the least potential energy. The
-/// oscillating part is the largest change in the pilot run. The lasting part is the difference of the means over both
-/// halves, which is assumed to grow like t^(3/2). Returns 0 if the largest change is round-off, or if the motion has no
-/// energy above the least potential energy.
+/// Returns the change of the energy over the whole run, extrapolated from a pilot run that covers the fraction `part`
+/// of the run. The change is relative to the energy of the motion above the least potential energy. The oscillating
+/// part is the largest change in the pilot run. The lasting part is the difference of the means over both halves, which
+/// is assumed to grow like t^(3/2). Returns 0 if the largest change is round-off, or if the motion has no energy above
+/// the least potential energy.
 double change_of_energy(const PilotRun& run, double part) {
   const double of_halves = 0.8 - 0.2 * std::sqrt(2.0);  // difference of the means of t^(3/2) over both halves of [0, 1]
   const double start = run.q.front().sum();
@@ -110,18 +110,18 @@ double StepSearch::window_of(const FixedStepMethod& method) const {
   return std::min(request_.end, std::max(pilot_window(request_), least));
 }
 
-/// Returns the number of force evaluations of the run if the difference d at h decreases according to the order. Large
-/// errors saturate, so the true number may be larger than this prediction. A method that is too costly according to the
-/// prediction is therefore too costly in fact.
+/// Returns the number of force evaluations of the run at the step that meets the tolerance, if the difference d of the
+/// pilot runs with h and h/2 decreases according to the order. Large errors saturate, so the true number may be larger
+/// than this prediction. A method that is too costly according to the prediction is therefore too costly in fact.
 double StepSearch::predicted_forces(const FixedStepMethod& method, double h, double d) const {
   const double e = d * std::max(1.0, request_.end / window_), target = allowed_error();
   return run_forces(method, h) * std::max(1.0, std::pow(e / target, 1 / method.order));
 }
 
-/// Estimates the error at the stability limit over a part of the window. Multiplies the estimate by its possible growth
-/// in the rest of the window. If the product is permitted, accepts the stability limit and returns true. Tries the
-/// longer part only if the estimate of the shorter part would be permitted with the smaller factor. Returns false if no
-/// part is sufficient, if a part would be longer than the window, or if a pilot run fails.
+/// Estimates the error with the largest permitted step over a part of the window. Multiplies the estimate by its
+/// possible growth in the rest of the window. If the product is permitted, accepts this step and returns true. Tries
+/// the longer part only if the estimate of the shorter part would be permitted with the smaller factor. Returns false
+/// if no part is sufficient, if a part would be longer than the window, or if a pilot run fails.
 bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
   double error = 0;
   for (double part : {1.0 / 8, 1.0 / 2}) {
@@ -170,9 +170,10 @@ PilotRun StepSearch::pilot(const FixedStepMethod& method, double window, long n_
   return run;
 }
 
-/// Sets the step and returns true if the difference d at h is sufficient. One sufficient condition is that the error
-/// estimate of d is at most the target or the round-off. The other condition is that d is small and has decreased
-/// according to the order from d_before, the difference at 2h. If d_before is 0, no earlier difference is known.
+/// Sets the step and returns true if the difference d of the pilot runs with h and h/2 is sufficient. One sufficient
+/// condition is that the error estimate from d is at most the target or the round-off. The other condition is that d is
+/// small and has decreased according to the order from d_before, the difference at 2h. If d_before is 0, no earlier
+/// difference is known. `speed` is the largest |v|_∞ of the pilot run.
 bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, double d, double d_before,
                         double speed) const {
   const double p = method.order;
@@ -190,13 +191,13 @@ bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, d
   }
   const double exponent = e > target ? p : std::max(p, fall);  // a faster decrease than the order may not continue
   const double h_accuracy = h * (e > target ? std::exp2(-0.25) : 1.0) * std::pow(target / e, 1 / exponent);
-  const double h_round_off = h * std::pow(walk / e, 1 / (p + 0.5));  // from e (h'/h)^p = walk (h/h')^½
+  const double h_round_off = h * std::pow(walk / e, 1 / (p + 0.5));  // the step h' with e (h'/h)^p = walk (h/h')^½
   const double step = std::min(std::max(h_accuracy, h_round_off), trial.limit);
   return accept(method, trial, step, e * std::pow(step / h, p), round_off(method, speed, step));
 }
 
-/// Sets the trial to `accepted` with this step and returns true. The error is the sum of the truncation error and the
-/// round-off `walk`.
+/// Sets the trial to `accepted` with this step and returns true. The estimated error is the sum of `truncation`, the
+/// error of the method, and `walk`, the error of round-off.
 bool StepSearch::accept(const FixedStepMethod& method, Trial& trial, double step, double truncation,
                         double walk) const {
   trial.verdict = Trial::Verdict::accepted;
@@ -207,7 +208,7 @@ bool StepSearch::accept(const FixedStepMethod& method, Trial& trial, double step
   return true;
 }
 
-/// Returns the error e₀ of round-off with the step h (step_search.h).
+/// Returns the error e₀ that round-off causes in the configuration over the run with the step h (step_search.h).
 double StepSearch::round_off(const FixedStepMethod& method, double speed, double h) const {
   // If the system has no constrained form, its frequency is not known and rattle_limit is infinite. hω then counts as
   // 1.

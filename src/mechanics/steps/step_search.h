@@ -71,8 +71,8 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// The search for the step. `compensated` is true if sums of the system's vectors are compensated. The request must
-/// exist as long as the object.
+/// The search for the step of each method. `compensated` is true if sums of the system's vectors are compensated
+/// (vector_space.h). The request must exist as long as the object.
 class StepSearch {
  public:
   StepSearch(const StepRequest& request, bool compensated)

@@ -19,13 +19,13 @@ double affine_rate(const Eigen::Matrix3d& Q, const Eigen::Matrix3d& Qdot) {
 namespace detail {
 namespace {
 
-/// The search stops for a method that needs this many times the least cost of a later method of higher order. If force
-/// evaluations are costly, the search compares the method with all later methods.
+/// The search for a method stops if the method needs this multiple of the least cost of a later method of higher order.
+/// If force evaluations are costly, the search compares the method with all later methods.
 constexpr double clearly_dearer = 4;
 /// If force evaluations are costly, a method is tried only if its least cost is below this fraction of the cost of the
 /// best method so far. Otherwise its pilot runs would cost more than the method can save.
 constexpr double worth_dear_pilots = 0.8;
-/// A method that conserves the invariants of the motion may need this number of force evaluations for each force
+/// A method that conserves the invariants of the motion may need up to this number of force evaluations for each force
 /// evaluation of an adaptive method.
 constexpr double price_of_invariants = 2;
 

@@ -64,7 +64,7 @@ inline constexpr bool wants_stages_in_lanes = requires {
   Method::for_stages_in_lanes;
 };
 
-/// True if Method = auto considers the method for systems of type S, provided `accepts` agrees. If force evaluations
+/// True if Method = auto considers the method for those systems of type S that the method accepts. If force evaluations
 /// are cheap, a method with fixed steps must be symplectic or declare `for_stages_in_lanes`.
 template <class Method, class S>
 inline constexpr bool auto_considers = Method::chosen_by_auto &&

@@ -8,18 +8,19 @@
 namespace pseudorigid::mechanics::detail {
 namespace {
 
-/// Returns |q|_∞ at the first sample, or 0 without samples.
+/// Returns |q|_∞ of the configuration q at the first sample, or 0 if the run has no samples.
 double size_of(const PilotRun& pilot) { return pilot.q.empty() ? 0 : max_norm<Eigen::VectorXd>(pilot.q.front()); }
 
 /// Largest distance of a pilot run from two pilot runs that are perturbed by round-off in opposite directions.
 struct RoundOff {
   double difference = 0;
-  bool magnified = false;               ///< the distance is more than 1000 times that of a random walk
+  bool magnified = false;               ///< true if the distance is more than 1000 times that of a random walk
   std::optional<double> beyond_from{};  ///< time of the first sample at which the distance exceeds the bound
 };
 
 /// Makes the two perturbed pilot runs with the local tolerance `tau` and compares them with `pilot`. `bound` is the
-/// distance for `beyond_from`. Adds the number of their force evaluations to n_force.
+/// distance above which a sample counts for `beyond_from`. Adds the number of force evaluations of the two runs to
+/// n_force.
 RoundOff round_off_of(const StepRequest& request, const AdaptiveMethod& method, double tau, const PilotRun& pilot,
                       double bound, long& n_force) {
   constexpr double much = 1000;
