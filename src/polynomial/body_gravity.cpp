@@ -106,7 +106,7 @@ gravity::SurfacePoints BodyGravity::with_images(const gravity::SurfacePoints& po
 }
 
 /// f ← f − factor · ∂E/∂q, for a function E of the points and area vectors. `derivative` is the derivative of E with
-/// respect to the points and area vectors.
+/// respect to the points and area vectors. x contains the jets of the position with the coefficients q.
 void BodyGravity::spread(double factor, const SurfaceJets& x, const gravity::SurfaceDerivative& derivative,
                          Eigen::VectorXd& f) const {
   const auto& [by_x, by_N] = derivative;
@@ -154,7 +154,7 @@ Eigen::VectorXd BodyGravity::affine_coefficients(const Eigen::VectorXd& q) const
   return affine;
 }
 
-/// f ← f − ∂/∂q of a function of A, whose derivative with respect to A is D.
+/// f ← f − ∂E/∂q for a function E of the affine part A of q. D is the derivative of E with respect to A.
 void BodyGravity::add_affine_force(const Eigen::Matrix3d& D, Eigen::VectorXd& f) const {
   Eigen::VectorXd of_affine = Eigen::VectorXd::Zero(space_->n_unknowns());
   space_->set_affine(D * space_->inertia().cwiseInverse().asDiagonal(), Eigen::Vector3d::Zero(), of_affine);
