@@ -14,7 +14,7 @@ namespace {
 
 using Vector3 = std::array<std::vector<double>, 3>;
 
-/// Component c of w a × b at every point.
+/// Component c of w a × b at every point, with a weight w for each point.
 std::vector<double> cross(const Vector3& a, const Vector3& b, int c, const std::vector<double>& w) {
   const int d = (c + 1) % 3, e = (c + 2) % 3;
   std::vector<double> product(w.size());

@@ -111,7 +111,7 @@ void for_each_vector(const materials::AnyLaw& law, int n, Visitor&& visitor) {
   const L J = materials::determinant(F, cof), inverse = 1.0 / J;
   return L(0.25 * kappa) * (J - inverse * inverse * inverse) * cof;
 }
-/// The derivative of ∂U/∂F along H.
+/// The rate of the stress ∂U/∂F of `volumetric_stress` along H.
 [[gnu::always_inline]] inline Tensor volumetric_stress_rate(double kappa, const Tensor& F, const Tensor& H) {
   const Tensor cof = materials::cofactor(F);
   const L J = materials::determinant(F, cof), rate = materials::dot(cof, H);

@@ -137,7 +137,7 @@ class PointTables {
   Fields fields_;
   int degree_, n_radii_, n_directions_, width_, stride_, n_images_;
   std::vector<int> shift_;
-  std::vector<double> frames_;  ///< D_kt of set_frames, [field k][term t][direction]
+  std::vector<double> frames_;  ///< D_kt in ∂/∂X_k = Σ_t D_kt ∂_t for e_r, e_θ, e_φ: [k][t][direction]
   std::array<Factors, 8> factors_;
 };
 

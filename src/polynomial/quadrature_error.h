@@ -39,7 +39,7 @@ namespace pseudorigid::polynomial {
 inline constexpr double quadrature_growth = 1.5;
 
 struct QuadratureRequest {
-  double end = 0;                   ///< T, measured from the state
+  double end = 0;                   ///< end T of the run, measured from the time of the state
   double stable_step = 0;           ///< stability limit of RATTLE; 0 if it is not known
   double tolerance = 1e-6;          ///< tolerance of Q
   bool adds_points = false;         ///< true if points are added to make e at most half of the tolerance
@@ -48,7 +48,7 @@ struct QuadratureRequest {
 
 struct QuadratureChoice {
   int n_points = 0;               ///< number of points in the volume, in each direction of an octant
-  std::optional<double> error{};  ///< e; empty if the pilot runs fail
+  std::optional<double> error{};  ///< sum of the estimates e; empty after a failure
   std::string reason{};           ///< reason of the failure, or empty
   long n_force = 0;               ///< number of force evaluations in all pilot runs
 };

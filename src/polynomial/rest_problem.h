@@ -42,7 +42,7 @@ struct RestProblem {
 struct SurfaceRows {
   Eigen::MatrixXd radial, tangential;
 };
-/// The rows for n ≤ max_degree.
+/// Returns the rows of all harmonics of degree n ≤ max_degree.
 SurfaceRows surface_rows(const PolynomialSpace& space, int max_degree);
 
 /// Sets `problem`. The space of `body` must be that of the whole ball, without symmetry planes. `body` must not have

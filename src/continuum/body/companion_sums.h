@@ -15,10 +15,11 @@
 
 namespace pseudorigid::continuum {
 
-/// Sums over the nodes of the whole ball.
+/// Energy, forces and torque of the gravity between the ball and its companions, as sums over the nodes of the whole
+/// ball.
 struct CompanionSums {
-  double energy = 0;                        ///< U
-  mechanics::Orbit::Columns on_companions;  ///< F_i, one column for each companion
+  double energy = 0;                        ///< energy U
+  mechanics::Orbit::Columns on_companions;  ///< forces F_i, one column for each companion
   Eigen::Vector3d torque{0, 0, 0};          ///< torque on the ball about its centre of mass
 };
 

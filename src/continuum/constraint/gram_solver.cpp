@@ -157,7 +157,7 @@ class GramSolver::Impl {
   const GramMethod method_;
   std::unique_ptr<GramPreconditioner> preconditioner_;
   TangentAt of_q0_, of_q1_;
-  bool is_symmetric_ = false;  // true if q₁ = q₀
+  bool is_symmetric_ = false;  // true if q₁ and q₀ are the same object
   mechanics::ConjugateResiduals<Vector> iteration_;
   Vector reaction_, residual_;
   History history_;

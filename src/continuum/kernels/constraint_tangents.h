@@ -174,7 +174,7 @@ class ConstraintTangents {
     }
   }
 
-  /// buffers.result = Gᵀ λ of one batch, with λ in buffers.multiplier.
+  /// Sets buffers.result to the contribution of batch b to Gᵀλ, with λ in buffers.multiplier.
   template <class Number>
   void react(std::size_t b, const PlaneOfPoints<Number>* planes) const {
     auto& buffers = planes_.buffers();

@@ -69,7 +69,7 @@ class CellStiffness {
 
   const BallSpace& space_;
   int n_;
-  Eigen::MatrixXd values_, derivatives_;  ///< ℓ_i and ℓ_i' at the Gauss points, [point, node]
+  Eigen::MatrixXd values_, derivatives_;  ///< Lagrange polynomials ℓ_i, and ℓ_i': (Gauss point, node)
   /// Products of two one-dimensional functions at the Gauss points of one direction: [2 s + t](point, pair of nodes).
   /// The number s is 1 if the first function is a derivative ℓ_i', and 0 if it is ℓ_i. In the same way, t belongs to
   /// the second function.

@@ -33,7 +33,7 @@ RankOrder::RankOrder(const BallSpace& space) : communicator_(space.communicator(
         key = std::min(key, number * nodes_per_cell + i);
       }
   }
-  // The additional nodes come after all nodes, as in vectors.
+  // The additional nodes come after all nodes of the mesh, as in vectors.
   node_keys.resize(node_keys.size() + space.n_additional(), not_seen);
   fields_ = make_order(node_keys, 3);
   multipliers_ = make_order(cell_keys, space.n_pressure());

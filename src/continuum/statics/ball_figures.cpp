@@ -286,7 +286,8 @@ BallFigures::Figure BallFigures::tangent(const Condition& condition, const Figur
     found[0].drive = 1;
     return found[0];
   }
-  // The derivative of the condition a_k − exp(v) a₁ = 0 by its value v is w·u = exp(v) a₁ for the change u of x.
+  // With respect to the value v, the derivative of the condition a_k − exp(v) a₁ = 0 is w·u = exp(v) a₁, with the rate
+  // u of x.
   const double c = std::exp(condition.value) * body_->mass_moment(positions(figure))(0, 0);
   Figure along;
   if (!solve_with_condition(condition, figure, body_->make_vector(), no_constraint, now.drive, c, along)) return none;

@@ -87,7 +87,7 @@ class BallFigures final : public mechanics::FigureEquations {
   struct Terms {
     Vector force, drive, reaction;  ///< f, h and Gᵀλ
     Vector constraint;              ///< g; empty for a compressible ball
-    /// r = f + ν h + Gᵀλ
+    /// Returns the residual r = f + ν h + Gᵀλ.
     Vector residual(double nu) const;
   };
 
