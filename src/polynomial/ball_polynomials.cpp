@@ -8,7 +8,7 @@ namespace {
 
 using mechanics::constant;
 
-/// Jacobi's polynomials P_s^{(0,b)} at t for s = 0 … n.
+/// Jacobi's polynomials P_s^{(0,b)}(t) for s = 0 … n, with their gradients. t is a function of ξ with its gradient.
 std::vector<Jet> jacobi_polynomials(int n, double b, const Jet& t) {
   std::vector<Jet> P{constant(1)};
   if (n > 0) P.push_back(0.5 * ((b + 2) * t + constant(-b)));

@@ -39,7 +39,7 @@ loads::EllipsoidContact BodyContact::affine_contact(const loads::Plane& plane, c
 }
 
 bool BodyContact::may_touch(const loads::Plane& plane, const Eigen::VectorXd& q) const {
-  double reach = -affine_contact(plane, q).contact().height;  // largest depth of the affine part behind the plane
+  double reach = -affine_contact(plane, q).contact().height;  // depth of the affine part behind the plane
   for (const Block& block : space_->blocks())
     for (int k = 0; k < block.n(); ++k)
       reach += std::abs(plane.normal[block.component] * q[block.offset + k]) * largest_[block.offset + k];
@@ -88,9 +88,9 @@ loads::Contact BodyContact::contact(double t, const Eigen::VectorXd& q) const {
   return summary(planes, contacts);
 }
 
-/// Adds the generalised force of a force field at the points to f. The tables have the functions of the whole body, and
-/// the points are in the computed sector. Therefore the function multiplies `by_point` by the number of copies of the
-/// sector. After the call, the values in `by_point` are not defined.
+/// Adds the generalised force of the forces `by_point` at the points to f. The tables have the functions of the whole
+/// body, and the points are in the computed sector. Therefore the function multiplies `by_point` by the number of
+/// copies of the sector. After the call, the values in `by_point` are not defined.
 void BodyContact::spread(Field& by_point, Eigen::VectorXd& f) const {
   for (double& value : by_point) value *= space_->n_mirrors();
   tables_.add_transposed(space_->blocks(), 3, by_point.data(), f.data());

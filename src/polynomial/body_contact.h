@@ -59,7 +59,8 @@ class BodyContact {
   bool may_touch(const loads::Plane& plane, const Eigen::VectorXd& q) const;
   bool may_touch(const loads::Planes& planes, const Eigen::VectorXd& q) const;
   Field positions(const Eigen::VectorXd& q) const;
-  /// `at` returns the vector at a point of the tables, and `add_at` adds to this vector.
+  /// `at` returns the vector of a field at the point with the index `place` in the tables. `add_at` adds `value` to
+  /// this vector.
   Eigen::Vector3d at(const Field& field, std::size_t place) const;
   void add_at(Field& field, std::size_t place, const Eigen::Vector3d& value) const;
   /// The contacts of the computed sector at the positions x of its points, one contact for each plane.
@@ -73,7 +74,7 @@ class BodyContact {
   /// f ← f + friction at the velocity v. Returns the dissipated power.
   double add_friction(const loads::Planes& planes, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                       Eigen::VectorXd& f) const;
-  /// The closed form of the contact with the affine part of q.
+  /// The contact of a plane with the affine part of q, in closed form.
   loads::EllipsoidContact affine_contact(const loads::Plane& plane, const Eigen::VectorXd& q) const;
   void spread(Field& by_point, Eigen::VectorXd& f) const;
   void spread(const loads::AffineForce& force, Eigen::VectorXd& f) const;

@@ -14,7 +14,7 @@ namespace {
 
 using Vector3 = std::array<std::vector<double>, 3>;
 
-/// Component c of w a × b at every point.
+/// Component c of w a × b at every point, with a weight w for each point.
 std::vector<double> cross(const Vector3& a, const Vector3& b, int c, const std::vector<double>& w) {
   const int d = (c + 1) % 3, e = (c + 2) % 3;
   std::vector<double> product(w.size());
@@ -106,7 +106,7 @@ gravity::SurfacePoints BodyGravity::with_images(const gravity::SurfacePoints& po
 }
 
 /// f ← f − factor · ∂E/∂q, for a function E of the points and area vectors. `derivative` is the derivative of E with
-/// respect to the points and area vectors.
+/// respect to the points and area vectors. x contains the jets of the position with the coefficients q.
 void BodyGravity::spread(double factor, const SurfaceJets& x, const gravity::SurfaceDerivative& derivative,
                          Eigen::VectorXd& f) const {
   const auto& [by_x, by_N] = derivative;
@@ -154,7 +154,7 @@ Eigen::VectorXd BodyGravity::affine_coefficients(const Eigen::VectorXd& q) const
   return affine;
 }
 
-/// f ← f − ∂/∂q of a function of A, whose derivative with respect to A is D.
+/// f ← f − ∂E/∂q for a function E of the affine part A of q. D is the derivative of E with respect to A.
 void BodyGravity::add_affine_force(const Eigen::Matrix3d& D, Eigen::VectorXd& f) const {
   Eigen::VectorXd of_affine = Eigen::VectorXd::Zero(space_->n_unknowns());
   space_->set_affine(D * space_->inertia().cwiseInverse().asDiagonal(), Eigen::Vector3d::Zero(), of_affine);

@@ -71,8 +71,8 @@ class BodyGravity {
   gravity::EllipsoidGravity ellipsoid_;
   PointTables tables_;
   std::vector<std::size_t> places_;  ///< indices of the points in the tables, which also have padding
-  std::vector<double> weights_;      ///< quadrature weights, with the sign of the orientation of each image
-  double rest_volume_;               ///< volume of the undeformed computed sector, from the same points
+  std::vector<double> weights_;      ///< quadrature weights w, multiplied by the orientation ±1 of each image
+  double rest_volume_;               ///< volume of the undeformed computed sector, from the points of the surface
 };
 
 }  // namespace pseudorigid::polynomial

@@ -1,6 +1,7 @@
 #pragma once
 /// Loops over the quadrature points for viscoelastic branches (materials/maxwell_branch.h), for the table of
-/// dense_kernels.h. The entry k of the internal metric of branch b at point p of n points is stored at (6b + k) n + p.
+/// dense_kernels.h. The internal metric is symmetric and has six entries. The entry k of the metric of branch b at
+/// point p of n points is stored at (6b + k) n + p.
 
 #include "materials/maxwell_branch.h"
 #include "polynomial/point_lanes.h"

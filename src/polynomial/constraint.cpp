@@ -8,7 +8,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// ∂u/∂X at the quadrature points.
+/// F ← ∂u/∂X at the quadrature points.
 void gradient(const PolynomialSpace& space, const Eigen::VectorXd& u, double* F) {
   space.gradients().evaluate(space.blocks(), 3, u.data(), F);
 }
@@ -18,7 +18,8 @@ void inverse_gradient(const PolynomialSpace& space, const Eigen::VectorXd& q, do
   gradient(space, q, F);
   dense().inverse_transposed(space.n_points(), F, A);
 }
-/// r_b ← Σ ψ_b y over the quadrature points, with the basis ψ_b of the pressures. Overwrites y.
+/// r_b ← Σ ψ_b y over the quadrature points, with the basis ψ_b of the pressures and a number y at each point.
+/// Overwrites y.
 void test_with_pressures(const PolynomialSpace& space, double* y, Eigen::VectorXd& r) {
   r.setZero();
   space.pressures().add_transposed(space.pressure_blocks(), 1, y, r.data());

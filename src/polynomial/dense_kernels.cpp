@@ -82,11 +82,11 @@ void multiply_rows(const Product& of, int row) {
   for (; column < of.width; column += n_lanes) multiply_block<n_rows, 1>(of, row, column);
 }
 
-/// Number of rows that are computed at a time. Each row has sums in two vectors. These sums must fit into the
-/// registers, which are 32 with AVX-512 and otherwise 16.
+/// Number of rows that are computed at a time. Each row needs two SIMD registers for its sums. There are 32 registers
+/// with AVX-512, and otherwise 16.
 constexpr int max_rows = n_lanes == 8 ? 8 : 4;
 
-/// Calls multiply_rows<n>(of, row) for a number n of rows that is known only at run time, at most n_rows.
+/// Calls multiply_rows<n>(of, row) for a number n of rows that is known only at run time. n must be at most n_rows.
 template <int n_rows = max_rows>
 void multiply_some_rows(const Product& of, int row, int n) {
   if (n == n_rows)
@@ -95,7 +95,7 @@ void multiply_some_rows(const Product& of, int row, int n) {
     multiply_some_rows<n_rows - 1>(of, row, n);
 }
 
-/// Calls visitor(law, p) for the first point p of every SIMD vector of points.
+/// Calls visitor(law, p) for the first point p of every SIMD vector of the n points.
 template <class Visitor>
 void for_each_vector(const materials::AnyLaw& law, int n, Visitor&& visitor) {
   std::visit(
@@ -111,7 +111,7 @@ void for_each_vector(const materials::AnyLaw& law, int n, Visitor&& visitor) {
   const L J = materials::determinant(F, cof), inverse = 1.0 / J;
   return L(0.25 * kappa) * (J - inverse * inverse * inverse) * cof;
 }
-/// The derivative of ∂U/∂F along H.
+/// The rate of the stress ∂U/∂F of `volumetric_stress` along H.
 [[gnu::always_inline]] inline Tensor volumetric_stress_rate(double kappa, const Tensor& F, const Tensor& H) {
   const Tensor cof = materials::cofactor(F);
   const L J = materials::determinant(F, cof), rate = materials::dot(cof, H);

@@ -27,8 +27,9 @@ struct DenseKernels {
   /// c_a ← c_a + Σ_e T_ae y_e
   void (*contract)(const double* table, int n, int length, const double* y, double* c);
 
-  /// Sums over radial functions A_kjg (point_tables.h) with level k and radius j, for n groups g at once. n is a
-  /// multiple of `point_block`.
+  /// Sums over radial functions A_kjg with level k and radius j, for n groups g at once. A group is a pair (l, m) of
+  /// spherical harmonics, and level k has the functions of degree l + 2k (point_tables.h). A_kjg is stored at (k
+  /// n_radii + j) n + g. n is a multiple of `point_block`.
 
   /// u_jg = Σ_k A_kjg c_kg
   void (*combine_radially)(const double* A, int n_levels, int n_radii, int n, const double* c, double* u);
@@ -58,27 +59,28 @@ struct DenseKernels {
   /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/8)(J − 1/J)². Returns the least of det F
   /// over the points. For a law with limits, returns the least of det F and of the reserve (materials/law_limits.h).
   double (*stress)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, double* T);
-  /// T ← w DP(F)[H] + w D²U(F)[H]
+  /// T ← w DP(F)[H] + w D²U(F)[H], the rate of the result of `stress` along H.
   void (*stress_rate)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F,
                       const double* H, double* T);
-  /// Returns Σ w W(F) and Σ w U(J), with the stored energy W of the law.
+  /// Returns Σ w W(F) and Σ w U(J), with the stored energy W of the law and the stabilisation U of `stress`.
   EnergySums (*energy)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F);
 
-  /// y ← w ln det F; returns the least det F. If the least det F is not positive, y is not valid.
+  /// y ← w ln det F at every point. Returns the least det F. If the least det F is not positive, y is not valid.
   double (*log_jacobian)(int n, const double* w, const double* F, double* y);
-  /// J ← det F; returns the least det F.
+  /// J ← det F at every point. Returns the least det F.
   double (*jacobian)(int n, const double* F, double* J);
-  /// A ← F⁻ᵀ
+  /// A ← F⁻ᵀ at every point.
   void (*inverse_transposed)(int n, const double* F, double* A);
-  /// T ← T + s A at every point.
+  /// T ← T + s A at every point, with a number s for each point.
   void (*add_multiple)(int n, const double* s, const double* A, double* T);
-  /// y ← w A : B
+  /// y ← w A : B at every point.
   void (*weighted_product)(int n, const double* w, const double* A, const double* B, double* y);
   /// y ← −w tr((AᵀB)²) with A = F⁻ᵀ, the second variation of ln det F along B.
   void (*weighted_curvature)(int n, const double* w, const double* A, const double* B, double* y);
   /// T ← T − s A Bᵀ A with A = F⁻ᵀ, the rate of s A along B.
   void (*add_rate_of_inverse)(int n, const double* s, const double* A, const double* B, double* T);
-  /// T ← T + w 2η J d A with d = sym(B Aᵀ) and A = F⁻ᵀ; returns the power Σ w 2ηJ d:d.
+  /// Adds the viscous stress: T ← T + w 2η J d A with A = F⁻ᵀ, J = det F and d = sym(B Aᵀ). B is the gradient of the
+  /// velocity with respect to X. Returns the power Σ w 2ηJ d:d.
   double (*add_viscous_stress)(int n, const double* w, double eta, const double* F, const double* A, const double* B,
                                double* T);
 
@@ -97,9 +99,9 @@ struct DenseKernels {
   materials::BranchEnergies (*relax_branches)(const materials::MaxwellBranches& branches, double h, int n,
                                               const double* w, const double* F0, const double* F1, double* metrics);
 
-  /// A Walsh–Hadamard transform over the mirror images of points. `slots` has one slot of `length` numbers for each set
-  /// of reflections. The bits of the index of a slot are the reflections of the set. The slot y_m becomes the sum Σ_c
-  /// (−1)^{|m & c|} x_c of the old slots x_c, with the number |m & c| of common bits.
+  /// A Walsh–Hadamard transform over the mirror images of points. `slots` has a slot of `length` numbers for each of
+  /// the n_images sets of reflections. The bits of the index of a slot are the reflections of the set. The slot y_m
+  /// becomes the sum Σ_c (−1)^{|m & c|} x_c of the old slots x_c, with the number |m & c| of common bits.
   void (*transform_images)(double* slots, int n_images, int length);
 };
 

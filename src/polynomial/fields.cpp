@@ -8,7 +8,8 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// The multiplier λ at a point.
+/// The multiplier λ at a point. `functions` has the values of the functions at this point, and `lambda` the
+/// coefficients.
 double multiplier_at(const PolynomialSpace& space, const std::vector<Jet>& functions, const Eigen::VectorXd& lambda) {
   double value = 0;
   for (std::size_t b = 0; b < functions.size(); ++b)
@@ -17,8 +18,8 @@ double multiplier_at(const PolynomialSpace& space, const std::vector<Jet>& funct
 }
 
 /// The least-squares approximation of Σ μ_b C_b⁻¹ by the functions φ_a of the space: a row of coefficients for each
-/// φ_a. Branch b has the modulus μ_b and the internal metric C_b. Entries (i, j) have the parities of x_i x_j. A
-/// symmetric sector therefore has no coefficients of other parities.
+/// φ_a. Branch b has the modulus μ_b and the internal metric C_b. If the motion has symmetry planes, the entry (i, j)
+/// has the parity of x_i x_j under their reflections. Coefficients of functions with another parity are then set to 0.
 Eigen::MatrixXd coefficients_of_branches(const PolynomialBody& body, const Eigen::VectorXd& q) {
   const PolynomialSpace& space = body.space();
   constexpr std::array<std::array<int, 2>, 6> axes{{{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};

@@ -15,7 +15,8 @@ namespace {
 /// −1 if the number of common bits of a and b is odd, otherwise 1.
 double sign(unsigned int a, unsigned int b) { return std::popcount(a & b) % 2 == 0 ? 1.0 : -1.0; }
 
-/// The pressure functions ψ_b at all points of the computed sector, multiplied by `factor`, one row for each function.
+/// The pressure functions ψ_b at all points of the computed sector, one row for each function. `factor` has a number
+/// for each point, by which the values are multiplied.
 std::vector<double> pressure_rows(const PolynomialSpace& space, const std::vector<double>& factor) {
   const PointTables& tables = space.pressures();
   const int stride = tables.stride(), n_points = tables.n_points();
@@ -159,8 +160,8 @@ mechanics::SolveReport GramSolver::solve(const Eigen::VectorXd& q1, const Eigen:
   };
   if (!ensure_factor(q0)) return dependent();
   if (iterate(S, r, enough, lambda, n_iterations)) return {{}, n_iterations};
-  // If the factor was computed at this q₀, S is almost singular. Otherwise the factor may be too old and is computed
-  // again.
+  // The iteration did not converge. If the factor was computed at this q₀, S is almost singular. Otherwise the factor
+  // may be too old and is computed again.
   if (factored_at_ == q0.head(space_->n_unknowns())) return dependent();
   spent_ = 2 * factorization_cost();
   if (!ensure_factor(q0) || !iterate(S, r, enough, lambda, n_iterations)) return dependent();

@@ -39,7 +39,7 @@ class GramMatrix {
   void for_each_part(const Eigen::VectorXd& q, Visitor&& visitor) const;
 
   const PolynomialSpace* space_;
-  std::vector<double> weighted_pressures_;        ///< w ψ at the quadrature points, [function][point]
+  std::vector<double> weighted_pressures_;        ///< w ψ_b at the points with the weights w: [function][point]
   std::array<std::vector<double>, 8> gradients_;  ///< ∂φ_a/∂X_k for each parity: [k][point of the octant][function]
 };
 
@@ -78,9 +78,9 @@ class GramSolver {
 
   const PolynomialSpace* space_;
   GramMatrix matrix_;
-  Eigen::VectorXd position_;  ///< position at which S_f is, or will be, factored
-  bool is_known_ = false;     ///< true if position_ is set
-  double spent_ = 0;          ///< cost of the iterations since the factorisation, without the first one of each solve
+  Eigen::VectorXd position_;     ///< position at which S_f is, or will be, factored
+  bool is_known_ = false;        ///< true if position_ is set
+  double spent_ = 0;             ///< cost of the iterations since the factorisation, without the first of each solve
   Eigen::VectorXd factored_at_;  ///< position at which factor_ was computed; empty if there is no factor
   Eigen::MatrixXd S_;
   Eigen::LLT<Eigen::MatrixXd> factor_;

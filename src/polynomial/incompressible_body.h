@@ -22,8 +22,8 @@ class IncompressibleBody : public PolynomialBody {
   using Multiplier = Eigen::VectorXd;
   struct Workspace {
     GramSolver gram;
-    /// Euclidean norm of the residual that is sufficient for the caller of solve_gram. The caller bounds the maximum
-    /// norm, which is at most the Euclidean norm. If 0, only the relative bound of GramSolver::solve applies.
+    /// Euclidean norm of the residual that is sufficient for the caller of solve_gram. The caller needs a bound of the
+    /// maximum norm, which is at most the Euclidean norm. If 0, only the relative bound of GramSolver::solve applies.
     double residual_sought = 0;
     /// If not null, springs replace the contact (PolynomialBody::applied_force), and these are the coefficients of the
     /// position at which the springs have no force. Null means contact with the planes.
@@ -59,7 +59,7 @@ class IncompressibleBody : public PolynomialBody {
   void add_reaction_rate(const Vector& q, const Vector& v, const Multiplier& lambda, Vector& f) const {
     polynomial::add_reaction_rate(space(), q, v, lambda, f);
   }
-  /// Solves G(q1) G(q0)ᵀ λ = r, with the failures of GramSolver::solve.
+  /// Solves G(q1) G(q0)ᵀ λ = r. Fails if GramSolver::solve fails.
   mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace& workspace,
                                     Multiplier& lambda) const {
     return workspace.gram.solve(q1, q0, r, workspace.residual_sought, lambda);

@@ -10,8 +10,8 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// The parity of the displacement under the tide V = Y_nm. It is the parity of V: u_i is odd in x_i if V is even in
-/// x_i.
+/// The parity of the displacement u under the tide V = Y_nm (parity_parts.h). Bit i is set if V is odd in x_i, because
+/// u_i is then even in x_i.
 Parity parity_of_tide(int n, int m) { return BallPolynomial{n, n, m}.parity(); }
 
 /// Static responses u = B (BᵀKB)⁻¹ Bᵀ f to a force f. K is the stiffness, and the columns of B are the motions of a
@@ -24,8 +24,8 @@ class RestResponse {
         factor_(motions_.transpose() * problem.stiffness_of(parity) * motions_) {}
 
   bool is_stable() const { return factor_.info() == Eigen::Success; }
-  /// `radial` and `tangential` are the rows of one harmonic in SurfaceRows. Returns the radial and the tangential
-  /// integral of the response to f = radialᵀ.
+  /// `radial` and `tangential` are the rows of one harmonic Y_nm in SurfaceRows. Returns the integrals ∮(u·e) Y_nm dS
+  /// and ∮u·∇Y_nm dS of the response u to f = radialᵀ.
   Eigen::Vector2d operator()(const Eigen::RowVectorXd& radial, const Eigen::RowVectorXd& tangential) const {
     const Eigen::VectorXd f = radial(unknowns_).transpose();
     const Eigen::VectorXd u = motions_ * factor_.solve(motions_.transpose() * f);

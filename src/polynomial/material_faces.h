@@ -5,8 +5,8 @@
 ///   surface, three patches per octant: ξ = p/|p|,  p = (1, tan πs/4, tan πt/4) and its cyclic permutations
 ///   plane, an inner and an outer patch per quarter: ξ = r (cos πs/2, sin πs/2),  r = t/2 and (1 + t)/2
 ///
-/// with s, t = 0, 1/m, …, 1 and the matrix S of the semi-axes. Each point of a patch in the computed sector has one
-/// row. The rest of the body follows by reflection. All positions are in internal units.
+/// with s, t = 0, 1/m, …, 1 and the matrix S of the semi-axes. Only the patches in the computed sector are used, and
+/// each of their points has one row. The rest of the body follows by reflection. All positions are in internal units.
 
 #include <Eigen/Core>
 #include <array>
@@ -33,7 +33,7 @@ class MaterialFaces {
     Eigen::Vector3d X;
     std::vector<Jet> functions;
   };
-  /// Adds the patches in the octant whose coordinates have these signs.
+  /// Adds the patches in the octant whose coordinates have the signs `signs`, each 1 or −1.
   void add_octant(const Eigen::Vector3d& signs);
   /// Adds a patch of the plane with the number `plane`, 1 to 3, or of the surface, 0. `at` is a function of s and t
   /// that returns the point ξ in the octant of positive coordinates.

@@ -45,7 +45,7 @@ Integrals integrals(const PolynomialSpace& space, const Eigen::VectorXd& q, cons
   return sums;
 }
 
-/// Squared L² norms of a vector field about the centre of mass: the whole field, and its non-affine part.
+/// Squared L² norms of a vector field relative to its mean, and of the non-affine part of this field.
 struct Parts {
   double whole, nonaffine;
 };
@@ -63,8 +63,8 @@ Eigen::VectorXd relative(const PolynomialSpace& space, const Eigen::VectorXd& x)
   return result;
 }
 
-/// Sets the energies. The energy given by loads is subtracted from `external`, so that their change in time does not
-/// change the total.
+/// Sets the energies in `o`. The energy given by loads is subtracted from `external`, so that their change in time does
+/// not change the total.
 void observe_energies(const PolynomialBody& body, const BodyState& state, mechanics::ContinuumObservables& o) {
   const PotentialEnergies V = body.potential_energies(state.t, state.q);
   o.kinetic = body.kinetic_energy(state.v);

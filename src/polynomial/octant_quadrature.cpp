@@ -6,7 +6,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Legendre's polynomial P_n(x) and its derivative.
+/// The value of Legendre's polynomial P_n(x) and its derivative.
 struct LegendreValue {
   double value, derivative;
 };

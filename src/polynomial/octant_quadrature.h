@@ -24,7 +24,7 @@ HalfGaussRule half_gauss_rule(int q);
 /// A quadrature point of the octant of the ball.
 struct WeightedPoint {
   std::array<double, 3> xi;
-  double weight;  ///< for integrals over the octant
+  double weight;  ///< quadrature weight for integrals over the octant
 };
 
 /// The q³ points of the octant, ordered by radius. The points of each radius are in the directions of

@@ -21,7 +21,7 @@ double along(const Jet& jet, const std::array<double, 3>& direction) {
   return jet.gradient[0] * direction[0] + jet.gradient[1] * direction[1] + jet.gradient[2] * direction[2];
 }
 
-/// A harmonic Y and its derivatives along e_θ and e_φ on the unit sphere. `jet` contains Y with its gradient.
+/// Returns a harmonic Y and its derivatives along e_θ and e_φ on the unit sphere. `jet` contains Y with its gradient.
 std::array<double, 3> angular_terms(const Jet& jet, const SurfacePoint& direction) {
   return {jet.value, along(jet, direction.e_theta), along(jet, direction.e_phi)};
 }

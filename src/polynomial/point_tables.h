@@ -38,11 +38,12 @@
 
 namespace pseudorigid::polynomial {
 
-/// The coefficients of one component of a field for the functions of one parity.
+/// The coefficients of one component of a field that belong to the functions of one parity. Free axes are those without
+/// a symmetry plane.
 struct Block {
   int component;
   Parity parity;
-  int slot;                    ///< parity in the free coordinates; bit b is for the b-th free axis
+  int slot;                    ///< parity in the free coordinates only: bit b is that of the b-th free axis
   int offset;                  ///< index of the first coefficient
   std::vector<int> functions;  ///< indices in ball_polynomials(N)
 
@@ -76,7 +77,7 @@ class PointTables {
   int n_fields() const { return static_cast<int>(shift_.size()); }
   /// Number of points of all images, including padding.
   int n_points() const { return n_images_ * stride_; }
-  /// Number of entries of y in `evaluate`, for n_components components.
+  /// Number of entries of y in `evaluate`, for a field with n_components components.
   std::size_t size(int n_components) const { return static_cast<std::size_t>(n_components) * n_fields() * n_points(); }
   /// Number of multiplications for one evaluation of a block.
   double n_multiplications(const Block& block) const;
@@ -100,8 +101,8 @@ class PointTables {
     /// Numbers of groups, of groups with padding up to a multiple of `point_block`, and of levels.
     int n_groups = 0, n_filled = 0, n_levels = 0;
     std::array<std::vector<double>, 3> rows;  ///< [field]: [function][point], for direct sums; empty with factored sums
-    /// Index of the linear function in the block, or −1 without one, and index of the nonzero component of its
-    /// gradient.
+    /// `linear` is the index of the linear function in the block, or −1 if there is none. `linear_field` is the index
+    /// of the only component of its gradient that is not 0, and `linear_gradient` is this component.
     int linear = -1, linear_field = 0;
     double linear_gradient = 0;
 
@@ -115,8 +116,8 @@ class PointTables {
                   Factors& factors) const;
   void set_angular(const Groups& groups, const PointGrid& grid, Factors& factors) const;
   void set_frames(const Eigen::Vector3d& semi_axes, const PointGrid& grid);
-  /// Index in Factors::radial for a term. The index is 1 for the terms with R/r, which the gradient has along e_θ and
-  /// e_φ. Otherwise it is 0.
+  /// Index in Factors::radial for a term. It is 1 for the terms of a gradient along e_θ and e_φ, which contain R/r, and
+  /// otherwise 0.
   int radial_of(int term) const { return fields_ == Fields::gradient && term > 0 ? 1 : 0; }
   bool is_constant() const { return fields_ == Fields::gradient && degree_ == 1; }
   void evaluate_octant(const Factors& factors, const double* c, double* const* y) const;
@@ -129,14 +130,14 @@ class PointTables {
     return (static_cast<std::size_t>(block.component) * n_fields() + field) * n_points() +
            static_cast<std::size_t>(block.slot ^ shift_[field]) * stride_;
   }
-  /// Applies the transform between the sums of each parity and the values at each image. Without images it does
-  /// nothing.
+  /// Transforms the sums of each parity in y into the values at each image, or applies the transposed map. Without
+  /// images it does nothing.
   void transform(int n_components, double* y) const;
 
   Fields fields_;
   int degree_, n_radii_, n_directions_, width_, stride_, n_images_;
   std::vector<int> shift_;
-  std::vector<double> frames_;  ///< D_kt of set_frames, [field k][term t][direction]
+  std::vector<double> frames_;  ///< D_kt in ∂/∂X_k = Σ_t D_kt ∂_t for e_r, e_θ, e_φ: [k][t][direction]
   std::array<Factors, 8> factors_;
 };
 

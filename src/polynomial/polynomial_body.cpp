@@ -11,7 +11,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// The entries of F = ∂x/∂X at one point as a matrix.
+/// The matrix F = ∂x/∂X at point p of a field with n points.
 Eigen::Matrix3d tensor_at(const double* field, int n, int p) {
   Eigen::Matrix3d F;
   for (int i = 0; i < 3; ++i)
@@ -131,7 +131,7 @@ Eigen::Matrix3d PolynomialBody::second_moment(const Vector& q) const {
   return space_->moment(x, x) - space_->volume() * center * center.transpose();
 }
 
-/// Adds the forces of the companions on the body, which have no resultant, and the forces on the companions.
+/// Adds the forces of the companions on the body, which have no resultant, and sets the forces on the companions.
 void PolynomialBody::add_companions(const Vector& q, Vector& f) const {
   const mechanics::Orbit::Columns s = companions(q);
   loads::Forcing tide;

@@ -17,11 +17,12 @@
 ///   rigid planes             body_contact.h
 ///   companions               the quadratic potential T about the centre of mass (mechanics/core/orbit.h)
 ///
-/// With dissipation or loads that depend on time, the body has two further coordinates s and s'. Their accelerations s̈
-/// and s̈' are the dissipated power and the power that loads give by their change in time. Planes in motion are such
-/// loads. Therefore the velocities ṡ and ṡ' are the dissipated and the given energy. Each viscoelastic branch has a
-/// further coordinate. Its velocity is the energy that the branch has dissipated. The coordinates of companions follow.
-/// The internal metrics are the last entries, which have no velocity (mechanics/core/relaxation.h).
+/// If there is dissipation or a load depends on time, the body has two further coordinates s and s'. Their
+/// accelerations s̈ and s̈' are the dissipated power and the power that loads give by their change in time. A plane
+/// that moves is such a load. Therefore the velocities ṡ and ṡ' are the dissipated and the given energy. Each
+/// viscoelastic branch has a further coordinate. Its velocity is the energy that the branch has dissipated. The
+/// coordinates of companions follow. The last entries are the internal metrics, which do not have a velocity
+/// (mechanics/core/relaxation.h).
 ///
 /// All integrals are over the whole body, in internal units.
 
@@ -49,14 +50,15 @@ struct BodySetup {
   materials::AnyLaw law = materials::CiarletGeymonat{1, 0};
   double volumetric_stiffness = 0;  ///< stiffness κ of the volumetric stabilisation
   loads::Loads loads{};
-  /// Numbers of points per direction of an octant, for gravity on the surface, in the volume, and for contact on the
-  /// surface. If a number is empty, the body uses a default.
+  /// Numbers of quadrature points in each direction of an octant: on the surface for gravity, in the volume, and on the
+  /// surface for contact. If a number is empty, the body uses a default.
   std::optional<int> n_gravity_points{};
   std::optional<int> n_points{};
   std::optional<int> n_contact_points{};
 };
 
-/// Parts of the potential energy of the whole body. `elastic` contains `volumetric` and `viscoelastic`.
+/// Parts of the potential energy of the whole body. `elastic` contains `volumetric` and `viscoelastic`. `interaction`
+/// is the energy of the gravity between the body and its companions.
 struct PotentialEnergies {
   double elastic = 0;  ///< stored energy, including the volumetric part and that of the branches
   double volumetric = 0, viscoelastic = 0, gravitational = 0, external = 0, contact = 0, interaction = 0;
@@ -77,19 +79,21 @@ class PolynomialBody {
   bool dissipative() const { return constant_.dissipative(); }
   bool has_contact() const { return !constant_.planes.empty(); }
   bool damping_is_linear() const { return !constant_.planes.rough(); }
-  /// Number of coefficients if there is viscosity, otherwise 0 (mechanics/core/damping_preconditioner.h).
+  /// Number of coefficients q_ia, if viscosity acts on them. It is 0 without viscosity. A preconditioner needs this
+  /// number (mechanics/core/damping_preconditioner.h).
   int n_damped_entries() const { return constant_.viscosity > 0 ? space_->n_unknowns() : 0; }
   bool relaxes() const { return !constant_.branches.empty(); }
   /// Replaces the internal metrics in q by their values after the time h, for the mean strain of `before` and q. Adds
   /// the energy that the branches dissipate to the dissipated energies in v, in total and for each branch.
   void relax(double h, const Vector& before, Vector& q, Vector& v) const;
-  /// The sums Σ μ_b C_b⁻¹ and Σ μ_b over the branches at a quadrature point.
+  /// The sums Σ μ_b C_b⁻¹ and Σ μ_b over the branches at a quadrature point. Branch b has the modulus μ_b and the
+  /// internal metric C_b.
   materials::BranchesAtPoint branches_at(const Vector& q, int point) const;
   /// Sets the internal metrics in q. If `relaxed` is true, they become Ĉ = J^{−2/3} FᵀF at q and the branches have no
   /// stress. Otherwise they become the identity, which belongs to the undeformed body.
   void start_branches(bool relaxed, Vector& q) const;
-  /// Converts the state of a body that differs from this one in its quadrature points. If the numbers of metrics
-  /// differ, the branches start again at this state.
+  /// Converts the state of a body that differs from this one only in its quadrature points. If the numbers of metrics
+  /// differ, start_branches sets new metrics at this state.
   mechanics::VectorState<Vector> with_points_of_body(mechanics::VectorState<Vector> state) const;
   Vector make_vector() const { return Vector::Zero(first_metric() + n_metric_entries()); }
 
@@ -137,7 +141,8 @@ class PolynomialBody {
   }
   /// ∫ρ(x − x_c)(x − x_c)ᵀ with the centre of mass x_c.
   Eigen::Matrix3d second_moment(const Vector& q) const;
-  /// Adds to the dissipated energy in v. The body must have the coordinates of the energies (n_accounts() > 0).
+  /// Adds `energy` to the dissipated energy in v. The body must have the coordinates of the energies (n_accounts() >
+  /// 0).
   void add_taken(double energy, Vector& v) const { v[space_->n_unknowns()] += energy; }
   double dissipated(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns()] : 0; }
   /// The energy that each branch has dissipated in the whole body, from the velocity v.
@@ -168,7 +173,8 @@ class PolynomialBody {
 
  private:
   /// Number of coordinates whose velocities are energies: the dissipated energy, the given energy, and the energy that
-  /// each branch has dissipated. The number is 0 without dissipation, loads that depend on time and moving planes.
+  /// each branch has dissipated. The number is 0 if there is no dissipation, no load depends on time and no plane
+  /// moves.
   int n_accounts() const {
     return driven_ || constant_.dissipative() ? 2 + static_cast<int>(constant_.branches.list.size()) : 0;
   }

@@ -11,7 +11,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// The image of ξ under the reflections given by the bits of `slot`.
+/// The image of ξ under the reflections of the free axes whose bits are set in `slot`.
 std::array<double, 3> image(std::array<double, 3> xi, int slot, const std::vector<int>& free_axes) {
   for (std::size_t b = 0; b < free_axes.size(); ++b)
     if (slot >> b & 1) xi[free_axes[b]] = -xi[free_axes[b]];
@@ -25,14 +25,14 @@ std::vector<int> axes_without_plane(const std::array<bool, 3>& reflect) {
   return axes;
 }
 
-/// Repeats the last point with weight 0 up to a whole number of blocks.
+/// Appends copies of the last point with weight 0, up to a whole number of blocks of point_block points.
 void fill_up(std::vector<WeightedPoint>& points) {
   WeightedPoint last = points.back();
   last.weight = 0;
   points.resize(filled_up(static_cast<int>(points.size())), last);
 }
 
-/// The points of octant_points(q).
+/// The points of octant_points(q), as a product of radii and directions.
 PointGrid octant_grid(int q) { return {half_gauss_rule(q).nodes, octant_surface_points(q)}; }
 
 }  // namespace

@@ -47,7 +47,7 @@ class PolynomialSpace {
   int n_functions() const { return static_cast<int>(functions_.size()); }
   /// The parity of a function: bit i is set if the function is odd in ξ_i.
   Parity parity(int function) const { return functions_[function].parity(); }
-  /// Orientation of an image relative to the octant: −1 for an odd number of reflections, otherwise 1.
+  /// Orientation of an image of the octant: −1 if the image is due to an odd number of reflections, otherwise 1.
   double orientation(int image) const;
 
   int n_unknowns() const { return n_unknowns_; }
@@ -55,13 +55,13 @@ class PolynomialSpace {
   const std::vector<Block>& blocks() const { return blocks_; }
   const std::vector<Block>& pressure_blocks() const { return pressure_blocks_; }
 
-  /// Tables of ∂x_i/∂X_k and of ψ at the quadrature points.
+  /// `gradients` has the tables of ∂x_i/∂X_k at the quadrature points, and `pressures` those of λ.
   const PointTables& gradients() const { return gradients_; }
   const PointTables& pressures() const { return pressures_; }
   int n_points() const { return gradients_.n_points(); }
   /// Quadrature weights of the points for integrals over the whole body. The weights of padding points are 0.
   const std::vector<double>& weights() const { return weights_; }
-  /// ξ of the quadrature points.
+  /// The points ξ of the unit ball that are the quadrature points, including padding points.
   const std::vector<std::array<double, 3>>& points() const { return points_; }
 
   double volume() const { return volume_; }
@@ -95,7 +95,7 @@ class PolynomialSpace {
   /// Tables of the position and of its derivatives along e_θ and e_φ, with respect to ξ. The points are
   /// octant_surface_points(q) and their images in the computed sector.
   PointTables surface_tables(int q) const;
-  /// Tables of the position alone at the same points.
+  /// Tables of the position alone at the points of surface_tables(q).
   PointTables surface_values(int q) const;
 
  private:

@@ -15,8 +15,8 @@ namespace {
 
 using mechanics::detail::PilotRun;
 
-/// Least window in units r/c, with the radius r and the speed c of shear waves, and as a part of the run. In these
-/// units the lowest mode of the incompressible ball has the period 2.36.
+/// Least window in units r/c, with the radius r and the speed c of shear waves, and least window as a fraction of the
+/// run. In units r/c, the lowest mode of the incompressible ball has the period 2.36.
 constexpr double least_window = 3, part_of_run = 1.0 / 16;
 constexpr double caution = 6;             ///< factor in the estimate e (quadrature_error.h)
 constexpr double caution_of_volume = 60;  ///< factor in e for the volume if points are added
@@ -73,7 +73,8 @@ class QuadratureSearch {
     }
   }
 
-  /// Returns the estimate for the rule on the surface. If the pilot run fails, sets the reason.
+  /// Returns the estimate for the rule on the surface. If the pilot run fails, sets the reason, and the result is not
+  /// valid.
   double of_gravity() {
     constexpr int fewest = 4;
     BodySetup other = setup_;
@@ -121,7 +122,7 @@ class QuadratureSearch {
     return std::min(mechanics::rattle_step_limit(frequency.omega, rate, 1), window_);
   }
 
-  /// A pilot run over the window with n_steps_ steps or slightly more. Its constraint tolerance is a part of the
+  /// A pilot run over the window with n_steps_ steps or slightly more. Its constraint tolerance is a fraction of the
   /// tolerance of Q, so that the iterations cost less.
   PilotRun pilot(const Body& body) {
     const mechanics::StepRequest request{.give_up = request_.give_up};

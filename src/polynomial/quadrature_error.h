@@ -3,8 +3,8 @@
 /// number of points that a tolerance requires. The motion of a body depends on the quadrature rule. Two pilot runs with
 /// different rules cover a window w of a run of length T. The pilot runs use RATTLE with the same long steps, so that
 /// the errors of the steps cancel. One estimate is for the rule in the volume. With self-gravity, a second estimate is
-/// for the rule on the surface, and the error is the sum of both. With the results Q and Q' of the two runs at the
-/// times t_k, and the largest absolute value |…| of the entries, an estimate is
+/// for the rule on the surface, and the estimated error is the sum of both. With the results Q and Q' of the two runs
+/// at the times t_k, and the largest absolute value |…| of the entries, an estimate is
 ///
 ///   e = 6 max_k |Q(t_k) − Q'(t_k)| (T/w)^(3/2).
 ///
@@ -18,9 +18,10 @@
 /// factors were chosen. docs/theory.md has the motions that test the factors.
 ///
 /// For the volume, the rule of Q' has one point more in each direction of an octant. For self-gravity, the rule of Q'
-/// has two points less in each direction of an octant of the surface. Its sums therefore take about a quarter of the
-/// time. If the rule of Q has fewer than 4 points in each direction, the rule of Q' has two points more. If the error
-/// decreases at least with the fourth power of the number of points, the difference is at least as large as the error.
+/// has two points less in each direction of an octant of the surface. The sums of this smaller rule take about a
+/// quarter of the time. If the rule of Q has fewer than 4 points in each direction, the rule of Q' has two points more.
+/// If the error decreases at least with the fourth power of the number of points, the difference is at least as large
+/// as the error.
 ///
 /// The estimate does not include instability. If the motion magnifies errors after the window, the error is larger than
 /// e.
@@ -38,7 +39,7 @@ namespace pseudorigid::polynomial {
 inline constexpr double quadrature_growth = 1.5;
 
 struct QuadratureRequest {
-  double end = 0;                   ///< T, measured from the state
+  double end = 0;                   ///< end T of the run, measured from the time of the state
   double stable_step = 0;           ///< stability limit of RATTLE; 0 if it is not known
   double tolerance = 1e-6;          ///< tolerance of Q
   bool adds_points = false;         ///< true if points are added to make e at most half of the tolerance
@@ -47,7 +48,7 @@ struct QuadratureRequest {
 
 struct QuadratureChoice {
   int n_points = 0;               ///< number of points in the volume, in each direction of an octant
-  std::optional<double> error{};  ///< e; empty if the pilot runs fail
+  std::optional<double> error{};  ///< sum of the estimates e; empty after a failure
   std::string reason{};           ///< reason of the failure, or empty
   long n_force = 0;               ///< number of force evaluations in all pilot runs
 };

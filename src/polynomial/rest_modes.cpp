@@ -19,7 +19,7 @@ struct Mode {
   Eigen::VectorXd shape;
 };
 
-/// Computes and classifies the modes of a parity.
+/// Computes the modes of a parity, and finds their kind and degree.
 class ModesOfParity {
  public:
   ModesOfParity(const Turns& turns, Parity parity, const std::vector<int>& unknowns)
@@ -50,8 +50,8 @@ class ModesOfParity {
     return squares;
   }
 
-  /// Classifies a mode. `parts` are its coefficients in the eigenvectors of −Σ_e J_e², and `squares` are the
-  /// eigenvalues n(n + 1).
+  /// Finds the kind and the degree n of a mode. `parts` are the coefficients of the mode in the eigenvectors of −Σ_e
+  /// J_e², and `squares` are the eigenvalues n(n + 1) of this operator.
   Mode classified(double omega_squared, const Eigen::VectorXd& shape, const Eigen::VectorXd& parts,
                   const Eigen::VectorXd& squares) const {
     std::vector<double> shares;

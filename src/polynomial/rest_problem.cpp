@@ -31,8 +31,8 @@ Eigen::MatrixXd rigid_motions(const PolynomialSpace& space, const Turns& turns, 
   return rigid;
 }
 
-/// Sets λ to the multiplier at rest if the body is incompressible. Fails if a force remains, or if the forces or the
-/// multiplier cannot be computed.
+/// Sets λ to the multiplier at rest if the body is incompressible. Fails if the forces on the body at rest are not
+/// balanced, or if the forces or the multiplier cannot be computed.
 template <class Body>
 mechanics::Status at_rest(const Body& body, double shear_modulus, Eigen::VectorXd& lambda) {
   const Eigen::VectorXd X = body.affine(Eigen::Matrix3d::Identity());
@@ -45,7 +45,8 @@ mechanics::Status at_rest(const Body& body, double shear_modulus, Eigen::VectorX
     if (auto status = mechanics::multiplier_of_motion(body, rest, workspace, lambda); !status) return status;
     body.add_reaction(X, lambda, f);
   }
-  // Bound relative to the modulus. A stress at rest is of the order of the modulus, and smaller values are round-off.
+  // Bound of the forces relative to the shear modulus. The forces of a stress at rest are of the order of the modulus.
+  // Forces below the bound are round-off.
   constexpr double balanced = 1e-6;
   if (f.template lpNorm<Eigen::Infinity>() > balanced * std::abs(shear_modulus))
     return mechanics::Status::failure("the body is in no equilibrium at rest: its law is not free of stress there");

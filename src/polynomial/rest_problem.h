@@ -27,7 +27,7 @@ namespace pseudorigid::polynomial {
 
 struct RestProblem {
   Eigen::MatrixXd stiffness;  ///< K of the whole ball, with self-gravity
-  Eigen::MatrixXd excluded;   ///< rows whose products with the motions of the problem are 0: G and the rigid motions
+  Eigen::MatrixXd excluded;   ///< rows orthogonal to all motions of the problem: those of G, and the rigid motions
   /// Indices of the unknowns, and of the rows of `excluded`, for each parity.
   std::array<std::vector<int>, n_parities> unknowns, rows;
 
@@ -42,7 +42,7 @@ struct RestProblem {
 struct SurfaceRows {
   Eigen::MatrixXd radial, tangential;
 };
-/// The rows for n ≤ max_degree.
+/// Returns the rows of all harmonics of degree n ≤ max_degree.
 SurfaceRows surface_rows(const PolynomialSpace& space, int max_degree);
 
 /// Sets `problem`. The space of `body` must be that of the whole ball, without symmetry planes. `body` must not have

@@ -26,7 +26,7 @@ class RotationFinder {
   RotationFinder(const RotationFinder&) = delete;  // because some members refer to other members
   RotationFinder& operator=(const RotationFinder&) = delete;
 
-  /// The functions of FigureFinder with the same names.
+  /// `family` and `member` are the functions of mechanics::FigureFinder with the same names.
   FigureFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {}) {
     return finder_.family(parameters, std::move(give_up));
   }

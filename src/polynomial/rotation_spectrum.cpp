@@ -16,7 +16,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-constexpr Parity half_turn = 3;  // changes the parity in x and in y
+constexpr Parity half_turn = 3;  // the bits of x and y, in which the two parities of a class differ
 
 /// A singular value of the constraint matrix G or of the symmetries counts as zero if it is less than this fraction of
 /// the largest one.
@@ -32,7 +32,8 @@ std::array<std::vector<int>, n_parities> coefficients_by_parity(const Polynomial
 
 Eigen::MatrixXd columns(const Eigen::MatrixXd& A, const std::vector<Eigen::Index>& kept) { return A(Eigen::all, kept); }
 
-/// The rows of A whose norm exceeds `round_off`. Constraints without the symmetry of a class have rows of round-off.
+/// The rows of A whose norm exceeds `round_off`. If a constraint does not have the symmetry of a class, its row has
+/// only round-off.
 Eigen::MatrixXd rows_beyond(double round_off, const Eigen::MatrixXd& A) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < A.rows(); ++i)
@@ -53,8 +54,8 @@ RotationSpectrum::RotationSpectrum(const BodySetup& setup, bool incompressible, 
     for (const bool odd_under_half_turn : {false, true}) add_parts(odd_in_z, odd_under_half_turn, figure);
 }
 
-/// Adds the class with these symmetries to parts_. On a spheroid, the class is divided by m. The joint rotation of a
-/// field about axis 3, u ↦ ê₃×u − ∂_φ u, has the square −m².
+/// Adds the class with these symmetries to parts_. On a spheroid, the class is divided into parts with one azimuthal
+/// number m each. The joint rotation of a field about axis 3, u ↦ ê₃×u − ∂_φ u, has the square −m² on such a part.
 void RotationSpectrum::add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure) {
   const auto by_parity = coefficients_by_parity(space());
   const Parity first = (odd_in_z ? 4U : 0U) | (odd_under_half_turn ? 1U : 0U);

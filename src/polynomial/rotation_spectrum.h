@@ -46,7 +46,7 @@ class RotationSpectrum {
   mechanics::Status analyse(const EquilibriumFigure& rotation, std::vector<ClassStability>& classes) const;
 
  private:
-  /// A class with a basis of its motions, one column for each.
+  /// A class of motions. Each column of `fields` is a motion, and the columns are a basis of the class.
   struct Part {
     MotionClass motions;
     Eigen::MatrixXd fields;

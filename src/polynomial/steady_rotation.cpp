@@ -21,7 +21,7 @@ int number_of(const std::vector<BallPolynomial>& functions, int n, int l, int m)
   return static_cast<int>(found - functions.begin());
 }
 
-/// The matrix U. Its columns are the fields whose linear combinations are the figures.
+/// The matrix U (steady_rotation.h). Its columns are a basis of the permitted positions, up to `degree`.
 Eigen::MatrixXd figure_fields(const PolynomialSpace& space, Figure figure, int degree) {
   const std::vector<BallPolynomial> functions = ball_polynomials(space.degree());
   std::vector<Eigen::VectorXd> fields;
@@ -47,7 +47,8 @@ Eigen::MatrixXd figure_fields(const PolynomialSpace& space, Figure figure, int d
   return U;
 }
 
-/// The matrix V. Its columns are the pressures with the symmetry of the figures, up to `degree`.
+/// The matrix V (steady_rotation.h). Its columns are the pressure functions with the symmetry of the figures, up to
+/// `degree`.
 Eigen::MatrixXd figure_pressures(const PolynomialSpace& space, Figure figure, int degree) {
   const std::vector<BallPolynomial> functions = ball_polynomials(space.degree());
   std::vector<int> places;
@@ -137,7 +138,8 @@ mechanics::Status SteadyRotations::equations(const FigureCondition& condition, c
   return {};
 }
 
-/// Sets the last row of the equations: Ω² − value, or a_k − exp(value) a₁ with the semi-axes a of the affine part.
+/// Sets the last of the equations, the condition with the value v: Ω² − v = 0, or a_k − exp(v) a₁ = 0 with the
+/// semi-axes a of the affine part.
 void SteadyRotations::add_condition(const FigureCondition& condition, const EquilibriumFigure& rotation,
                                     Equations& result) const {
   const Eigen::Index last = result.values.size() - 1;
@@ -190,7 +192,8 @@ mechanics::Status SteadyRotations::newton(const FigureCondition& condition, Equi
       mechanics::six_digits(best / scale) + " of the terms");
 }
 
-/// Computes λ of an incompressible fluid, and the residual of all equations. Fails if the force cannot be computed.
+/// Sets the multiplier λ of an incompressible fluid, and the residual of the equations relative to their largest term.
+/// Fails if the force cannot be computed.
 mechanics::Status SteadyRotations::complete(EquilibriumFigure& rotation) const {
   Eigen::VectorXd f, centrifugal, reaction;
   if (is_fluid_ && incompressible_) {
@@ -200,7 +203,7 @@ mechanics::Status SteadyRotations::complete(EquilibriumFigure& rotation) const {
   }
   if (auto status = terms(rotation, f, centrifugal, reaction); !status) return status;
   const double scale = std::max({largest(f), largest(centrifugal), largest(reaction)});
-  constexpr double round_off = 1e-13;  // bound of all terms of a body at rest
+  constexpr double round_off = 1e-13;  // if all terms are smaller, they count as 0
   rotation.residual = scale > round_off ? largest(f + centrifugal + reaction) / scale : 0;
   return {};
 }

@@ -71,13 +71,13 @@ class SteadyRotations final : public mechanics::FigureEquations {
 
   bool incompressible_, is_fluid_;
   std::shared_ptr<const CompressibleBody> body_;  ///< all forces without reactions, in the octant
-  Eigen::MatrixXd U_, V_;                         ///< U and V; V has no columns if λ is not an unknown
+  Eigen::MatrixXd U_, V_;                         ///< matrices U and V; V has no columns if λ is not an unknown
 };
 
 /// `setup` with only the loads that a steady rotation can have: gravity, and the pressure on a compressible body.
 BodySetup conservative_setup(BodySetup setup, bool incompressible);
 
-/// The coefficients of Px for any sector. The third component of Px is 0.
+/// The coefficients of Px, the position x with its third component set to 0. The space may have any symmetry planes.
 Eigen::VectorXd across_axis_3(const PolynomialSpace& space, Eigen::VectorXd x);
 
 }  // namespace pseudorigid::polynomial

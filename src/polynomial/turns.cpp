@@ -40,7 +40,7 @@ Eigen::VectorXd Turns::of_space(int axis, const Eigen::VectorXd& x) const {
 
 Eigen::VectorXd Turns::of_ball(int axis, const Eigen::VectorXd& x) const {
   Eigen::VectorXd turned = Eigen::VectorXd::Zero(x.size());
-  for (int first = 0; first < space_.n_functions();) {  // functions with the same n and l, m = −l … l
+  for (int first = 0; first < space_.n_functions();) {  // a group of functions: the same n and l, m = −l … l
     const int l = functions_[first].l, n_members = 2 * l + 1;
     for (int i = 0; i < 3; ++i) {
       Eigen::VectorXd members(n_members);

@@ -25,7 +25,7 @@ class Turns {
   Eigen::VectorXd of_space(int axis, const Eigen::VectorXd& x) const;
   /// Coefficients of ∂x/∂X (ê×X).
   Eigen::VectorXd of_ball(int axis, const Eigen::VectorXd& x) const;
-  /// Coefficients of −Σ_e J_e² u.
+  /// Coefficients of −Σ_e J_e² u, with the joint rotations J_e about the three axes.
   Eigen::VectorXd square(const Eigen::VectorXd& u) const;
 
  private:

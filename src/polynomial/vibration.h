@@ -16,7 +16,7 @@ class BodyVibration {
   mechanics::VibrationObservables observe(const BodyState& state, const mechanics::ContinuumObservables& known) const;
 
  private:
-  PolynomialSpace space_;  ///< the space of the body with more quadrature points
+  PolynomialSpace space_;  ///< space of the body, but with more quadrature points
   mechanics::Vibration vibration_;
 };
 

@@ -13,8 +13,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Number of energies that are integrated with the motion. It is 0 without dissipation, loads that depend on time and
-/// moving planes. Otherwise the energies are the dissipated one, the given one, and one dissipated energy for each
+/// Number of energies that are integrated with the motion. It is 0 if there is no dissipation, no load depends on time
+/// and no plane moves. Otherwise the energies are the dissipated one, the given one, and one dissipated energy for each
 /// branch.
 unsigned int n_accounts(const loads::Loads& loads) {
   const loads::Forcing constant = loads::constant_forcing(loads);
@@ -250,8 +250,9 @@ void BallBody::fill_irregular(Vector& x) const {
   const Vector& X = space_.reference_positions();
   for (unsigned int i = 0; i < x.locally_owned_size(); ++i) {
     const unsigned int node = i - i % 3;
-    // The numbers are the values of a wave much shorter than the elements, with another phase for each component.
-    // Values at neighbouring nodes are therefore not related. The round-off of X changes the numbers by about 1e-12.
+    // The numbers are the values of a sine wave at the nodes. The wave is much shorter than the elements, and its phase
+    // differs between the components. Values at neighbouring nodes are therefore not related. The round-off of X
+    // changes the numbers by about 1e-12.
     const double phase =
         1e3 * (X.local_element(node) + 1.7 * X.local_element(node + 1) + 2.9 * X.local_element(node + 2));
     x.local_element(i) = std::sin(phase + i % 3);

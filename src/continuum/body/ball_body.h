@@ -5,9 +5,9 @@
 ///   M ẍ = −∫P:∇φ + loads   [+ Gᵀλ,   elastic_ball.h]                       (generalized Newton law, Oliva 5.3–5.4)
 ///
 /// with the first Piola–Kirchhoff stress P and the basis functions φ of the displacements in (Q_k)³. P contains the
-/// stresses of viscoelastic branches (kernels/cell_branches.h). The mass M is lumped. With dissipation, loads that
-/// depend on time or moving planes, the ball has one or two additional nodes (BallSpace::account). Their first two
-/// coordinates s and s' obey
+/// stresses of viscoelastic branches (kernels/cell_branches.h). The mass M is lumped. If there is dissipation, if a
+/// load depends on time, or if a plane moves, the ball has one or two additional nodes (BallSpace::account). Their
+/// first two coordinates s and s' obey
 ///
 ///   s̈ = dissipated power,   s̈' = power that loads give by their change in time, and planes by their motion.
 ///
@@ -16,8 +16,8 @@
 /// dissipated is the velocity of a further coordinate. Companions in orbit (mechanics/core/orbit.h) are further nodes.
 /// Their tide has the potential ½(x − x_c)ᵀT(x − x_c) per mass, with the centre of mass x_c. Node n with the mass m_n
 /// and the position x_n then has the force −m_n T (x_n − x_c). As an option, the forces without expansion
-/// (companion_sums.h) replace this force. All quantities are in internal units. The system is the computed sector, and
-/// the observables are for the whole ball.
+/// (companion_sums.h) replace this force. All quantities are in internal units. The equations are those of the computed
+/// sector. The observables are those of the whole ball.
 
 #include <Eigen/Core>
 #include <functional>
@@ -69,10 +69,10 @@ class BallBody {
     loads_.add_dissipation(state.q, u, f);
     if (contact_) contact_->add_damping(state.t, state.q, state.v, u, kind, f);
   }
-  /// True if C does not depend on the velocity. Only friction makes C depend on the velocity.
+  /// True if the matrix C of add_damping does not depend on the velocity. Only friction makes C depend on the velocity.
   bool damping_is_linear() const { return !loads_.rough(); }
-  /// Number of entries of a vector on all ranks if there is viscosity, otherwise 0
-  /// (mechanics/core/damping_preconditioner.h).
+  /// Number of entries of a vector on all ranks, if viscosity acts on them. It is 0 without viscosity. A preconditioner
+  /// needs this number (mechanics/core/damping_preconditioner.h).
   int n_damped_entries() const { return loads_.viscous() ? static_cast<int>(space_.reference_positions().size()) : 0; }
   /// True if there are viscoelastic branches.
   bool relaxes() const { return !branches_.empty(); }
@@ -84,7 +84,8 @@ class BallBody {
   /// Sets the internal metrics of x. If `relaxed` is true, they become Ĉ = J^{−2/3} FᵀF at x and the branches have no
   /// stress. Otherwise they become the identity, which belongs to the undeformed body.
   void start_branches(bool relaxed, Vector& x) const { kernels_->start_branches(branches_.list.size(), relaxed, x); }
-  /// The energy that the branches of the whole ball store. Collective.
+  /// The energy that the viscoelastic branches store in the whole ball, at the position x with its internal metrics. It
+  /// is 0 without branches. Collective.
   double energy_of_branches(const Vector& x) const;
   bool time_dependent() const { return loads_.time_dependent(); }
   bool velocity_dependent() const { return loads_.damped(); }
@@ -111,12 +112,13 @@ class BallBody {
   /// the velocity v, or 0 if no rank has the coordinates of BallSpace::account. Collective.
   double dissipated(const Vector& v) const;
   double given(const Vector& v) const;
-  /// The energy that each branch has dissipated in the whole ball. Collective.
+  /// The energy that each branch has dissipated in the whole ball, from the velocity v. It is 0 for branches that do
+  /// not exist. Collective.
   materials::BranchEnergies dissipated_by_branches(const Vector& v) const;
 
   const mechanics::Orbit& orbit() const { return orbit_; }
-  /// The coordinates s_k of the companions (mechanics/core/orbit.h) in a vector, one column for each companion.
-  /// Collective.
+  /// `companions` returns the coordinates s_k of the companions (mechanics/core/orbit.h) in a vector, one column for
+  /// each companion. It is collective. `set_companions` writes these coordinates into a vector.
   mechanics::Orbit::Columns companions(const Vector& x) const;
   void set_companions(const mechanics::Orbit::Columns& s, Vector& x) const;
   /// Σ m_n (x_n − x_c)(x_n − x_c)ᵀ over the nodes of the whole ball. Collective.
@@ -171,8 +173,8 @@ class BallBody {
   /// the stiffness with contact, which the search for a stable step needs. Fails if `judge` fails. Collective.
   mechanics::Status applied_force(double t, const Vector& x, const Vector& v, const Vector* held_at, Vector& f) const;
   /// Adds loads, branches, gravity, companions and contact to f, which already contains the force of the elastic
-  /// stress. `least` is the value that the kernel returned for this force, and `held_at` is that of applied_force.
-  /// Fails if `judge` fails for `least`. Collective.
+  /// stress. `least` is the least value of det F and of the reserve of the law on this rank, which the kernel returned
+  /// for this force. `held_at` has the meaning of applied_force. Fails if `judge` fails for `least`. Collective.
   mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, const Vector* held_at,
                                    Vector& f) const;
 

@@ -7,7 +7,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Calls use(m_n, y_n, local entry) for the nodes of this rank.
+/// Calls use(m_n, y_n, entry) for each node n of this rank, with its mass m_n and its position y_n relative to
+/// `center`. The argument `entry` is the local index of the first component of the node in vectors.
 template <class Use>
 void for_each_node(const BallSpace& space, const Vector& x, const Eigen::Vector3d& center, const Use& use) {
   for (unsigned int i = 0; i < 3 * space.n_nodes(); i += 3) {
@@ -16,7 +17,7 @@ void for_each_node(const BallSpace& space, const Vector& x, const Eigen::Vector3
   }
 }
 
-/// The signs ±1 of the coordinates in each image of the sector. The first image is the sector itself.
+/// The factors ±1 of the three coordinates in each mirror image of the sector. The first image is the sector itself.
 std::vector<Eigen::Vector3d> signs_of_images(const Sector& sector) {
   std::vector<Eigen::Vector3d> signs{Eigen::Vector3d::Ones()};
   for (int c = 0; c < 3; ++c)

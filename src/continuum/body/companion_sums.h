@@ -6,23 +6,24 @@
 ///
 ///   U = −Σ_i Σ_n G m_i m_n/|r_i − y_n|,   F_i = −∂U/∂r_i,   f_n = −∂U/∂y_n + (m_n/M) Σ_i F_i,
 ///
-/// with the mass M of the ball. The resultant of the forces −∂U/∂y_n is −Σ_i F_i. The last term of f_n removes it,
-/// because Jacobi's coordinates contain the motion of the centre of mass. The nodes are the points of the Gauss–Lobatto
-/// rule with the weights m_n.
+/// with the mass M of the ball. The resultant of the forces −∂U/∂y_n is −Σ_i F_i. The last term of f_n removes this
+/// resultant, because Jacobi's coordinates contain the motion of the centre of mass. The nodes are the points of the
+/// Gauss–Lobatto rule with the weights m_n.
 
 #include "continuum/mesh/ball_space.h"
 #include "mechanics/core/orbit.h"
 
 namespace pseudorigid::continuum {
 
-/// Sums over the nodes of the whole ball.
+/// Energy, forces and torque of the gravity between the ball and its companions, as sums over the nodes of the whole
+/// ball.
 struct CompanionSums {
-  double energy = 0;                        ///< U
-  mechanics::Orbit::Columns on_companions;  ///< F_i, one column for each companion
+  double energy = 0;                        ///< energy U
+  mechanics::Orbit::Columns on_companions;  ///< forces F_i, one column for each companion
   Eigen::Vector3d torque{0, 0, 0};          ///< torque on the ball about its centre of mass
 };
 
-/// Computes the sums for the position x of the nodes, the centre of mass and the positions r_i. Collective.
+/// Computes the sums for the position x of the ball with the centre of mass `center`. Column i of r is r_i. Collective.
 CompanionSums companion_sums(const mechanics::Orbit& orbit, const BallSpace& space, const Vector& x,
                              const Eigen::Vector3d& center, const mechanics::Orbit::Columns& r);
 

@@ -134,7 +134,7 @@ loads::ContactPower ContactForces::add_plane_damping(const loads::Planes& planes
   for (const loads::Plane& plane : planes) {
     if (plane.damping == 0) continue;
     for_touching_faces(plane, x, [&](const Face& face, const MatrixXd& heights) {
-      const MatrixXd rates = -at_points(along(plane, plane.speed, face, u));  // ḋ, the rate of the penetration
+      const MatrixXd rates = -at_points(along(plane, plane.speed, face, u));  // rates ḋ of the depths d
       const MatrixXd pressures =
           -plane.stiffness * plane.damping * face.weights.cwiseProduct(heights.cwiseMin(0)).cwiseProduct(rates);
       power += {.taken = pressures.cwiseProduct(rates).sum(), .given = plane.speed * pressures.sum()};

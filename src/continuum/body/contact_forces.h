@@ -51,14 +51,15 @@ class ContactForces {
 
  private:
   struct Face {
-    std::vector<unsigned int> nodes;  ///< [j·n + i] for n nodes in each direction, with i along direction p
-    Eigen::MatrixXd weights;          ///< reference areas of the points: [p][q]
+    std::vector<unsigned int> nodes;  ///< local numbers: node (i, j) at j·n + i, for n nodes in each direction
+    Eigen::MatrixXd weights;          ///< reference areas w of the points: [index along p][index along q]
   };
 
-  /// n·u − offset at the nodes of a face, with the normal n of the plane. Entry (i, j) is for node i along p and j
-  /// along q.
+  /// n·u − offset at the nodes of a face, with the normal n of the plane. Entry (i, j) belongs to the node with the
+  /// index i along the local direction p of the face and j along q (mesh/surface_faces.h).
   Eigen::MatrixXd along(const loads::Plane& plane, double offset, const Face& face, const Vector& u) const;
-  /// Values at the points of a face, [p][q], from values at its nodes, [i][j].
+  /// Interpolates values at the nodes of a face to its points. Rows are along p and columns along q, for nodes and for
+  /// points.
   Eigen::MatrixXd at_points(const Eigen::MatrixXd& nodal) const {
     const Eigen::MatrixXd half = values_.lazyProduct(nodal);
     return half.lazyProduct(values_.transpose());
@@ -66,7 +67,7 @@ class ContactForces {
   /// False if the bound in the head of this file shows that the face does not reach the plane. `heights` contains n·x −
   /// z₀ at the nodes.
   bool may_touch(const Eigen::MatrixXd& heights) const;
-  /// The three components of a vector field at the points of a face.
+  /// The three components of a vector field at the points of a face, in the order of Face::weights.
   using VectorAtPoints = std::array<Eigen::MatrixXd, 3>;
   VectorAtPoints vector_at_points(const Face& face, const Vector& u) const;
   /// Calls visit(face, heights) for the faces of this rank with a point in contact. `heights` contains n·x − z₀ at all
@@ -81,7 +82,8 @@ class ContactForces {
   /// which includes the weight w.
   template <class TractionOn>
   void add_tractions(const loads::Planes& planes, const Vector& x, TractionOn&& traction_on, Vector& f) const;
-  /// f_m ← f_m + Σ_points w p φ_m n with the pressure p. `pressures` contains the products w p: [p][q].
+  /// f_m ← f_m + Σ_points w p φ_m n with the pressure p. `pressures` contains the products w p of the points, in the
+  /// order of Face::weights.
   void spread(const Eigen::MatrixXd& pressures, const Eigen::Vector3d& normal, const Face& face, Vector& f) const;
 
   loads::Planes planes_;

@@ -76,13 +76,13 @@ class ElasticBall : public BallBody {
   void add_reaction(const Vector& x, const Multiplier& lambda, Vector& f, Workspace& workspace) const {
     workspace.gram.add_reaction(x, lambda, f);
   }
-  /// Solves G(x1) M⁻¹ G(x0)ᵀ λ = r, with the failures of GramSolver::solve. Collective.
+  /// Solves G(x1) M⁻¹ G(x0)ᵀ λ = r. Fails if GramSolver::solve fails. Collective.
   mechanics::SolveReport solve_gram(const Vector& x1, const Vector& x0, const Multiplier& r, Workspace& workspace,
                                     Multiplier& lambda) const {
     return workspace.gram.solve(x1, x0, r, workspace.residual_sought, lambda);
   }
-  /// |g|_∞ and |Gv|_∞ count as zero up to this value. On the smallest cell, it corresponds to 1e-13 for the mean of ln
-  /// J, because the ψ_j are orthonormal in L² on each cell.
+  /// |g|_∞ and |Gv|_∞ count as zero up to this value. On the smallest cell, this value of |g|_∞ corresponds to a mean
+  /// of ln J of 1e-13, because the ψ_j are orthonormal in L² on each cell.
   double constraint_tolerance() const { return 1e-13 * multiplier_scale(); }
   /// The square root of the volume of the smallest cell. |g|_∞ / multiplier_scale() is a bound for the absolute value
   /// of the mean of ln J over a cell.

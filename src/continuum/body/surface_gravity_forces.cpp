@@ -14,7 +14,7 @@ namespace {
 using Field = SurfaceInterpolation::Field;
 using Entry = std::array<double, 6>;  ///< a point x and its area vector N
 
-/// Component c of w a × b at every point.
+/// Component c of w a × b at every point, with a weight w for each point.
 std::vector<double> cross(const Field& a, const Field& b, int c, const std::vector<double>& w) {
   const int d = (c + 1) % 3, e = (c + 2) % 3;
   std::vector<double> product(w.size());
@@ -121,7 +121,7 @@ void SurfaceGravityForces::add_rate(const Vector& x, const Vector& u, const Sign
   const auto sums = sum_pairs(own, gravity::Moving{sources(own.at), sources(own.rate, s)});
   const auto [at, rate] = totals(own, sums);
   gravity::Moving of_all{over_ranks(at), over_ranks(rate)};
-  for (int c = 0; c < 3; ++c)  // if u is odd under a reflection, the rates of the totals of the images cancel
+  for (int c = 0; c < 3; ++c)  // if u is odd, the rates of a point and of its image cancel in the totals
     if (space_.mesh().sector().reflect[c] && s[c] < 0) of_all.rate = {};
   spread(jets, surface_derivative_rate(own, sums, of_all, constant_, rest_volume_), f);
   gravity::SurfaceDerivative of_areas = surface_derivative(own.at, sums.at, of_all.at, constant_, rest_volume_);

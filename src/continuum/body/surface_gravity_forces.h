@@ -23,8 +23,8 @@ namespace pseudorigid::continuum {
 
 /// Number of points in each direction of a face for which the error of gravity is below the discretisation error. With
 /// the degree k the number is k + 2, or k + 1 if the mesh of an elastic body is refined. A fluid needs k + 2, because
-/// only gravity makes the shortest waves on its surface stable. With k + 1 points, the computed waves were seen to grow
-/// by a factor of 2.3 in the time 1/√(Gρ). With k + 2 points the quadrature resolves the gravity of these waves.
+/// only gravity makes the shortest waves on its surface stable. With k + 1 points, the waves in test runs grew by a
+/// factor of 2.3 in the time 1/√(Gρ). With k + 2 points the quadrature resolves the gravity of these waves.
 int n_gravity_points(const BallSpace& space, bool is_fluid);
 
 /// The forces f_n, their rates, the energy and the potential of self-gravity.
@@ -68,7 +68,7 @@ class SurfaceGravityForces {
   gravity::SurfacePoints sources(const gravity::SurfacePoints& own, const Signs& s = {1, 1, 1}) const;
   /// The pair sums of gravity/surface_gravity.h over all sources, for each point of this rank. Collective.
   gravity::PairSums sums_at(const gravity::SurfacePoints& own) const;
-  /// Adds the totals of all ranks. Collective.
+  /// Returns the sum of the totals of all ranks. Collective.
   gravity::SurfaceTotals over_ranks(const gravity::SurfaceTotals& own) const;
   /// f_n ← f_n − ∂E/∂x_n for every node n. `derivative` is the derivative of the function E with respect to points and
   /// area vectors. x contains the jets of the position.

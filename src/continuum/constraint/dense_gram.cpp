@@ -7,7 +7,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// The columns of `rows` for the given nodes of the cell, three for each node.
+/// The columns of `rows` that belong to the nodes with the numbers `nodes` in the cell. Each node has three columns.
 dealii::LAPACKFullMatrix<double> columns_of(const dealii::LAPACKFullMatrix<double>& rows,
                                             const std::vector<unsigned int>& nodes) {
   dealii::LAPACKFullMatrix<double> columns(rows.m(), 3 * nodes.size());

@@ -33,7 +33,8 @@ class DenseGram final : public GramPreconditioner {
 
  private:
   using Block = dealii::LAPACKFullMatrix<double>;
-  /// The nodes that two cells a < b share, by their numbers in each of the cells.
+  /// The nodes that two cells a < b share. `in_a` has the number of each node in cell a, and `in_b` its number in cell
+  /// b.
   struct SharedNodes {
     std::vector<unsigned int> in_a, in_b;
   };

@@ -17,7 +17,8 @@ class GramPreconditioner {
   /// preconditioner at x cannot be factorised, for example because the Gram operator is singular. After a failure,
   /// `apply` must not be called. Collective.
   virtual mechanics::Status renew(const Vector& x) = 0;
-  /// result ≈ S⁻¹ r, a symmetric positive definite approximation. Collective.
+  /// Sets `result` to an approximation of S⁻¹ r. The approximate inverse is symmetric and positive definite.
+  /// Collective.
   virtual void apply(Vector& result, const Vector& r) const = 0;
   /// Estimate of the time of `renew`; the unit is the time of one iteration of a solve with S.
   virtual double renewal_cost() const = 0;

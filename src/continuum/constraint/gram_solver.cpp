@@ -87,7 +87,7 @@ class GramSolver::Impl {
     return status;
   }
 
-  /// result = G(q₁) M⁻¹ G(q₀)ᵀ λ
+  /// result = G(q₁) M⁻¹ G(q₀)ᵀ λ, with the derivative G of the constraint and the mass M.
   void multiply(Vector& result, const Vector& lambda) {
     reaction_ = 0.0;
     kernels_.add_reaction(of_q0_.tangent(), lambda, reaction_);
@@ -138,7 +138,8 @@ class GramSolver::Impl {
       }
       kernels_->set_tangent(x, *tangent_);
     }
-    /// Returns the tangent to a caller that will set its values at x. Returns null if the tangent has single precision.
+    /// Returns the tangent to a caller that will set its values at x. Returns null if the tangent has single precision,
+    /// because the caller computes in double precision.
     ConstraintTangent* to_be_set_at(const Vector& x) {
       if (tangent_->precision() != Precision::double_precision) return nullptr;
       positions_.assign(x.begin(), x.begin() + x.locally_owned_size());
@@ -156,7 +157,7 @@ class GramSolver::Impl {
   const GramMethod method_;
   std::unique_ptr<GramPreconditioner> preconditioner_;
   TangentAt of_q0_, of_q1_;
-  bool is_symmetric_ = false;  // true if q₁ = q₀
+  bool is_symmetric_ = false;  // true if q₁ and q₀ are the same object
   mechanics::ConjugateResiduals<Vector> iteration_;
   Vector reaction_, residual_;
   History history_;

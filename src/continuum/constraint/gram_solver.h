@@ -16,7 +16,7 @@
 
 namespace pseudorigid::continuum {
 
-/// The preconditioner: the inverse of S as a dense matrix, or two levels.
+/// The kind of preconditioner: the inverse of S as a dense matrix, or the preconditioner with two levels.
 enum class GramMethod { dense, two_level };
 
 /// The method for a space: dense for up to GramSolver::n_dense multipliers in one process, otherwise two levels.
@@ -42,8 +42,8 @@ class GramSolver {
   /// the tangent at x. Otherwise it computes and stores the tangent at x.
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f);
 
-  /// The part of the solver's memory on which later solves depend, for checkpoints. The residuals depend on the
-  /// preconditioner. A resumed run therefore needs this memory to repeat the uninterrupted run.
+  /// The part of the solver's memory on which later solves depend. The error of a solution depends on the
+  /// preconditioner. Checkpoints therefore contain this memory, so that a resumed run repeats the uninterrupted run.
   struct History {
     Vector renewed_at;  ///< positions at which the preconditioner was last computed
     /// `n_iterations_fresh` is the number of iterations of the first solve after a renewal, or −1 before this solve.
@@ -74,7 +74,8 @@ class GramSolver {
   /// the methods repeat the call until their own residual is small. A call therefore need not be more accurate than a
   /// step of Newton's iteration.
   static constexpr double reduction = 1e-4;
-  /// For up to this many multipliers in one process, a step with the dense inverse is cheaper than with two levels.
+  /// For at most this number of multipliers in one process, a step with the dense inverse is cheaper than with two
+  /// levels.
   static constexpr std::size_t n_dense = 2400;
 
  private:

@@ -14,13 +14,14 @@ class SymmetricMatrix {
   /// Uses the lower triangle of `matrix`, an n × n matrix stored by columns.
   SymmetricMatrix(const double* matrix, std::size_t n);
 
-  /// y = A x for n numbers x and y in double precision. The product is computed in single precision.
+  /// y = A x with this matrix A. x and y have n numbers in double precision. The product is computed in single
+  /// precision.
   void multiply(const double* x, double* y) const;
   std::size_t memory() const { return entries_.size() * sizeof(float); }
 
-  /// Largest number of rows of a matrix that is stored entirely. Measured with 80 rows, a product takes 0.14 us if the
-  /// matrix is stored entirely, and 0.75 us if it is stored as a triangle. With 512 rows, the times are 13 us and 15
-  /// us.
+  /// Largest number of rows of a matrix that is stored entirely. Measured with 80 rows, a product takes 0.14 μs if the
+  /// matrix is stored entirely, and 0.75 μs if it is stored as a triangle. With 512 rows, the times are 13 μs and 15
+  /// μs.
   static constexpr std::size_t n_whole = 512;
 
  private:

@@ -26,7 +26,7 @@ using Eigen::MatrixXd;
 /// cost more. Measured for k = 6, a step takes the time of 44 force evaluations with m = 2, and of 71 with m = 3.
 int coarse_degree(int degree) { return degree <= 4 ? 1 : 2; }
 
-/// The quadrature weights of the nodes of one cell: Gauss–Lobatto weight times det ∂X/∂ξ.
+/// The quadrature weights of the nodes of one cell. A weight is the Gauss–Lobatto weight of the node times det ∂X/∂ξ.
 Eigen::VectorXd node_weights(const BallSpace& space, unsigned int cell) {
   const ReferenceCell& ref = space.reference_cell();
   const Eigen::Matrix3Xd X = nodal_values(space, space.reference_positions(), cell);

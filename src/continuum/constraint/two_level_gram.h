@@ -9,9 +9,9 @@
 /// functions that vanish on the free surface. For elements of degree k, m = 1 if k ≤ 4, and otherwise m = 2. P is the
 /// L²-projection of the N_i onto the multipliers, which have the orthonormal basis ψ_j in each cell. S is the weak form
 /// of −div(ρ⁻¹ grad) in the current coordinates x, with λ = 0 on the free surface. ρ is the density. Therefore K_ij =
-/// ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX with F = ∂x/∂X. The matrices of the cells have single precision. A decrease of the
-/// residual by a factor of 10⁴ takes 7–10 iterations for k = 2. It takes 14–19 iterations for k = 4, and 16–21 for k =
-/// 6. These numbers are for an octant with one to three refinements, at rest and sheared.
+/// ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX with F = ∂x/∂X. The matrices S_cc⁻¹ and P of the cells have single precision. With B, a
+/// decrease of the residual by a factor of 10⁴ takes 7–10 iterations for k = 2. It takes 14–19 iterations for k = 4,
+/// and 16–21 for k = 6. These numbers are for an octant with one to three refinements, at rest and sheared.
 ///
 /// A KSP solver of PETSc with the options' prefix gram_coarse_ applies K⁻¹. By default the solver is one V-cycle of the
 /// algebraic multigrid of PETSc (GAMG).
@@ -71,7 +71,7 @@ class TwoLevelGram final : public GramPreconditioner {
   PetscBool applies_preconditioner_ = PETSC_FALSE;  ///< true if the solver only applies its preconditioner
   Vec coarse_in_ = nullptr, coarse_out_ = nullptr;
   mutable Vector restricted_, correction_;
-  mutable std::vector<float> multipliers_, of_functions_;  ///< vectors of one cell
+  mutable std::vector<float> multipliers_, of_functions_;  ///< work vectors of one cell
 };
 
 }  // namespace pseudorigid::continuum

@@ -2,7 +2,7 @@
 /// Integrals for viscoelastic branches (materials/maxwell_branch.h) over the cells of one process. Branch b has the
 /// stress P_b, the stored energy W_b and the internal metric C_b at each Gauss point. In a list of metrics, entry k of
 /// C_b at point q of a cell is stored at ((cell · n_branches + b) 6 + k) n_points + q. The entries k = 0 … 5 are 00,
-/// 01, 02, 11, 12, 22. Vectors are pointers as in local_kernels.h.
+/// 01, 02, 11, 12, 22. Vectors such as x and f are pointers to the entries of this process, as in local_kernels.h.
 
 #include <cstddef>
 
@@ -19,7 +19,7 @@ class BranchKernels {
   /// The stored energy ∫ΣW_b dX at the position x.
   virtual double energy(const Branches& branches, const double* metrics, const double* x) const = 0;
   /// Replaces the metrics by their values after the time h, at a constant strain: the mean strain of x0 and x1. Returns
-  /// the energy that each branch has lost in all cells.
+  /// the energy that each branch loses in the cells of this process.
   virtual materials::BranchEnergies relax(const Branches& branches, double h, const double* x0, const double* x1,
                                           double* metrics) const = 0;
   /// Sets the metrics of all branches to the isochoric strain Ĉ = J^{−2/3} FᵀF at x, so that the branches have no

@@ -79,7 +79,8 @@ class CellBatches {
       for (int j = 0; j <= i; ++j) coefficients[j] += *entry++ * lambda[i];
   }
 
-  /// Computes ∫ψ_j s of a function s from the moments ∫(monomial) s.
+  /// Sets `result` to the integrals ∫ψ_j s of a function s. `moments` contains the integrals of the products of s with
+  /// each monomial.
   void from_moments(const L* moments, std::size_t batch, L* result) const {
     const L* entry = basis(batch);
     for (int i = 0; i < n_pressure; ++i) {

@@ -113,7 +113,7 @@ class CellBranches final : public BranchKernels {
   }
 
   /// Replaces the metrics of all branches at point q by their values after the time h, for the strain Ĉ. Adds the
-  /// energy that each branch loses per reference volume, times the weight, to `lost`.
+  /// energy that each branch loses at this point, including the weight of the point, to `lost`.
   void relax_point(const Branches& branches, double h, const Metric& strain, const L& weight, std::size_t b, int q,
                    double* metrics, Losses& lost) const {
     for (std::size_t branch = 0; branch < branches.size(); ++branch) {
@@ -124,8 +124,8 @@ class CellBranches final : public BranchKernels {
     }
   }
 
-  /// Place of the first entry of a metric in a list of metrics. In the last batch, lanes without a cell use the first
-  /// cell of the batch.
+  /// Index of the entry k = 0 of a metric in a list of metrics, for the branch `branch` at point q of the cell in a
+  /// lane of batch b. In the last batch, lanes without a cell use the first cell of the batch.
   std::size_t place(std::size_t n_branches, std::size_t branch, std::size_t b, int lane, int q) const {
     const auto& batch = planes_.batches.batches[b];
     const std::size_t cell = batch.first_cell + static_cast<std::size_t>(lane < batch.n_active ? lane : 0);

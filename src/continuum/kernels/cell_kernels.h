@@ -29,8 +29,8 @@ class CellKernels {
  public:
   CellKernels(const BallSpace& space, std::unique_ptr<LocalKernels> local);
 
-  /// f = −∫∂(W + U)/∂F ∇φ. Returns the least of J and of the law's reserve. If this value is not positive, f is not
-  /// valid.
+  /// f = −∫∂(W + U)/∂F ∇φ. Returns the least of J and of the reserve of the law on this rank. The reserve is positive
+  /// if the law admits F (materials/law_limits.h). If the returned value is not positive, f is not valid.
   double force(const Vector& x, Vector& f) const;
   /// Sets f to the result of `force` plus the reaction G(x)ᵀλ, and returns the same value as `force`. The reaction
   /// takes a third of the time of a separate call of add_reaction. If `at_x` is not null, it must have double precision
@@ -76,16 +76,16 @@ class CellKernels {
   /// Sets `values` to λ_h at the Gauss points of a cell. In `values`, the first local direction is the fastest index.
   void multiplier_at_points(const Vector& lambda, unsigned int cell, std::span<double> values) const;
 
-  /// Calls `use(cell, rows)` for each cell. For n nodes, rows[j·3n + 3i + c] is the entry of G for function j, node i
-  /// and component c.
+  /// Calls `use(cell, rows)` for each cell. For a cell with n nodes, rows[j·3n + 3i + c] is the entry of G for the
+  /// function ψ_j, node i and component c.
   void constraint_rows(const Vector& x, const UseRows& use) const;
-  /// Calls `use(cell, values)` for each cell. For n nodes, values[j·n + i] is ψ_j at node i of the cell.
+  /// Calls `use(cell, values)` for each cell. For a cell with n nodes, values[j·n + i] is ψ_j at node i.
   void pressure_basis_at_nodes(const UseRows& use) const;
 
   /// Volume of the cells of this rank and volume of the smallest of these cells, by the quadrature of the kernels.
   double reference_volume() const { return local_->reference_volume(); }
   double least_cell_volume() const { return local_->least_cell_volume(); }
-  /// Memory for geometry, indices and basis in bytes.
+  /// Memory in bytes for the geometry, the indices of the nodes, and the basis ψ_j on this rank.
   std::size_t memory() const { return local_->memory(); }
 
  private:
@@ -101,8 +101,8 @@ class CellKernels {
 LocalCells local_cells(const BallSpace& space);
 
 /// Kernels for the degree of the space (1 … 8) and the stored energy. Throws std::invalid_argument for another degree,
-/// and mechanics::NoKernels if chosen_kernels() does. Degree 1 is for compressible bodies only; functions of the
-/// constraint at positions x then throw std::invalid_argument.
+/// and mechanics::NoKernels if chosen_kernels() throws it. Degree 1 is for compressible bodies only. The functions that
+/// compute the constraint or its derivative from positions then throw std::invalid_argument.
 std::unique_ptr<CellKernels> make_cell_kernels(const BallSpace& space, const StoredEnergy& stored);
 
 }  // namespace pseudorigid::continuum

@@ -217,7 +217,7 @@ class DegreeKernels final : public LocalKernels {
   std::size_t memory() const override { return planes_.memory() + law_->memory(); }
 
  private:
-  /// s (A Bᵀ + B Aᵀ)
+  /// Returns s (A Bᵀ + B Aᵀ). If s = ½, this is the symmetric part of A Bᵀ.
   static Tensor symmetric_part_of_product(const Tensor& A, const Tensor& B, const L& s) {
     Tensor AB, result;
     for (int i = 0; i < 3; ++i)
@@ -227,7 +227,8 @@ class DegreeKernels final : public LocalKernels {
     return result;
   }
 
-  /// r_j = ∫ψ_j s(H, ∂v/∂ξ). integrand(cof H, 1/det H, ∂v/∂ξ) returns s.
+  /// Sets r_j to the integral ∫ψ_j s dX of a function s of H and ∂v/∂ξ. The ψ_j are the basis functions of the
+  /// multiplier. The function integrand(cof H, 1/det H, ∂v/∂ξ) returns s.
   template <class Integrand>
   void pull_back(const double* x, const double* v, double* r, const Integrand& integrand) const {
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
@@ -278,7 +279,8 @@ class DegreeKernels final : public LocalKernels {
     return least;
   }
 
-  /// buffers_.result ← ∫λ_h F⁻ᵀ:∇φ of a batch. The buffers must contain the layers of x and the multiplier.
+  /// Sets buffers_.result to ∫λ_h F⁻ᵀ:∇φ for a batch, with the pressure λ_h of the multiplier. Before the call,
+  /// buffers_.x must contain the layers of x, and buffers_.multiplier the multiplier.
   void reaction_of_batch(std::size_t b) const {
     L coefficients[n_pressure];
     batches_.monomial_coefficients(buffers_.multiplier, b, coefficients);
@@ -344,7 +346,8 @@ class DegreeKernels final : public LocalKernels {
     }
   }
 
-  /// Least value over all points, with its place. `evaluate(F, values)` computes the values at the points of a plane.
+  /// Least of the values at all points of this process, with its reference position. evaluate(F, values) computes the
+  /// values at the points of a plane from F.
   template <class Evaluate>
   LeastPlace locate(const double* x, const Evaluate& evaluate) const {
     LeastPlace result;

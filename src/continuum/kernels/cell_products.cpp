@@ -7,7 +7,8 @@ namespace {
 
 constexpr std::size_t most_rows = 64;  // the sums of 64 rows fit into the vector registers
 
-/// Adds the products of n rows of A with x to y. In memory, consecutive columns of A are `distance` numbers apart.
+/// y ← y + A x for a matrix A with n rows and n_columns columns. In memory, consecutive columns of A are `distance`
+/// numbers apart.
 template <std::size_t n>
 void add_rows(const float* A, std::size_t distance, std::size_t n_columns, const float* x, float* y) {
   float sums[n];
@@ -28,7 +29,7 @@ void add_up_to(std::size_t n_rows, const float* A, std::size_t distance, std::si
   }
 }
 
-/// Sets y to the scalar products of n columns of A with x.
+/// Sets y to the scalar products of x with the first n columns of A.
 template <std::size_t n>
 void multiply_columns(const float* A, std::size_t n_rows, const float* x, float* y) {
   float sums[n][rows_together] = {};

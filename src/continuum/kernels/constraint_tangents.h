@@ -65,11 +65,11 @@ class ConstraintTangents {
     }
   }
 
-  /// Returns w H⁻ᵀ at the points of one plane. The tangent must have double precision.
+  /// Returns the stored numbers w H⁻ᵀ at the points of the plane q3 of batch b. The tangent must have double precision.
   Field& plane_of(ConstraintTangent& tangent, std::size_t b, int q3) const {
     return static_cast<Tangent<L>&>(tangent).planes[b * n + static_cast<std::size_t>(q3)].T;
   }
-  /// T ← w H⁻ᵀ at the points of one plane.
+  /// T ← w H⁻ᵀ at the points of the plane q3 of batch b, from H at these points.
   template <class Number>
   void set_plane(std::size_t b, int q3, const Field& H_of_plane, Number (&T)[9][plane]) const {
     const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
@@ -174,7 +174,7 @@ class ConstraintTangents {
     }
   }
 
-  /// buffers.result = Gᵀ λ of one batch, with λ in buffers.multiplier.
+  /// Sets buffers.result to the contribution of batch b to Gᵀλ, with λ in buffers.multiplier.
   template <class Number>
   void react(std::size_t b, const PlaneOfPoints<Number>* planes) const {
     auto& buffers = planes_.buffers();

@@ -15,7 +15,7 @@ struct KernelTable {
   std::unique_ptr<LocalKernels> (*make_local_kernels)(int degree, const LocalCells& cells, const StoredEnergy& stored);
   /// y ← A x for a symmetric A, given by the rows of its lower triangle (packed_product.h).
   void (*multiply_packed)(const float* entries, std::size_t n, const float* x, float* y);
-  /// The functions of cell_products.h.
+  /// `add_product` and `multiply_transposed` are the functions of cell_products.h with these names.
   void (*add_product)(const float* A, std::size_t n_rows, std::size_t n_columns, const float* x, float* y);
   void (*multiply_transposed)(const float* A, std::size_t n_rows, std::size_t n_columns, const float* x, float* y);
 };

@@ -1,8 +1,8 @@
 #pragma once
-/// The integrals of cell_kernels.h over the cells of one process. A vector is a pointer to its entries on this process:
-/// its own entries, and then those of ghost nodes. The entries of ghost nodes must be up to date. The owner of a ghost
-/// node later adds the contributions of other ranks. This file does not depend on deal.II, so the kernels compile in a
-/// few seconds per degree.
+/// The integrals of cell_kernels.h over the cells of one process. A vector is a pointer to its entries on this process.
+/// The entries of the own nodes come first, and then those of ghost nodes. The entries of ghost nodes must be up to
+/// date. The owner of a ghost node later adds the contributions of other ranks. This file does not depend on deal.II,
+/// so the kernels compile in a few seconds per degree.
 
 #include <array>
 #include <functional>
@@ -21,11 +21,12 @@ namespace pseudorigid::continuum {
 /// The cells of this process as the kernels use them. All members must outlive the kernels.
 struct LocalCells {
   const ReferenceCell& reference;
-  const std::vector<std::vector<unsigned int>>& nodes;  ///< nodes of a cell, first direction fastest
+  const std::vector<std::vector<unsigned int>>& nodes;  ///< local numbers: [cell][node], first direction fastest
   const double* positions;                              ///< X, entry 3·node + component
 };
 
-/// Integrals over the cells, for the observables.
+/// Integrals and extreme values over the cells, for the observables. W, U, J and F are those of cell_kernels.h, ρ is
+/// the density, and ẋ is the velocity.
 struct CellIntegrals {
   using Matrix = std::array<std::array<double, 3>, 3>;
   double elastic = 0;                                      ///< stored energy of the law, ∫W dX
@@ -41,7 +42,7 @@ struct CellIntegrals {
 /// A function that is called as `use(cell, values)` for each cell. The values are valid only during the call.
 using UseRows = std::function<void(unsigned int, std::span<const double>)>;
 
-/// A function of F. The entries of F are given row by row.
+/// A function of the deformation gradient F. Its argument points to the nine entries of F, row by row.
 using FunctionOfF = std::function<double(const double* F)>;
 
 enum class Precision { single_precision, double_precision };
@@ -65,8 +66,8 @@ class LocalKernels {
   /// and of `reserve(F)` of the law over all quadrature points of this process. The reserve is positive if the law
   /// admits F (materials/law_limits.h).
   virtual double add_force(const double* x, double* f) const = 0;
-  /// f ← f + force + G(x)ᵀλ in one pass. Returns the same value as `add_force`. If `at_x` is not null, it must have
-  /// double precision and is set to the tangent at x.
+  /// Adds the force of `add_force` and the reaction G(x)ᵀλ to f in one pass over the cells. Returns the same value as
+  /// `add_force`. If `at_x` is not null, it must have double precision and is set to the tangent at x.
   virtual double add_force_with_reaction(const double* x, const double* lambda, ConstraintTangent* at_x,
                                          double* f) const = 0;
   virtual double constraint(const double* x, double* g) const = 0;

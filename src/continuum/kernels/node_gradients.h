@@ -1,6 +1,6 @@
 #pragma once
-/// Nodal values of one cell and their derivatives at the nodes. Functions that are called rarely use them: the
-/// preconditioner at each renewal, the surface stretch, and the pictures. Forces and constraints use the faster
+/// Nodal values of one cell and their derivatives at the nodes. Only functions that are called rarely use this file:
+/// the renewal of the preconditioner, the surface stretch, and the pictures. Forces and constraints use the faster
 /// kernels.
 
 #include <Eigen/Core>

@@ -24,15 +24,16 @@ class PointLaw {
 
   /// Allocates memory for exactly n_points points, the points of all batches together.
   virtual void reserve_points(std::size_t n_points) = 0;
-  /// Adds the next points, from their Jacobians ∂X/∂ξ and weights on the reference cell.
+  /// Appends n_points points with the Jacobians ∂X/∂ξ and the weights `unit_weights` on the reference cell.
   virtual void add_points(const L* jacobians, const double* unit_weights, int n_points) = 0;
 
-  /// Replaces H = ∂x/∂ξ by T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ at n_points points from number `first` on. `least` becomes the
-  /// least of `least`, det F and the law's reserve, lane by lane.
+  /// Replaces H = ∂x/∂ξ by T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ at n_points points from number `first` on. Lowers each lane of
+  /// `least` to the least det F and the least reserve of the law (materials/law_limits.h) in this lane.
   virtual void stress(std::size_t first, const double* unit_weights, int n_points, L* H, L& least) const = 0;
   /// elastic += Σ w W(F), volumetric += Σ w U(J)
   virtual void energy(const L* F, const L* weights, int n_points, L& elastic, L& volumetric) const = 0;
-  /// The reserve of the law (materials/law_limits.h) at each point; infinite for a law without limits.
+  /// Sets `reserve` to the reserve of the law (materials/law_limits.h) at each point. It is infinite for a law without
+  /// limits.
   virtual void reserve(const L* F, int n_points, L* reserve) const = 0;
 
   /// Memory for the geometry in bytes.

@@ -19,7 +19,7 @@
 
 namespace pseudorigid::continuum {
 
-/// (X − X_c)/h_c at the nodes of the cells of a batch: [component][node].
+/// Returns (X − X_c)/h_c at the nodes of the cells of batch b: [component][node].
 template <int degree, int n_lanes>
 auto local_node_positions(const CellBatches<degree, n_lanes>& batches, std::size_t b) {
   using Batches = CellBatches<degree, n_lanes>;
@@ -31,7 +31,8 @@ auto local_node_positions(const CellBatches<degree, n_lanes>& batches, std::size
   return local;
 }
 
-/// Calls use(coefficients, batch, lane) for a cell, with the coefficients of λ_h in the monomials of its batch.
+/// Calls use(coefficients, b, lane) once. b is the batch of the cell, and `lane` is the lane of the cell in this batch.
+/// The coefficients are those of λ_h in the monomials.
 template <int degree, int n_lanes, class Use>
 void with_multiplier_of_cell(const CellBatches<degree, n_lanes>& batches, const double* lambda, unsigned int cell,
                              const Use& use) {

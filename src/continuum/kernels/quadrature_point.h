@@ -24,7 +24,7 @@ struct PressurePoint {
   using L = Lanes<n_lanes>;
 
   L weight;       ///< quadrature weight · det ∂X/∂ξ
-  L position[3];  ///< local coordinates of the pressure basis
+  L position[3];  ///< local coordinates (X − X_c)/h_c of pressure_basis.h
 };
 
 /// Prefetches the geometry of a point that is used soon. `point` may be behind the last point, because a prefetch of

@@ -1,6 +1,6 @@
 #pragma once
-/// Lanes that are stored in memory in single precision. For arithmetic, they are converted to Lanes in double
-/// precision.
+/// SIMD vectors of n_lanes numbers that are stored in single precision. For arithmetic, they are converted to Lanes in
+/// double precision (mechanics/core/lanes.h).
 
 #include "mechanics/core/lanes.h"
 

@@ -20,7 +20,7 @@
 
 namespace pseudorigid::continuum {
 
-/// ∂U/∂J = (κ/4)(J − 1/J³)
+/// Returns ∂U/∂J = (κ/4)(J − 1/J³) for κ = `kappa`.
 template <class L>
 [[gnu::always_inline]] inline L stabilizing_pressure(double kappa, const L& J) {
   const L inverse = 1.0 / J;
@@ -32,7 +32,7 @@ template <class L>
 struct AnyStressPoint {
   using Tensor = materials::Tensor<L>;
 
-  /// `jacobian` is ∂X/∂ξ.
+  /// `jacobian` is ∂X/∂ξ, and `unit_weight` is ŵ.
   AnyStressPoint(const Tensor& jacobian, double unit_weight) {
     const Tensor cof = materials::cofactor(jacobian);
     const L det = materials::determinant(jacobian, cof);
@@ -40,7 +40,7 @@ struct AnyStressPoint {
     weight = unit_weight * det;
   }
 
-  /// Returns T. `least` becomes the least of `least`, J and the law's reserve.
+  /// Returns T. Lowers `least` to J and to the reserve of the law (materials/law_limits.h) if they are less.
   template <class Law>
   [[gnu::always_inline]] Tensor stress(const Law& law, double kappa, double, const Tensor& H, L& least) const {
     const Tensor F = times_inverse(H);
@@ -55,8 +55,8 @@ struct AnyStressPoint {
     return times_inverse_transposed(P);
   }
 
-  L inverse[9];  ///< the inverse (∂X/∂ξ)⁻¹, row-major
-  L weight;      ///< the weight w
+  L inverse[9];  ///< entries of (∂X/∂ξ)⁻¹, row by row
+  L weight;      ///< w = ŵ det ∂X/∂ξ
 
  private:
   [[gnu::always_inline]] Tensor times_inverse(const Tensor& A) const {
@@ -116,7 +116,7 @@ struct MetricStressPoint {
   }
 
   L G00, G01, G02, G11, G12, G22;
-  L inverse_determinant;  ///< the number D
+  L inverse_determinant;  ///< D = 1 / det ∂X/∂ξ
 };
 
 template <class Law, class L>

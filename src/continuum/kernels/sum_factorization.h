@@ -1,7 +1,8 @@
 #pragma once
-/// Sum factorisation on one batch of cells. It maps values u at the n³ nodes to reference gradients at the n³ Gauss
-/// points, and has the transposed map. The first direction is the fastest index, and factor d of a product ⊗ acts on
-/// direction d. With the one-dimensional interpolation I to the points and differentiation D at the points,
+/// Sum factorisation on one batch of cells. The class maps values u at the n³ nodes to gradients with respect to ξ at
+/// the n³ Gauss points. It also has the transposed map. The first direction is the fastest index, and factor d of a
+/// product ⊗ acts on direction d. With the one-dimensional interpolation I to the points and differentiation D at the
+/// points,
 ///
 ///   u ← (I⊗I⊗1) u   layer by layer,   then for each plane ξ₃ = const of n² points
 ///   v = (1⊗1⊗I) u,   ∂₁v = (D⊗1) v,   ∂₂v = (1⊗D) v,   ∂₃v = (1⊗1⊗DI) u
@@ -142,7 +143,7 @@ class SumFactorization {
     }
   }
 
-  /// Values and derivatives in the third direction at the points of a plane.
+  /// Sets `values` to the values and `slopes` to the derivatives ∂₃ at the points of the plane q3.
   template <class L>
   void evaluate_plane(const L* layers, int q3, L* values, L* slopes) const {
     const Row value_row = value_[q3], slope_row = slope_[q3];
@@ -173,7 +174,7 @@ class SumFactorization {
   }
 
   Matrix interpolate_, distribute_, differentiate_, differentiate_transposed_;
-  std::array<Row, n> value_, slope_;  ///< I and DI, the rows for the third direction
+  std::array<Row, n> value_, slope_;  ///< rows of I and of DI, for the third direction
 };
 
 }  // namespace pseudorigid::continuum

@@ -18,8 +18,8 @@ namespace {
 using Corner = std::array<double, 3>;
 using CoarseCell = std::array<Corner, 8>;
 
-/// The nonzero coordinates of the corners of the central block. A corner is on an axis, on a diagonal of a coordinate
-/// plane, or on the space diagonal. The values are free parameters of the mesh: the image of the sphere is exact for
+/// The nonzero coordinates of the corners of the central block, for corners on an axis, on a diagonal of a coordinate
+/// plane, and on the space diagonal. The values are free parameters of the mesh: the image of the sphere is exact for
 /// all of them.
 constexpr double block_axis = 0.528, block_face = 0.4533, block_corner = 0.3752;
 
@@ -97,7 +97,8 @@ dealii::Point<3> onto_sphere(const dealii::Point<3>& y) {
 /// the distance √3 block_corner = 0.65.
 bool is_on_sphere(const dealii::Point<3>& V) { return V.norm_square() > 0.999; }
 
-/// The map X(ξ) of a coarse cell of the ball in the head of ball_mesh.h.
+/// The position X(ξ) in a coarse cell of the ball with these vertices, by the formula in the opening comment of
+/// ball_mesh.h.
 dealii::Point<3> transfinite(const std::array<dealii::Point<3>, 8>& vertices, const dealii::Point<3>& xi) {
   dealii::Point<3> inside, cube;
   double s = 0;
@@ -131,8 +132,8 @@ int small_end(const std::array<dealii::Point<3>, 8>& vertices, unsigned int dire
   return -1;
 }
 
-/// β of a grading with the factor g = `size`, 0 < g < 1. Bisection on (0, 100) finds β, because β/(exp β − 1) decreases
-/// with β.
+/// Returns the exponent β of a grading with the factor g = `size`, 0 < g < 1. It satisfies β/(exp β − 1) = g. Bisection
+/// on (0, 100) finds β, because the left side decreases with β.
 double growth_of(double size) {
   double least = 0, most = 100;
   for (int i = 0; i < 100; ++i) {
@@ -142,7 +143,8 @@ double growth_of(double size) {
   return 0.5 * (least + most);
 }
 
-/// An empty mesh. With one rank it does not use p4est, which requires MPI.
+/// An empty mesh. Several ranks need a distributed mesh of p4est. With one rank, the mesh does not use p4est, which
+/// requires MPI.
 std::unique_ptr<dealii::Triangulation<3>> empty_triangulation(MPI_Comm communicator) {
   if (n_ranks(communicator) > 1) return std::make_unique<dealii::parallel::distributed::Triangulation<3>>(communicator);
   return std::make_unique<dealii::Triangulation<3>>();

@@ -47,7 +47,7 @@ struct CoarseMesh {
   std::vector<std::array<unsigned int, 8>> cells;
 };
 
-/// Size and axis of the grading (head of this file), with 0 < size ≤ 1.
+/// Factor and axis of the grading in the opening comment of this file, with 0 < size ≤ 1.
 struct Grading {
   double size = 1;  ///< factor g; 1 means no grading
   int axis = 2;     ///< axis p of the two poles: 0, 1 or 2
@@ -81,10 +81,11 @@ class BallMesh {
   bool on_sphere_;     ///< true for the ball and its sectors; false for a body of another shape
   double growth_ = 0;  ///< exponent β of the grading; 0 without grading
   std::unique_ptr<dealii::Triangulation<3>> triangulation_;
-  /// [coarse cell][vertex], in the order of deal.II with the first local direction fastest.
+  /// Vertices of the coarse cells: [coarse cell][vertex], in the order of deal.II with the first local direction
+  /// fastest.
   std::vector<std::array<dealii::Point<3>, 8>> coarse_vertices_;
-  /// [coarse cell][local direction]: the end with small cells, 0 or 1, or −1 if the direction is not graded. The list
-  /// is empty without grading.
+  /// The end with small cells in each direction, 0 or 1, or −1 if the direction is not graded: [coarse cell][local
+  /// direction]. The list is empty without grading.
   std::vector<std::array<int, 3>> small_ends_;
 };
 

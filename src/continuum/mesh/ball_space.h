@@ -5,8 +5,8 @@
 ///   m_n = Σ_cells ρ w_n det(∂X/∂ξ)(ξ_n),   ρ = 1 in internal units.
 ///
 /// The sum runs over the cells that contain node n. ξ_n is the node in such a cell, and w_n is its Gauss–Lobatto
-/// weight. On a symmetry plane x_i = 0, the component i of a node is constant. The corresponding entry of the inverse
-/// mass is 0.
+/// weight. On a symmetry plane x_i = 0, the component i of a node does not change. The corresponding entry of the
+/// inverse mass is 0.
 ///
 /// Cells, nodes and multipliers are distributed over the ranks of the mesh. `n_cells` and `cell_nodes` refer to the
 /// cells of this rank. The local elements of a vector are the entries of this rank, followed by those of the ghost

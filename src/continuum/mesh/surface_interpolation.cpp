@@ -7,8 +7,8 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// The values of one component at the n × n points of one face. Row a and column b belong to point a along ξ_p and
-/// point b along ξ_q.
+/// A matrix with the values of one component at the n × n points of one face. Row a and column b belong to point a
+/// along ξ_p and point b along ξ_q.
 auto on_face(std::vector<double>& component, std::size_t face, Eigen::Index n) {
   return Eigen::Map<MatrixXd>(component.data() + face * n * n, n, n);
 }

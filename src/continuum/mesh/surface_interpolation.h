@@ -18,7 +18,8 @@ namespace pseudorigid::continuum {
 
 class SurfaceInterpolation {
  public:
-  /// [component][point]. The points are ordered by face, then by their index along q; the index along p is the fastest.
+  /// Three numbers at each point: [component][point]. The points are ordered by face, then by their index along q; the
+  /// index along p is the fastest.
   using Field = std::array<std::vector<double>, 3>;
   /// Values and derivatives of a nodal function u at the points. The struct can also contain the derivatives of a
   /// function E(u, ∂u/∂ξ_p, ∂u/∂ξ_q) by its three arguments, in the same order.
@@ -42,7 +43,7 @@ class SurfaceInterpolation {
   void subtract_derivative(const Jets& by_jets, Vector& f) const;
 
  private:
-  std::vector<std::vector<unsigned int>> face_nodes_;  ///< [face][j·n + i] for n nodes per direction, i along p
+  std::vector<std::vector<unsigned int>> face_nodes_;  ///< local numbers: [face][j·n + i], i along p, j along q
   Eigen::MatrixXd values_, derivatives_;               ///< ℓ_i and ℓ_i' at the points: [point][i]
   std::vector<double> weights_;
 };

@@ -12,10 +12,10 @@ Eigen::MatrixXd table(const std::vector<double>& row_major, int n) {
   return Eigen::Map<const RowMajor>(row_major.data(), n, n);
 }
 
-/// The components i and k of the six pairs i ≤ k.
+/// The six pairs (i, k) of components with i ≤ k.
 constexpr int pair_first[] = {0, 0, 0, 1, 1, 2}, pair_second[] = {0, 1, 2, 1, 2, 2};
 
-/// The tangent with the columns C(H) = `of(H)` for the nine unit gradients H.
+/// The tangent C as a matrix. For each of the nine unit gradients H, `of(H)` returns the column C(H).
 template <class Of>
 Tangent columns(const Of& of) {
   Tangent tangent;
@@ -128,7 +128,7 @@ Eigen::MatrixXd CellStiffness::contract(const std::array<Eigen::VectorXd, 9>& c)
   const int n = n_, n2 = n * n;
   // The index in products_ for one direction: 2 if ∂_d differentiates in this direction, plus 1 if ∂_e does.
   const auto pattern = [](int de, int direction) { return 2 * (de / 3 == direction) + (de % 3 == direction); };
-  std::array<Eigen::MatrixXd, 4> plane;  // by the third direction's pattern: [(a₀b₀) (a₁b₁), q₂]
+  std::array<Eigen::MatrixXd, 4> plane;  // for each pattern in direction 2: (a₀b₀ a₁b₁) × q₂
   for (auto& m : plane) m.setZero(n2 * n2, n);
   for (int de = 0; de < 9; ++de) {
     const Eigen::MatrixXd line =  // rows (a₀b₀), columns (q₁ q₂)

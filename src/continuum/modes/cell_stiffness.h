@@ -6,7 +6,8 @@
 ///   C(H) = DP(F)[H] + D(∂U/∂F)[H] + λ_h F⁻ᵀHᵀF⁻ᵀ,   C_iJkL = ∂C(H)_iJ/∂H_kL,
 ///   K_(a,i)(b,k) = ∫ ∂_Jφ_a C_iJkL ∂_Lφ_b dX,
 ///
-/// with the basis functions φ_a. At rest, F = Id and λ_h is the stress of the law at rest (materials/rest_moduli.h).
+/// with the basis functions φ_a. At rest, F = Id. In an incompressible body, λ_h then balances the stress of the law
+/// (materials/rest_moduli.h).
 ///
 /// Let c^ik_de = w det(∂X/∂ξ) (∂ξ_d/∂X_J) C_iJkL (∂ξ_e/∂X_L) at the Gauss points with the weights w. The derivative
 /// ∂_dφ_a is a product of one-dimensional functions. Therefore the sum K^ik_ab = Σ_de Σ_q c^ik_de ∂_dφ_a ∂_eφ_b is
@@ -22,7 +23,7 @@
 
 namespace pseudorigid::continuum {
 
-/// The entries C_iJkL of the tangent at a point.
+/// The 81 entries C_iJkL of the tangent at a point.
 struct Tangent {
   double operator()(int i, int J, int k, int L) const { return entries[27 * i + 9 * J + 3 * k + L]; }
   /// Adds `factor` times another tangent.
@@ -41,7 +42,7 @@ Tangent tangent_of_constraint(const materials::Tensor<double>& F);
 /// The tangent D(cof F)[H], which the pressure on the surface multiplies.
 Tangent tangent_of_pressure(const materials::Tensor<double>& F);
 
-/// The tangent of the undeformed body, and the moduli of the law and of the stabilisation.
+/// The tangent of the undeformed body, and its elastic moduli. Both include the stabilisation.
 struct RestElasticity {
   RestElasticity(const StoredEnergy& stored, bool incompressible);
 
@@ -55,12 +56,12 @@ using TangentOfPoint = std::function<Tangent(int point, const materials::Tensor<
 class CellStiffness {
  public:
   explicit CellStiffness(const BallSpace& space);
-  /// K of a cell at the positions x. The rows and columns are 3·node + component, with the order of nodes of
-  /// BallSpace::cell_nodes.
+  /// K of a cell at the positions x. The indices of the rows and columns are 3·node + component, with the order of
+  /// nodes of BallSpace::cell_nodes.
   Eigen::MatrixXd cell_matrix(unsigned int cell, const Vector& x, const TangentOfPoint& tangent) const;
 
  private:
-  /// c^ik_de at the points: [pair i ≤ k][pair d, e].
+  /// The numbers c^ik_de: [pair i ≤ k][3d + e], each at all points of a cell.
   using PointCoefficients = std::array<std::array<Eigen::VectorXd, 9>, 6>;
   PointCoefficients coefficients(unsigned int cell, const Vector& x, const TangentOfPoint& tangent) const;
   Eigen::Matrix3d by_reference(unsigned int cell, const Vector& x, int point) const;
@@ -68,9 +69,10 @@ class CellStiffness {
 
   const BallSpace& space_;
   int n_;
-  Eigen::MatrixXd values_, derivatives_;  ///< ℓ_i and ℓ_i' at the Gauss points, [point, node]
+  Eigen::MatrixXd values_, derivatives_;  ///< Lagrange polynomials ℓ_i, and ℓ_i': (Gauss point, node)
   /// Products of two one-dimensional functions at the Gauss points of one direction: [2 s + t](point, pair of nodes).
-  /// The numbers s and t are 1 if the first and the second function is a derivative ℓ_i', and otherwise 0.
+  /// The number s is 1 if the first function is a derivative ℓ_i', and 0 if it is ℓ_i. In the same way, t belongs to
+  /// the second function.
   std::array<Eigen::MatrixXd, 4> products_;
 };
 

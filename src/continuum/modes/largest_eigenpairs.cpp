@@ -21,7 +21,8 @@ struct Run {
   }
 };
 
-/// SLEPc's test for the end of the iteration. It also ends the iteration if a product has failed.
+/// The test that SLEPc calls for the end of the iteration. In addition to the usual test, it ends the iteration if a
+/// product has failed.
 PetscErrorCode look(EPS solver, PetscInt n_iterations, PetscInt max_iterations, PetscInt n_converged, PetscInt n_wanted,
                     EPSConvergedReason* reason, void* context) {
   PetscCall(EPSStoppingBasic(solver, n_iterations, max_iterations, n_converged, n_wanted, reason, nullptr));

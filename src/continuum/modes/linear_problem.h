@@ -1,6 +1,7 @@
 #pragma once
-/// The linear equations of small displacements of the ball, cell by cell. parity_sector.h has the equations and their
-/// solution in the sectors.
+/// The linear equations of small displacements of the ball, cell by cell. The equations and their solution in the
+/// sectors are in parity_sector.h. K is the stiffness, M is the mass, and G is the derivative of the constraint. With a
+/// shift s and a penalty γ, B = K + s M + γGᵀG.
 
 #include <Eigen/Core>
 #include <functional>
@@ -31,13 +32,15 @@ inline double weight_of_density(double G) { return 4 * std::numbers::pi / 3 * G;
 /// Data that all sectors share: the space, and the stiffness and the constraint of every cell.
 struct LinearProblem {
   virtual ~LinearProblem() = default;
-  /// The operator E in a sector; empty without such forces. The result may refer to the sector.
+  /// The operator E of the forces that couple more unknowns than K (parity_sector.h), in a sector. The result is empty
+  /// if there are no such forces. It may refer to the sector.
   virtual SectorOperator beyond_cells(const ParitySector&) const { return {}; }
 
   const BallSpace& space;
   bool incompressible;
-  double shift;  ///< s; may be 0 for a stable ball in a sector without rigid motions
-  /// Stiffness per mass of each component, in addition to the stiffness of the cells. B contains it.
+  double shift;  ///< shift s; may be 0 for a stable ball in a sector without rigid motions
+  /// A stiffness per mass for each component, in addition to the stiffness of the cells. The diagonal of B contains its
+  /// product with the mass.
   Eigen::Vector3d of_mass = Eigen::Vector3d::Zero();
   double penalty;                             ///< penalty γ of the augmented Lagrangian; 0 for a compressible body
   std::vector<Eigen::MatrixXd> stiffness{};   ///< K + γGᵀG of each cell
@@ -45,7 +48,8 @@ struct LinearProblem {
   std::vector<int> n_cells_at_node{};         ///< number of cells that contain each node
 
  protected:
-  /// `space` must be that of an octant in one process. `stiffness_of_body` is the larger of the shear modulus and ρg.
+  /// `space` must be that of an octant in one process. `stiffness_of_body` is the larger of the shear modulus and ρg in
+  /// internal units. The penalty is a multiple of it.
   LinearProblem(const BallSpace& ball_space, bool is_incompressible, double of_shift, double stiffness_of_body)
       : space(ball_space),
         incompressible(is_incompressible),
@@ -54,10 +58,11 @@ struct LinearProblem {
   LinearProblem(const LinearProblem&) = default;
   /// Sets `constraint` to G at the positions x. Must be called before `set_stiffness`.
   void set_constraint(const CellKernels& kernels, const Vector& x);
-  /// Sets `stiffness` and `n_cells_at_node`. `of_cell` returns K of a cell.
+  /// Sets `stiffness` and `n_cells_at_node`. The function `of_cell` returns K of a cell.
   void set_stiffness(const std::function<Eigen::MatrixXd(unsigned int cell)>& of_cell);
-  /// Adds a spring at each point of the free surface to the stiffness. A spring acts along the direction `along(point)`
-  /// with the square of its length as the stiffness. Returns the springs with the weights of the quadrature.
+  /// Adds a spring at each point of the free surface to the stiffness. A spring acts along the vector `along(point)`,
+  /// and its stiffness is the square of the length of this vector. The returned springs include the weights of the
+  /// quadrature.
   std::vector<Spring> add_springs(const std::function<Eigen::Vector3d(const FacePoint& point)>& along);
 };
 

@@ -8,9 +8,10 @@
 ///   (K + K_g) u − Gᵀλ = f,   G u = 0,
 ///   h_n = g ∮(u·e) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS,    e = X/|X|.
 ///
-/// Tides of even n are even at all three planes of the octant, and tides of odd n are odd. No rigid motion has these
-/// parities. The mesh breaks the symmetry between the harmonics of one degree. The result is the mean over these
-/// harmonics. The difference between the largest and the smallest number shows the size of the error of the mesh.
+/// The computation uses the harmonics Y_nm that are even under all three reflections of the octant if n is even, and
+/// odd under all three if n is odd. No rigid motion has these parities. The mesh breaks the symmetry between the
+/// harmonics of one degree. The result is the mean over the harmonics that are used. The difference between the largest
+/// and the smallest number shows the size of the error of the mesh.
 
 #include <vector>
 

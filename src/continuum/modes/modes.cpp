@@ -15,16 +15,17 @@ namespace {
 
 /// Relative residual of eigenvectors. The relative error of frequencies is of the order of its square.
 constexpr double eigenvector_tolerance = 1e-7;
-/// Relative margin for round-off in the bound below which the modes of a sector are complete.
+/// Relative margin for round-off. The bound complete_below() of a sector is lower by this fraction.
 constexpr double round_off = 1e-9;
 
-/// A sector to solve (parity_of_sector), and the number of sectors with the same spectrum, including this sector.
+/// A sector to solve, as the argument of parity_of_sector. n_sectors is the number of sectors with the same spectrum,
+/// including this sector.
 struct SectorClass {
   int number, n_sectors;
 };
 
-/// True if X → (X_y, X_z, X_x) maps nodes to nodes. Sectors whose signs are permuted in the same way then have the same
-/// frequencies.
+/// True if the cyclic permutation (X_x, X_y, X_z) ↦ (X_y, X_z, X_x) maps nodes to nodes. Sectors whose signs differ
+/// only by this permutation then have the same frequencies.
 bool has_threefold_axis(const BallSpace& space) {
   using Place = std::array<long, 3>;
   const auto place = [&](unsigned int node, unsigned int turn) {
@@ -183,7 +184,7 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
   // (analysis/sphere_frequencies.h). Among the lowest n frequencies, no degree is therefore above n + 2. Degrees above
   // 30 are not considered.
   const int max_degree = std::min(n_frequencies + 2, 30);
-  std::deque<SectorSpectrum> sectors;  // whose elements never move
+  std::deque<SectorSpectrum> sectors;  // a deque does not move its elements
   for (const SectorClass& sector_class : sector_classes(problem.space)) {
     if (interrupted()) return stopped();
     sectors.emplace_back(problem, sector_class, max_degree);
@@ -215,7 +216,7 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
 std::vector<double> mode_displacement(const BallSpace& space, const Parity& parity, const Vector& shape) {
   std::vector<double> values;
   values.reserve(8 * 3 * static_cast<std::size_t>(space.n_cells()) * space.nodes_per_cell());
-  for (int bits = 0; bits < 8; ++bits) {  // in the order of nodal_blocks: the bits are the mirrored coordinates
+  for (int bits = 0; bits < 8; ++bits) {  // bit d: x_d is mirrored; this is the order of nodal_blocks
     double sign = 1;
     for (int j = 0; j < 3; ++j)
       if (bits >> j & 1) sign *= parity.sign[j];

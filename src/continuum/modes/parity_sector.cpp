@@ -23,7 +23,8 @@ constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
 /// Relative tolerances of the conjugate gradients in the energy norm: first for eigenvectors and modes, then for a
 /// static response.
 constexpr double tolerance_of_operator = 1e-9, tolerance_of_response = 1e-13;
-/// A displacement below this fraction of that with the penalty alone counts as 0.
+/// The iteration of `solve` also ends if its residual is below this fraction of B⁻¹f, the response with the penalty
+/// alone.
 constexpr double balanced = 1e-9;
 /// Largest numbers of iterations of the conjugate gradients and of GMRES.
 constexpr int n_iterations_of_gradients = 100, n_iterations_of_gmres = 120;
@@ -38,17 +39,19 @@ using SparseCholesky = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
 
 }  // namespace
 
-/// The free entries of a cell, which the parity does not set to 0. Its own entries come first, and then the entries
-/// that it shares with other cells.
+/// The free entries of a cell, which the parity does not set to 0. The own entries of the cell come first, and then the
+/// entries that it shares with other cells. B_own and B_own,shared are blocks of the matrix B of parity_sector.h for
+/// these entries.
 struct ParitySector::Cell {
   std::vector<int> own, shared, free;      ///< 3·(node of the cell) + component; `free` has both parts
   std::vector<Eigen::Index> unknown;       ///< index of each entry in the vectors of the sector
-  Eigen::LLT<Eigen::MatrixXd> own_factor;  ///< L Lᵀ = B of the own entries
+  Eigen::LLT<Eigen::MatrixXd> own_factor;  ///< Cholesky factor L of B_own
   Eigen::MatrixXd coupling;                ///< L⁻¹ B_own,shared
   Eigen::MatrixXd constraint;              ///< G of the free entries
 };
 
-/// The factor of the matrix of the unknowns between cells: `dense` for up to n_dense unknowns, otherwise `sparse`.
+/// The Cholesky factor of the matrix of the unknowns between cells, after condensation. It is `dense` for at most
+/// n_dense such unknowns, and otherwise `sparse`.
 struct ParitySector::Interface {
   Eigen::LLT<Eigen::MatrixXd> dense;
   SparseCholesky sparse;
@@ -109,7 +112,7 @@ void ParitySector::number_unknowns() {
 
 /// Computes the Cholesky factor L of B_own, the part of B = K + s M + γ GᵀG for the cell's own entries. Sets
 /// cell.coupling to L⁻¹B_own,shared, and the lower triangle of `schur` to that of B_shared − couplingᵀ coupling.
-/// B_shared does not contain the shift.
+/// B_shared does not contain the entries of diagonal_, which `factorize` adds.
 void ParitySector::condense(Cell& cell, unsigned int number, Eigen::MatrixXd& schur) const {
   const Eigen::MatrixXd& B = problem_.stiffness[number];
   const auto n_own = static_cast<Eigen::Index>(cell.own.size());
@@ -228,7 +231,8 @@ mechanics::Status ParitySector::solve_definite(const Eigen::VectorXd& f, int n_c
   }
   u = Eigen::VectorXd::Zero(f.size());
   Eigen::VectorXd r = f, z = solve_cells(r, n_corrections), p = z;
-  // B p up to a term Gᵀμ. The products of this term with p and z are 0, because G p = G z = 0.
+  // B p, except for a term Gᵀμ with some multiplier μ. The products of this term with p and z are 0, because G p = G z
+  // = 0.
   Eigen::VectorXd B_p = r;
   double rz = r.dot(z);
   const double enough = tolerance * tolerance * rz;
@@ -302,7 +306,8 @@ mechanics::SolveReport ParitySector::solve(const Eigen::VectorXd& f, const Eigen
   };
   Eigen::VectorXd penalized = f - product(particular);
   const Eigen::VectorXd right = solve_cells(penalized, n_corrections_of_mode);
-  // If the constraint balances f, T f is round-off. The displacement with the penalty alone is then still above it.
+  // If the constraint balances f, T f is only round-off, and a tolerance relative to T f would be too small. B⁻¹f, the
+  // displacement with the penalty alone, is larger than round-off also in this case.
   solve_penalized(penalized);
   const double round_off = balanced * penalized.norm();
   std::vector<double> rest;

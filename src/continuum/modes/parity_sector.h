@@ -23,8 +23,8 @@
 /// of the order of 1/γ. B is factorised after condensation: first the unknowns of a single cell (dense, cell by cell),
 /// then the unknowns between cells.
 ///
-/// Forces that couple more unknowns than K add a further operator E, which is applied without a matrix. The equation
-/// (K + E + s M) u − Gᵀλ = f is solved by conjugate gradients with T of B as the preconditioner.
+/// Forces that couple more unknowns than K add a further operator E, which is applied without a matrix. The equation (K
+/// + E + s M) u − Gᵀλ = f is solved by conjugate gradients. The operator T without E is the preconditioner.
 
 #include <Eigen/Core>
 #include <memory>
@@ -39,7 +39,7 @@ namespace pseudorigid::continuum {
 
 class ParitySector {
  public:
-  /// The object refers to `problem`, which must exist as long as the object.
+  /// `problem` must outlive this object.
   ParitySector(const LinearProblem& problem, const Parity& parity);
   ~ParitySector();
   ParitySector(ParitySector&&) noexcept = delete;  // E may refer to the sector
@@ -57,15 +57,16 @@ class ParitySector {
   Eigen::VectorXd product(const Eigen::VectorXd& u) const;         ///< (K + E + s M) u
   Eigen::VectorXd without_volume(const Eigen::VectorXd& u) const;  ///< a displacement near u with G u = 0
 
-  /// z = M^½ T M^½ y. This operator is symmetric and has the eigenvalues 1/(ω² + s). `apply`, `respond` and `mode_of`
-  /// fail if the ball with self-gravity is unstable, or if the conjugate gradients do not converge.
+  /// z = M^½ T M^½ y, with E in T. This operator is symmetric and has the eigenvalues 1/(ω² + s). `apply`, `respond`
+  /// and `mode_of` fail if the ball with self-gravity is unstable, or if the conjugate gradients do not converge.
   mechanics::Status apply(std::span<const double> y, std::span<double> z) const;
 
-  /// Sets u = T f for a force f on the octant. Fails in the same cases as `apply`.
+  /// Sets u = T f for a force f on the octant, with E in T. Fails in the same cases as `apply`.
   mechanics::Status respond(const Vector& f, Vector& u) const;
 
-  /// Solves (K + E + s M) u − Gᵀλ = f, G u = h. Unlike `respond`, it needs no positive definite operator: the equation
-  /// is solved by GMRES with T as the preconditioner. `tolerance` is relative to T f. Fails if GMRES does not converge.
+  /// Solves (K + E + s M) u − Gᵀλ = f, G u = h. Unlike `respond`, this function does not need a positive definite
+  /// operator. The equation is solved by GMRES with T as the preconditioner. `tolerance` is relative to the
+  /// preconditioned right-hand side. Fails if GMRES does not converge.
   mechanics::SolveReport solve(const Eigen::VectorXd& f, const Eigen::VectorXd& h, double tolerance, Eigen::VectorXd& u,
                                Eigen::VectorXd& lambda) const;
 
@@ -87,14 +88,14 @@ class ParitySector {
   void solve_penalized(Eigen::VectorXd& f) const;                    ///< f ← B⁻¹f
   Eigen::VectorXd constraint_of(const Eigen::VectorXd& u) const;     ///< G u
   Eigen::VectorXd reaction_of(const Eigen::VectorXd& lambda) const;  ///< Gᵀλ
-  /// T f without E (`solve_cells`) and with E (`solve_definite`). n_corrections is the number of corrections of G u.
-  /// `tolerance` is the relative tolerance of the conjugate gradients in the energy norm. `solve_definite` fails in the
-  /// same cases as `apply`.
+  /// `solve_cells` returns T f without E. `solve_definite` sets u to T f with E. n_corrections is the number of
+  /// corrections of G u. `tolerance` is the relative tolerance of the conjugate gradients in the energy norm.
+  /// `solve_definite` fails in the same cases as `apply`.
   Eigen::VectorXd solve_cells(Eigen::VectorXd f, int n_corrections) const;
   mechanics::Status solve_definite(const Eigen::VectorXd& f, int n_corrections, double tolerance,
                                    Eigen::VectorXd& u) const;
   Eigen::VectorXd with_volume(const Eigen::VectorXd& h) const;  ///< a displacement with G u = h
-  /// The λ with Gᵀλ = f for a force f of this form.
+  /// Returns the λ with Gᵀλ = f. The force f must have this form.
   Eigen::VectorXd multiplier_of(Eigen::VectorXd f) const;
 
   const LinearProblem& problem_;

@@ -8,7 +8,7 @@
 /// constant. The first term is a spring at each point, and the stiffness of the cells contains these springs. The
 /// second term is the operator E: an attraction of the harmonics that the mesh resolves. Harmonics of higher degree n
 /// would soften the springs of the surface by a fraction of at most 3/(2n + 1). About ten iterations of the conjugate
-/// gradients are sufficient for every mesh and strength of gravity. The surface integrals of a motion
+/// gradients (parity_sector.h) are sufficient for every mesh and strength of gravity. The surface integrals of a motion
 /// (gravity/surface_gravity.h) have larger errors: 1e-6 to 1e-5 in the Love number l of a tide.
 
 #include "continuum/modes/cell_stiffness.h"

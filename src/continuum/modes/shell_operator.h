@@ -15,8 +15,8 @@ namespace pseudorigid::continuum {
 /// Sets `out` to the product of the operator with `in`. A failure ends the iteration that uses the operator.
 using LinearOperator = std::function<mechanics::Status(std::span<const double> in, std::span<double> out)>;
 
-/// A square operator as a matrix of PETSc. Functions that PETSc calls cannot return a Status. After a failure, the
-/// products are therefore 0, and `status` has the reason.
+/// A square operator as a matrix of PETSc. Functions that PETSc calls cannot return a mechanics::Status. If `apply`
+/// fails, all later products are therefore 0, and status() has the reason.
 class ShellOperator {
  public:
   ShellOperator(const LinearOperator& apply, std::size_t size);

@@ -17,7 +17,8 @@ struct Harmonic {
   Eigen::Vector3d gradient;
 };
 
-/// Y_nm at the point e of the unit sphere. The point must not be a pole, because the formulas divide by sin θ.
+/// Y_nm at the point e of the unit sphere, with the factor sin(mφ) if `sine` is true, and otherwise cos(mφ). The point
+/// must not be a pole, because the formulas divide by sin θ.
 Harmonic harmonic(int n, int m, bool sine, const Eigen::Vector3d& e) {
   const double theta = std::acos(e[2]), phi = std::atan2(e[1], e[0]);
   const double s = std::sin(theta), c = e[2], scale = m == 0 ? 1 : std::sqrt(2.0);
@@ -35,7 +36,7 @@ Harmonic harmonic(int n, int m, bool sine, const Eigen::Vector3d& e) {
   return {P * angle, dP * angle * e_theta + P * d_angle / s * e_phi};
 }
 
-/// The parity of Y_nm: its signs under the reflections of x, y and z.
+/// The parity of Y_nm: its signs under the reflections of x, y and z. `sine` selects the factor sin(mφ).
 Parity parity_of_harmonic(int n, int m, bool sine) {
   const int even_m = m % 2 == 0 ? 1 : -1;
   return {{sine ? -even_m : even_m, sine ? -1 : 1, (n + m) % 2 == 0 ? 1 : -1}};
@@ -86,7 +87,7 @@ void SurfaceHarmonics::add_row(ModeKind kind, int degree, const Eigen::Matrix3Xd
 
 void SurfaceHarmonics::add_harmonic(int n, int m, bool sine, const Parity& parity) {
   const Parity own = parity_of_harmonic(n, m, sine);
-  const bool spheroidal = same(own, parity, 1), toroidal = same(own, parity, -1);  // e×∇ changes the signs
+  const bool spheroidal = same(own, parity, 1), toroidal = same(own, parity, -1);  // e×∇Y has the opposite signs
   if (!spheroidal && !toroidal) return;
   const auto n_points = static_cast<Eigen::Index>(points_.size());
   Eigen::Matrix3Xd radial(3, n_points), tangential(3, n_points);

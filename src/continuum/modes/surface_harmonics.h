@@ -1,7 +1,7 @@
 #pragma once
-/// Classification of small motions by the kind and degree of modes of the sphere, from the displacement of the surface.
-/// Let e = X/|X|, and let ∇ be the gradient on the unit sphere. With real spherical harmonics Y_nm and N = n(n+1), a
-/// field on the sphere is a sum of the orthonormal fields
+/// Classification of small motions of the ball. The displacement of the surface shows the kind and the degree of the
+/// mode of a sphere that the motion resembles. Let e = X/|X|, and let ∇ be the gradient on the unit sphere. With real
+/// spherical harmonics Y_nm and N = n(n+1), a field on the sphere is a sum of the orthonormal fields
 ///
 ///   Y e,   ∇Y/√N   (spheroidal),        e×∇Y/√N   (toroidal).
 ///
@@ -19,7 +19,7 @@
 
 namespace pseudorigid::continuum {
 
-/// Kind of a mode. The file modes.csv contains these numbers.
+/// Kind of a mode. The output file modes.csv contains the numbers of the kinds.
 enum class ModeKind { spheroidal = 1, toroidal = 2 };
 
 struct ModeClass {
@@ -46,8 +46,8 @@ class SurfaceHarmonics {
   /// The share is 0 if u is 0 on the surface.
   ModeClass classify(const Vector& u) const;
 
-  /// The indices of the fields Y_nm e of degree n. For n > 0, the field ∇Y_nm/√N of the same harmonic has the next
-  /// index.
+  /// The indices of the fields Y_nm e of degree n with the parity of the motion. For n > 0, the field ∇Y_nm/√N of the
+  /// same harmonic has the next index.
   std::vector<std::size_t> radial_fields(int n) const;
   /// ∮u·field dS over the whole sphere, for the field with this index.
   double integral(std::size_t field, const Vector& u) const;

@@ -34,7 +34,7 @@ class MaterialFaces {
   struct Face {
     CellFace place;
     int plane;        ///< 0: free surface; 1 … 3: coordinate plane
-    std::size_t key;  ///< orders the faces of all ranks
+    std::size_t key;  ///< number that orders the faces of all ranks
   };
   static constexpr std::size_t n_columns = columns.size();
   void find_faces();

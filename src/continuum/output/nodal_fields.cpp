@@ -14,7 +14,7 @@ namespace {
 
 using BallState = mechanics::VectorState<Vector>;
 
-/// Signs of the coordinates in each image of the sector. The first image is the sector itself.
+/// The factors ±1 of the three coordinates in each mirror image of the sector. The first image is the sector itself.
 std::vector<std::array<double, 3>> images(const Sector& sector) {
   std::vector<std::array<double, 3>> result;
   for (int bits = 0; bits < 8; ++bits) {
@@ -30,8 +30,8 @@ std::vector<std::array<double, 3>> images(const Sector& sector) {
   return result;
 }
 
-/// Appends the values of the mirror images to `values`, which has the values of the sector with n_components per point.
-/// Components of vectors and matrices change sign with the coordinates.
+/// Appends the values of the mirror images to `values`, which has n_components values for each point of the sector.
+/// Components of vectors (3) and of matrices (9) change sign with the coordinates.
 void reflect(std::vector<double>& values, int n_components, const Sector& sector) {
   const std::vector<double> of_sector = std::move(values);
   values.clear();
@@ -66,7 +66,8 @@ double mean_potential(const BallBody& ball, const Vector& position) {
 }
 
 /// Appends the fields at the nodes of a cell to `fields`, except the potential, which must already be set. If
-/// `multiplier` is null, the multiplier counts as 0. Fails if det F is not positive and finite at a node.
+/// `multiplier` is null, the multiplier counts as 0. `mean_potential` is ρφ̄ of the function above, or 0 without
+/// self-gravity. Fails if det F is not positive and finite at a node.
 mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
                            const Vector* multiplier, double mean_potential, unsigned int cell,
                            mechanics::BodyFields& fields) {
@@ -111,8 +112,9 @@ mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law,
   return {};
 }
 
-/// Appends the numbers of the points of a cell. After an odd number of reflections (`mirrored`), the order of the
-/// layers is reversed, so that the cell is right-handed.
+/// Appends the numbers of the n³ points of a cell, which start with `first_point`. If `mirrored` is true, the cell is
+/// an image after an odd number of reflections. The order of its layers is then reversed, so that the cell is
+/// right-handed.
 void add_block(int n, std::int64_t first_point, bool mirrored, std::vector<std::int64_t>& points) {
   for (int k = 0; k < n; ++k)
     for (int ij = 0; ij < n * n; ++ij) points.push_back(first_point + (mirrored ? n - 1 - k : k) * n * n + ij);

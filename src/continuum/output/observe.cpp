@@ -28,7 +28,7 @@ double squared_norm(const BallBody& ball, const Vector& x) {
   return squared_distance_from_affine(ball, x, Eigen::Matrix3d::Zero());
 }
 
-/// x − c at every node.
+/// Returns the nodal field x − c.
 Vector relative(const BallBody& ball, const Vector& x, const Eigen::Vector3d& c) {
   Vector result = x;
   result.add(-1.0, ball.affine_field(Eigen::Matrix3d::Zero(), c));
@@ -44,9 +44,9 @@ Eigen::Matrix3d to_eigen(const CellIntegrals::Matrix& t) {
 
 }  // namespace
 
-/// λ_h is the field of the multiplier. The scalar product of the reaction of λ_h with x is ∫λ_h F⁻ᵀ:∇x dX = 3∫λ_h dX.
-/// With the potential φ of self-gravity, Jp = λ_h − ρ(φ − φ̄) (nodal_fields.h). Here ρφ̄V = (5/3)Ê and ∫ρφ dX = 2Ê, with
-/// the energy Ê of gravity/surface_gravity.h.
+/// λ_h is the pressure field of the multiplier. The scalar product of the reaction of λ_h with x is ∫λ_h F⁻ᵀ:∇x dX =
+/// 3∫λ_h dX. With the potential φ of self-gravity, Jp = λ_h − ρ(φ − φ̄) (nodal_fields.h). With the volume V and the
+/// energy Ê of gravity/surface_gravity.h, ρφ̄V = (5/3)Ê and ∫ρφ dX = 2Ê. Therefore ∫Jp dX = ∫λ_h dX − Ê/3.
 double mean_multiplier(const BallBody& ball, const Vector& x, const Vector& lambda) {
   Vector reaction = ball.make_vector();
   ball.kernels().add_reaction(x, lambda, reaction);

@@ -29,9 +29,9 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
 /// Collective.
 double mean_multiplier(const BallBody& ball, const Vector& x, const Vector& lambda);
 
-/// The kinetic energy of the ball and of the companions, and the rest of the total energy. The rest is the potential
-/// energy with the dissipated energy added and the energy given by loads subtracted. Both are NaN if the deformation is
-/// not admissible. Collective.
+/// Returns the kinetic energy of the ball and of the companions, and the rest of the total energy. The rest is the
+/// potential energy plus the dissipated energy, minus the energy given by loads. Both are NaN if the deformation is not
+/// admissible. Collective.
 Eigen::Vector2d energies(const BallBody& ball, const BallState& state);
 
 }  // namespace pseudorigid::continuum

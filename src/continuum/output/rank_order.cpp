@@ -33,7 +33,7 @@ RankOrder::RankOrder(const BallSpace& space) : communicator_(space.communicator(
         key = std::min(key, number * nodes_per_cell + i);
       }
   }
-  // The additional nodes come after all nodes, as in vectors.
+  // The additional nodes come after all nodes of the mesh, as in vectors.
   node_keys.resize(node_keys.size() + space.n_additional(), not_seen);
   fields_ = make_order(node_keys, 3);
   multipliers_ = make_order(cell_keys, space.n_pressure());
@@ -57,7 +57,7 @@ RankOrder::Order RankOrder::make_order(const std::vector<std::size_t>& keys, std
   return order;
 }
 
-/// The order of the cells, with the metrics of a cell as a block.
+/// The order of the internal metrics of x: the cells in their order, with all metrics of a cell as a block.
 RankOrder::Order RankOrder::order_of_metrics(const Vector& x) const {
   Order order = multipliers_;
   const std::size_t n_own_cells = order.own.size(), n_cells = multipliers_.n_entries / multipliers_.block;

@@ -18,8 +18,8 @@ class RankOrder {
   /// cases of gather.h.
   explicit RankOrder(const BallSpace& space);
 
-  /// Collects the whole vector on rank 0 in this order, from the own entries of all ranks. The result is empty on other
-  /// ranks.
+  /// Collects the whole vector on rank 0 in the order of this class, from the own entries of all ranks. The result is
+  /// empty on other ranks.
   std::vector<double> collect_field(std::span<const double> own) const { return collect(own, fields_); }
   std::vector<double> collect_multiplier(std::span<const double> own) const { return collect(own, multipliers_); }
   /// Copies the entries of this rank from the whole vector. Throws std::invalid_argument if the size of `whole` is
@@ -28,8 +28,8 @@ class RankOrder {
   void take_multiplier(std::span<const double> whole, std::span<double> own) const { take(whole, own, multipliers_); }
 
   /// The functions for a position also collect or copy its internal metrics, which follow the coordinates cell by cell.
-  /// `position_size` is the number of entries of the whole list. `take_position` throws std::invalid_argument if the
-  /// size of `whole` is wrong. All three functions are collective.
+  /// `position_size` is the number of entries of the whole list, which collect_position returns on rank 0.
+  /// `take_position` throws std::invalid_argument if the size of `whole` is wrong. All three functions are collective.
   std::vector<double> collect_position(const Vector& x) const;
   void take_position(std::span<const double> whole, Vector& x) const;
   std::size_t position_size(const Vector& x) const { return fields_.n_entries + order_of_metrics(x).n_entries; }
@@ -62,7 +62,7 @@ class MemoryLayout {
   void operator()(Vector& x) {
     parts_.push_back({x.size() == order_->field_size() ? Kind::field : Kind::multiplier, x.locally_owned_size()});
   }
-  /// Adds a part that is a number or empty, such as the multiplier of a ball without constraint.
+  /// Adds a part that is a plain number or an empty value, such as the multiplier of a ball without constraint.
   template <class Value>
   void operator()(Value& value) {
     if constexpr (std::is_arithmetic_v<Value>)
@@ -74,7 +74,8 @@ class MemoryLayout {
   /// Collects the memory of all ranks as one list on rank 0, from the own part of each rank. The result of other ranks
   /// is incomplete. Collective.
   std::vector<double> collect(std::span<const double> own) const;
-  /// Inverse of collect: the part of this rank in the whole list. Throws std::invalid_argument if the size is wrong.
+  /// Inverse of `collect`: returns the part of this rank from the whole list. Throws std::invalid_argument if the size
+  /// of `whole` is wrong.
   std::vector<double> take(std::span<const double> whole) const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-/// A measure of the distance of an incompressible ball from wrinkling of its surface. Let λ₁ ≤ λ₂ be the stretches
-/// within the surface. These stretches follow from the metrics of the tangents ∂X/∂ξ_α before and ∂x/∂ξ_α after the
+/// A measure of how close an incompressible ball is to wrinkling of its surface. Let λ₁ ≤ λ₂ be the stretches within
+/// the surface. These stretches follow from the metrics of the tangents ∂X/∂ξ_α before and ∂x/∂ξ_α after the
 /// deformation,
 ///
 ///   det(c − λ² C₀) = 0,   C₀_αβ = ∂_αX·∂_βX,   c_αβ = ∂_αx·∂_βx.

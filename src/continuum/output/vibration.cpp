@@ -9,8 +9,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Quadrature points per direction of a cell, in addition to the number of nodes. Without refinement of the mesh, the
-/// modes have a higher degree than the elements.
+/// In each direction, a cell has this number of quadrature points in addition to the number of its nodes. In a mesh
+/// without refinement, the modes have a higher degree than the elements and need these points.
 constexpr int n_more_points = 4;
 
 /// Number of local nodes, including the additional nodes and the ghost nodes.

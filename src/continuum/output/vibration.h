@@ -7,7 +7,8 @@
 
 namespace pseudorigid::continuum {
 
-/// The modes, and the integrals of their motions times the basis functions of the nodes over the cells of this rank.
+/// The modes, and the integrals of the product of each modal displacement with each nodal basis function. The integrals
+/// are over the cells of this rank.
 mechanics::Vibration vibration_of(const BallBody& ball);
 
 /// The energy of vibration and its parts at a state. `known` must contain the centre of mass, its velocity, Q_M, the

@@ -33,9 +33,9 @@ class MpiType {
   MPI_Datatype type_;
 };
 
-/// The numbers of entries of all ranks as MPI counts, and the offset of each rank; the last offset is the total number.
-/// Throws std::length_error if the total exceeds the largest int, which is the type of MPI counts. Every rank then
-/// throws, because all ranks have the same numbers.
+/// The numbers of entries of all ranks as MPI counts, and the offset of the first entry of each rank. The additional
+/// last offset is the total number. Throws std::length_error if the total exceeds the largest int, which is the type of
+/// MPI counts. Every rank then throws, because all ranks have the same numbers.
 struct Counts {
   explicit Counts(const std::vector<long>& n_entries) {
     long end = 0;
@@ -102,8 +102,8 @@ std::vector<T> gather_from_others(MPI_Comm communicator, const std::vector<T>& v
   return all;
 }
 
-/// The inverse of `gather`: returns to each rank its vector from the argument on rank 0. Arguments on other ranks are
-/// ignored. Collective.
+/// The inverse of `gather`: returns to each rank its vector from the argument on rank 0. The function ignores the
+/// arguments on other ranks. Collective.
 template <class T>
 std::vector<T> scatter(MPI_Comm communicator, const std::vector<std::vector<T>>& of_ranks) {
   if (n_ranks(communicator) == 1) return of_ranks.at(0);

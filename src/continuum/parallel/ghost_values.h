@@ -6,8 +6,8 @@
 
 namespace pseudorigid::continuum {
 
-/// During the life of this object the ghost entries of x have the values of their owners. The constructor is
-/// collective. The destructor makes x writable again, if x was writable before.
+/// While this object exists, the ghost entries of x have the values that their owners had at its construction. The
+/// constructor is collective. The destructor makes x writable again, if x was writable before.
 class GhostValues {
  public:
   explicit GhostValues(const Vector& x)

@@ -15,7 +15,7 @@ struct LeastPlace {
   std::array<double, 3> where{};
 
   /// Replaces the value and the place if `other` is less. If the two values agree to a relative 1e-6, keeps the smaller
-  /// value, and the place that comes first in the order above. NaN counts as less than every number.
+  /// value, and the place that the order of the opening comment prefers. NaN counts as less than every number.
   void take(double other, const std::array<double, 3>& there) {
     if (std::isnan(value)) return;
     const double tie = 1e-6 * std::abs(other);

@@ -9,8 +9,8 @@ namespace {
 
 MessageCounts counts;
 
-/// Persistent requests to send, with the size of their message in bytes. The size is negative if the message does not
-/// go to another process.
+/// Persistent requests to send, with the size of the message of each request in bytes. The size is −1 if the message
+/// does not go to another process.
 std::map<MPI_Request, double>& persistent_sends() {
   static std::map<MPI_Request, double> sends;
   return sends;

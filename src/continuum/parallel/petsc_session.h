@@ -4,7 +4,7 @@
 
 namespace pseudorigid::continuum {
 
-/// Starts PETSc and SLEPc for the rest of the process, unless they have started. PETSc reads options from the
+/// Starts PETSc and SLEPc for the rest of the process. Later calls have no effect. PETSc reads options from the
 /// environment variable PETSC_OPTIONS. The program keeps its own handlers of signals.
 void start_petsc();
 

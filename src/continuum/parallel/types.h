@@ -13,8 +13,8 @@
 
 namespace pseudorigid::continuum {
 
-/// The vector type. Positions, velocities and forces have the entry 3·node + component. Multipliers have the entry
-/// n_pressure·cell + function.
+/// A vector whose entries are distributed over the ranks. Positions, velocities and forces have the entry 3·node +
+/// component. Multipliers have the entry n_pressure·cell + function.
 class Vector : public dealii::LinearAlgebra::distributed::Vector<double> {
   using Base = dealii::LinearAlgebra::distributed::Vector<double>;
 
@@ -23,7 +23,8 @@ class Vector : public dealii::LinearAlgebra::distributed::Vector<double> {
   using Base::operator=;
 
   /// The internal metrics of viscoelastic branches at the Gauss points of the own cells (kernels/cell_branches.h), if
-  /// the vector is a position. They are copied with the position, and are not a part of the vector space.
+  /// the vector is a position. A copy of the position has a copy of the metrics. Sums and multiples of vectors do not
+  /// change the metrics.
   std::vector<double> metrics;
 };
 

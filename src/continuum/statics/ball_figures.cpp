@@ -13,7 +13,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Relative tolerance of GMRES. Newton's iteration corrects what it leaves.
+/// Relative tolerance of GMRES. Newton's iteration corrects the remaining error.
 constexpr double tolerance_of_gmres = 1e-8;
 
 constexpr std::array<bool, 3> octant{true, true, true};
@@ -41,7 +41,7 @@ bool is_equal(const Eigen::Matrix3d& A, const Eigen::Matrix3d& B) { return (A - 
 
 double largest(const Vector& v) { return v.size() == 0 ? 0 : v.linfty_norm(); }
 
-/// The entries of a vector of this process.
+/// The entries of a vector on this process, as a vector of Eigen.
 Eigen::VectorXd entries(const Vector& v) {
   return Eigen::Map<const Eigen::VectorXd>(v.begin(), static_cast<Eigen::Index>(v.locally_owned_size()));
 }
@@ -286,7 +286,8 @@ BallFigures::Figure BallFigures::tangent(const Condition& condition, const Figur
     found[0].drive = 1;
     return found[0];
   }
-  // d/dv of a_k − exp(v) a₁ = 0 with the value v of the condition
+  // With respect to the value v, the derivative of the condition a_k − exp(v) a₁ = 0 is w·u = exp(v) a₁, with the rate
+  // u of x.
   const double c = std::exp(condition.value) * body_->mass_moment(positions(figure))(0, 0);
   Figure along;
   if (!solve_with_condition(condition, figure, body_->make_vector(), no_constraint, now.drive, c, along)) return none;

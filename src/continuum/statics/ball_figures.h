@@ -17,8 +17,8 @@
 ///   δx = u₀ + δν u₁,   (K + σwwᵀ)u₀ − Gᵀδλ₀ = r + σcw,   (K + σwwᵀ)u₁ − Gᵀδλ₁ = h,   w·δx = c.
 ///
 /// At a bifurcation to figures that are not symmetric about axis 3, K is singular. Therefore a spheroid is sought among
-/// positions that are symmetric under the exchange of the axes 1 and 2. They exclude the figures that bifurcate with
-/// the azimuthal number 2, such as Jacobi's ellipsoids.
+/// positions that are symmetric under the exchange of the axes 1 and 2. These positions exclude the figures that
+/// bifurcate with the azimuthal number 2, such as Jacobi's ellipsoids.
 
 #include <memory>
 #include <utility>
@@ -39,11 +39,11 @@ struct FigureSetup {
   StoredEnergy stored;
   loads::Loads loads;
   bool incompressible;
-  Drive drive;  ///< for a rotation, all loads but self-gravity and the pressure on a compressible body are left out
+  Drive drive;  ///< for a rotation, the only loads are self-gravity and the pressure on a compressible body
   mechanics::Figure figure;
 };
 
-/// Numbers of iterations since the start.
+/// Numbers of operations since the construction of BallFigures.
 struct FigureCounts {
   long newton = 0;           ///< steps of Newton's iteration
   long factorizations = 0;   ///< factorisations of a tangent
@@ -64,17 +64,19 @@ class BallFigures final : public mechanics::FigureEquations {
   Drive drive() const { return kind_; }
   const loads::Forcing& forcing() const { return forcing_; }  ///< the sum of the loads
   double typical_stiffness() const { return continuum::typical_stiffness(stored_, incompressible_, forcing_); }
-  /// True if rotations of space about an axis, or of the undeformed ball, do not change the energy.
+  /// `permits_rotation_of_space` is true if rotations of space about the axis do not change the energy.
+  /// `permits_rotation_of_ball` is true if rotations of the undeformed ball do not change it.
   bool permits_rotation_of_space(int axis) const;
   bool permits_rotation_of_ball(int axis) const;
   /// True if the figure with this drive has rotational symmetry about an axis. A rotation of the ball about this axis
-  /// is then one of space.
+  /// then has the same effect as a rotation of space.
   bool is_symmetric_about(int axis, double drive) const;
 
   /// The nodal positions of a figure, and its multiplier.
   Vector positions(const Figure& figure) const { return field(figure.x); }
   Vector multiplier(const Figure& figure) const;
-  /// The positions and the multiplier must outlive the result.
+  /// The state of a figure with the positions x, the multiplier `lambda` and the drive ν. x and `lambda` must outlive
+  /// the result.
   FigureState state(const Vector& x, const Vector& lambda, double drive) const {
     return {*body_, stored_, forcing_, incompressible_, kind_, x, lambda, drive};
   }
@@ -85,7 +87,7 @@ class BallFigures final : public mechanics::FigureEquations {
   struct Terms {
     Vector force, drive, reaction;  ///< f, h and Gᵀλ
     Vector constraint;              ///< g; empty for a compressible ball
-    /// r = f + ν h + Gᵀλ
+    /// Returns the residual r = f + ν h + Gᵀλ.
     Vector residual(double nu) const;
   };
 
@@ -96,26 +98,27 @@ class BallFigures final : public mechanics::FigureEquations {
   double error_of_solver() const override { return 1e-6; }
 
   mechanics::Status terms(const Figure& figure, Terms& terms) const;
-  /// Solves K δx − Gᵀδλ = f, G δx = h at a figure, for each pair of f and h. Sets `changes` to the solutions. K
-  /// contains the term of `held` if it is not null.
+  /// Solves K δx − Gᵀδλ = f, G δx = h at a figure, for each pair of right sides (f, h). Sets `changes` to the
+  /// solutions. If `held` is not null, K contains the term σwwᵀ of `held`.
   mechanics::Status solve_linear(const Figure& figure, const HeldDirection* held,
                                  const std::vector<std::pair<Vector, Vector>>& right_sides,
                                  std::vector<Figure>& changes) const;
-  /// Sets `change` to the solution of K δx − δν h − Gᵀδλ = f, G δx = minus_g and w·δx = c for a condition on the ratio
-  /// of axes. `drive` is h.
+  /// Sets `change` to the solution (δx, δλ, δν) of K δx − δν h − Gᵀδλ = f, G δx = minus_g and w·δx = c. The vector w is
+  /// that of a condition on the ratio of axes, and `drive` is h.
   mechanics::Status solve_with_condition(const Condition& condition, const Figure& figure, const Vector& f,
                                          const Vector& minus_g, const Vector& drive, double c, Figure& change) const;
   /// Sets `step` to the step of Newton's iteration from `figure`, whose terms are `now`.
   mechanics::Status step(const Condition& condition, const Figure& figure, const Terms& now, Figure& step) const;
-  /// The vector w for which w·x = a_k − ρ a₁. The field x has the affine part A = diag(a). The condition has the axis k
-  /// and the ratio ρ.
+  /// The vector w for which w·x = a_k − b a₁ for a field x with the affine part A = diag(a). The condition has the axis
+  /// k and the ratio b. The result also has the number σ of the opening comment.
   HeldDirection axis_direction(const Condition& condition) const;
   /// The largest entry of the terms, or a typical elastic force on a node if that is larger.
   double scale_of(const Figure& figure, const Terms& terms) const;
   /// Sets to 0 the components that a plane of the octant fixes.
   void clear_fixed(Vector& f) const;
   Vector field(const Eigen::VectorXd& x) const;
-  /// The mean of the displacement u and its image under the exchange of the axes 1 and 2, if a spheroid is sought.
+  /// If a spheroid is sought, replaces the displacement u by the mean of u and its image under the exchange of the axes
+  /// 1 and 2.
   void symmetrize(Eigen::VectorXd& u) const;
   void find_exchanged_nodes();
 

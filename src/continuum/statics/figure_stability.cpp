@@ -12,12 +12,14 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Relative residual of eigenvectors. The projection corrects their errors.
+/// Relative residual of eigenvectors. The projection onto the basis corrects the errors of the eigenvectors.
 constexpr double eigenvector_tolerance = 1e-6;
-/// Directions whose part that is independent of the basis is below this fraction are left out of the basis.
+/// A direction is not added to a basis if its part that is orthogonal to the basis is below this fraction of its
+/// length.
 constexpr double dependent = 1e-8;
 
-/// The displacement F(ê×X) of a rotation of the ball, with the mean of F over the cells of a node.
+/// The displacement F(ê×X) due to a rotation of the undeformed ball about the axis ê. At each node, it is the mean over
+/// the cells of the node, because F has jumps between cells.
 Vector turned_within(const BallSpace& space, int axis, const Vector& x) {
   const Vector turned_X = turned(space, axis, space.reference_positions());
   Vector result = space.make_vector(), n_cells = space.make_vector();
@@ -40,12 +42,13 @@ Vector turned_within(const BallSpace& space, int axis, const Vector& x) {
   return result;
 }
 
-/// A parity with its basis. The vectors of the basis are orthonormal in the inner product of the mass.
+/// A basis of motions of one parity. The vectors of the basis satisfy G u = 0, and are orthonormal in the inner product
+/// of the mass.
 class SectorBasis {
  public:
   SectorBasis(const TangentProblem& problem, int number) : sector_(problem, parity_of_sector(number)) {}
 
-  /// Appends the lowest eigenvectors of K. Uniform motions are left out.
+  /// Appends the n lowest eigenvectors of K, without uniform motions.
   mechanics::Status add_eigenvectors(int n) {
     if (auto status = sector_.factorize(); !status) return status;
     std::vector<EigenPair> known = uniform_motions();
@@ -68,21 +71,22 @@ class SectorBasis {
     add(sector_.entries_of(u));
     return {};
   }
-  /// Appends the part of u that satisfies G u = 0.
+  /// Appends a displacement near u that satisfies G u = 0.
   void add_projected(const Vector& u) { add(sector_.without_volume(sector_.entries_of(u))); }
 
   const ParitySector& sector() const { return sector_; }
   Eigen::Index size() const { return static_cast<Eigen::Index>(basis_.size()); }
   const Eigen::VectorXd& operator[](Eigen::Index i) const { return basis_[static_cast<std::size_t>(i)]; }
   Vector field(Eigen::Index i) const { return sector_.field_of((*this)[i]); }
-  /// The coordinates uᵀM b of a field u for the vectors b of the basis.
+  /// The coordinates uᵀM b of a field u in the basis, for each vector b of the basis.
   Eigen::VectorXd coordinates(const Vector& u) const {
     const Eigen::VectorXd M_u = sector_.mass().cwiseProduct(sector_.entries_of(u));
     Eigen::VectorXd result(size());
     for (Eigen::Index i = 0; i < size(); ++i) result[i] = M_u.dot((*this)[i]);
     return result;
   }
-  /// The matrix bᵀK b' of the basis, for the shift s of the problem.
+  /// The matrix with the entries bᵀK b' for the vectors b and b' of the basis. `shift` is the shift s of the problem,
+  /// which is subtracted.
   Eigen::MatrixXd stiffness(double shift) const {
     Eigen::MatrixXd K(size(), size());
     for (Eigen::Index j = 0; j < size(); ++j) {
@@ -122,17 +126,17 @@ double softening(const BallFigures& figures, double drive) {
   return std::max(0.0, -drive * figures.forcing().quadratic.diagonal().minCoeff());
 }
 
-/// The number of the parity that contains the rotations about an axis.
+/// The number of the parity that contains the rotations about an axis (parity_of_sector).
 int parity_of_rotation(int axis) { return 7 ^ (1 << axis); }
 
-/// The bases of the two parities of a class.
+/// The bases of the two parities of a class. `numbers` has the numbers of the parities (parity_of_sector).
 struct ClassBasis {
   ClassBasis(const TangentProblem& problem, int first, int second)
       : numbers{first, second}, parts{SectorBasis(problem, first), SectorBasis(problem, second)} {}
 
   bool contains(int number) const { return number == numbers[0] || number == numbers[1]; }
   Eigen::Index size() const { return parts[0].size() + parts[1].size(); }
-  /// The coordinates of a field with this parity of the class.
+  /// The coordinates of the field u in both bases. `number` is the parity of u, one of the two parities of the class.
   Eigen::VectorXd coordinates(const Vector& u, int number) const {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(size());
     if (number == numbers[0])
@@ -146,7 +150,7 @@ struct ClassBasis {
   std::array<SectorBasis, 2> parts;
 };
 
-/// The rotations about the axis: of space, and of the ball.
+/// The displacements due to rotations of space and of the undeformed ball about each axis.
 struct Rotations {
   std::array<Vector, 3> of_space, of_ball;
 };
@@ -247,7 +251,7 @@ mechanics::Status all_classes(const StabilityProblem& problem, int n_eigenvector
   classes.clear();
   for (const bool odd_in_z : {false, true})
     for (const int m : {0, 1}) {
-      const int first = (odd_in_z ? 4 : 0) | m;  // the bits of parity_of_sector
+      const int first = (odd_in_z ? 4 : 0) | m;  // bits of parity_of_sector: odd in x, odd in z
       mechanics::ClassStability of_class{{odd_in_z, m}, {}};
       if (auto status = problem.solve(first, first ^ 3, n_eigenvectors, of_class.stability); !status) return status;
       classes.push_back(std::move(of_class));

@@ -24,7 +24,8 @@ mechanics::Status observe_figure(const BallFigures& figures, const mechanics::Eq
   const Eigen::Matrix3d moment = ball.nodal_moment(state.q, state.q);
   o.angular_momentum[2] = spin * (moment(0, 0) + moment(1, 1));
   o.kinetic = spin * o.angular_momentum[2] / 2;
-  // The integrand ρ(X ⊗ Fᵀẋ)₁₂ of the circulation is even under the reflections of the octant.
+  // The integrand ρ(X ⊗ Fᵀẋ)₁₂ of the circulation is even under the reflections of the octant. The integral over the
+  // ball is therefore n_images times the integral over the octant.
   const CellIntegrals::Matrix pulled_back = ball.kernels().integrals(state.q, turned(space, 2, state.q)).X_pulled_back;
   o.circulation[2] = spin * n_images * (pulled_back[0][1] - pulled_back[1][0]);
 

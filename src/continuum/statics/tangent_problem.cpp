@@ -10,7 +10,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// A third of the trace of the Kirchhoff stress of the law.
+/// A third of the trace of the Kirchhoff stress PFᵀ of the law, with the first Piola–Kirchhoff stress P.
 double mean_stress(const StoredEnergy& stored, const materials::Tensor<double>& F) {
   return std::visit([&](const auto& known) { return materials::dot(known.stress(F), F) / 3; }, stored.law);
 }
@@ -119,7 +119,8 @@ SectorOperator TangentProblem::beyond_cells(const ParitySector& sector) const {
   };
   if (!definite_)
     return [within, at_surface](const Eigen::VectorXd& u) -> Eigen::VectorXd { return within(u) + at_surface(u); };
-  // Eigenvectors need thousands of products. They are cheaper with a matrix, of which every column takes one product.
+  // Eigenvectors need thousands of products. A matrix makes these products cheaper. Each column of the matrix takes one
+  // product.
   const std::vector<Eigen::Index> indices = unknowns_at_surface(sector);
   const auto n = static_cast<Eigen::Index>(indices.size());
   Eigen::MatrixXd matrix(n, n);

@@ -1,5 +1,5 @@
 #pragma once
-/// Rotations of nodal fields.
+/// Infinitesimal rotations of nodal fields.
 
 #include "continuum/mesh/ball_space.h"
 
