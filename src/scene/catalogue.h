@@ -76,8 +76,8 @@ struct Setting {
 struct Refusal {
   std::string path, sentence;
   std::vector<std::vector<Setting>> remedies{};  ///< alternatives, each of which sets one or several entries
-  /// Models that accept the input. If there are any, `sentence` ends before "offered for", which scene/advice.h
-  /// appends.
+  /// Models that accept the input. If there are any, `sentence` is incomplete, for example "a sweep is". scene/advice.h
+  /// then appends "offered for" and the names of the models.
   std::vector<std::string_view> models{};
 };
 
