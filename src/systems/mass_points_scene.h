@@ -206,8 +206,8 @@ struct MassPointsScene {
     for (int k = 1; k <= 3; ++k) columns.push_back({fmt::format("{}{}", prefix, k), unit, documentation});
   }
 
-  /// Checks the rows (i, j, numbers): i and j must be the numbers of two different points, and the other numbers must
-  /// not be negative.
+  /// Refuses wrong rows of springs or dashpots. The first two numbers of a row must be the numbers of two different
+  /// points, and the other numbers must not be negative.
   std::optional<Refusal> refuses_pairs(const char* path, const char* kind, const std::vector<double>& rows,
                                        std::size_t n_columns) const {
     for (std::size_t k = 0; k < rows.size(); k += n_columns) {

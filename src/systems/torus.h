@@ -15,7 +15,7 @@
 /// circle connects the two saddles, whose stable and unstable manifolds are not transversal there. A tilt α ≠ 0 removes
 /// the symmetry, and breaks the connection without a change of D. A grain oblique to the circle breaks the connection
 /// without a change of V. Theorem 5.8.6 treats these two cases, with D fixed and with V fixed. A variable c(q) alone
-/// does not break it, because the force −c(q) v on a motion along the circle is tangent to the circle.
+/// does not break the connection, because the force −c(q) v on a motion along the circle is tangent to the circle.
 
 #include <Eigen/Core>
 #include <cmath>
