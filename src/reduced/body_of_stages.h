@@ -63,10 +63,10 @@ bool takes_gravity_in_lanes(const BodyOfStages& body, const Eigen::Matrix3d& Q);
 
 /// The entries of M by columns.
 Numbers9 numbers(const Eigen::Matrix3d& M);
-/// The numbers of a body. `isotropic` is true if E₀ ∝ Id.
+/// Returns the parameters of a body as numbers. `isotropic` is true if E₀ ∝ Id.
 BodyOfStages body_of_stages(const materials::AnyLaw& law, const ReferenceBody& body, bool incompressible,
                             bool isotropic, const loads::Forcing& forcing = {});
-/// The numbers of the dissipation, and of the loads that depend on time at the times of the stages.
+/// Returns the parameters of the dissipation, and those of the loads that depend on time at the times of the stages.
 AccountsOfStages accounts_of_stages(const Dissipation& dissipation, const loads::Loads& driving,
                                     const mechanics::GaussStages& stages);
 

@@ -24,7 +24,7 @@ CenterOfMass::Motion CenterOfMass::at(double t) const {
 
 namespace {
 
-/// Potential energy of a point of unit mass at x.
+/// Potential energy of a point of unit mass at x, without surface loads.
 double potential_of(const loads::Forcing& forcing, const Eigen::Vector3d& x) {
   return 0.5 * x.dot(forcing.quadratic * x) - forcing.acceleration.dot(x);
 }

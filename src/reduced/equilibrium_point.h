@@ -18,7 +18,7 @@ struct EquilibriumPoint {
   double kinetic = 0, potential = 0;
   Eigen::Vector3d angular_momentum, circulation;  ///< momenta J and Z
   Eigen::Vector3d vorticity;                      ///< vorticity ζ
-  double residual = 0;                            ///< |R| / (largest norm of a term of R), with 0/0 = 0
+  double residual = 0;  ///< norm of R in steady_motion.h, divided by the largest norm of its terms; 0 if all are 0
   LinearStability stability;
 
   double energy() const { return kinetic + potential; }

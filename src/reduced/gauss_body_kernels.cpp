@@ -46,7 +46,7 @@ template <class Function>
 [[gnu::always_inline]] inline Tensor minus(const Tensor& A, const Tensor& B) {
   return entry_by_entry([](StageLanes a, StageLanes b) { return a - b; }, A, B);
 }
-/// A + s B
+/// Returns A + s B.
 [[gnu::always_inline]] inline Tensor plus(const Tensor& A, StageLanes s, const Tensor& B) {
   return entry_by_entry([&](StageLanes a, StageLanes b) { return a + s * b; }, A, B);
 }

@@ -47,7 +47,7 @@ template <class T>
 [[gnu::always_inline]] inline T determinant(const SymmetricOf<T>& S, const SymmetricOf<T>& cof) {
   return S.diagonal[0] * cof.diagonal[0] + S.opposite[1] * cof.opposite[1] + S.opposite[2] * cof.opposite[2];
 }
-/// s S + t Id
+/// Returns s S + t Id.
 template <class T>
 [[gnu::always_inline]] inline SymmetricOf<T> scaled_and_shifted(const T& s, const SymmetricOf<T>& S, const T& t) {
   SymmetricOf<T> result;
@@ -57,7 +57,7 @@ template <class T>
   }
   return result;
 }
-/// S ← S + s X
+/// Adds s X to S.
 template <class T>
 [[gnu::always_inline]] inline void add(const T& s, const SymmetricOf<T>& X, SymmetricOf<T>& S) {
   for (int i = 0; i < 3; ++i) {

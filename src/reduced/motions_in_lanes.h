@@ -14,7 +14,8 @@ namespace pseudorigid::reduced {
 
 inline constexpr int n_body_lanes = 8;
 
-/// The entries of a matrix for all bodies. The values of one entry for the eight bodies are contiguous: [entry][body].
+/// The entries of a matrix for all bodies, row by row. The values of one entry for the eight bodies are contiguous:
+/// [entry][body].
 using MatricesInLanes = std::array<double, 9 * n_body_lanes>;
 
 /// Volume and inverse inertia of each body.

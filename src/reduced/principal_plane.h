@@ -52,18 +52,18 @@ using Quantity = PlaneDual (*)(const PlaneDuals&);
 namespace quantities {
 inline PlaneDual axis_ratio_21(const PlaneDuals& u) { return exp(u[1] - u[0]); }
 inline PlaneDual axis_ratio_31(const PlaneDuals& u) { return exp(u[2] - u[0]); }
-/// e = √(1 − a₃²/a₁²), which is not differentiable at the sphere and is NaN if a₃ > a₁.
+/// The eccentricity e = √(1 − a₃²/a₁²), which is not differentiable at the sphere and is NaN if a₃ > a₁.
 inline PlaneDual eccentricity(const PlaneDuals& u) { return sqrt(1.0 - exp(2.0 * (u[2] - u[0]))); }
 inline PlaneDual omega_2(const PlaneDuals& u) { return u[3]; }
 inline PlaneDual omega_3(const PlaneDuals& u) { return u[4]; }
 inline PlaneDual Lambda_2(const PlaneDuals& u) { return u[5]; }
 inline PlaneDual Lambda_3(const PlaneDuals& u) { return u[6]; }
-/// J₃/m̄ = (a₁² + a₂²)ω₃ − 2a₁a₂Λ₃
+/// The angular momentum about axis 3 divided by m̄, J₃/m̄ = (a₁² + a₂²)ω₃ − 2a₁a₂Λ₃.
 inline PlaneDual angular_momentum_3(const PlaneDuals& u) {
   const PlaneDual a1 = exp(u[0]), a2 = exp(u[1]);
   return (a1 * a1 + a2 * a2) * u[4] - 2.0 * a1 * a2 * u[6];
 }
-/// Z₃/m̄ = 2a₁a₂ω₃ − (a₁² + a₂²)Λ₃
+/// The circulation about axis 3 divided by m̄, Z₃/m̄ = 2a₁a₂ω₃ − (a₁² + a₂²)Λ₃.
 inline PlaneDual circulation_3(const PlaneDuals& u) {
   const PlaneDual a1 = exp(u[0]), a2 = exp(u[1]);
   return 2.0 * a1 * a2 * u[4] - (a1 * a1 + a2 * a2) * u[6];
