@@ -36,7 +36,8 @@ struct LoveNumbers {
   double h, l;
 
   double k() const { return 3 / (2.0 * degree + 1) * h; }
-  /// The ratio of h', l', k' to h, l, k, for a mass on the surface.
+  /// Returns the factor −(2/3)(n − 1). The load Love numbers h', l', k', for a mass on the surface, are h, l, k times
+  /// this factor.
   double load_factor() const { return -2 * (degree - 1) / 3.0; }
 };
 

@@ -147,7 +147,7 @@ struct BodyObservables {
   /// The multiplier Λ of ln det Q = 0, divided by m̄, which is λ of Oliva (5.120). For non-affine motions it is (1/m̄)∫p
   /// dV with the Kirchhoff pressure p. For compressible bodies it is 0.
   double multiplier = not_observed;
-  /// a₁ ≥ a₂ ≥ a₃, the singular values of Q S with the reference shape S. For a ball, S = r Id.
+  /// The semi-axes a₁ ≥ a₂ ≥ a₃. They are the singular values of Q S with the reference shape S. For a ball, S = r Id.
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Constant(not_observed);
   std::vector<double> over_points{};  ///< one value for each entry of ObservableRequest::over_points
   ContactObservables contact{};
@@ -298,7 +298,8 @@ inline constexpr BodyColumn<O> common_columns[] = {
 struct ReducedObservables : BodyObservables {
   double central_pressure = not_observed;  ///< p_c of the pressure p_c(1 − |ξ|²), the reaction to
                                            ///< det Q = 1; |ξ| = 1 is the surface
-  Eigen::Vector3d axes = Eigen::Vector3d::Constant(not_observed);  ///< r A_ii of Q = TᵀAS, continuous along the path
+  /// Semi-axes r A_ii of the bipolar decomposition Q = TᵀAS, not sorted, but continuous along the path.
+  Eigen::Vector3d axes = Eigen::Vector3d::Constant(not_observed);
   /// Rotations T and S of the bipolar decomposition Q = TᵀAS.
   Eigen::Matrix3d T = Eigen::Matrix3d::Constant(not_observed), S = T;
   Eigen::Vector3d Omega_star = Eigen::Vector3d::Constant(not_observed);   ///< entries 12, 13, 23 of Ω* = ṪTᵀ
