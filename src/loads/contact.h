@@ -99,8 +99,8 @@ inline Plane mirrored_plane(Plane plane, const Eigen::Vector3d& signs) {
 
 /// Returns the contact of the whole body with each plane. `computed` has the contact of the computed sector with each
 /// plane. `reflect[i]` is true if the body is symmetric under the reflection of x_i. The sector is then on one side of
-/// the plane x_i = 0. Under such a reflection, the contact of plane j with the image of the sector is the mirror image
-/// of the contact of the sector with the image of plane j. The set of planes must contain all mirror images.
+/// the plane x_i = 0. Apart from the reflection, the image of the sector has the same contact with plane j as the
+/// sector has with the image of plane j. The set of planes must contain all mirror images.
 inline std::vector<PlaneContact> of_whole_body(const Planes& planes, const std::vector<PlaneContact>& computed,
                                                const std::array<bool, 3>& reflect) {
   std::vector<PlaneContact> whole(planes.size());

@@ -298,8 +298,7 @@ inline constexpr BodyColumn<O> common_columns[] = {
 struct ReducedObservables : BodyObservables {
   double central_pressure = not_observed;  ///< p_c of the pressure p_c(1 − |ξ|²), the reaction to
                                            ///< det Q = 1; |ξ| = 1 is the surface
-  /// Semi-axes r A_ii of the bipolar decomposition Q = TᵀAS, not sorted, but continuous along the path.
-  Eigen::Vector3d axes = Eigen::Vector3d::Constant(not_observed);
+  Eigen::Vector3d axes = Eigen::Vector3d::Constant(not_observed);  ///< r A_ii of Q = TᵀAS, continuous along the path
   /// Rotations T and S of the bipolar decomposition Q = TᵀAS.
   Eigen::Matrix3d T = Eigen::Matrix3d::Constant(not_observed), S = T;
   Eigen::Vector3d Omega_star = Eigen::Vector3d::Constant(not_observed);   ///< entries 12, 13, 23 of Ω* = ṪTᵀ
