@@ -28,7 +28,7 @@
 namespace pseudorigid::gravity {
 
 struct EllipsoidGravity {
-  double strength;  ///< κ = (3/5) G M²
+  double strength;  ///< strength κ = (3/5) G M²
 
   /// Returns the potential energy V of the ellipsoid F B. F must be regular.
   double energy(const Eigen::Matrix3d& F) const {

@@ -43,7 +43,7 @@ struct SurfacePoints {
 
 /// The sums e_i, g_i and h_i of the formulas above for every target i. The index j runs over all sources.
 struct PairSums {
-  std::vector<double> e;  ///< Σ_j ab/|d|
+  std::vector<double> e;  ///< sums e_i = Σ_j ab/|d|
   std::array<std::vector<double>, 3> g, h;
 };
 /// Returns the sums for any targets and sources. The functions of this file for sums throw NoKernels if no build of the

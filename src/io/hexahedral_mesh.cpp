@@ -27,8 +27,8 @@ constexpr std::array<std::array<int, 4>, 6> corners_of_faces{
 /// The image X in a cell of a point ξ of the cube [0,1]³, and the Jacobian at ξ. The unit of length is the size of the
 /// cell (size_of_cell).
 struct PointOfCell {
-  Point X;          ///< relative to the first corner of the cell
-  double jacobian;  ///< det ∂X/∂ξ
+  Point X;          ///< image of ξ, relative to the first corner of the cell
+  double jacobian;  ///< determinant det ∂X/∂ξ at ξ
 };
 
 /// The size of a cell: the largest distance in a coordinate direction between its first corner and another corner.

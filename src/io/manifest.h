@@ -43,7 +43,7 @@ struct Manifest {
   std::vector<std::string> needed, skipped, warnings;
   std::string system;                                         ///< name of the system's CSV file; empty for the ball
   std::map<std::string, std::vector<scene::Column>> columns;  ///< columns without the time, by name of the CSV file
-  /// Units of the internal numbers of a ball; empty for other systems.
+  /// The internal units of a ball, in the units of the user; empty for other systems.
   std::optional<Units> units;
   std::map<std::string, std::string> libraries;  ///< versions of the libraries in use, by name
   std::string instructions;                      ///< instruction set of the kernels; empty without kernels

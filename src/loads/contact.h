@@ -80,7 +80,7 @@ struct Contact {
   double energy = 0, force = 0;
   double height = std::numeric_limits<double>::infinity();  ///< least height over all planes
   double radius = 0;                                        ///< radius √(area/π) of a disk with the contact area
-  double pressure_radius = 0;                               ///< radius √(5⟨s²⟩/2) of the pressure
+  double pressure_radius = 0;                               ///< pressure radius √(5⟨s²⟩/2)
   Eigen::Vector3d point = Eigen::Vector3d::Zero();          ///< centre of pressure; 0 without contact
   /// Unit normal of the plane with the largest force, or of the nearest plane without contact.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();

@@ -53,7 +53,7 @@ class EllipsoidContact {
   const Eigen::Matrix3d& shape() const { return S_; }
   const Eigen::Matrix3d& deformation() const { return Q_; }
   const Eigen::Vector3d& direction() const { return direction_; }  ///< unit vector ĝ = g/G
-  double slope() const { return G_; }                              ///< G = |g|
+  double slope() const { return G_; }                              ///< norm G = |g|
   double deepest() const { return deepest_; }                      ///< largest penetration δ
   /// Returns the power N ż₀ for the speed ż₀ of the plane, without the damping force.
   double given() const { return touches() ? by_h() * plane_.speed : 0; }

@@ -62,7 +62,7 @@ Eigen::MatrixX3d SpheroidalMotions::at(const Eigen::Vector3d& X) const {
   for (const auto& [n, m] : harmonics_) {
     const Jet& S = solid[n][n + m];
     const Eigen::RowVector3d gradient = Eigen::RowVector3d(S.gradient.data()), radial = S.value * X.transpose();
-    double power = 1, power_below = 0;  // r^{2j} and r^{2j−2}
+    double power = 1, power_below = 0;  // powers r^{2j} and r^{2j−2}
     for (int j = 0; j < n_powers; ++j) {
       values.row(row++) = (n + 1 + 2 * j) * power * gradient - 2 * n * j * power_below * radial;
       power_below = power;

@@ -21,8 +21,8 @@ using Numbers9 = std::array<double, 9>;
 struct BodyOfStages {
   materials::AnyLaw law{materials::Fluid{}};
   bool incompressible = true;
-  bool isotropic = true;                 ///< true if E₀ ∝ Id
-  double volume = 1, inverse_m_bar = 1;  ///< Vol and 1/m̄, with m̄ = ⅓ tr E₀
+  bool isotropic = true;                 ///< true if E₀ is a multiple of Id
+  double volume = 1, inverse_m_bar = 1;  ///< volume Vol, and 1/m̄ with m̄ = ⅓ tr E₀
   Numbers9 E0{}, E0_inverse{};
 
   bool loaded = false;          ///< true if one of the following loads is not 0
@@ -37,8 +37,8 @@ struct BodyOfStages {
 struct AccountsOfStages {
   double viscosity = 0, drag = 0;
   bool driven = false;  ///< true if a load depends on time
-  /// T, P̄ and the pressure of the loads that depend on time, at the eight stages. `driving_rate` has the derivatives
-  /// of these quantities with respect to time.
+  /// The matrices T and P̄ and the pressure of the loads that depend on time, at the eight stages. `driving_rate` has
+  /// the derivatives of these quantities with respect to time.
   struct Driving {
     std::array<mechanics::OfStages, 9> quadratic{}, nominal_traction{};
     mechanics::OfStages pressure{};

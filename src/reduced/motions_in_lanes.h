@@ -28,8 +28,8 @@ struct InertiaInLanes {
 struct MotionsInLanes {
   std::string failure;             ///< reason of the failure of a body, which ends all motions; empty if all succeed
   double t = 0;                    ///< the time that the motions reached
-  std::vector<MatricesInLanes> q;  ///< Q at the samples
-  std::vector<MatricesInLanes> v;  ///< Q̇ at the samples
+  std::vector<MatricesInLanes> q;  ///< deformations Q at the samples
+  std::vector<MatricesInLanes> v;  ///< velocities Q̇ at the samples
   mechanics::Counters counters{};
 };
 

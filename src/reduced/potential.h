@@ -117,7 +117,7 @@ class Potential {
   std::optional<gravity::EllipsoidGravity> gravity_;
   ExternalPotential external_;
   bool loaded_;     // true if V has terms other than the stored energy
-  bool spherical_;  // true if S = Id
+  bool spherical_;  // true if the body is the unit ball, S = Id
 };
 
 }  // namespace pseudorigid::reduced

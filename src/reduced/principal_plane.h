@@ -91,8 +91,8 @@ void steady_equations(const IsotropicBody<V>& body, const PlaneVector& u, PlaneV
   }
   for (int i = 1; i < 3; ++i) {
     const Eigen::Matrix3d e = mechanics::cross_matrix(Eigen::Vector3d::Unit(i));
-    DF.col(2 + i).head<6>() = rows(((e * w + w * e) * A - 2 * e * A * l) * A, 0);  // ∂/∂ω_i
-    DF.col(4 + i).head<6>() = rows((A * (e * l + l * e) - 2 * w * A * e) * A, 0);  // ∂/∂Λ_i
+    DF.col(2 + i).head<6>() = rows(((e * w + w * e) * A - 2 * e * A * l) * A, 0);  // derivatives by ω_i
+    DF.col(4 + i).head<6>() = rows((A * (e * l + l * e) - 2 * w * A * e) * A, 0);  // derivatives by Λ_i
   }
   DF.col(7).head<6>() = rows(-Eigen::Matrix3d::Identity(), !body.incompressible);
 }

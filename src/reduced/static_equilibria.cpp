@@ -115,7 +115,7 @@ double StaticLandscape::outward_slope(double s, const Eigen::VectorXd& direction
   d.normalize();
   const Eigen::Vector3d S = (s * d).array().exp();
   const Eigen::Matrix3d R1 = rotation(0), R2 = rotation(4), Q = R1 * S.asDiagonal() * R2;
-  if (!materials::admits(potential_, materials::to_tensor(Q))) return HUGE_VAL;  // V is infinite at Q
+  if (!materials::admits(potential_, materials::to_tensor(Q))) return HUGE_VAL;  // the energy V is infinite at Q
   return potential_.gradient(Q).cwiseProduct(R1 * S.cwiseProduct(d).asDiagonal() * R2).sum();
 }
 

@@ -12,8 +12,8 @@
 ///   R = ω̂²A − 2ω̂AΛ̂ + AΛ̂² + ∂V(A)/m̄ − λA⁻ᵀ = 0,   ln det A = 0     (on GL⁺(3), λ = 0 replaces the second equation)
 ///
 /// Rotations U of space and W of the reference ball, A ↦ UᵀAW, ω ↦ Uᵀω, Λ ↦ WᵀΛ, make A = diag(a₁, a₂, a₃). The
-/// transposed motion Q(t)ᵀ, (A, ω, Λ) ↦ (Aᵀ, Λ, ω), is also steady (Dedekind's duality). The momenta J and Z of the
-/// transposed motion are −Z and −J of Q(t).
+/// transposed motion Q(t)ᵀ, (A, ω, Λ) ↦ (Aᵀ, Λ, ω), is also steady (Dedekind's duality). If Q(t) has the angular
+/// momentum J and the circulation Z, the transposed motion has the angular momentum −Z and the circulation −J.
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -61,7 +61,7 @@ IsotropicBody(const V&, double) -> IsotropicBody<V>;
 struct SteadyMotion {
   Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
   Eigen::Vector3d omega = Eigen::Vector3d::Zero(), Lambda = Eigen::Vector3d::Zero();
-  double lambda = 0;  ///< multiplier per m̄
+  double lambda = 0;  ///< multiplier λ per m̄
 
   /// The deformation Q(t) and its rate Q̇(t).
   Eigen::Matrix3d position(double t) const { return turned(A, t); }

@@ -30,7 +30,7 @@ namespace pseudorigid::scene {
 /// A `set` line or a `subsection` line.
 struct Statement {
   std::string path;                  ///< "Section/Entry", or "Section" if a subsection begins
-  std::optional<std::string> value;  ///< empty if a subsection begins
+  std::optional<std::string> value;  ///< text after "="; empty if a subsection begins
   std::string file;
   int line = 0;  ///< 0 if the statement is not from a file; `file` is then the origin, for example "--set"
 

@@ -138,7 +138,7 @@ struct Scene {
     /// Empty: the automatic value of continuum/body/surface_gravity_forces.h.
     std::optional<int> gravity_points;
     std::optional<double> volumetric_stiffness;  ///< empty: the automatic value of scene/stabilization.h
-    std::string mesh{builtin_mesh};              ///< "builtin" or an absolute path
+    std::string mesh{builtin_mesh};              ///< "builtin" or the absolute path of a mesh file
     Symmetry symmetry = Symmetry::automatic;
     std::optional<int> contact_points;  ///< empty: the automatic value of continuum/body/contact_forces.h
     /// Size of the cells at two poles, divided by the size in an ungraded mesh (continuum/mesh/ball_mesh.h).

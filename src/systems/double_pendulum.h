@@ -111,7 +111,7 @@ class DoublePendulum {
   const Parameters& parameters() const { return p_; }
 
  private:
-  static Eigen::Vector2d rod(const Vector& q) { return q.tail<2>() - q.head<2>(); }  // q₂ − q₁
+  static Eigen::Vector2d rod(const Vector& q) { return q.tail<2>() - q.head<2>(); }  // second rod q₂ − q₁
   static double square(double x) { return x * x; }
 
   Parameters p_;

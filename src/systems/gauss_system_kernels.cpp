@@ -32,7 +32,7 @@ template <bool principal_and_free>
 struct TopField {
   static constexpr int n = 4;
   const TopOfStages& top;
-  Eigen::Vector3d ratios = ratios_of(top.A);  // (A₂ − A₃)/A₁, and cyclically
+  Eigen::Vector3d ratios = ratios_of(top.A);  // numbers (A₂ − A₃)/A₁, and cyclically
 
   template <class T>
   [[gnu::always_inline]] T operator()(int, const T* q, const T* v, T* a) const {

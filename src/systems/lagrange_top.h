@@ -44,7 +44,7 @@ Eigen::Matrix<T, 3, 3> rotation_of_angles(const mechanics::Coordinates<T, 3>& h)
   return R;
 }
 
-/// The chart of SO(3) above, for any scalar type.
+/// The chart of SO(3) by the Euler angles h, with the metric g and the potential U for any scalar type.
 struct EulerAngleChart {
   static constexpr int dimension = 3;
   Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  ///< inertia operator about the fixed point or the centre of mass

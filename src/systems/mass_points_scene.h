@@ -70,7 +70,8 @@ struct MassPointsScene {
     visit(s.drag, not_negative,
           About{"Mass points/Drag", "mass/time", "Force against the velocity of each point, per unit of velocity."});
   }
-  /// Scales the rows of springs and dashpots, whose columns have several units.
+  /// Converts the rows of springs and dashpots to the given scales. Their columns have several units, so in_scales does
+  /// not convert them.
   void rescale(const Scales& scales) {
     for (std::size_t k = 0; k < springs.size(); k += 4) {
       springs[k + 2] /= scales("mass/time^2");

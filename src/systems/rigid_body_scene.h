@@ -103,7 +103,8 @@ struct RigidBodyScene {
     visit(s.velocity, scene::Numbers{3},
           About{"Rigid body/Velocity", "length/time", "Initial velocity of the centre of mass of a free body."});
   }
-  /// Scales the rows of points and springs, whose columns have several units.
+  /// Converts the rows of points and springs to the given scales. Their columns have several units, so in_scales does
+  /// not convert them.
   void rescale(const Scales& scales) {
     for (std::size_t k = 0; k < points.size(); k += n_point_columns) {
       for (std::size_t j : {0, 1, 2}) points[k + j] /= scales("length");

@@ -56,7 +56,8 @@ struct SphericalPendulumOfStages {
   }
 };
 
-/// The parameters of the double pendulum in multiplier form (double_pendulum.h).
+/// The double pendulum in multiplier form (double_pendulum.h): masses m1 and m2 of the points, lengths l1 and l2 of the
+/// rods, and acceleration g of gravity.
 struct PendulumOfStages {
   double m1 = 1, m2 = 1, l1 = 1, l2 = 1, g = 1;
 };

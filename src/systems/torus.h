@@ -55,7 +55,7 @@ struct Torus : TorusSurface {
 
   /// The greatest damping μ, which is the maximum of |⟨D(v), v⟩|/|v|² over all states.
   double greatest_damping() const { return c * (1 + std::abs(c_w) + std::abs(c_u)) * (1 + grain); }
-  double depth() const { return gravity * (R * std::abs(std::cos(tilt)) + r); }  ///< −min V
+  double depth() const { return gravity * (R * std::abs(std::cos(tilt)) + r); }  ///< depth −min V of the potential
 };
 
 }  // namespace pseudorigid::systems
