@@ -28,16 +28,16 @@
 namespace pseudorigid::gravity {
 
 struct EllipsoidGravity {
-  double strength;  ///< κ = (3/5) G M²
+  double strength;  ///< strength κ = (3/5) G M²
 
-  /// Returns V for a regular F.
+  /// Returns the potential energy V of the ellipsoid F B. F must be regular.
   double energy(const Eigen::Matrix3d& F) const {
     const double scale = unit_scale(F);
     const auto axes = mechanics::principal_axes(scale * F);
     return -strength / 3 * scale * axes.a.cwiseAbs2().dot(ellipsoid_integrals<false>(axes.a).d);
   }
 
-  /// Returns ∂V/∂F for a regular F.
+  /// Returns the derivative ∂V/∂F of the potential energy. F must be regular.
   Eigen::Matrix3d gradient(const Eigen::Matrix3d& F) const {
     const double scale = unit_scale(F);
     const auto [U, A, a] = mechanics::principal_axes(scale * F);
@@ -45,7 +45,7 @@ struct EllipsoidGravity {
     return scale * (strength / 3 * scale * mechanics::detail::axes::product(U, d.asDiagonal() * A));
   }
 
-  /// Returns D(∂V/∂F)[H] for a regular F.
+  /// Returns the derivative D(∂V/∂F)[H] of ∂V/∂F in the direction H. F must be regular.
   Eigen::Matrix3d second_derivative(const Eigen::Matrix3d& F, const Eigen::Matrix3d& H) const {
     const double scale = unit_scale(F);
     const auto [U, A, a] = mechanics::principal_axes(scale * F);

@@ -85,7 +85,7 @@ EllipsoidIntegrals ellipsoid_integrals(const Eigen::Vector3d& a) {
   constexpr int max_duplications = 20;  // a ratio 10³⁰⁰ of the arguments needs 14
   const auto others = [](const Array3d& y) { return Array3d(y[1] * y[2], y[2] * y[0], y[0] * y[1]); };
   Array3d r = a, x = r * r, d = Array3d::Zero(), t = Array3d::Zero();
-  double weight = 3;  // 3·2ⁿ after n duplications
+  double weight = 3;  // factor of the terms, 3·2ⁿ after n duplications
   const auto is_wide = [&x] {
     const double largest = std::max(std::max(x[0], x[1]), x[2]), smallest = std::min(std::min(x[0], x[1]), x[2]);
     return largest - smallest > detail::series_spread * (x[0] + x[1] + x[2]);

@@ -12,8 +12,8 @@
 ///
 ///   k_n = 3/(2n + 1) h_n.
 ///
-/// A mass on the surface that has the potential V exerts the pressure (2n + 1)/3 ρV on the surface. The work of
-/// attraction and pressure is −(2/3)(n − 1) times the work of the tide. The load Love numbers have this factor
+/// If a mass on the surface has the potential V, it exerts the pressure (2n + 1)/3 ρV on the surface. The work of this
+/// attraction and this pressure is −(2/3)(n − 1) times the work of the tide. The load Love numbers have this factor
 /// (Farrell, Rev. Geophys. 10, 1972):
 ///
 ///   h'_n = −(2/3)(n − 1) h_n,    the same factor for l'_n and k'_n.
@@ -36,7 +36,8 @@ struct LoveNumbers {
   double h, l;
 
   double k() const { return 3 / (2.0 * degree + 1) * h; }
-  /// The ratio of h', l', k' to h, l, k, for a mass on the surface.
+  /// Returns the factor −(2/3)(n − 1). The load Love numbers h', l', k', for a mass on the surface, are h, l, k times
+  /// this factor.
   double load_factor() const { return -2 * (degree - 1) / 3.0; }
 };
 

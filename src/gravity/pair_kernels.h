@@ -1,7 +1,7 @@
 #pragma once
 /// Table of the functions for sums over pairs of points (surface_gravity.h). `sum` and `sum_moving` are the two
-/// functions sum_pairs, and `sum_own` is sum_own_pairs. The source pair_sums.cpp is compiled once for each instruction
-/// set. Each compilation defines one such table.
+/// functions sum_pairs, for points at rest and for moving points, and `sum_own` is sum_own_pairs. The source
+/// pair_sums.cpp is compiled once for each instruction set. Each compilation defines one such table.
 
 #include "gravity/surface_gravity.h"
 #include "mechanics/core/kernel_builds.h"

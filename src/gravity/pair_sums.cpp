@@ -39,8 +39,8 @@ struct Rated {
   }
 };
 
-/// A block of targets, one in each lane, with their sums. `g` does not contain the terms of g_i along N_i. `along_N` is
-/// the factor of N_i in these terms.
+/// A block of targets, one in each lane, with their sums. Terms along N_i are omitted from `g`, and only their factor
+/// is summed. The complete sum is g_i = g + along_N N_i.
 template <class S>
 struct Block {
   S x[3], N[3], along_N, g[3], h[3];
@@ -173,8 +173,9 @@ class PairWithImages {
   ImageSums all_, behind_[3];  ///< behind_[c]: sums over the images with s_kc = −1
 };
 
-/// Sums for points whose pairs are computed once for both points. The vectors g_i and h_i do not contain the terms
-/// along N_i and x_i. The factors of these terms are along_N and along_x.
+/// Sums for points whose pairs are computed once for both points. Terms along N_i or x_i are omitted from `g` and `h`,
+/// and only their factors are summed. The complete sums are g_i = g + along_N N_i − along_x x_i and h_i = h + along_N
+/// x_i.
 struct MutualSums {
   L along_N, along_x, g[3], h[3];
 

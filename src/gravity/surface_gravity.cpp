@@ -10,7 +10,8 @@
 namespace pseudorigid::gravity {
 namespace {
 
-/// Returns (V₀/V)^{5/3}, the factor of E in Ê.
+/// Returns the factor (V₀/V)^{5/3} of the energy E in Ê. V is the present volume of the body and V₀ (`rest_volume`) the
+/// volume at rest.
 double gauge(const SurfaceTotals& totals, double rest_volume) { return std::pow(rest_volume / totals.volume, 5.0 / 3); }
 
 }  // namespace

@@ -43,7 +43,7 @@ struct SurfacePoints {
 
 /// The sums e_i, g_i and h_i of the formulas above for every target i. The index j runs over all sources.
 struct PairSums {
-  std::vector<double> e;  ///< Σ_j ab/|d|
+  std::vector<double> e;  ///< sums e_i = Σ_j ab/|d|
   std::array<std::vector<double>, 3> g, h;
 };
 /// Returns the sums for any targets and sources. The functions of this file for sums throw NoKernels if no build of the
@@ -70,14 +70,14 @@ double enclosed_volume(const SurfacePoints& points);
 /// Sums over the targets. If the targets are distributed over several processes, the caller must add the totals of all
 /// processes.
 struct SurfaceTotals {
-  double pairs = 0;   ///< Σ_i e_i
-  double volume = 0;  ///< V
+  double pairs = 0;   ///< sum Σ_i e_i of the pairs
+  double volume = 0;  ///< enclosed volume V
 };
 /// Returns the sums over these targets, for the sums of pairs of the same targets.
 SurfaceTotals totals(const SurfacePoints& targets, const PairSums& sums);
 
-/// Returns Ê of the part of the body with these targets. `strength` is Gρ², and `rest_volume` is V₀ of this part. The
-/// result is not finite if the volume V is zero or negative.
+/// Returns the energy Ê of the part of the body with these targets. `strength` is Gρ², and `rest_volume` is the volume
+/// V₀ of this part at rest. The result is not finite if the volume V is zero or negative.
 double surface_energy(const SurfaceTotals& totals, double strength, double rest_volume);
 
 /// The derivative of Ê with respect to the points and area vectors of the targets: [component][target]. The sources

@@ -49,10 +49,10 @@ std::vector<std::size_t> linear_cells(std::size_t p) {
   return points;
 }
 
-/// The degree p of the blocks, if linear_cells has divided blocks into the cells of the grid. A row of a block has p
-/// cells, and each cell shares a face with the next. The result is therefore the length of such a row at the beginning
-/// of the list. A row of adjacent blocks of degree 1 is not distinguished from a row of one block. If the number of all
-/// cells is not a multiple of p³, the result is 1, and each cell is a block.
+/// The degree p of the blocks from which linear_cells made the cells of the grid. A block has p cells in a row, and
+/// successive cells of a row share a face. The result is therefore the number of cells at the beginning of the list
+/// that follow one another in this way. The function cannot distinguish a block of degree p from p adjacent blocks of
+/// degree 1. If the number of all cells is not a multiple of p³, the result is 1, and each cell is a block.
 std::size_t cells_in_a_row(const UnstructuredGrid& grid) {
   const auto share_a_face = [&](std::size_t cell) {
     const std::int64_t *here = &grid.connectivity[8 * cell], *next = here + 8;
@@ -63,9 +63,9 @@ std::size_t cells_in_a_row(const UnstructuredGrid& grid) {
   return grid.n_cells() % (p * p * p) == 0 ? p : 1;
 }
 
-/// The number of the point `place` = (i, j, k) of a block that linear_cells has divided. `cells` has the eight points
-/// of each of the p³ cells. The point is the first corner of the cell (i, j, k). If an index equals p, there is no such
-/// cell. The last cell in this direction then has the point as another corner.
+/// The number, in the grid, of the point `place` = (i, j, k) of a block that linear_cells has divided. `cells` has the
+/// eight points of each of the p³ cells of the block. The point is the first corner of the cell (i, j, k). If an index
+/// equals p, there is no such cell. The last cell in this direction then has the point as another corner.
 std::int64_t point_of_linear_block(const std::int64_t* cells, std::size_t p, std::array<std::size_t, 3> place) {
   constexpr std::array<std::size_t, 8> corner{0, 1, 3, 2, 4, 5, 7, 6};  // VTK's number of the corner i + 2j + 4k
   std::size_t cell = 0, which = 0;

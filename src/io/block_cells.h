@@ -17,8 +17,8 @@ void set_cells(UnstructuredGrid& grid, const mechanics::PointBlocks& blocks, sce
 
 /// The blocks from which `set_cells` made the cells of the grid. The result is empty if the cells are not hexahedra or
 /// do not form complete blocks. The degree of linear cells is the number of cells in the first row of cells that share
-/// faces. This number is too large if neighbouring blocks of degree 1 form the row. If the number of all cells is not a
-/// multiple of the cube of this number, the degree is 1.
+/// faces. This number is too large if the row consists of several blocks of degree 1. If the number of all cells is not
+/// a multiple of the cube of this number, the degree is 1.
 std::optional<mechanics::PointBlocks> blocks_of(const UnstructuredGrid& grid);
 
 }  // namespace pseudorigid::io

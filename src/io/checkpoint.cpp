@@ -27,7 +27,8 @@ struct Header {
 };
 static_assert(sizeof(Header) == 32);
 
-/// The types in the order of Checkpoint::Value, because save() writes the index in this variant.
+/// The type of a value in the file. The order is that of the variant Checkpoint::Value, because save() writes the index
+/// of the value in this variant.
 enum class SectionType : std::uint8_t { doubles, integer, text };
 
 template <class T>
@@ -51,7 +52,7 @@ class Cursor {
   template <class T>
   void take(T* values, std::size_t n) {
     if (n > rest_.size() / sizeof(T)) throw std::out_of_range("a section is longer than the file");
-    // Unlike copy_n, memcpy does not permit a null pointer, even for n = 0.
+    // If n = 0, the pointers may be null. This is permitted for copy_n, but not for memcpy.
     std::copy_n(rest_.data(), n * sizeof(T), reinterpret_cast<char*>(values));
     rest_.remove_prefix(n * sizeof(T));
   }

@@ -45,8 +45,8 @@ class ColumnTable {
     table = {.columns = units_.names, .values = {}};
   }
 
-  /// Appends a row in internal units. Returns false and does not write the row if a value in the units of the user is
-  /// not finite. Throws WriteError if CsvWriter::append writes to the file and the write fails.
+  /// Appends a row in internal units. If a value in the units of the user is not finite, does not write the row and
+  /// returns false. Throws the errors of CsvWriter::append if the table is a CSV file.
   bool append_if_finite(std::vector<double> row) {
     units_.convert(row);
     const bool is_finite = std::ranges::all_of(row, [](double x) { return std::isfinite(x); });

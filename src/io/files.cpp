@@ -46,7 +46,7 @@ bool is_there(const fs::path& path) {
 
 namespace {
 
-/// The result of kind_unless_file for a file mode of stat(2). It is empty for a regular file.
+/// The kind of a file in words, such as "a device", for its mode from stat(2). The result is empty for a regular file.
 std::string kind_of(mode_t mode) {
   if (S_ISFIFO(mode)) return "a named pipe";
   if (S_ISSOCK(mode)) return "a socket";

@@ -300,7 +300,7 @@ class GmshReader {
   std::string_view rest_, line_;                      ///< the text after the current line; the rest of the current line
   int n_lines_ = 0;                                   ///< number of the current line
   std::unordered_map<long, unsigned int> vertex_of_;  ///< index of a vertex, by the number of its node in the file
-  std::unordered_set<unsigned int> on_boundary_;      ///< vertices of points, lines and quadrangles
+  std::unordered_set<unsigned int> on_boundary_;      ///< vertices of elements on the boundary
   HexahedralMesh mesh_;
 };
 

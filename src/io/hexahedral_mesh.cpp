@@ -27,8 +27,8 @@ constexpr std::array<std::array<int, 4>, 6> corners_of_faces{
 /// The image X in a cell of a point ξ of the cube [0,1]³, and the Jacobian at ξ. The unit of length is the size of the
 /// cell (size_of_cell).
 struct PointOfCell {
-  Point X;          ///< relative to the first corner of the cell
-  double jacobian;  ///< det ∂X/∂ξ
+  Point X;          ///< image of ξ, relative to the first corner of the cell
+  double jacobian;  ///< determinant det ∂X/∂ξ at ξ
 };
 
 /// The size of a cell: the largest distance in a coordinate direction between its first corner and another corner.
@@ -149,8 +149,8 @@ void require_one_piece(const HexahedralMesh& mesh, const CellsOfFaces& cells_of)
                                   mesh.cell_names[0], mesh.cell_names[cell]));
 }
 
-/// Two vertices have the same place if their distance is at most this fraction of a length. For each of the two
-/// vertices, take the length of its shortest edge. The length is the larger of these two.
+/// Two vertices have the same place if their distance is at most this fraction of a length. Each of the two vertices
+/// has a shortest edge (shortest_edges), and the length is that of the longer of these two edges.
 constexpr double same_place = 1e-6;
 
 double distance(const Point& X, const Point& Y) { return std::hypot(X[0] - Y[0], X[1] - Y[1], X[2] - Y[2]); }
@@ -181,8 +181,8 @@ class Places {
 
   void add(std::size_t vertex) { boxes_[box_of(vertices_[vertex], 0)].push_back(vertex); }
 
-  /// Finds an added vertex for which `is_same(vertex, distance from X)` is true. The search covers the boxes within the
-  /// distance `reach` of X. The result is empty if there is no such vertex.
+  /// Returns an added vertex for which `is_same(vertex, distance)` is true, with the distance of the vertex from X. The
+  /// search covers the boxes within the distance `reach` of X. The result is empty if there is no such vertex.
   template <class IsSame>
   std::optional<std::size_t> find(const Point& X, double reach, const IsSame& is_same) const {
     const Box first = box_of(X, -reach), last = box_of(X, reach);

@@ -39,11 +39,11 @@ struct Manifest {
   std::string title;                      ///< the entry Title of the scene
   std::string scene;                      ///< scene::summary of the scene, one line
   std::vector<scene::UsedValue> entries;  ///< result of scene::used_values
-  /// Lines for the user about needed parts, skipped parts and warnings.
+  /// Lines for the user: the parts of the program that the scene needs, the parts that are skipped, and warnings.
   std::vector<std::string> needed, skipped, warnings;
   std::string system;                                         ///< name of the system's CSV file; empty for the ball
   std::map<std::string, std::vector<scene::Column>> columns;  ///< columns without the time, by name of the CSV file
-  /// Units of the internal numbers of a ball; empty for other systems.
+  /// The internal units of a ball, in the units of the user; empty for other systems.
   std::optional<Units> units;
   std::map<std::string, std::string> libraries;  ///< versions of the libraries in use, by name
   std::string instructions;                      ///< instruction set of the kernels; empty without kernels

@@ -35,7 +35,8 @@ class Progress {
   void draw(double fraction, Clock::time_point now);
 
   std::string label_, unit_;
-  /// Number of calls of `step`, its value at the next call of `look`, and number of steps between calls of `look`.
+  /// The number of calls of `step`, the number at which `step` calls `look` next, and the number of steps between two
+  /// calls of `look`.
   std::int64_t n_steps_ = 0, next_look_ = 1, stride_ = 1;
   Clock::time_point start_, last_look_, last_draw_;
   double start_fraction_ = -1;  ///< fraction at the first call of `look`; −1 before this call

@@ -28,8 +28,8 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// The page, in which each line with the placeholder {mover} in a file name is repeated for every name in `movers`. An
-/// element has a line of its own.
+/// The page with the names in `movers` in place of the placeholder {mover}. Each line with {mover} in the file name of
+/// an element is repeated for every name. An element has a line of its own.
 std::string page_of(std::string_view page, std::span<const std::string> movers) {
   constexpr std::string_view name = "data-file=\"", of_mover = "{mover}";
   std::string text;

@@ -20,8 +20,9 @@ std::string_view report_page();
 
 /// Returns the page with the files of the directory. `movers` are the names of the trajectories, as movers_in in
 /// manifest.h returns them. `empty` is the page with empty elements. An element with {mover} in its file name is
-/// repeated for each trajectory. Throws UserError if the page shows a file of the run that exists but cannot be read.
-/// If a picture cannot be read, the table of its trajectory is empty (table_of_frames).
+/// repeated for each trajectory, with its name in place of {mover}. Throws UserError if the page shows a file of the
+/// run that exists but cannot be read. If a picture cannot be read, the table of its trajectory is empty
+/// (table_of_frames).
 std::string report_of(const RunDirectory& directory, std::span<const std::string> movers,
                       std::string_view empty = report_page());
 

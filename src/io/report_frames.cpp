@@ -21,8 +21,8 @@ namespace pseudorigid::io {
 namespace {
 
 constexpr const char *reference = "reference_coordinates", *stress = "von_mises";
-constexpr std::size_t most_times = 8;     ///< limit of the number of pictures of a trajectory
-constexpr std::size_t most_rows = 60000;  ///< limit of the rows of a trajectory; a row has about 70 bytes in the page
+constexpr std::size_t most_times = 8;     ///< limit of the number of pictures of a motion that is not affine
+constexpr std::size_t most_rows = 60000;  ///< limit of the rows of such a motion; a row has about 70 bytes in the page
 
 /// The values of the field `name`. The result is null if the grid does not have this field.
 const std::vector<double>* field(const UnstructuredGrid& grid, std::string_view name) {
@@ -134,7 +134,7 @@ std::vector<PvdCollection::Frame> some_of(const std::vector<PvdCollection::Frame
 
 /// The rows of table_of_frames without the header. The text is empty if a picture does not have the fields or all
 /// points of the faces. Without `is_affine`, it is also empty if the first picture has no faces, or if two pictures
-/// would exceed most_rows. `frames` must not be empty. Throws UserError if a picture cannot be read.
+/// would have more than most_rows rows. `frames` must not be empty. Throws UserError if a picture cannot be read.
 std::string rows_of_frames(std::vector<PvdCollection::Frame> frames, bool is_affine) {
   std::string text;
   std::vector<PictureFace> faces;

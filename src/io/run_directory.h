@@ -34,8 +34,8 @@ class RunDirectory {
   /// result. Throws the UserError of RunLock if another run uses or may use the folder. Throws WriteError if the lock
   /// cannot be written. The caller may use the folder until the returned lock is destroyed.
   RunLock prepare_fresh(std::span<const std::string> movers = {}) const;
-  /// Locks the folder for a resumed run, and keeps its results. Throws UserError if the folder does not exist or does
-  /// not contain a checkpoint. Also throws the errors of prepare_fresh.
+  /// Locks the folder for a resumed run, and keeps its results. Removes temporary files of locks of killed runs. Throws
+  /// UserError if the folder does not exist or does not contain a checkpoint. Also throws the errors of prepare_fresh.
   RunLock prepare_resume(std::span<const std::string> movers = {}) const;
 
   const std::filesystem::path& path() const { return path_; }

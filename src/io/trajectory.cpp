@@ -42,7 +42,8 @@ const Columns<ContinuumObservables>& body_columns() {
 
 /// The suffixes that distinguish the entries of a vector or matrix in the header of the CSV file. They depend on the
 /// kind of the value, and a scalar has the empty suffix. The kinds are scalar, vector of three or four entries, matrix,
-/// antisymmetric matrix, and least or largest value over points, in the order of BodyColumn::value.
+/// antisymmetric matrix, and least or largest value over points. This is the order of the types in the variant
+/// BodyColumn::value.
 template <class O>
 const std::vector<std::string>& suffixes(const BodyColumn<O>& column) {
   static const std::vector<std::string> of_kind[] = {{""},

@@ -20,7 +20,7 @@ struct UnstructuredGrid {
     int n_components;            ///< numbers per point: 1 for a scalar, 3 for a vector, 9 for a tensor (row by row)
     std::vector<double> values;  ///< point by point; a constant has the numbers of one point
   };
-  std::vector<double> points{};  ///< x, y, z of each point
+  std::vector<double> points{};  ///< coordinates x, y, z of each point
   CellType cell_type = CellType::hexahedron;
   int nodes_per_cell = 8;
   std::vector<std::int64_t> connectivity{};  ///< nodes_per_cell point numbers per cell, in VTK's order

@@ -60,8 +60,8 @@ class VtuText {
     return value;
   }
 
-  /// Returns the n numbers of the appended array to which `element` refers. If the array cannot have so many numbers,
-  /// UserError is thrown before memory is allocated.
+  /// Returns the n numbers of the appended array that the XML element `element` describes. If the array cannot have so
+  /// many numbers, UserError is thrown before memory is allocated.
   template <class T>
   std::vector<T> values(std::string_view element, std::size_t n) const {
     constexpr std::size_t largest_ratio_of_zlib = 1100;  // deflate compresses at most by the factor 1032

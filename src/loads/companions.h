@@ -10,11 +10,12 @@
 namespace pseudorigid::loads {
 
 struct CompanionMasses {
-  /// Mass m_i of each companion, and three numbers each of its position r_i and velocity ṙ_i relative to the centre of
-  /// mass of the body.
+  /// The mass m_i of each companion, its position r_i and its velocity ṙ_i. Positions and velocities are relative to
+  /// the centre of mass of the body, with three numbers for each companion.
   std::vector<double> masses, positions, velocities;
   /// Orbital elements in place of r_i and ṙ_i, with angles in radians. Each orbit is about the centre of mass of the
-  /// body and the companions before. Missing rows other than those of the semi-major axis are 0.
+  /// body and the companions before this one. Each list has a number for each companion. A list other than that of the
+  /// semi-major axes may be empty, and its elements are then 0.
   std::vector<double> semi_major_axes, eccentricities, inclinations, ascending_nodes, arguments_of_pericentre,
       mean_anomalies;
   bool full_potential = false;  ///< true if finite elements use the whole potential, not only its second degree

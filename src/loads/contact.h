@@ -32,8 +32,8 @@ namespace pseudorigid::loads {
 /// Contact of a surface with one plane, without the damping force. The members are the sums of the head of this file
 /// for this plane, and the least height of the points. The default is the contact of no points.
 struct PlaneContact {
-  double energy = 0, force = 0, area = 0;                   ///< V, N and the area of the reference surface in contact
-  double spread = 0;                                        ///< ∫p |x − (n·x) n|² dA
+  double energy = 0, force = 0, area = 0;  ///< energy V, force N, and reference area of the contact
+  double spread = 0;                       ///< second moment of the pressure, ∫p |x − (n·x) n|² dA
   double height = std::numeric_limits<double>::infinity();  ///< least n·x − z₀ of all points; infinite without points
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< integral of the pressure times the position, ∫p x dA
 
@@ -61,8 +61,8 @@ struct PlaneContact {
   }
 };
 
-/// Powers of the damping force and of the friction at one time, for one plane or several. `taken` is the power that
-/// both dissipate. `given` is the part of N ż₀ due to the damping force.
+/// Powers of contact forces at one time, for one plane or several. `taken` is the power that damping and friction
+/// dissipate. `given` is the power of moving planes, N ż₀ with the part of N that belongs to these forces.
 struct ContactPower {
   double taken = 0, given = 0;
 
@@ -80,7 +80,7 @@ struct Contact {
   double energy = 0, force = 0;
   double height = std::numeric_limits<double>::infinity();  ///< least height over all planes
   double radius = 0;                                        ///< radius √(area/π) of a disk with the contact area
-  double pressure_radius = 0;                               ///< radius √(5⟨s²⟩/2) of the pressure
+  double pressure_radius = 0;                               ///< pressure radius √(5⟨s²⟩/2)
   Eigen::Vector3d point = Eigen::Vector3d::Zero();          ///< centre of pressure; 0 without contact
   /// Unit normal of the plane with the largest force, or of the nearest plane without contact.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
@@ -90,7 +90,8 @@ struct Contact {
   double penetration() const { return std::max(0.0, -height); }
 };
 
-/// Returns the plane with the normal (signs_i n_i). The other members are those of `plane`.
+/// Returns the mirror image of a plane. Its normal has the components signs_i n_i, and its other members are those of
+/// `plane`.
 inline Plane mirrored_plane(Plane plane, const Eigen::Vector3d& signs) {
   plane.normal = signs.cwiseProduct(plane.normal);
   return plane;
@@ -98,8 +99,8 @@ inline Plane mirrored_plane(Plane plane, const Eigen::Vector3d& signs) {
 
 /// Returns the contact of the whole body with each plane. `computed` has the contact of the computed sector with each
 /// plane. `reflect[i]` is true if the body is symmetric under the reflection of x_i. The sector is then on one side of
-/// the plane x_i = 0. For such a reflection R, plane j touches the image R x of a point x as the mirror image of plane
-/// j touches x. The set of planes must contain all mirror images.
+/// the plane x_i = 0. Apart from the reflection, the image of the sector has the same contact with plane j as the
+/// sector has with the image of plane j. The set of planes must contain all mirror images.
 inline std::vector<PlaneContact> of_whole_body(const Planes& planes, const std::vector<PlaneContact>& computed,
                                                const std::array<bool, 3>& reflect) {
   std::vector<PlaneContact> whole(planes.size());

@@ -52,9 +52,9 @@ class EllipsoidContact {
   const Plane& plane() const { return plane_; }
   const Eigen::Matrix3d& shape() const { return S_; }
   const Eigen::Matrix3d& deformation() const { return Q_; }
-  const Eigen::Vector3d& direction() const { return direction_; }  ///< ĝ = g/G
-  double slope() const { return G_; }                              ///< G
-  double deepest() const { return deepest_; }                      ///< δ
+  const Eigen::Vector3d& direction() const { return direction_; }  ///< unit vector ĝ = g/G
+  double slope() const { return G_; }                              ///< norm G = |g|
+  double deepest() const { return deepest_; }                      ///< largest penetration δ
   /// Returns the power N ż₀ for the speed ż₀ of the plane, without the damping force.
   double given() const { return touches() ? by_h() * plane_.speed : 0; }
 
@@ -123,7 +123,7 @@ class EllipsoidContact {
   static double square(double x) { return x * x; }
   static double cube(double x) { return x * x * x; }
   double strength() const { return std::numbers::pi * plane_.stiffness; }
-  /// by_h() is ∂V/∂h = N, and by_G() is ∂V/∂G.
+  /// The derivatives of the energy V: by_h() is ∂V/∂h = N, and by_G() is ∂V/∂G.
   double by_h() const { return strength() * (square(deepest_) - square(least_)) / G_; }
   double by_G() const {
     return strength() / G_ * (square(deepest_) + square(least_) - (cube(deepest_) - cube(least_)) / (3 * G_));
@@ -136,7 +136,7 @@ class EllipsoidContact {
     for (int j = 0; j < 3; ++j) of_t[j] = 2 * std::pow(T, j + 1) * (deepest_ / (j + 1) - G_ * T / (j + 2));
     return of_t;
   }
-  /// Returns (I₀, I₁, I₂).
+  /// Returns the moments (I₀, I₁, I₂) of the penetration, I_j = 2π ∫ d u^j du.
   Eigen::Vector3d moments() const {
     const Eigen::Vector3d of_t = std::numbers::pi * moments_of_t();
     return {of_t[0], of_t[0] - of_t[1], of_t[0] - 2 * of_t[1] + of_t[2]};
@@ -146,7 +146,7 @@ class EllipsoidContact {
   const Eigen::Matrix3d& S_;
   Eigen::Matrix3d Q_;
   Eigen::Vector3d c_, direction_;
-  // h, G, δ and μ of the head of this file
+  // the numbers h, G, δ and μ of the head of this file, in this order
   double h_, G_, deepest_, least_;
 };
 

@@ -62,8 +62,8 @@ class EllipsoidFriction {
     f.on_Q += force * X.transpose();
   }
 
-  /// Calls visit(X, p) for the points X = S ξ with the products p of k d and the weights. Does nothing without contact
-  /// or without friction.
+  /// Calls visit(X, p) for the points X = S ξ of the sum. p is the pressure k d times the weight of the point. Does
+  /// nothing without contact or without friction.
   template <class Visit>
   void for_each_point(Visit&& visit) const {
     const Plane& plane = contact_.plane();

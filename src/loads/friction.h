@@ -37,8 +37,8 @@ class Friction {
   Eigen::Vector3d tangential(const Eigen::Vector3d& v) const { return v - plane_.normal.dot(v) * plane_.normal; }
 
   const Plane& plane_;
-  Eigen::Vector3d tangential_;  ///< v_t
-  double w_;                    ///< √(|v_t|² + s²)
+  Eigen::Vector3d tangential_;  ///< tangential velocity v_t
+  double w_;                    ///< w = √(|v_t|² + s²)
 };
 
 }  // namespace pseudorigid::loads

@@ -102,8 +102,8 @@ Forcing constant_forcing(const Loads& loads);
 Forcing driving(const Loads& loads, double t);
 /// Returns the derivative of `driving` with respect to time.
 Forcing driving_rate(const Loads& loads, double t);
-/// Returns true if a forcing that depends on time satisfies the condition `has`. The forcings are the sum of the loads
-/// that rise, at full strength, and the largest forcing of each load that depends on time.
+/// Returns true if the condition `has` is true for a forcing that depends on time. The tested forcings are the sum of
+/// the loads that rise, at full strength, and the largest forcing of each load that depends on time.
 bool depend_on_time(const Loads& loads, const std::function<bool(const Forcing&)>& has);
 /// Returns true if a forcing depends on time or a plane moves. Planes are not a part of `driving`, because the bodies
 /// compute the positions of planes at the time t.

@@ -90,7 +90,7 @@ struct Planes : std::vector<Plane> {
   bool moving() const {
     return std::any_of(begin(), end(), [](const Plane& plane) { return plane.moves(); });
   }
-  /// Returns Plane::at(t) of each plane. `stopped_at` does the same with Plane::stopped_at.
+  /// `at` returns Plane::at(t) of each plane, and `stopped_at` returns Plane::stopped_at(t).
   Planes at(double t) const {
     Planes now = *this;
     for (Plane& plane : now) plane = plane.at(t);

@@ -13,7 +13,7 @@
 namespace pseudorigid::loads {
 
 struct Pressure {
-  double pressure = 0;  ///< the pressure p
+  double pressure = 0;  ///< the pressure p of the surroundings
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

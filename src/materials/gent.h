@@ -37,7 +37,7 @@ struct Gent {
     return entrywise([&](const T& p, const T& f) { return p + stiffening * f; }, first_part().stress(F), F);
   }
 
-  /// Derivative DP(F)[H] of the stress along H, under the same conditions on F.
+  /// Derivative DP(F)[H] of the stress along H; F must have J > 0 and a positive `reserve`.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     const T d = trace_of_strain(F), d_rate = 2.0 * dot(F, H), rest = J_m - d;

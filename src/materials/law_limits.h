@@ -31,8 +31,8 @@ inline constexpr bool is_limited = [] {
   return has_reserve;
 }();
 
-/// Returns true if a law admits F, for F with J > 0. `law` can also be a class that adds other energies to a law. Such
-/// a class has its own members admits(F) and limit().
+/// Returns true if a law admits the deformation gradient F, which must have J > 0. `law` can also be a class that adds
+/// other energies to a law. Such a class has its own members admits(F) and limit().
 template <class Law>
 [[gnu::always_inline]] inline bool admits(const Law& law, const Tensor<double>& F) {
   if constexpr (is_limited<Law>)

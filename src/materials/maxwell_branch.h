@@ -37,8 +37,8 @@
 namespace pseudorigid::materials {
 
 struct MaxwellBranch {
-  double modulus = 0;          ///< μ_b
-  double relaxation_time = 1;  ///< τ_b
+  double modulus = 0;          ///< shear modulus μ_b
+  double relaxation_time = 1;  ///< relaxation time τ_b
   bool operator==(const MaxwellBranch&) const = default;
 };
 using MaxwellBranches = std::vector<MaxwellBranch>;
@@ -153,8 +153,8 @@ inline double largest_stretch(double excess) {
   return positive + std::sqrt(2 * positive);
 }
 
-/// The number w after the time x = t/τ_b, for any α and β. `share` solves s − I(w) = x by Newton's method, with
-/// bisections if an iterate leaves its bounds.
+/// Computes the number w of the flow after the time x = t/τ_b, for any α and β. `share` solves s − I(w) = x by Newton's
+/// method, with bisections if an iterate leaves its bounds.
 class FlowLine {
  public:
   FlowLine(double alpha, double beta) : alpha_(std::max(alpha, 0.0)), beta_(std::max(beta, 0.0)) {}
@@ -195,7 +195,8 @@ class FlowLine {
   double alpha_, beta_;
 };
 
-/// The number w for α and β in lanes, if one panel of Gauss points suffices and D is near 1 (`one_panel`).
+/// Computes the number w of the flow for α and β in lanes. It is correct if one panel of Gauss points suffices and D is
+/// near 1, which `one_panel` checks.
 template <class T>
 class ShortFlow {
  public:
@@ -336,7 +337,7 @@ T energy_of_branches(const Tensor<T>& F, const Symmetric<T>& A, double sum_of_mo
 
 /// The branches at a point, for fields. Without branches, both members are zero.
 struct BranchesAtPoint {
-  Symmetric<double> inverse_sum{};  ///< Σ μ_b C_i⁻¹
+  Symmetric<double> inverse_sum{};  ///< sum Σ μ_b C_i⁻¹ over the branches
   double sum_of_moduli = 0;
 };
 

@@ -1,7 +1,8 @@
 #pragma once
 /// Fields of a picture file (mechanics/core/body_fields.h) that depend on the material: the Cauchy stress σ = (P Fᵀ − p
-/// Id)/det F and the energy density W. P and W are the sums of those of the law and of the viscoelastic branches. The
-/// number p is the Kirchhoff pressure by which the constraint of an incompressible body reacts.
+/// Id)/det F and the energy density W. The first Piola–Kirchhoff stress P and W are the sums of the contributions of
+/// the law and of the viscoelastic branches. The number p is the Kirchhoff pressure by which the constraint of an
+/// incompressible body reacts.
 
 #include <Eigen/Dense>
 #include <cmath>

@@ -23,8 +23,7 @@ T x_minus_log1p_series(const T& x) {
 }  // namespace detail
 
 /// Returns x − ln(1+x), which is about x²/2. For real and complex x, there is no cancellation for small x. For SIMD
-/// types, the result is the direct difference of both terms, with the absolute error |x| ε, in which ε is the
-/// round-off.
+/// types, the result is the direct difference of both terms. Its absolute error is about |x| ε with the round-off ε.
 template <class T>
 T x_minus_log1p(const T& x) {
   return x - log1p(x);

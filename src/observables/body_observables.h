@@ -147,7 +147,7 @@ struct BodyObservables {
   /// The multiplier Λ of ln det Q = 0, divided by m̄, which is λ of Oliva (5.120). For non-affine motions it is (1/m̄)∫p
   /// dV with the Kirchhoff pressure p. For compressible bodies it is 0.
   double multiplier = not_observed;
-  /// a₁ ≥ a₂ ≥ a₃, the singular values of Q S with the reference shape S. For a ball, S = r Id.
+  /// The semi-axes a₁ ≥ a₂ ≥ a₃. They are the singular values of Q S with the reference shape S. For a ball, S = r Id.
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Constant(not_observed);
   std::vector<double> over_points{};  ///< one value for each entry of ObservableRequest::over_points
   ContactObservables contact{};

@@ -17,9 +17,9 @@ constexpr Eigen::Index n_scalars = 1 + 9 + 9;  // kinetic energy, ∫ρ x xᵀ, 
 
 }  // namespace
 
-/// With f = r^{p + 1}, a motion has the radial part U Y and the tangential part V r∇Y. Here U = N r^p, V = (p + 2) r^p
-/// and N = n(n + 1). For small strains and the shear modulus 1, its elastic energy is ½∫₀¹ k dr. With the derivatives
-/// U' and V' by r, k is
+/// Computes the modes of the motions with f = r^{n + 2j}, j = 0 … 4. With f = r^{p + 1}, a motion has the radial part U
+/// Y and the tangential part V r∇Y. Here U = N r^p, V = (p + 2) r^p and N = n(n + 1). For small strains and the shear
+/// modulus 1, its elastic energy is ½∫₀¹ k dr. With the derivatives U' and V' by r, k is
 ///
 ///   2 U'² r² + N (r V' − V + U)² + 2N(N − 1) V² − 4N U V + 4U².
 SpheroidalModes::SpheroidalModes(int n) {
@@ -54,7 +54,7 @@ std::vector<int> SpheroidalMotions::degrees() const {
   return degrees;
 }
 
-/// With S = r^n Y, the motion is (n + 1 + 2j) r^{2j} ∇S − 2nj r^{2j−2} S X.
+/// The row of a motion with the degree n and the index j is (n + 1 + 2j) r^{2j} ∇S − 2nj r^{2j−2} S X with S = r^n Y.
 Eigen::MatrixX3d SpheroidalMotions::at(const Eigen::Vector3d& X) const {
   const auto solid = solid_harmonics(VibrationObservables::last_degree, {X[0], X[1], X[2]});
   Eigen::MatrixX3d values(size(), 3);
@@ -62,7 +62,7 @@ Eigen::MatrixX3d SpheroidalMotions::at(const Eigen::Vector3d& X) const {
   for (const auto& [n, m] : harmonics_) {
     const Jet& S = solid[n][n + m];
     const Eigen::RowVector3d gradient = Eigen::RowVector3d(S.gradient.data()), radial = S.value * X.transpose();
-    double power = 1, power_below = 0;  // r^{2j} and r^{2j−2}
+    double power = 1, power_below = 0;  // powers r^{2j} and r^{2j−2}
     for (int j = 0; j < n_powers; ++j) {
       values.row(row++) = (n + 1 + 2 * j) * power * gradient - 2 * n * j * power_below * radial;
       power_below = power;

@@ -27,8 +27,8 @@ namespace {
 
 using detail::exchange_axes, detail::reverse_axis;
 
-/// Sum of two scalar products: axis i of b with axis j of `before` in T, and the same axes in S. The sum is between −2
-/// and 2. It is negative if axis i is nearer to the reversed axis j.
+/// The scalar product of row i of b.T with row j of before.T, plus that of row i of b.S with row j of before.S. The sum
+/// is between −2 and 2. It is negative if axis i is nearer to the reversed axis j.
 double overlap(const Bipolar& b, int i, const Bipolar& before, int j) {
   return b.T.row(i).dot(before.T.row(j)) + b.S.row(i).dot(before.S.row(j));
 }

@@ -37,7 +37,7 @@ struct Bipolar {
 struct BipolarRates {
   Eigen::Matrix3d Omega, Lambda;  ///< the rates Ω* and Λ* of the frames
   Eigen::Vector3d a_rate;         ///< the diagonal of Ȧ
-  Eigen::Matrix3d u;              ///< T Q̇ Sᵀ
+  Eigen::Matrix3d u;              ///< velocity Q̇ in the frames, T Q̇ Sᵀ
 };
 
 namespace detail {

@@ -21,8 +21,8 @@ using Numbers9 = std::array<double, 9>;
 struct BodyOfStages {
   materials::AnyLaw law{materials::Fluid{}};
   bool incompressible = true;
-  bool isotropic = true;                 ///< true if E₀ ∝ Id
-  double volume = 1, inverse_m_bar = 1;  ///< Vol and 1/m̄, with m̄ = ⅓ tr E₀
+  bool isotropic = true;                 ///< true if E₀ is a multiple of Id
+  double volume = 1, inverse_m_bar = 1;  ///< volume Vol, and 1/m̄ with m̄ = ⅓ tr E₀
   Numbers9 E0{}, E0_inverse{};
 
   bool loaded = false;          ///< true if one of the following loads is not 0
@@ -37,8 +37,8 @@ struct BodyOfStages {
 struct AccountsOfStages {
   double viscosity = 0, drag = 0;
   bool driven = false;  ///< true if a load depends on time
-  /// T, P̄ and the pressure of the loads that depend on time, at the eight stages. `driving_rate` has the derivatives
-  /// of these quantities with respect to time.
+  /// The matrices T and P̄ and the pressure of the loads that depend on time, at the eight stages. `driving_rate` has
+  /// the derivatives of these quantities with respect to time.
   struct Driving {
     std::array<mechanics::OfStages, 9> quadratic{}, nominal_traction{};
     mechanics::OfStages pressure{};
@@ -63,10 +63,10 @@ bool takes_gravity_in_lanes(const BodyOfStages& body, const Eigen::Matrix3d& Q);
 
 /// The entries of M by columns.
 Numbers9 numbers(const Eigen::Matrix3d& M);
-/// The numbers of a body. `isotropic` is true if E₀ ∝ Id.
+/// Returns the parameters of a body as numbers. `isotropic` is true if E₀ ∝ Id.
 BodyOfStages body_of_stages(const materials::AnyLaw& law, const ReferenceBody& body, bool incompressible,
                             bool isotropic, const loads::Forcing& forcing = {});
-/// The numbers of the dissipation, and of the loads that depend on time at the times of the stages.
+/// Returns the parameters of the dissipation, and those of the loads that depend on time at the times of the stages.
 AccountsOfStages accounts_of_stages(const Dissipation& dissipation, const loads::Loads& driving,
                                     const mechanics::GaussStages& stages);
 

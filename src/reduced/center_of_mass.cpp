@@ -24,7 +24,7 @@ CenterOfMass::Motion CenterOfMass::at(double t) const {
 
 namespace {
 
-/// Potential energy of a point of unit mass at x.
+/// Potential energy of a point of unit mass at x, without surface loads.
 double potential_of(const loads::Forcing& forcing, const Eigen::Vector3d& x) {
   return 0.5 * x.dot(forcing.quadratic * x) - forcing.acceleration.dot(x);
 }
@@ -42,8 +42,9 @@ double CenterOfMass::driven(const Motion& m, double t) const {
   return potential_of(loads::driving(driving, t), m.x) - m.work;
 }
 
-/// Integrates q = (x, s) and v = (ẋ, w). The work w is the velocity of a further coordinate s, with ẇ = ∂φ/∂t and the
-/// potential φ of the loads.
+/// Integrates the position x of the centre, and the work w per mass of the loads that depend on time. The vectors are q
+/// = (x, s) and v = (ẋ, w). The work is the velocity of the further coordinate s, with ẇ = ∂φ/∂t and the potential φ of
+/// these loads.
 struct CenterPath::Integration {
   struct Field {
     using Vector = Eigen::Vector4d;

@@ -20,7 +20,7 @@ namespace pseudorigid::reduced {
 
 struct CenterOfMass {
   ByName by_name{};
-  Eigen::Vector3d position = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();  ///< at time 0
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();  ///< x and ẋ at time 0
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();                                  ///< uniform acceleration b
   Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();  ///< matrix T of the quadratic potential
   double drag = 0;                                      ///< drag coefficient c

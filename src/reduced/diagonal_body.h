@@ -35,7 +35,7 @@ class DiagonalBody {
   bool time_dependent() const { return mechanics::time_dependent(body_); }
   bool velocity_dependent() const { return mechanics::velocity_dependent(body_); }
 
-  /// The force −∂V/∂a. Fails if the force of the body fails.
+  /// Sets f to the force −∂V/∂a. Fails if the force of the body fails.
   mechanics::Status force(double t, const Vector& a, const Vector& adot, Workspace& w, Vector& f) const {
     Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
     if (mechanics::Status status = body_.force(t, a.asDiagonal(), adot.asDiagonal(), w, F); !status) return status;
@@ -85,8 +85,8 @@ class DiagonalBody {
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.cwiseAbs2().dot(e_); }
   double potential_energy(const Vector& a) const { return body_.potential_energy(a.asDiagonal()); }
-  /// There are no symmetries, because rotations of space and of the reference ball do not keep Q diagonal. The momenta
-  /// J and Z are 0.
+  /// There are no symmetries, because rotations of space and of the reference ball do not keep Q diagonal. The angular
+  /// momentum J and the circulation Z are 0.
   int n_symmetries() const { return 0; }
   void symmetry(int, const Vector&, const Vector&, Vector& da, Vector& dv) const {
     da.setZero();

@@ -29,7 +29,7 @@ struct Dissipation {
 
   bool present() const { return viscosity != 0 || drag != 0; }
 
-  /// f ← f − ∂R/∂Q̇. Returns the power 2R.
+  /// Adds the dissipative force −∂R/∂Q̇ to f. Returns the power 2R that the force dissipates.
   double add_force(const ReferenceBody& body, const Eigen::Matrix3d& Q, const Eigen::Matrix3d& Qdot,
                    Eigen::Matrix3d& f) const {
     double power = 0;

@@ -36,7 +36,8 @@ class DissipativeBody {
   bool velocity_dependent() const { return dissipation_.present(); }
   bool dissipative() const { return dissipation_.present(); }
 
-  /// All forces without the reaction, and the accelerations of s and s'. Fails if the force of the body fails.
+  /// Sets f to all forces without the reaction, and to the accelerations of s and s'. Fails if the force of the body
+  /// fails.
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& w, Vector& f) const {
     const Eigen::Matrix3d Q = matrix(q), Qdot = matrix(v);
     Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
@@ -69,7 +70,7 @@ class DissipativeBody {
     const Eigen::Vector3d last = v.col(3);
     f << F, last;
   }
-  /// f ← f − ∂R/∂Q̇ at the velocity u. This force is linear in u (mechanics/core/damping.h).
+  /// Adds the dissipative force −∂R/∂Q̇ at the velocity u to f. This force is linear in u (mechanics/core/damping.h).
   void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization,
                    Vector& f) const {
     Eigen::Matrix3d F = matrix(f);
@@ -121,7 +122,7 @@ class DissipativeBody {
   }
 
  private:
-  /// f ← f − ∂V_t/∂Q. Returns ∂V_t/∂t.
+  /// Adds the force −∂V_t/∂Q of the loads that depend on time to f. Returns the power ∂V_t/∂t that these loads give.
   double add_driving(double t, const Eigen::Matrix3d& Q, Eigen::Matrix3d& f) const {
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
     ExternalPotential(loads::driving(driving_, t)).add_gradient(body_.reference(), Q, gradient);

@@ -97,7 +97,7 @@ struct VectorSpace<reduced::EightMatrices> {
   [[gnu::always_inline]] static void scale(double a, V& x) {
     for (auto& entry : x.x) entry = a == 0 ? reduced::BodyLanes(0.0) : a * entry;
   }
-  /// y ← y + a x + b z
+  /// Adds a x + b z to y.
   [[gnu::always_inline]] static void add_both(double a, const V& x, double b, const V& z, V& y) {
     for (int i = 0; i < V::n_entries; ++i) y.x[i] += a * x.x[i] + b * z.x[i];
   }
@@ -187,7 +187,8 @@ class EightBodies {
 
  private:
   using Tensor = materials::Tensor<BodyLanes>;
-  /// Computes P(F). Returns false if the law does not admit the deformation of one of the bodies.
+  /// A function that sets its last argument to the stress P(F) of the eight bodies. It returns false if the law does
+  /// not admit the deformation F of one of the bodies.
   using Stress = bool (*)(const materials::AnyLaw&, const Tensor&, Tensor&);
 
   template <class Law>

@@ -82,7 +82,7 @@ mechanics::Status motion_of_shape(const IsotropicBody<V>& body, const Eigen::Vec
   return mechanics::Status::failure("a free body has no steady motion of this shape at any size");
 }
 
-/// ω² + Λ², 2ωΛ and the multiplier of a body with ω and Λ along axis 3.
+/// The numbers ω² + Λ² and 2ωΛ and the multiplier per m̄ of a body with ω and Λ along axis 3.
 struct TypeSSquares {
   double sum, twice_product, lambda;
 };

@@ -1,6 +1,6 @@
 #pragma once
 /// Quantities of one steady motion Q(t) (steady_motion.h) that the program reports. The body has the inertia m̄ Id. The
-/// momenta and energies are in internal units and are not divided by m̄,
+/// kinetic energy K, the angular momentum J and the circulation Z are in internal units and are not divided by m̄,
 ///
 ///   K = (m̄/2)|Q̇|²,   J_i = m̄ ε_ijk Q_jA Q̇_kA,   Z_A = m̄ ε_ABC (QᵀQ̇)_CB,   at t = 0,
 ///
@@ -13,12 +13,12 @@ namespace pseudorigid::reduced {
 
 struct EquilibriumPoint {
   double parameter = 0;       ///< parameter of the family
-  SteadyMotion motion;        ///< A = diag(a₁, a₂, a₃)
+  SteadyMotion motion;        ///< the motion, with A = diag(a₁, a₂, a₃)
   Eigen::Vector3d semi_axes;  ///< a₁, a₂, a₃ along the axes 1, 2, 3 of ω and Λ, not sorted
   double kinetic = 0, potential = 0;
-  Eigen::Vector3d angular_momentum, circulation;  ///< momenta J and Z
-  Eigen::Vector3d vorticity;                      ///< vorticity ζ
-  double residual = 0;                            ///< |R| / (largest norm of a term of R), with 0/0 = 0
+  Eigen::Vector3d angular_momentum, circulation;  ///< angular momentum J and circulation Z
+  Eigen::Vector3d vorticity;                      ///< vorticity ζ of the circulation
+  double residual = 0;  ///< norm of R in steady_motion.h, divided by the largest norm of its terms; 0 if all are 0
   LinearStability stability;
 
   double energy() const { return kinetic + potential; }

@@ -37,7 +37,7 @@ class ExternalPotential {
     return V;
   }
 
-  /// f ← f + ∂V/∂Q
+  /// Adds the derivative ∂V/∂Q at Q to f.
   void add_gradient(const ReferenceBody& body, const Eigen::Matrix3d& Q, Eigen::Matrix3d& f) const {
     if (quadratic_) f += *quadratic_ * Q * body.E0;
     if (nominal_traction_) f -= body.volume * *nominal_traction_;
@@ -45,7 +45,7 @@ class ExternalPotential {
       f += pressure_ * body.volume * materials::to_matrix(materials::cofactor(materials::to_tensor(Q)));
   }
 
-  /// D ← D + ∂²V/∂Q²[H]
+  /// Adds the derivative of ∂V/∂Q at Q in the direction H to D.
   void add_second_derivative(const ReferenceBody& body, const Eigen::Matrix3d& Q, const Eigen::Matrix3d& H,
                              Eigen::Matrix3d& D) const {
     if (quadratic_) D += *quadratic_ * H * body.E0;

@@ -46,7 +46,7 @@ template <class Function>
 [[gnu::always_inline]] inline Tensor minus(const Tensor& A, const Tensor& B) {
   return entry_by_entry([](StageLanes a, StageLanes b) { return a - b; }, A, B);
 }
-/// A + s B
+/// Returns A + s B.
 [[gnu::always_inline]] inline Tensor plus(const Tensor& A, StageLanes s, const Tensor& B) {
   return entry_by_entry([&](StageLanes a, StageLanes b) { return a + s * b; }, A, B);
 }
@@ -190,7 +190,7 @@ struct GeneralField {
   [[gnu::always_inline]] void add_accounts(int first_lane, const Tensor& Q, const Tensor& V, const Tensor& C, T J,
                                            const Tensor& E0, Tensor& f, T* a) const {
     T power = in_all_lanes(0), given = in_all_lanes(0);
-    if (accounts->viscosity != 0) {  // −∂R/∂V = −2η Vol d C (dissipation.h), with L = V Cᵀ/J, d = sym L
+    if (accounts->viscosity != 0) {  // the force −2η Vol d C with the velocity V and d = sym(V Cᵀ)/J
       const auto product_with_transposed = [&](int i, int j) {
         return V(i, 0) * C(j, 0) + V(i, 1) * C(j, 1) + V(i, 2) * C(j, 2);
       };

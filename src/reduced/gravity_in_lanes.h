@@ -47,7 +47,7 @@ template <class T>
 [[gnu::always_inline]] inline T determinant(const SymmetricOf<T>& S, const SymmetricOf<T>& cof) {
   return S.diagonal[0] * cof.diagonal[0] + S.opposite[1] * cof.opposite[1] + S.opposite[2] * cof.opposite[2];
 }
-/// s S + t Id
+/// Returns s S + t Id.
 template <class T>
 [[gnu::always_inline]] inline SymmetricOf<T> scaled_and_shifted(const T& s, const SymmetricOf<T>& S, const T& t) {
   SymmetricOf<T> result;
@@ -57,7 +57,7 @@ template <class T>
   }
   return result;
 }
-/// S ← S + s X
+/// Adds s X to S.
 template <class T>
 [[gnu::always_inline]] inline void add(const T& s, const SymmetricOf<T>& X, SymmetricOf<T>& S) {
   for (int i = 0; i < 3; ++i) {
@@ -88,8 +88,8 @@ template <class T, class Root>
   return {root(I + 2.0 * r2), r2};
 }
 
-/// The series h_l of ellipsoid_integrals.h over any scalar type, by Horner's rule. `row_of` sums the powers of E₂, and
-/// `rows_of` the powers of E₃.
+/// Functions for the series h_l(E₂, E₃) of ellipsoid_integrals.h over any scalar type, by Horner's rule. `row_of`
+/// returns the polynomial in E₂ that is the factor of a power of E₃. `rows_of` sums over the powers of E₃.
 template <int l, int n, class T, int... m>
 [[gnu::always_inline]] inline T row_of(const T& E2, std::integer_sequence<int, m...>) {
   constexpr int M = sizeof...(m) - 1;
@@ -114,8 +114,9 @@ template <int l, class T>
 
 }  // namespace gravity_in_lanes
 
-/// Returns ∂V/∂F for the strength k. `root(x)` is √x, and `largest(x)` is the largest lane of x as a number. The norm
-/// of F must be between 10⁻²⁰ and 10²⁰. A singular F gives numbers that are not finite.
+/// Returns the derivative ∂V/∂F of the potential energy for the strength k. `root(x)` is √x, and `largest(x)` is the
+/// largest lane of x as a number. The norm of F must be between 10⁻²⁰ and 10²⁰. A singular F gives numbers that are not
+/// finite.
 template <class T, class Root, class Largest>
 materials::Tensor<T> ellipsoid_force(double strength, const materials::Tensor<T>& F, const Root& root,
                                      const Largest& largest) {
@@ -127,7 +128,7 @@ materials::Tensor<T> ellipsoid_force(double strength, const materials::Tensor<T>
   const auto row = [&](int i, int j) { return F(i, 0) * F(j, 0) + F(i, 1) * F(j, 1) + F(i, 2) * F(j, 2); };
   SymmetricOf<T> C{{row(0, 0), row(1, 1), row(2, 2)}, {row(1, 2), row(2, 0), row(0, 1)}};
   SymmetricOf<T> D = scaled_and_shifted(T(0.0), C, T(0.0));
-  T I = trace(C), II = materials::dot(cof_F, cof_F);  // tr C, tr cof C
+  T I = trace(C), II = materials::dot(cof_F, cof_F);  // invariants tr C and tr cof C
   T r3 = materials::determinant(F, cof_F), r1 = root(3.0 * I);
   double weight = 1;  // factor 2ⁿ of the term after n duplications
   for (int n = 0;; ++n) {

@@ -15,10 +15,10 @@
 ///   (H, Ḣ) = (ζ̂A, −(ω×ζ)^A)   and   (Aζ̂, −A(Λ×ζ)^),   ζ ∈ R³,
 ///
 /// with (…)^ for the matrix of the cross product. The rates on N are 0, ±i|ω| and ±i|Λ|, and contain no information on
-/// the motion. The remainder is the space of fixed momenta J and Z modulo the group that keeps J and Z. Its dimension
-/// on SL(3) is 8 for a generic motion. For a sphere at rest and for a spheroid that rotates about its axis, the
-/// dimension is 10. Some combinations of rotations do not move these two bodies. On GL⁺(3), the dimensions are larger
-/// by 2.
+/// the motion. The remainder is the space of fixed angular momentum J and circulation Z modulo the group that keeps J
+/// and Z. Its dimension on SL(3) is 8 for a generic motion. For a sphere at rest and for a spheroid that rotates about
+/// its axis, the dimension is 10. Some combinations of rotations do not move these two bodies. On GL⁺(3), the
+/// dimensions are larger by 2.
 
 #include <Eigen/Core>
 #include <utility>

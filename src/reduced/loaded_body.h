@@ -80,7 +80,7 @@ class LoadedBody {
   bool has_contact() const { return !constant_.planes.empty(); }
   bool relaxes() const { return !branches().empty(); }
 
-  /// All forces without the reaction, on all coordinates. Fails if the force of the body fails.
+  /// Sets f to all forces on all coordinates, without the reaction. Fails if the force of the body fails.
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& w, Vector& f) const {
     const Eigen::Matrix3d Q = matrix(q);
     loads::AffineForce F;
@@ -129,7 +129,7 @@ class LoadedBody {
     f.template leftCols<3>() = F;
     f.col(at_center) *= body_.reference().mass;
   }
-  /// f ← f − C u. C is the linearisation `kind` of viscosity, drag, damping and friction at `state`
+  /// Adds −C u to f. The matrix C is the linearisation `kind` of viscosity, drag, damping and friction at `state`
   /// (mechanics/core/damping.h).
   void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization kind,
                    Vector& f) const {
@@ -209,8 +209,8 @@ class LoadedBody {
     state.v.template leftCols<4>() << motion.v, velocity;
     return state;
   }
-  /// Like state_of, but with the companions and the branches at their start. Without planes c is not a coordinate, and
-  /// `position` and `velocity` are not used.
+  /// The state at the start, with this motion of the body and with the companions and the branches at their start.
+  /// Without planes, c is not a coordinate, and `position` and `velocity` are not used.
   mechanics::VectorState<Vector> start(const mechanics::VectorState<Eigen::Matrix3d>& motion,
                                        const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) const {
     const Eigen::Vector3d none = Eigen::Vector3d::Zero();
@@ -221,7 +221,7 @@ class LoadedBody {
     for (std::size_t b = 0; b < branches().size(); ++b) set_metric(metric, b, state.q);
     return with_companions(state, {orbit_.position(), orbit_.velocity()});
   }
-  /// `state` with this motion of the companions.
+  /// Returns `state` with the coordinates of the companions and their rates from `motion`.
   mechanics::VectorState<Vector> with_companions(mechanics::VectorState<Vector> state,
                                                  const mechanics::Orbit::Motion& motion) const {
     set_companions(motion.s, state.q);
@@ -273,7 +273,8 @@ class LoadedBody {
     F.on_center -= drag;
     return drag.dot(cdot);
   }
-  /// F ← F − ∂V_t/∂(Q, c). Returns ∂V_t/∂t.
+  /// Adds the forces −∂V_t/∂Q and −∂V_t/∂c of the loads that depend on time to F. Returns the power ∂V_t/∂t that these
+  /// loads give.
   double add_driving(double t, const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, loads::AffineForce& F) const {
     const loads::Forcing now = loads::driving(loads_, t);
     Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();

@@ -18,7 +18,7 @@ concept Multistep = requires {
   Method::formula;
 };
 
-/// Hooks of the time loop: they keep q and v at the samples, and make n_steps steps between two samples.
+/// Hooks that the time loop calls. They keep q and v at the samples, and set n_steps steps between two samples.
 struct KeepSamples {
   MotionsInLanes& motions;
   long n_steps;

@@ -14,7 +14,8 @@ namespace pseudorigid::reduced {
 
 inline constexpr int n_body_lanes = 8;
 
-/// The entries of a matrix for all bodies. The values of one entry for the eight bodies are contiguous: [entry][body].
+/// The entries of a matrix for all bodies, row by row. The values of one entry for the eight bodies are contiguous:
+/// [entry][body].
 using MatricesInLanes = std::array<double, 9 * n_body_lanes>;
 
 /// Volume and inverse inertia of each body.
@@ -27,8 +28,8 @@ struct InertiaInLanes {
 struct MotionsInLanes {
   std::string failure;             ///< reason of the failure of a body, which ends all motions; empty if all succeed
   double t = 0;                    ///< the time that the motions reached
-  std::vector<MatricesInLanes> q;  ///< Q at the samples
-  std::vector<MatricesInLanes> v;  ///< Q̇ at the samples
+  std::vector<MatricesInLanes> q;  ///< deformations Q at the samples
+  std::vector<MatricesInLanes> v;  ///< velocities Q̇ at the samples
   mechanics::Counters counters{};
 };
 

@@ -56,7 +56,7 @@ class Potential {
   bool admits(const Tensor& Q) const { return !limited_ || materials::admits(law_, Q); }
   std::string_view limit() const { return materials::limit_of(law_); }
 
-  /// V and ∂V/∂Q per reference volume.
+  /// The potential energy V and its derivative ∂V/∂Q, both per reference volume.
   double energy(const Tensor& Q) const { return energies(materials::to_matrix(Q)).total() / body_.volume; }
   Tensor stress(const Tensor& Q) const {
     Tensor P = std::visit([&](const auto& law) { return law.stress(Q); }, law_);
@@ -74,7 +74,8 @@ class Potential {
     return V;
   }
 
-  /// V, ∂V/∂Q, and the derivative of ∂V/∂Q in the direction H.
+  /// The potential energy V, its derivative ∂V/∂Q, and the derivative of ∂V/∂Q in the direction H, not divided by the
+  /// volume.
   double energy(const Eigen::Matrix3d& Q) const { return energies(Q).total(); }
   Eigen::Matrix3d gradient(const Eigen::Matrix3d& Q) const {
     return body_.volume * materials::to_matrix(stress(materials::to_tensor(Q)));
@@ -116,7 +117,7 @@ class Potential {
   std::optional<gravity::EllipsoidGravity> gravity_;
   ExternalPotential external_;
   bool loaded_;     // true if V has terms other than the stored energy
-  bool spherical_;  // true if S = Id
+  bool spherical_;  // true if the body is the unit ball, S = Id
 };
 
 }  // namespace pseudorigid::reduced

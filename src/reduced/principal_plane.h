@@ -52,18 +52,18 @@ using Quantity = PlaneDual (*)(const PlaneDuals&);
 namespace quantities {
 inline PlaneDual axis_ratio_21(const PlaneDuals& u) { return exp(u[1] - u[0]); }
 inline PlaneDual axis_ratio_31(const PlaneDuals& u) { return exp(u[2] - u[0]); }
-/// e = √(1 − a₃²/a₁²), which is not differentiable at the sphere and is NaN if a₃ > a₁.
+/// The eccentricity e = √(1 − a₃²/a₁²), which is not differentiable at the sphere and is NaN if a₃ > a₁.
 inline PlaneDual eccentricity(const PlaneDuals& u) { return sqrt(1.0 - exp(2.0 * (u[2] - u[0]))); }
 inline PlaneDual omega_2(const PlaneDuals& u) { return u[3]; }
 inline PlaneDual omega_3(const PlaneDuals& u) { return u[4]; }
 inline PlaneDual Lambda_2(const PlaneDuals& u) { return u[5]; }
 inline PlaneDual Lambda_3(const PlaneDuals& u) { return u[6]; }
-/// J₃/m̄ = (a₁² + a₂²)ω₃ − 2a₁a₂Λ₃
+/// The angular momentum about axis 3 divided by m̄, J₃/m̄ = (a₁² + a₂²)ω₃ − 2a₁a₂Λ₃.
 inline PlaneDual angular_momentum_3(const PlaneDuals& u) {
   const PlaneDual a1 = exp(u[0]), a2 = exp(u[1]);
   return (a1 * a1 + a2 * a2) * u[4] - 2.0 * a1 * a2 * u[6];
 }
-/// Z₃/m̄ = 2a₁a₂ω₃ − (a₁² + a₂²)Λ₃
+/// The circulation about axis 3 divided by m̄, Z₃/m̄ = 2a₁a₂ω₃ − (a₁² + a₂²)Λ₃.
 inline PlaneDual circulation_3(const PlaneDuals& u) {
   const PlaneDual a1 = exp(u[0]), a2 = exp(u[1]);
   return 2.0 * a1 * a2 * u[4] - (a1 * a1 + a2 * a2) * u[6];
@@ -91,8 +91,8 @@ void steady_equations(const IsotropicBody<V>& body, const PlaneVector& u, PlaneV
   }
   for (int i = 1; i < 3; ++i) {
     const Eigen::Matrix3d e = mechanics::cross_matrix(Eigen::Vector3d::Unit(i));
-    DF.col(2 + i).head<6>() = rows(((e * w + w * e) * A - 2 * e * A * l) * A, 0);  // ∂/∂ω_i
-    DF.col(4 + i).head<6>() = rows((A * (e * l + l * e) - 2 * w * A * e) * A, 0);  // ∂/∂Λ_i
+    DF.col(2 + i).head<6>() = rows(((e * w + w * e) * A - 2 * e * A * l) * A, 0);  // derivatives by ω_i
+    DF.col(4 + i).head<6>() = rows((A * (e * l + l * e) - 2 * w * A * e) * A, 0);  // derivatives by Λ_i
   }
   DF.col(7).head<6>() = rows(-Eigen::Matrix3d::Identity(), !body.incompressible);
 }

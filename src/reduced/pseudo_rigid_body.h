@@ -83,7 +83,7 @@ class PseudoRigidBody {
   }
   const BodyOfStages& of_stages() const requires(knows_stages) { return of_stages_; }
 
-  /// f = −∂V/∂Q. Fails if Q is not admissible.
+  /// Sets f to the force −∂V/∂Q. Fails if Q is not admissible.
   mechanics::Status force(double, const Vector& Q, const Vector&, Workspace&, Vector& f) const {
     const Tensor q = materials::to_tensor(Q);
     if (const double J = materials::determinant(q); !admissible(q, J)) return inadmissible(J);
@@ -135,7 +135,7 @@ class PseudoRigidBody {
       f += materials::to_matrix((lambda / materials::settled_at_one(materials::determinant(q, cof))) * cof);
     }
   }
-  /// f ← Gᵀλ for λ = 1, that is, Q⁻ᵀ.
+  /// Sets f to the reaction Gᵀλ for λ = 1, which is Q⁻ᵀ.
   void reaction_of_one(const Vector& Q, Vector& f) const requires incompressible {
     const Tensor q = materials::to_tensor(Q), cof = materials::cofactor(q);
     materials::to_matrix((1 / materials::settled_at_one(materials::determinant(q, cof))) * cof, f);
@@ -147,7 +147,7 @@ class PseudoRigidBody {
       f -= lambda * inverse_transposed * v.transpose() * inverse_transposed;
     }
   }
-  /// Sets lambda by the division in the head of this file. Does nothing on GL⁺(3). Does not fail.
+  /// Solves G(Q₁) M⁻¹ G(Q₀)ᵀ λ = r by the division in the head of this file. Does nothing on GL⁺(3). Does not fail.
   mechanics::SolveReport solve_gram(const Vector& Q1, const Vector& Q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     if constexpr (incompressible) {
@@ -160,8 +160,9 @@ class PseudoRigidBody {
     }
     return {};
   }
-  /// |g| and |GQ̇| count as zero up to this value, the round-off of ln det Q. For large axis ratios the round-off is
-  /// larger, and iterations detect it with ConvergenceMonitor (mechanics/core/constraint_newton.h).
+  /// The constraint g and its rate GQ̇ count as zero up to this absolute value, the round-off of ln det Q. For large
+  /// axis ratios the round-off is larger, and iterations detect it with ConvergenceMonitor
+  /// (mechanics/core/constraint_newton.h).
   double constraint_tolerance() const { return 4e-16; }
 
   Vector make_vector() const { return Vector::Zero(); }
@@ -177,9 +178,10 @@ class PseudoRigidBody {
   }
   double potential_energy(const Vector& Q) const { return potential_energies(Q).total(); }
 
-  /// Rotations of space, Q ↦ Q + ε ê_i Q (momentum J_i), and of the reference ball, Q ↦ Q − ε Q ê_i (momentum Z_i). The
-  /// rotations of the reference ball are symmetries if E₀ ∝ Id and the law is isotropic. If a load depends on
-  /// direction, n_symmetries is 0. Some rotations may still be symmetries, but methods do not need these symmetries.
+  /// Rotations of space, Q ↦ Q + ε ê_i Q, with the momentum J_i, and of the reference ball, Q ↦ Q − ε Q ê_i, with the
+  /// momentum −Z_i. J is the angular momentum, Z the circulation, and ê_i the matrix of e_i×. The rotations of the
+  /// reference ball are symmetries if E₀ ∝ Id and the law is isotropic. If a load depends on direction, n_symmetries is
+  /// 0. Some rotations may still be symmetries, but methods do not need these symmetries.
   int n_symmetries() const { return depends_on_direction() ? 0 : isotropic_ ? 6 : 3; }
   void symmetry(int i, const Vector& Q, const Vector& v, Vector& dQ, Vector& dv) const {
     const Eigen::Matrix3d turn = mechanics::cross_matrix(Eigen::Vector3d::Unit(i % 3));

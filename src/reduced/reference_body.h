@@ -14,8 +14,9 @@ namespace pseudorigid::reduced {
 struct ReferenceBody {
   Eigen::Matrix3d E0;
   double volume;
-  double mass = volume;                                 ///< equal to the volume, because ρ = 1
-  Eigen::Matrix3d shape = Eigen::Matrix3d::Identity();  ///< S of B, or of the ellipsoid with E₀ and M of B
+  double mass = volume;  ///< equal to the volume, because ρ = 1
+  /// The map S of B. If B is not an ellipsoid, it is S of the ellipsoid with the inertia and the mass of B.
+  Eigen::Matrix3d shape = Eigen::Matrix3d::Identity();
 
   /// The ball of the internal units: r = ρ = 1.
   static ReferenceBody unit_ball() {

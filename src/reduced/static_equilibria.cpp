@@ -38,7 +38,7 @@ std::vector<Eigen::Matrix3d> critical_rotations(const Eigen::Matrix3d& P) {
   return rotations;
 }
 
-/// |ln S|, the norm of the three logarithms of the singular values S of Q.
+/// The norm |ln S| of the three logarithms of the singular values S of Q.
 double log_stretch(const Eigen::Matrix3d& Q) { return mechanics::singular_values(Q).array().log().matrix().norm(); }
 
 }  // namespace
@@ -103,8 +103,9 @@ mechanics::Status StaticLandscape::damping(const Vector& q, Matrix& C) const {
   return {};
 }
 
-/// dV/ds at Q = R₁ exp(s diag(d)) R₂ with |d| = 1. The result is infinite if the law does not admit Q. `direction`
-/// contains the quaternions of R₁ and R₂, each of any length, and a vector of any length along d.
+/// The slope dV/ds at Q = R₁ exp(s diag(d)) R₂ with |d| = 1. The result is infinite if the law does not admit Q.
+/// `direction` contains the quaternions of R₁ and R₂, each of any length, and a vector of any length along d. On SL(3),
+/// the mean of this vector is first subtracted from its entries.
 double StaticLandscape::outward_slope(double s, const Eigen::VectorXd& direction) const {
   const auto rotation = [&](Eigen::Index first) {
     return Eigen::Quaterniond(Eigen::Vector4d(direction.segment<4>(first))).normalized().toRotationMatrix();
@@ -114,7 +115,7 @@ double StaticLandscape::outward_slope(double s, const Eigen::VectorXd& direction
   d.normalize();
   const Eigen::Vector3d S = (s * d).array().exp();
   const Eigen::Matrix3d R1 = rotation(0), R2 = rotation(4), Q = R1 * S.asDiagonal() * R2;
-  if (!materials::admits(potential_, materials::to_tensor(Q))) return HUGE_VAL;  // V is infinite at Q
+  if (!materials::admits(potential_, materials::to_tensor(Q))) return HUGE_VAL;  // the energy V is infinite at Q
   return potential_.gradient(Q).cwiseProduct(R1 * S.cwiseProduct(d).asDiagonal() * R2).sum();
 }
 

@@ -12,8 +12,8 @@
 ///   R = ω̂²A − 2ω̂AΛ̂ + AΛ̂² + ∂V(A)/m̄ − λA⁻ᵀ = 0,   ln det A = 0     (on GL⁺(3), λ = 0 replaces the second equation)
 ///
 /// Rotations U of space and W of the reference ball, A ↦ UᵀAW, ω ↦ Uᵀω, Λ ↦ WᵀΛ, make A = diag(a₁, a₂, a₃). The
-/// transposed motion Q(t)ᵀ, (A, ω, Λ) ↦ (Aᵀ, Λ, ω), is also steady (Dedekind's duality). The momenta J and Z of the
-/// transposed motion are −Z and −J of Q(t).
+/// transposed motion Q(t)ᵀ, (A, ω, Λ) ↦ (Aᵀ, Λ, ω), is also steady (Dedekind's duality). If Q(t) has the angular
+/// momentum J and the circulation Z, the transposed motion has the angular momentum −Z and the circulation −J.
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -42,7 +42,7 @@ struct IsotropicBody {
   double m_bar;
   bool incompressible = true;
 
-  /// ∂V(A) and D(∂V)(A)[H], per m̄.
+  /// The gradient ∂V(A) of the potential, and its derivative D(∂V)(A)[H] along H. Both are divided by m̄.
   Eigen::Matrix3d gradient(const Eigen::Matrix3d& A) const { return potential.gradient(A) / m_bar; }
   Eigen::Matrix3d second_derivative(const Eigen::Matrix3d& A, const Eigen::Matrix3d& H) const {
     return potential.second_derivative(A, H) / m_bar;
@@ -61,16 +61,16 @@ IsotropicBody(const V&, double) -> IsotropicBody<V>;
 struct SteadyMotion {
   Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
   Eigen::Vector3d omega = Eigen::Vector3d::Zero(), Lambda = Eigen::Vector3d::Zero();
-  double lambda = 0;  ///< multiplier per m̄
+  double lambda = 0;  ///< multiplier λ per m̄
 
-  /// Q(t) and Q̇(t)
+  /// The deformation Q(t) and its rate Q̇(t).
   Eigen::Matrix3d position(double t) const { return turned(A, t); }
   Eigen::Matrix3d velocity(double t) const { return turned(co_moving_velocity(), t); }
-  /// ω̂A − AΛ̂, which is Q̇(0)
+  /// The rate Q̇(0) = ω̂A − AΛ̂.
   Eigen::Matrix3d co_moving_velocity() const {
     return mechanics::cross_matrix(omega) * A - A * mechanics::cross_matrix(Lambda);
   }
-  /// Dedekind's dual motion Q(t)ᵀ
+  /// Dedekind's dual motion, whose deformation is Q(t)ᵀ.
   SteadyMotion dual() const { return {A.transpose(), Lambda, omega, lambda}; }
 
  private:
@@ -86,7 +86,8 @@ struct SteadyMotion {
 
 namespace detail {
 
-/// ω̂²X − 2ω̂XΛ̂ + XΛ̂²: the acceleration of exp(tω̂) X exp(−tΛ̂), X constant, in the co-moving frame.
+/// Returns ω̂²X − 2ω̂XΛ̂ + XΛ̂². This is the acceleration of exp(tω̂) X exp(−tΛ̂) in the co-moving frame, for a
+/// constant X.
 inline Eigen::Matrix3d steady_acceleration(const Eigen::Vector3d& omega, const Eigen::Vector3d& Lambda,
                                            const Eigen::Matrix3d& X) {
   const Eigen::Matrix3d w = mechanics::cross_matrix(omega), l = mechanics::cross_matrix(Lambda);

@@ -115,10 +115,10 @@ std::optional<Refusal> refuses_displaced_start(const Scene& scene, std::string_v
   return refusal;
 }
 
-/// Refuses modes or Love numbers (`what`) of bodies and sectors for which they are not computed. These are a mesh from
-/// a file, a fluid, and the cases of refuses_displaced_start. A sector that the scene sets must be the octant. Also
-/// refuses a scene without a model that offers the analysis. `is_offered` is the member of ModelDescription that is
-/// true for such a model.
+/// Refuses a scene for which the program does not compute modes or Love numbers. `what` is the name of the analysis in
+/// messages. The refused scenes have a mesh from a file, a fluid, a symmetry other than the octant or `auto`, or a
+/// start or load that refuses_displaced_start refuses. A scene without a model that offers the analysis is refused as
+/// well. `is_offered` is the member of ModelDescription that is true for a model with this analysis.
 std::optional<Refusal> refuses_linear_analysis(const Scene& scene, std::string_view what,
                                                bool ModelDescription::*is_offered) {
   if (has_mesh_file(scene))

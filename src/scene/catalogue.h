@@ -76,8 +76,8 @@ struct Setting {
 struct Refusal {
   std::string path, sentence;
   std::vector<std::vector<Setting>> remedies{};  ///< alternatives, each of which sets one or several entries
-  /// Models that accept the input. If there are any, `sentence` ends before "offered for", which scene/advice.h
-  /// appends.
+  /// Models that accept the input. If there are any, `sentence` is incomplete, for example "a sweep is". scene/advice.h
+  /// then appends "offered for" and the names of the models.
   std::vector<std::string_view> models{};
 };
 
@@ -99,7 +99,7 @@ struct SystemDescription {
 
 /// A table of equilibria of a model.
 struct EquilibriaTable {
-  std::string_view file;          ///< name without ".csv"
+  std::string_view file;          ///< name of the CSV file without ".csv"
   std::string_view introduction;  ///< text before the table of columns in the documentation
   std::vector<Column> columns;
 };
@@ -127,7 +127,7 @@ struct ModelDescription {
   Required<bool> has_nonaffine;
   /// Whether the model offers Analysis = modes, love numbers and equilibrium.
   bool has_modes = false, has_love_numbers = false, has_equilibria = false;
-  EquilibriaTable equilibria{};  ///< used if has_equilibria
+  EquilibriaTable equilibria{};  ///< table of the relative equilibria; used if has_equilibria
   /// Returns the table of the equilibria at rest (Equilibrium/Family = static). `n_modes` is the number of degrees of
   /// freedom of the pseudo-rigid body. The pointer is null if the model does not compute these equilibria.
   EquilibriaTable (*static_equilibria)(int n_modes) = nullptr;

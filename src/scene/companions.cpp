@@ -120,8 +120,8 @@ double mass_of(const Scene& scene) {
   return scene.body.density * volume;
 }
 
-/// Whether r, the position relative to the centre of the orbit, is nearly parallel to the z axis. The velocity of a
-/// circular orbit about this axis has the direction of e_z × r, which is then dominated by small errors.
+/// Whether r, the position relative to the centre of the orbit, is nearly parallel to the z axis. A circular orbit
+/// about this axis has a velocity along e_z × r. The direction of this small vector would be mainly round-off.
 bool is_on_axis(const Eigen::Vector3d& r) {
   constexpr double near = 1e-4;
   return r.head<2>().norm() <= near * r.norm();

@@ -88,8 +88,9 @@ namespace {
 
 /// Length of the cells at a pole, along the axis, in radii (continuum/mesh/ball_mesh.h). The outer cells of the
 /// unrefined mesh reach from 0.528 to 1 on the axis. Refinement divides an outer cell into n = 2^refinements cells
-/// along the axis. With the grading g = 1, they have equal lengths. With a grading g < 1, the outermost of them has the
-/// fraction (exp(β/n) − 1)/(exp β − 1) of the length. A bisection finds β from β/(exp β − 1) = g.
+/// along the axis. With the grading g = 1, these cells have equal lengths. With a grading g < 1, the outermost of these
+/// cells has the fraction (exp(β/n) − 1)/(exp β − 1) of the length of the outer cell. A bisection finds β from β/(exp β
+/// − 1) = g.
 double cell_at_pole(const Scene& scene, int refinements) {
   constexpr double unrefined = 1 - 0.528;
   const double size = scene.continuum.grading, part = std::ldexp(1.0, -refinements);

@@ -25,7 +25,7 @@ std::optional<Refusal> refuses_planes(const Scene& scene);
 /// μ is the shear modulus. With a stiffer plane, the nodes of the surface oscillate on the plane
 /// (tests/continuum/bouncing_bar_test.cpp).
 struct MeshedContact {
-  double cell;   ///< h in radii
+  double cell;   ///< length h of the cells, in radii
   double ratio;  ///< stiffness of the planes divided by the largest resolved stiffness
   /// The largest ratio without a warning. In measured impacts, the rms oscillation of the force was 0.2 to 0.3 % of the
   /// largest force at the ratio 4. At the ratio 16, it was 0.5 to 1.5 % (docs/contact.md).

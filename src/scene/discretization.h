@@ -54,10 +54,10 @@ std::vector<Discretization> ladder(const Scene& scene);
 /// on a refined mesh, and one degree more on an unrefined mesh.
 Discretization companion(const Discretization& d);
 
-/// The degree of the companion run for a polynomial body of degree N. The degrees differ by two, because bodies with
-/// the symmetry of an octant use odd degrees only. A companion of higher degree gives the error of the run. A companion
-/// of lower degree often gives many times this error. For N ≥ 9 the companion nevertheless has the degree N − 2,
-/// because higher degrees are too costly.
+/// The degree of the companion run for a polynomial body of degree N: N + 2 for N < 9, otherwise N − 2. The degrees
+/// differ by two, because bodies with the symmetry of an octant use odd degrees only. The difference from a companion
+/// of higher degree is about the error of the run. The difference from a companion of lower degree is often many times
+/// this error. For N ≥ 9 the lower degree is nevertheless used, because higher degrees are too costly.
 int companion_degree(int N);
 
 }  // namespace pseudorigid::scene

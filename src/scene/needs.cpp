@@ -42,8 +42,8 @@ void describe_error_estimate(const Scene& scene, Needs& needs) {
 }
 
 /// Adds a line about the volumetric stabilisation. Requests the column `volumetric` if the stiffness is positive and
-/// the scene writes energies. Modes and Love numbers do not write energies. Does nothing if the scene does not need a
-/// pressure space.
+/// the scene writes energies. Modes and Love numbers do not write energies. Does nothing if no model of the scene has a
+/// pressure space, which is a part of non-affine motions at constant volume.
 void describe_stabilization(const Scene& scene, Needs& needs) {
   if (!needs.pressure_space) return;
   const bool has_elements =

@@ -30,7 +30,7 @@ namespace pseudorigid::scene {
 /// A `set` line or a `subsection` line.
 struct Statement {
   std::string path;                  ///< "Section/Entry", or "Section" if a subsection begins
-  std::optional<std::string> value;  ///< empty if a subsection begins
+  std::optional<std::string> value;  ///< text after "="; empty if a subsection begins
   std::string file;
   int line = 0;  ///< 0 if the statement is not from a file; `file` is then the origin, for example "--set"
 
@@ -44,9 +44,9 @@ using StatementHandler = std::function<void(const Statement&)>;
 std::string text_of_prm(const std::filesystem::path& file);
 
 /// Calls `handle` for each statement of the text and of the included files, in order. An exception of `handle` ends the
-/// reading and reaches the caller. Messages use `name` as the name of the text. Paths of included files are relative to
-/// the folder of `name`. Throws UserError if an included file cannot be read and for errors of syntax. The message
-/// begins with "file:line", or with "file" if an included file closes a subsection that it did not open.
+/// reading and reaches the caller. `name` is the file name of the text in messages, and the paths of included files are
+/// relative to the folder of `name`. Throws UserError for errors of syntax and if an included file cannot be read. The
+/// message begins with "file:line", or with "file" if an included file closes a subsection that it did not open.
 void read_prm_text(std::string_view text, const std::filesystem::path& name, const StatementHandler& handle);
 
 /// The form of a name that is used for comparisons: trimmed, and with one blank for each sequence of blanks and tabs.

@@ -83,12 +83,12 @@ struct Scene {
     std::string law{materials::law_table[0].name};
   } material;
   loads::Loads loads;  ///< the headers in src/loads/ define the entries of the loads
-  double gamma = 0;    ///< γ of Gravity/Gamma, from which validate() sets the constant of gravity; 0: not given
+  double gamma = 0;    ///< γ of the entry Gravity/Gamma, from which validate() sets Newton's constant; 0: not given
   struct InitialState {
-    /// The body starts at x = x_c + Q₀X with the velocity ẋ_c + Q̇₀X, x_c the centre of mass. Let D be `deformation`
+    /// The body starts at x = x_c + Q₀X with the velocity ẋ_c + Q̇₀X. The centre of mass is x_c. Let D be `deformation`
     /// and V be `velocity`. If `equilibrium` is none, Q₀ = D and Q̇₀ = V. Otherwise, the equilibrium has the shape A,
-    /// the spin ω and the circulation Λ. Then Q₀ = DA and Q̇₀ = D(ω̂A − AΛ̂) + V. Here ω̂ is the matrix of ω×, and Λ̂
-    /// that of Λ×.
+    /// the spin ω and the circulation Λ. Then Q₀ = DA and Q̇₀ = D(ω̂A − AΛ̂) + V. Here ω̂ is the matrix of the cross
+    /// product, ω̂x = ω × x, and Λ̂ is that of Λ.
     Matrix3 deformation = identity3;
     Matrix3 velocity{};
     Family equilibrium = Family::none;
@@ -138,10 +138,10 @@ struct Scene {
     /// Empty: the automatic value of continuum/body/surface_gravity_forces.h.
     std::optional<int> gravity_points;
     std::optional<double> volumetric_stiffness;  ///< empty: the automatic value of scene/stabilization.h
-    std::string mesh{builtin_mesh};              ///< "builtin" or an absolute path
+    std::string mesh{builtin_mesh};              ///< "builtin" or the absolute path of a mesh file
     Symmetry symmetry = Symmetry::automatic;
     std::optional<int> contact_points;  ///< empty: the automatic value of continuum/body/contact_forces.h
-    /// Cell size at two poles, compared with an ungraded mesh (continuum/mesh/ball_mesh.h).
+    /// Size of the cells at two poles, divided by the size in an ungraded mesh (continuum/mesh/ball_mesh.h).
     double grading = 1;
   } continuum;
   struct Output {

@@ -19,12 +19,12 @@
 /// release does not become more expensive.
 ///
 /// The value κ_v = 3μ was measured for a neo-Hookean ball and unrefined elements, with κ/μ = 0, 1, 3, 10 and 30. The
-/// error of Q is relative to elements of degree 8 with κ = 0. Releases from the stretches 1.2 and 1.35 were computed,
-/// and the pairs of numbers below are for these two. For degree 4, κ = 3μ divides the error by 2.2 and 3.2 until the
-/// time 5 r/c. Until 10 r/c it divides the error by 1.7 and 1.4. For degree 5, the divisors are 1.2 and 1.2 until 5
-/// r/c, and 1.5 and 0.9 until 10 r/c. No other κ is better for all of these. The least det F of degree 4 rises from
-/// 0.80 and 0.68 to 0.92 and 0.77. The number of evaluations of the force, including pilot runs, changes by −17 to +3
-/// %.
+/// error of the deformation Q is the difference from elements of degree 8 with κ = 0. Releases from the stretches 1.2
+/// and 1.35 were computed, and the pairs of numbers below are for these two. For degree 4, κ = 3μ divides the error by
+/// 2.2 and 3.2 until the time 5 r/c. Until 10 r/c it divides the error by 1.7 and 1.4. For degree 5, the divisors are
+/// 1.2 and 1.2 until 5 r/c, and 1.5 and 0.9 until 10 r/c. No other κ is better for all of these. The least det F of
+/// degree 4 rises from 0.80 and 0.68 to 0.92 and 0.77. The number of evaluations of the force, including pilot runs,
+/// changes by −17 to +3 %.
 
 #include "scene/scene.h"
 

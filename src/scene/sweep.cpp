@@ -71,7 +71,7 @@ std::uint64_t mixed(std::uint64_t x) {
   return z ^ (z >> 31);
 }
 
-/// Converts the upper 53 bits to a number in [0, 1).
+/// Converts the upper 53 of the 64 bits to a number in [0, 1).
 double uniform(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
 /// The image of j under a permutation of 0 … n − 1 that depends on the key. A Feistel network permutes the numbers
@@ -97,8 +97,8 @@ double at(const SweepParameter& p, double part) {
   return p.logarithmic ? first * std::pow(last / first, part) : first + (last - first) * part;
 }
 
-/// The value of parameter `number` of the sweep in run j of the Latin hypercube. The key contains `number`, so that
-/// parameters with the same seed have different values.
+/// The value of the parameter p in run j of its Latin hypercube. `number` is the index of p in the sweep. The key
+/// contains this index, so that parameters with the same seed have different values.
 double latin_value(const SweepParameter& p, std::size_t number, int j) {
   const std::uint64_t key = mixed(*p.seed + (std::uint64_t{number} << 32));
   const double within = uniform(mixed(key + static_cast<std::uint64_t>(j)));

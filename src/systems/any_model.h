@@ -65,7 +65,7 @@ class AnyModel {
   bool reversed() const { return reversed_; }
 
  private:
-  /// The functions of a model, for any type of model.
+  /// The functions of a model as virtual functions, so that the type of the model is not a part of AnyModel.
   struct Interface {
     virtual ~Interface() = default;
     virtual mechanics::Status row(const State& state, Workspace& workspace, std::vector<double>& row) = 0;
@@ -106,7 +106,7 @@ class AnyModel {
       }
     }
 
-    /// The state with vectors of the type of the system.
+    /// Converts the state s to the type of vectors of the system.
     static Own own(const State& s) {
       using Vector = typename System::Vector;
       return {s.t, mechanics::detail::read_as<Vector>(s.q), mechanics::detail::read_as<Vector>(s.v)};

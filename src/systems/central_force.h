@@ -45,8 +45,7 @@ T add_central_force(const Law& law, const Eigen::Matrix<T, 3, 1>& d, Eigen::Matr
   return T(1.0) + T(0.0) * slope_over_distance;
 }
 
-/// Converts the result `reserve` of add_central_force, or a product of such results, to a success (1) or a failure
-/// (NaN).
+/// Returns success for the result 1 of add_central_force or for a product of such results. Returns a failure for NaN.
 inline mechanics::Status status_of_force(double reserve) {
   if (reserve > 0) return {};
   return mechanics::Status::failure("two points that act on each other coincide, or their distance is not finite");

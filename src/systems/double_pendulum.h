@@ -57,8 +57,8 @@ class DoublePendulum {
     f.head<2>() += lambda(0) / square(p_.l1) * q.head<2>() - along_second;
     f.tail<2>() += along_second;
   }
-  /// Let G be the derivative of the constraints, which are quadratic. Therefore the rate of G(q)ᵀλ along v is G(v)ᵀλ,
-  /// which this function adds to f.
+  /// Adds the rate of the reaction G(q)ᵀλ along v to f. G is the derivative of the constraints, which are quadratic, so
+  /// that this rate is G(v)ᵀλ.
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
@@ -111,7 +111,7 @@ class DoublePendulum {
   const Parameters& parameters() const { return p_; }
 
  private:
-  static Eigen::Vector2d rod(const Vector& q) { return q.tail<2>() - q.head<2>(); }  // q₂ − q₁
+  static Eigen::Vector2d rod(const Vector& q) { return q.tail<2>() - q.head<2>(); }  // second rod q₂ − q₁
   static double square(double x) { return x * x; }
 
   Parameters p_;

@@ -69,8 +69,8 @@ class EulerTop {
     a = 0.5 * (product(v, Omega) + product(q, Omega_rate));
     return {};
   }
-  /// Members for the stages of a Gauss step in SIMD lanes, which mechanics/core/stage_by_stage.h calls. Only the two
-  /// torques of this header have kernels.
+  /// The templates of mechanics/core/stage_by_stage.h call the next members for the stages of a Gauss step in SIMD
+  /// lanes. Only the two torques of this header have kernels.
   bool has_stages_in_lanes() const { return std::is_same_v<Torque, LoadTorque> || std::is_same_v<Torque, NoTorque>; }
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
     if (!has_stages_in_lanes()) return false;

@@ -64,7 +64,8 @@ struct FixedAxisScene {
     visit(s.angle, scene::Number{}, About{"Fixed axis/Angle", "", "Initial angle about the axis, in radians."});
     visit(s.rate, scene::Number{}, About{"Fixed axis/Rate", "1/time", "Initial rate of the angle."});
   }
-  /// Scales the columns of Weights, which have several units.
+  /// Converts the rows of weights to the given scales. Their columns have several units, so in_scales does not convert
+  /// them.
   void rescale(const Scales& scales) {
     for (std::size_t k = 0; k < weights.size(); k += n_weight_columns) {
       for (std::size_t j : {0, 1, 2}) weights[k + j] /= scales("length");

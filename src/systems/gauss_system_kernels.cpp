@@ -32,7 +32,7 @@ template <bool principal_and_free>
 struct TopField {
   static constexpr int n = 4;
   const TopOfStages& top;
-  Eigen::Vector3d ratios = ratios_of(top.A);  // (A₂ − A₃)/A₁, and cyclically
+  Eigen::Vector3d ratios = ratios_of(top.A);  // numbers (A₂ − A₃)/A₁, and cyclically
 
   template <class T>
   [[gnu::always_inline]] T operator()(int, const T* q, const T* v, T* a) const {
@@ -145,7 +145,8 @@ struct AnglesField {
     const double m = p.m1 + p.m2;
     const T r1 = -(p.m2 * p.l2 * (v[1] * v[1] * s) + m * p.gravity * theta.sine),
             r2 = p.l1 * (v[0] * v[0] * s) - p.gravity * phi.sine;
-    // The determinant of the equations for l₁θ̈ and l₂φ̈ is m − m₂c² = m₁ + m₂s².
+    // With c = cos δ, s = sin δ and m = m₁ + m₂, the determinant of the equations for l₁θ̈ and l₂φ̈ is m − m₂c² = m₁ +
+    // m₂s².
     const T inverse = 1.0 / (p.m1 + p.m2 * (s * s));
     a[0] = (1 / p.l1) * (inverse * (r1 - p.m2 * (c * r2)));
     a[1] = (1 / p.l2) * (inverse * (m * r2 - c * r1));

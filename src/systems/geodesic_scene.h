@@ -75,7 +75,8 @@ struct GeodesicScene {
     return {size(), 1, rate > 0 ? 1 / rate : 1};
   }
 
-  /// Scales coordinates that are lengths. The function in_scales has divided `velocity` by the unit 1/time before.
+  /// Divides the coordinates and rates of the paraboloid by the unit of length, because they are lengths. The function
+  /// in_scales has divided `velocity` by the unit 1/time before.
   void rescale(const Scales& scales) {
     for (auto* coordinates : {&point, &velocity})
       for (double& x : *coordinates) x /= coordinate_unit(scales.length);

@@ -166,7 +166,8 @@ struct JacobiGeodesicScene {
         About{"Jacobi geodesic/Direction", "", "Initial direction; the speed of the motion follows from the energy."});
   }
 
-  /// If the position consists of angles, multiplies it by the unit of length again, by which in_scales has divided it.
+  /// Corrects the units of a position that consists of angles. The function in_scales has divided it by the unit of
+  /// length, and rescale multiplies it by this unit again.
   void rescale(const Scales& scales) {
     if (!in_plane())
       for (double& x : position) x *= scales.length;

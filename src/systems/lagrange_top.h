@@ -44,7 +44,7 @@ Eigen::Matrix<T, 3, 3> rotation_of_angles(const mechanics::Coordinates<T, 3>& h)
   return R;
 }
 
-/// The chart of SO(3) above, for any scalar type.
+/// The chart of SO(3) by the Euler angles h, with the metric g and the potential U for any scalar type.
 struct EulerAngleChart {
   static constexpr int dimension = 3;
   Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  ///< inertia operator about the fixed point or the centre of mass
@@ -106,7 +106,8 @@ class LagrangeTop {
     if (!(field_.chart().reserve(h) > 0)) return singular();
     return field_.acceleration(t, h, rates, w, a);
   }
-  /// Members for the stages of a Gauss step in SIMD lanes. The templates of mechanics/core/stage_by_stage.h call them.
+  /// The templates of mechanics/core/stage_by_stage.h call the next two members for the stages of a Gauss step in SIMD
+  /// lanes.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const { return field_.solve_stages_in_lanes(stages); }
   double cost_of_iteration() const { return field_.cost_of_iteration(); }
   Vector make_vector() const { return Vector::Zero(); }

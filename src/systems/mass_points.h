@@ -33,7 +33,7 @@ namespace pseudorigid::systems {
 
 class MassPoints : public mechanics::Unconstrained {
  public:
-  using Vector = Eigen::Matrix3Xd;  // a column is a point
+  using Vector = Eigen::Matrix3Xd;  // one column for each point
   using In = const Eigen::Ref<const Vector>&;
   using Out = Eigen::Ref<Vector>;
   /// A spring between the points with the indices i and j, from 0.

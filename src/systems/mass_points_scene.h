@@ -70,7 +70,8 @@ struct MassPointsScene {
     visit(s.drag, not_negative,
           About{"Mass points/Drag", "mass/time", "Force against the velocity of each point, per unit of velocity."});
   }
-  /// Scales the rows of springs and dashpots, whose columns have several units.
+  /// Converts the rows of springs and dashpots to the given scales. Their columns have several units, so in_scales does
+  /// not convert them.
   void rescale(const Scales& scales) {
     for (std::size_t k = 0; k < springs.size(); k += 4) {
       springs[k + 2] /= scales("mass/time^2");
@@ -206,8 +207,8 @@ struct MassPointsScene {
     for (int k = 1; k <= 3; ++k) columns.push_back({fmt::format("{}{}", prefix, k), unit, documentation});
   }
 
-  /// Checks the rows (i, j, numbers): i and j must be the numbers of two different points, and the other numbers must
-  /// not be negative.
+  /// Refuses wrong rows of springs or dashpots. The first two numbers of a row must be the numbers of two different
+  /// points, and the other numbers must not be negative.
   std::optional<Refusal> refuses_pairs(const char* path, const char* kind, const std::vector<double>& rows,
                                        std::size_t n_columns) const {
     for (std::size_t k = 0; k < rows.size(); k += n_columns) {

@@ -41,8 +41,8 @@ using Space = Eigen::Matrix<T, 3, 1>;
 template <class T>
 struct FramePoseOver {
   Eigen::Matrix<T, 3, 3> M;
-  Space<T> Omega, Omega_rate;          // Ω and Ω̇ in the axes of K
-  Space<T> r, r_rate, r_acceleration;  // r, ṙ and r̈
+  Space<T> Omega, Omega_rate;          // angular velocity Ω, and Ω̇, in the axes of K
+  Space<T> r, r_rate, r_acceleration;  // position r of the origin, ṙ and r̈
 
   /// Visits all entries, in the order of the members. The entries of M are visited column by column.
   template <class Visit>

@@ -103,12 +103,13 @@ class RigidBody {
   void add_reaction(const Vector& q, const Multiplier& lambda, Vector& f) const {
     f.template leftCols<3>() += rotation(q) * symmetric(lambda);
   }
-  /// The constraints are quadratic. Therefore the rate of G(q)ᵀλ along v is G(v)ᵀλ, which this function adds to f.
+  /// Adds the rate of the reaction G(q)ᵀλ along v to f. G is the derivative of the constraints, which are quadratic, so
+  /// that this rate is G(v)ᵀλ.
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
-  /// Solves S λ = r for the six multipliers. Fails if the elimination does not give finite numbers, for example because
-  /// the rotations R₁ and R₀ differ by a right angle.
+  /// Solves S λ = r for the six multipliers, with S = G(q₁)M⁻¹G(q₀)ᵀ. Fails if the elimination does not give finite
+  /// numbers, for example because the rotations R₁ and R₀ differ by a right angle.
   mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     const Eigen::Matrix3d B = rotation(q1).transpose() * rotation(q0);
@@ -171,7 +172,7 @@ class RigidBody {
 
  private:
   using Gram = Eigen::Matrix<double, 6, 6>;
-  /// The entries ij of the symmetric matrices in the order of the constraints.
+  /// The indices of the matrix entry to which each constraint and each multiplier belongs, counted from 0.
   static constexpr int pair[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 
   /// The matrix S for B = R₁ᵀR₀. The column of the pair ij is sym₂(B E E₀⁻¹). Here E = e_i e_iᵀ if i = j, otherwise E =
@@ -193,7 +194,7 @@ class RigidBody {
     }
     return S;
   }
-  /// The symmetric matrix Λ with the six multipliers as entries.
+  /// The symmetric matrix Λ, whose entries 11, 22, 33, 23, 13, 12 are the six multipliers.
   static Eigen::Matrix3d symmetric(const Multiplier& l) {
     return (Eigen::Matrix3d() << l(0), l(5), l(4), l(5), l(1), l(3), l(4), l(3), l(2)).finished();
   }
@@ -209,11 +210,12 @@ class RigidBody {
 using FixedPointBody = RigidBody<true>;
 using FreeBody = RigidBody<false>;
 
-/// The state at time 0 with the rotation R and the angular velocity Ω in the body.
+/// The state at time 0 of a body with a fixed point, with the rotation R and the angular velocity Ω in the body.
 inline mechanics::State<FixedPointBody> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega) {
   return {0, R, R * mechanics::cross_matrix(Omega)};
 }
-/// The same for a free body, whose centre of mass has the position x and the given velocity.
+/// The state at time 0 of a free body with the rotation R and the angular velocity Ω in the body. Its centre of mass
+/// has the position x and the given velocity.
 inline mechanics::State<FreeBody> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega,
                                           const Eigen::Vector3d& x, const Eigen::Vector3d& velocity) {
   mechanics::State<FreeBody> state;

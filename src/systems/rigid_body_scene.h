@@ -103,7 +103,8 @@ struct RigidBodyScene {
     visit(s.velocity, scene::Numbers{3},
           About{"Rigid body/Velocity", "length/time", "Initial velocity of the centre of mass of a free body."});
   }
-  /// Scales the rows of points and springs, whose columns have several units.
+  /// Converts the rows of points and springs to the given scales. Their columns have several units, so in_scales does
+  /// not convert them.
   void rescale(const Scales& scales) {
     for (std::size_t k = 0; k < points.size(); k += n_point_columns) {
       for (std::size_t j : {0, 1, 2}) points[k + j] /= scales("length");
@@ -174,7 +175,8 @@ struct RigidBodyScene {
     System system;
     mechanics::State<System> initial;
     BodyObserver observer;
-    /// The form with constraints, for the loads and the landscape of rotations about the origin of the body.
+    /// The same body in the form with constraints. Its loads give the columns, and its landscape is that of rotations
+    /// about the origin of the body.
     FixedPointBody body;
     bool fixed_point;
     Eigen::Vector3d x, velocity;  ///< initial position and velocity of the centre of mass of a free body
@@ -260,8 +262,8 @@ struct RigidBodyScene {
     return columns;
   }
 
-  /// The text of the rotation that is nearest to R, the polar factor of R. Newton's iteration computes it from a matrix
-  /// close to a rotation.
+  /// The rotation nearest to R, as the text of a matrix. It is the polar factor of R. R must be close to a rotation, so
+  /// that Newton's iteration converges to this factor.
   static std::string nearest_rotation_to(Eigen::Matrix3d R) {
     for (int i = 0; i < 10; ++i) R = (0.5 * (R + R.inverse().transpose())).eval();
     scene::Matrix3 rows;

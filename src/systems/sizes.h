@@ -42,8 +42,8 @@ bool has_sound_units(const SystemScene& system, const Scales& scales) {
                              [&](const Column& column) { return std::isnormal(scales(column.unit)); });
 }
 
-/// The entry with the number whose logarithm is largest in size. If there are numbers outside the range, only these
-/// count, and `sound` is false. The path is empty if all numbers are zero.
+/// The entry with the number farthest from 1, that is, with the largest |log₁₀ |x||. Zeros do not count. If there are
+/// numbers outside the range, only these count, and `sound` is false. The path is empty if all numbers are zero.
 struct Farthest {
   std::string path;
   double number = 1;

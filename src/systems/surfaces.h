@@ -19,8 +19,8 @@ using SurfaceMetric = Eigen::Matrix<T, 2, 2>;
 template <class T>
 using SpacePoint = Eigen::Matrix<T, 3, 1>;
 
-/// Returns a positive number if the angle θ from the axis is farther than √ε = 2⁻²⁶ from both poles, with the machine
-/// precision ε. Otherwise the result is not positive.
+/// Returns a positive number if the angle θ from the axis is between √ε and π − √ε, with the machine precision ε and √ε
+/// = 2⁻²⁶. Otherwise the result is not positive.
 template <class T>
 T between_poles(const T& theta) {
   using std::min;

@@ -56,7 +56,8 @@ struct SphericalPendulumOfStages {
   }
 };
 
-/// The parameters of the double pendulum in multiplier form (double_pendulum.h).
+/// The double pendulum in multiplier form (double_pendulum.h): masses m1 and m2 of the points, lengths l1 and l2 of the
+/// rods, and acceleration g of gravity.
 struct PendulumOfStages {
   double m1 = 1, m2 = 1, l1 = 1, l2 = 1, g = 1;
 };
@@ -66,7 +67,7 @@ struct PendulumOfStages {
 template <class S>
 using StageSolver = bool (*)(const S& system, mechanics::GaussStages& stages);
 
-/// A solver for each of the types S. The constant has<Other> is true if Other is one of these types.
+/// A table with one solver for each of the types S. The constant has<Other> is true if Other is one of these types.
 template <class... S>
 struct StageSolvers {
   std::tuple<StageSolver<S>...> of;
@@ -95,11 +96,12 @@ requires(SystemKernels::has<S>) bool solve_stages_in_lanes_of(const S& system, m
   return std::get<StageSolver<S>>(system_kernels().of)(system, stages);
 }
 
-/// Cost of an iteration (mechanics/core/stage_by_stage.h), from measured times in nanoseconds. For three systems, the
-/// cost is the time of an iteration divided by the time of a stage of rattle-8 or symmetric-8. The quotients are
-/// 110/349 for the double pendulum, 388/125 for mass points, and 61/158 for the spherical pendulum. For the other
-/// systems, the cost is twice the time of an iteration divided by the time of a force evaluation of explicit-8. For
-/// charts, this quotient of times is between 72/99 and 590/480.
+/// Cost of an iteration on the eight stages, in units of one force evaluation (mechanics/core/stage_by_stage.h). The
+/// costs follow from times measured in nanoseconds. For three systems, the cost is the time of an iteration divided by
+/// the time of a stage of rattle-8 or symmetric-8. These quotients are 110/349 for the double pendulum, 388/125 for
+/// mass points, and 61/158 for the spherical pendulum. For the other systems, the cost is twice the time of an
+/// iteration divided by the time of a force evaluation of explicit-8. For charts, the time of an iteration divided by
+/// that of an evaluation is between 72/99 and 590/480.
 template <class S>
 inline constexpr double cost_of_iteration_in_lanes = 2;
 template <>

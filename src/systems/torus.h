@@ -15,7 +15,7 @@
 /// circle connects the two saddles, whose stable and unstable manifolds are not transversal there. A tilt α ≠ 0 removes
 /// the symmetry, and breaks the connection without a change of D. A grain oblique to the circle breaks the connection
 /// without a change of V. Theorem 5.8.6 treats these two cases, with D fixed and with V fixed. A variable c(q) alone
-/// does not break it, because the force −c(q) v on a motion along the circle is tangent to the circle.
+/// does not break the connection, because the force −c(q) v on a motion along the circle is tangent to the circle.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -55,7 +55,7 @@ struct Torus : TorusSurface {
 
   /// The greatest damping μ, which is the maximum of |⟨D(v), v⟩|/|v|² over all states.
   double greatest_damping() const { return c * (1 + std::abs(c_w) + std::abs(c_u)) * (1 + grain); }
-  double depth() const { return gravity * (R * std::abs(std::cos(tilt)) + r); }  ///< −min V
+  double depth() const { return gravity * (R * std::abs(std::cos(tilt)) + r); }  ///< depth −min V of the potential
 };
 
 }  // namespace pseudorigid::systems
