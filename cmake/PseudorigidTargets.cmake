@@ -128,7 +128,7 @@ function(pseudorigid_test name)
   add_executable(${name} ${TEST_SOURCES})
   pseudorigid_link(${name} ${TEST_LIBS} test_support GTest::gtest_main)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests
-    UNITY_BUILD ${PSEUDORIGID_UNITY} UNITY_BUILD_BATCH_SIZE 6)
+    UNITY_BUILD ${PSEUDORIGID_UNITY} UNITY_BUILD_BATCH_SIZE 12)
   if("continuum" IN_LIST TEST_LIBS)
     pseudorigid_precompiled(${name} dealii)
   else()

@@ -110,11 +110,11 @@ struct ImageSums {
   L a = 0.0, b = 0.0, w = 0.0;
 };
 
-/// The pairs of a point y and its mirror images with a block of points x, one in each lane. Each distance is used for
-/// both points of a pair. Under a set k of reflections the image of y is R_k y, with R_k = diag(s_k1, s_k2, s_k3), s =
-/// ±1. Let d = x − R_k y, a = d·N_x, b = d·R_k N_y and w = ab/|d|³. The pair of y with the image R_k x has the distance
-/// vector −R_k d, with −b and −a in place of a and b. Because d_c = x_c − s_kc y_c, only the sums Σ_k and, for each
-/// axis c, Σ_k s_kc over the images are needed:
+/// Sums over the pairs of a point y and its mirror images with a block of points x, one in each lane. Each distance is
+/// used for both points of a pair. Under a set k of reflections the image of y is R_k y, with R_k = diag(s_k1, s_k2,
+/// s_k3), s = ±1. Let d = x − R_k y, a = d·N_x, b = d·R_k N_y and w = ab/|d|³. The pair of y with the image R_k x has
+/// the distance vector −R_k d, with −b and −a in place of a and b. Because d_c = x_c − s_kc y_c, all sums follow from
+/// sums over the images k without a factor and, for each axis c, with the factor s_kc. For example,
 ///
 ///   Σ_k d_c w_k = x_c Σ_k w_k − y_c Σ_k s_kc w_k,      Σ_k s_kc d_c w_k = x_c Σ_k s_kc w_k − y_c Σ_k w_k.
 template <unsigned mirrors>

@@ -27,7 +27,7 @@ namespace pseudorigid::materials {
 
 struct CiarletGeymonat {
   double mu, lambda;
-  static constexpr double surface_limit = biot_ratio;  ///< because the law is neo-Hookean if J = 1
+  static constexpr double surface_limit = biot_ratio;  ///< stretch at which a surface wrinkles: neo-Hookean if J = 1
   bool operator==(const CiarletGeymonat&) const = default;
 
   /// Energy W(F) per reference volume; F must have J > 0.

@@ -61,7 +61,7 @@ class PolynomialSpace {
   int n_points() const { return gradients_.n_points(); }
   /// Quadrature weights of the points for integrals over the whole body. The weights of padding points are 0.
   const std::vector<double>& weights() const { return weights_; }
-  /// The points ξ of the unit ball that are the quadrature points, including padding points.
+  /// The quadrature points ξ in the unit ball, including padding points.
   const std::vector<std::array<double, 3>>& points() const { return points_; }
 
   double volume() const { return volume_; }

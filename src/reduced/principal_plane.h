@@ -63,7 +63,7 @@ inline PlaneDual angular_momentum_3(const PlaneDuals& u) {
   const PlaneDual a1 = exp(u[0]), a2 = exp(u[1]);
   return (a1 * a1 + a2 * a2) * u[4] - 2.0 * a1 * a2 * u[6];
 }
-/// The circulation about axis 3 divided by m̄, Z₃/m̄ = 2a₁a₂ω₃ − (a₁² + a₂²)Λ₃.
+/// The circulation about axis 3, divided by m̄ of the inertia E₀ = m̄ Id: Z₃/m̄ = 2a₁a₂ω₃ − (a₁² + a₂²)Λ₃.
 inline PlaneDual circulation_3(const PlaneDuals& u) {
   const PlaneDual a1 = exp(u[0]), a2 = exp(u[1]);
   return 2.0 * a1 * a2 * u[4] - (a1 * a1 + a2 * a2) * u[6];

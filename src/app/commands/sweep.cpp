@@ -232,8 +232,8 @@ class Workers {
   std::atomic<int> n_together_ = 0;
 };
 
-/// The number of threads: Sweep/Threads or the number of cores, but at most the number of runs. It is at least 1, even
-/// if the part of the sweep does not have runs.
+/// The number of threads: Sweep/Threads if it is set, otherwise the number of cores, but at most n_runs. The result is
+/// at least 1, because a part of the sweep (Sweep/Part) may have no runs.
 int n_threads_of(const scene::Scene& scene, int n_runs) {
   const auto n_cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   return std::clamp(scene.sweep_threads.value_or(n_cores), 1, std::max(1, n_runs));

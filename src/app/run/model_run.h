@@ -391,7 +391,7 @@ class ModelRun final : public ModelRunBase {
     Snapshot snapshot;
   };
   std::optional<LastSample> last_sample_;   ///< last sample in the checkpoint, until `keep_last_sample` uses it
-  std::optional<LocalVolume> kept_volume_;  ///< local volume of the kept state; empty after a resumption
+  std::optional<LocalVolume> kept_volume_;  ///< local volume of good_state_; empty if it is not computed yet
   EnergyWatch<Model> energy_;
   std::optional<typename System::Workspace> system_workspace_;  ///< workspace for rows if the method has none
   CheckpointVectors<Model> vectors_;

@@ -133,7 +133,8 @@ class DegreeKernels final : public LocalKernels {
     tangents_.add_reaction(at_x, lambda, f);
   }
 
-  /// In reference coordinates, 2ηJ d F⁻ᵀ : ∇φ = 2η (det ∂X/∂ξ)⁻¹ d cof H : ∂φ/∂ξ with d = sym(∂v/∂ξ H⁻¹).
+  /// Subtracts ∫2ηJ d F⁻ᵀ : ∇φ dX with the viscosity η from f, and returns the dissipated power. In reference
+  /// coordinates the integrand is 2η (det ∂X/∂ξ)⁻¹ d cof H : ∂φ/∂ξ with d = sym(∂v/∂ξ H⁻¹).
   double add_viscous_force(double viscosity, const double* x, const double* v, double* f) const override {
     double power = 0;
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {

@@ -1,6 +1,6 @@
 #pragma once
-/// The eight parities of a displacement u of the ball under the reflections R_j of the coordinate planes. A parity has
-/// three signs s_j = ±1, with u(R_j X) = s_j R_j u(X) (parity_sector.h).
+/// The eight possible parities of a displacement u of the ball under the reflections R_j in the coordinate planes. A
+/// parity consists of three signs s_j = ±1, with u(R_j X) = s_j R_j u(X) (parity_sector.h).
 
 #include <array>
 #include <string>

@@ -306,8 +306,8 @@ mechanics::SolveReport ParitySector::solve(const Eigen::VectorXd& f, const Eigen
   };
   Eigen::VectorXd penalized = f - product(particular);
   const Eigen::VectorXd right = solve_cells(penalized, n_corrections_of_mode);
-  // If the constraint balances f, T f is only round-off, and a tolerance relative to T f would be too small. B⁻¹f, the
-  // displacement with the penalty alone, is larger than round-off also in this case.
+  // If the constraint balances the force, T of it is only round-off, and a tolerance relative to this would be too
+  // small. B⁻¹ of the force, the displacement with the penalty alone, is above round-off even then.
   solve_penalized(penalized);
   const double round_off = balanced * penalized.norm();
   std::vector<double> rest;

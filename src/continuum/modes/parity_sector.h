@@ -57,11 +57,12 @@ class ParitySector {
   Eigen::VectorXd product(const Eigen::VectorXd& u) const;         ///< (K + E + s M) u
   Eigen::VectorXd without_volume(const Eigen::VectorXd& u) const;  ///< a displacement near u with G u = 0
 
-  /// z = M^½ T M^½ y, with E in T. This operator is symmetric and has the eigenvalues 1/(ω² + s). `apply`, `respond`
-  /// and `mode_of` fail if the ball with self-gravity is unstable, or if the conjugate gradients do not converge.
+  /// Sets z = M^½ T M^½ y. Here and in `respond`, T is the inverse with K + E in place of K. This operator is symmetric
+  /// and has the eigenvalues 1/(ω² + s). `apply`, `respond` and `mode_of` fail if the ball with self-gravity is
+  /// unstable, or if the conjugate-gradient iteration does not converge.
   mechanics::Status apply(std::span<const double> y, std::span<double> z) const;
 
-  /// Sets u = T f for a force f on the octant, with E in T. Fails in the same cases as `apply`.
+  /// Sets u = T f for a force f on the octant. Fails in the same cases as `apply`.
   mechanics::Status respond(const Vector& f, Vector& u) const;
 
   /// Solves (K + E + s M) u − Gᵀλ = f, G u = h. Unlike `respond`, this function does not need a positive definite

@@ -25,9 +25,9 @@ class MaterialFaces {
   static constexpr std::size_t first_length = mechanics::first_length_of_shapes;
 
   std::size_t n_points() const { return n_faces_ * (m_ + 1) * (m_ + 1); }  ///< number of lattice points on all ranks
-  /// Rows with the entries `columns`, one for each lattice point of the faces of all ranks, at the position `position`
-  /// of the ball. The order of the rows does not depend on the number of ranks. The result is complete on rank 0 and
-  /// empty on other ranks. Collective.
+  /// Returns one row with the entries `columns` for each lattice point of the faces of all ranks. `position` has the
+  /// positions of the nodes. The order of the rows does not depend on the number of ranks. The result is complete on
+  /// rank 0 and empty on other ranks. Collective.
   std::vector<std::vector<double>> rows(const Vector& position) const;
 
  private:

@@ -66,7 +66,8 @@ struct ConstraintTemporaries {
         residual(system.make_multiplier()),
         delta(system.make_multiplier()) {}
 
-  typename S::Vector reaction, direction;  // M⁻¹G(q₀)ᵀδ; for a single constraint also the vector M⁻¹G(q₀)ᵀ
+  typename S::Vector reaction;   // M⁻¹G(q₀)ᵀδ
+  typename S::Vector direction;  // M⁻¹G(q₀)ᵀ, used only for a single constraint
   typename S::Multiplier residual, delta;
   bool direction_known = false;  // true if `direction` belongs to q₀; set this flag to false if you change q₀
   long n_gram_iterations = 0;

@@ -1,9 +1,10 @@
 #pragma once
 /// Damping: forces F(q, v) = −∂R/∂v with a convex function R of v. Examples are viscosity, drag and friction. The mass
 /// is M, and the constraint g = 0 has the derivative G = Dg. A step of size 2s begins with an explicit half step to the
-/// velocity v_half. The second half step is implicit. With the force f, its residual r at a velocity v satisfies
+/// velocity v_half. The second half step is implicit. Let f be the total force, which includes F. The residual r of the
+/// half step at a velocity v satisfies
 ///
-///   M r = M (v_half − v) + s f(q, v),
+///   M r = M (v_half − v) + s f(q, v).
 ///
 /// The step ends with the velocity v + u. The correction u and the multiplier μ satisfy
 ///

@@ -63,7 +63,7 @@ struct GaussStages {
   static constexpr std::size_t n_scratch = 5;
 
   bool converged = false;
-  long n_iterations = 0;  ///< each solution adds its number of iterations
+  long n_iterations = 0;  ///< total number of iterations of all solves
   /// `tail` is the largest |Legendre coefficient| of order 6 or 7, divided by the larger of `scale` and the round-off
   /// of the accelerations. On entry `scale` is the largest acceleration in the last step. The first iteration sets
   /// `scale` to the largest acceleration.
