@@ -65,6 +65,9 @@ make_pictures() {
   tools/page_picture.py "$runs/map/report.html" --output "$images/report_map.png" --size 1200x610
   tools/concepts_figure.py "$program" --run "$runs/concepts"
   /usr/bin/python3 -m pseudorigid equilibria --program "$program" --output "$images/equilibria.svg"
+  "$program" run params/spinning_figures.prm --output "$runs/campbell" --set "Equilibrium/First=0.1" \
+    --set "Equilibrium/Last=1.9" --set "Equilibrium/Number=10"
+  /usr/bin/python3 -m pseudorigid campbell "$runs/campbell" --output "$images/campbell.svg"
   xvfb-run -a tools/gallery.py "$program" --output "$images/gallery" --runs "$runs/gallery"
 }
 

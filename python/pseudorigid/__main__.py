@@ -16,6 +16,7 @@ COMMANDS = {
     "paraview": ("paraview_view", "the bodies of a run in ParaView: a window, a picture or an animation"),
     "cells": ("cells", "a body with linear cells and with Lagrange cells"),
     "equilibria": ("equilibria", "figures of equilibrium, computed by the program: tables, or a picture"),
+    "campbell": ("campbell", "spin over angular momentum, and frequencies over the spin, of figures of equilibrium"),
     "merge": ("merge", "the tables of the parts of a sweep, joined to one"),
     "adequacy": ("adequacy", "the maps of docs/adequacy.md from sweeps of several models"),
     "map": ("stability_map", "the map of stability of the stress suite"),

@@ -32,10 +32,12 @@ RANGES = (("amplitude", "a", 0, 0.11, "frequency_ratio"), ("amplitude", "a", 0.2
           ("viscosity", "eta", 0, 0.03, "strain_difference_max"), ("viscosity", "eta", 1, 31, "strain_difference_max"),
           ("viscosity", "eta", 2, 31, "strain_difference_max"), ("tide", "f", 0, 2, "amplitude"), ("tide", "f", 2.4, 3.4, "amplitude"),
           ("tide", "f", 2.4, 3.4, "strain_difference_max"), ("shape", "p", 0, 3, "frequency_ratio"), ("spin", "w", 0, 1.01, "frequency_ratio"),
+          *(("equilibria", "g", low, high, f"{measure}_ratio") for low, high in ((-1, 1.01), (9, 101), (101, 1001))
+            for measure in ("bulge", "strain", "momentum")),
           *((f"law-{law}", "l", low, high, "max_stretch_difference_max") for law in LAWS for low, high in ((1, 1.11), (1.69, 1.71))))
 # Columns that the pages and the pictures use, after the parameters.
 KEPT = ("compared", "_finished", "_amplitude", "_frequency_ratio", "_frequency_ratio_error", "_strain_difference_max",
-        "_max_stretch_difference_max")
+        "_max_stretch_difference_max", "_bulge_ratio", "_strain_ratio", "_strain_ratio_error", "_momentum_ratio")
 
 
 def read(folder: pathlib.Path, family: str) -> Rows:
@@ -46,8 +48,33 @@ def read(folder: pathlib.Path, family: str) -> Rows:
         raise WrongInput(f"{path} does not exist; run params/adequacy/{family.split('-')[0]}.prm first")
     with open(path, newline="") as file:
         header, *rows = csv.reader(file)
-    values = np.array(rows, dtype=float)
-    return dict(zip(header, values.T))
+    values = dict(zip(header, np.array(rows, dtype=float).T))
+    return values if "compared" in values else compared_figures(values)
+
+
+def compared_figures(rows: Rows) -> Rows:
+    """The figures of every model of a sweep of equilibria as ratios to those of the finite elements: the bulge of the surface, the
+    strain ln(a1/a3) of the nearest ellipsoid with its bar, and the angular momentum."""
+    done = rows["finished"] == 1
+    parameters = list(rows)[:list(rows).index("finished")]
+    result = {**{name: rows[name] for name in parameters}, "compared": rows["finished"]}
+
+    def column(name: str) -> np.ndarray:
+        return np.where(done, rows[name], np.nan)
+
+    def measures(model: str) -> dict[str, np.ndarray]:
+        surface = "a" if model == "reduced" else "surface"
+        return {"bulge": column(f"{model}_{surface}1") - column(f"{model}_{surface}3"),
+                "strain": np.log(column(f"{model}_a1") / column(f"{model}_a3")), "momentum": column(f"{model}_J3")}
+
+    reference = measures("continuum")
+    # Both axes may be wrong by axes_error, in opposite directions.
+    bar = 2 * column("continuum_axes_error") / column("continuum_a3") / reference["strain"]
+    for model in TITLES:
+        for name, values in measures(model).items():
+            result[f"{model}_{name}_ratio"] = np.nan_to_num(values / reference[name])
+        result[f"{model}_strain_ratio_error"] = np.nan_to_num(bar)
+    return result
 
 
 def known(rows: Rows, column: str) -> np.ndarray:
@@ -83,7 +110,7 @@ def print_ranges(folder: pathlib.Path) -> None:
             if f"{model}_{measure}" not in rows:
                 continue
             values = known(rows, f"{model}_{measure}")[inside]
-            if measure == "frequency_ratio":
+            if measure.endswith("_ratio"):
                 values = 100 * (values - 1)
             elif measure == "amplitude":
                 values = values / rows["continuum_amplitude"][inside]
@@ -169,6 +196,21 @@ def curves(folder: pathlib.Path, output: pathlib.Path) -> None:
     save(figure, output / "adequacy_curves.svg")
 
 
+def figures_of_spin(folder: pathlib.Path, output: pathlib.Path) -> None:
+    """Errors of the figure of a spinning ball over its spin, a line for each self-gravity and model."""
+    rows = read(folder, "equilibria")
+    figure, grid = plt.subplots(1, 3, figsize=(10.8, 3.6))
+    figure.subplots_adjust(left=0.065, right=0.985, top=0.9, bottom=0.15, wspace=0.3)
+    for axes, measure, title in zip(grid, ("bulge", "strain", "momentum"),
+                                    ("equatorial bulge of the surface", r"mean strain $\ln(a_1/a_3)$", "angular momentum")):
+        lines_over(axes, rows, "s", "g", {m: 100 * np.abs(known(rows, f"{m}_{measure}_ratio") - 1) for m in ("reduced", "polynomial_3")}, TITLES)
+        axes.set(yscale="log", xlabel="spin s, fifths of the pulsation", ylabel="error, %", title=title)
+        axes.legend(fontsize=8, frameon=False)
+    for gamma in np.unique(rows["g"]):  # exact for a slow spin: the ratio of the Love numbers h2 of ellipsoid and sphere
+        grid[0].axhline(100 * 3 / (12.5 + gamma), color="black", linewidth=0.5, linestyle=":")
+    save(figure, output / "adequacy_figures.svg")
+
+
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("sweeps", type=pathlib.Path, help="folder with a folder for each family")
     parser.add_argument("--output", type=pathlib.Path, help="folder of the pictures")
@@ -182,6 +224,7 @@ def main(options: argparse.Namespace) -> None:
     if options.output:
         map_of_gravity(options.sweeps, options.output)
         curves(options.sweeps, options.output)
+        figures_of_spin(options.sweeps, options.output)
     if options.data:
         for folder in sorted(options.sweeps.iterdir()):
             if (folder / "sweep.csv").is_file():

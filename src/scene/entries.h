@@ -293,7 +293,8 @@ void visit_sweep(S& scene, Visit& visit) {
           "parameters as $(expression), for instance $(1/sqrt(l)). Every parameter is used by some entry, and none has "
           "the "
           "name of a function or a constant of expressions or of another column of sweep.csv. It is for motions of "
-          "every model and of the other systems."});
+          "every model and of the other systems, and for modes, Love numbers and equilibria (one figure in each "
+          "run)."});
   visit(scene.sweep_part, SweepPartKind{},
         About{"Sweep/Part", "",
               "The part of the runs to make, such as 2 of 8: the runs are divided into 8 parts in their order. Parts "

@@ -133,12 +133,30 @@ class Validator {
     const bool is_ball = scene_.system == ball;
     if (is_ball && scene_.models.size() > 1 && scene_.sweep_trajectories)
       refuse({"Sweep/Trajectories", "a sweep keeps the samples of one model", {{{"Sweep/Trajectories", "false"}}}});
-    if (scene_.analysis != Analysis::motion && !is_linear(scene_.analysis))
-      refuse({"Analysis", "a sweep is offered for motions, modes and Love numbers", {{{"Analysis", "motion"}}}});
-    if (is_linear(scene_.analysis) && scene_.sweep_trajectories)
-      refuse({"Sweep/Trajectories", "modes and Love numbers have no samples", {{{"Sweep/Trajectories", "false"}}}});
+    const bool is_equilibrium = is_ball && scene_.analysis == Analysis::equilibrium;
+    if (scene_.analysis != Analysis::motion && !is_linear(scene_.analysis) && !is_equilibrium)
+      refuse({"Analysis",
+              "a sweep is offered for motions, and for modes, Love numbers and equilibria of the ball",
+              {{{"Analysis", "motion"}}}});
+    if (scene_.analysis != Analysis::motion && scene_.sweep_trajectories)
+      refuse({"Sweep/Trajectories",
+              "modes, Love numbers and equilibria have no samples",
+              {{{"Sweep/Trajectories", "false"}}}});
+    if (is_equilibrium) check_sweep_of_equilibria();
     if (is_ball && scene_.output.graphics != Graphics::none)
       refuse({"Output/Graphics", "a sweep writes no pictures", {{{"Output/Graphics", "none"}}}});
+  }
+
+  /// Refuses a sweep of equilibria whose runs do not have exactly one figure each.
+  void check_sweep_of_equilibria() const {
+    if (finds_static_equilibria(scene_))
+      refuse({"Equilibrium/Family",
+              "each run of a sweep computes the figure with a given parameter, and static does not have one",
+              {{{"Equilibrium/Family", "spinning"}}}});
+    if (scene_.equilibria.number != 1)
+      refuse({"Equilibrium/Number",
+              "each run of a sweep computes one figure, that with the parameter Equilibrium/First",
+              {{{"Equilibrium/Number", "1"}}}});
   }
 
   void check_system(const SystemDescription& system) {

@@ -227,7 +227,7 @@ class Scenes(ProgramTest):
     def test_every_scene_has_a_test(self):
         # Those of other systems have theirs in systems_test.py, others of a single model in the tests of that.
         elsewhere = "".join((SOURCE / "tests/app" / name).read_text()
-                            for name in ("pseudo_rigid_test.py", "polynomial_run_test.py", "linear_sweeps_test.py", "companions_test.py", "continuum_equilibria_test.py",
+                            for name in ("pseudo_rigid_test.py", "polynomial_run_test.py", "table_sweeps_test.py", "companions_test.py", "continuum_equilibria_test.py",
                                          "viscoelastic_test.py"))
         names = sorted(path.stem for path in (SOURCE / "params").glob("*.prm") if "set System" not in path.read_text()
                        and f"def test_{path.stem}(" not in elsewhere)

@@ -21,7 +21,7 @@ class Drawing(PackageTest):
 
     def test_help_lists_the_commands(self):
         listed = self.run_done("--help").stdout
-        for name in "plot", "render", "animate", "orbit", "paraview", "cells", "equilibria", "map":
+        for name in "plot", "render", "animate", "orbit", "paraview", "cells", "equilibria", "campbell", "map":
             self.assertIn(f"\n  {name} ", listed)
             self.assertIn(f"pseudorigid {name}", self.run_done(name, "--help").stdout)
         self.assert_exit(self.run_program("draw"), WRONG_INPUT)

@@ -11,7 +11,7 @@
 
 #include "app/commands/compared_runs.h"
 #include "app/commands/kept_trajectories.h"
-#include "app/commands/linear_runs.h"
+#include "app/commands/table_runs.h"
 #include "app/run/mesh_file.h"
 #include "app/search/effort.h"
 #include "io/ball_blocks.h"
@@ -42,8 +42,7 @@ double n_samples(const scene::Scene& scene) { return scene.output.samples + 1.0;
 double values_of_sweep(const scene::Scene& scene, const scene::Needs& needs) {
   const auto [first, end] = scene::runs_of_part(scene.sweep_part, scene::n_runs(scene.sweep));
   const auto n_runs = static_cast<double>(end - first);
-  if (scene::is_linear(scene.analysis))
-    return n_runs * static_cast<double>(columns_of_linear_runs(scene, needs).size());
+  if (sweeps_tables(scene)) return n_runs * static_cast<double>(columns_of_table_runs(scene, needs).size());
   if (needs.comparison) return n_runs * static_cast<double>(columns_of_compared_runs(scene, needs).size());
   const auto n_columns = static_cast<double>(columns_of_run(scene, needs).size());
   // For each column, a row has the end, least and greatest value. A row also has about ten other values, for example

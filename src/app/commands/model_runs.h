@@ -23,7 +23,7 @@ std::string column_prefix(std::string_view run);
 /// The columns that precede the results: "run" and the parameters of the sweep.
 std::vector<std::string> first_columns(const scene::Scene& scene);
 
-/// Base class of ComparedRuns and LinearRuns, which define the columns and the results.
+/// Base class of ComparedRuns and TableRuns, which define the columns and the results.
 class ModelRuns : public SweepTask {
  public:
   /// `context` is the context of the first run of the sweep. The object keeps references to all three arguments.

@@ -18,10 +18,10 @@
 #include <vector>
 
 #include "app/commands/compared_runs.h"
-#include "app/commands/linear_runs.h"
 #include "app/commands/row_processes.h"
 #include "app/commands/sweep_rows.h"
 #include "app/commands/sweep_run.h"
+#include "app/commands/table_runs.h"
 #include "app/run/run_models.h"
 #include "app/search/effort.h"
 #include "io/available_memory.h"
@@ -51,9 +51,9 @@ std::string describe_run(const scene::Sweep& sweep, int k) {
 /// conserves. Only sweeps with one model use `conserved`.
 std::vector<std::string> columns_of(const scene::Scene& scene, const scene::Needs& needs,
                                     const std::set<std::string>& conserved) {
-  return scene::is_linear(scene.analysis) ? columns_of_linear_runs(scene, needs)
-         : needs.comparison               ? columns_of_compared_runs(scene, needs)
-                                          : columns_of_sweep(scene, needs, conserved);
+  return sweeps_tables(scene) ? columns_of_table_runs(scene, needs)
+         : needs.comparison   ? columns_of_compared_runs(scene, needs)
+                              : columns_of_sweep(scene, needs, conserved);
 }
 
 /// Throws UserError if run k has other columns of sweep.csv than the first run, for example because a parameter is the
@@ -262,11 +262,12 @@ int n_processes_of(const scene::Scene& scene, int n_threads) {
   return std::clamp(static_cast<int>(std::min(room, 1e6)), 1, n_threads);
 }
 
-/// The task of the scene: a linear analysis (modes or Love numbers), compared models, a system, or a single model.
+/// The task of the scene: tables of models (modes, Love numbers or equilibria), compared models, a system, or a single
+/// model.
 std::unique_ptr<SweepTask> task_of(const scene::ReadScene& raw, const RunContext& context,
                                    const Executable& executable) {
   const scene::Needs& needs = context.needs;
-  if (scene::is_linear(raw.scene.analysis)) return std::make_unique<LinearRuns>(raw, executable, context);
+  if (sweeps_tables(raw.scene)) return std::make_unique<TableRuns>(raw, executable, context);
   if (needs.comparison) return std::make_unique<ComparedRuns>(raw, executable, context);
   if (needs.system) return std::make_unique<SweepRun>(raw, run_system, nullptr, context);
   const BallModel& model = executable.model(*needs.models.front());

@@ -17,7 +17,8 @@
 /// Runs 8k + 1 … 8k + 8 are computed together in SIMD lanes if possible (app/reduced/reduced_in_lanes.h). Otherwise
 /// these runs are computed one by one, each like a single run. Runs with finite elements have separate processes
 /// (row_processes.h). If the scene has several models, each run compares the models, and sweep.csv has the columns of
-/// compared_runs.h. Sweeps of modes and of Love numbers have those of linear_runs.h.
+/// compared_runs.h. Sweeps of modes, Love numbers and equilibria have those of
+/// table_runs.h.
 
 #include <optional>
 #include <utility>

@@ -198,7 +198,7 @@ FigureRun::FigureRun(const RunContext& context, std::string_view file, const std
     : context_(context),
       file_(file),
       parameter_(parameter_name(context.scene.equilibria.family)),
-      table_(context.directory.csv(file_), columns, context.scales()) {}
+      table_(table_of(context, file_, columns)) {}
 
 void FigureRun::end(mechanics::Outcome how, std::string message) {
   outcome_.end = how;
@@ -224,6 +224,7 @@ void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily&
     add_result(outcome_, context_,
                fmt::format("  {} at {} = {:.10g} ({})", mechanics::name_of(special.kind), parameter_,
                            special.member.parameter, name_of(special.motions)));
+  if (!family.missing.empty() && reason_.empty()) reason_ = family.missing.front().reason;
   n_members_ += static_cast<double>(family.members.size());
   n_special_ += static_cast<double>(family.special.size());
   const auto n_values = static_cast<int>(family.members.size() + family.missing.size());
@@ -252,7 +253,8 @@ ModelOutcome FigureRun::finish() {
   counters["equilibria"] = n_members_;
   counters["special_points"] = n_special_;
   outcome_.statistics.timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  if (goes_on() && n_members_ == 0) end(mechanics::Outcome::failed, "the family has no member in this range");
+  if (goes_on() && n_members_ == 0)
+    end(mechanics::Outcome::failed, fmt::format("{}.csv: the family has no member in this range: {}", file_, reason_));
   return outcome_;
 }
 

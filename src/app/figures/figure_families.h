@@ -90,6 +90,7 @@ class FigureRun {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   io::ColumnTable table_;
   ModelOutcome outcome_;
+  std::string reason_;  ///< why the first missing member does not exist; empty if no member is missing
   int index_ = 0;
   double n_members_ = 0, n_special_ = 0;
 };

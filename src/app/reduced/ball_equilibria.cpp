@@ -109,7 +109,7 @@ void write_family(const EquilibriumFamily& family, const RunContext& context) {
   for (const auto& special : family.special) rows.emplace_back(1 + static_cast<int>(special.kind), &special.point);
   std::stable_sort(rows.begin(), rows.end(),
                    [](const auto& a, const auto& b) { return a.second->parameter < b.second->parameter; });
-  io::ColumnTable table(context.directory.csv("equilibria"), ball_equilibria_columns(), context.scales());
+  io::ColumnTable table = table_of(context, "equilibria", ball_equilibria_columns());
   int index = 0;
   for (const auto& [kind, point] : rows) table.append(equilibria_row(++index, kind, *point));
   table.flush();
@@ -188,7 +188,8 @@ ModelOutcome run_ball_equilibria(const RunContext& context) {
   const bool interrupted = n_values < asked.number;
   if (family.points.empty() && !interrupted) {
     outcome.end = mechanics::Outcome::failed;
-    outcome.message = "the family has no member in this range";
+    outcome.message = fmt::format("equilibria.csv: the family has no member in this range: {}",
+                                  family.missing.empty() ? "it is empty" : family.missing.front().reason);
     return outcome;
   }
   write_family(family, context);

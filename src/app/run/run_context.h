@@ -39,7 +39,7 @@ struct RunContext {
   SinkOfModel sink_of;                                 ///< makes the sink of each model
   bool resumes = false;                                ///< true if the run continues an earlier run in the directory
   const Ranks* ranks = &one_rank();                    ///< processes that share the run of the model
-  std::map<std::string, io::Table>* tables = nullptr;  ///< receives modes and Love numbers; if null, they go to files
+  std::map<std::string, io::Table>* tables = nullptr;  ///< receives tables of modes and so on; if null, files do
 
   /// Converts a time of the scene to internal units.
   double internal_time(double physical) const { return physical / units.time; }
@@ -67,8 +67,8 @@ inline RunContext derived(const RunContext& context, const scene::Scene& scene, 
           .tables = tables};
 }
 
-/// The table of modes or Love numbers with this name: an entry of context.tables, or a CSV file if context.tables is
-/// null.
+/// The table of modes, Love numbers or equilibria with this name: an entry of context.tables, or a CSV file if
+/// context.tables is null.
 inline io::ColumnTable table_of(const RunContext& context, const std::string& name,
                                 const std::vector<scene::Column>& columns) {
   if (context.tables) return {(*context.tables)[name], columns, context.scales()};

@@ -195,7 +195,6 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
   frequencies.clear();
   while (true) {
     SectorSpectrum& last = *std::ranges::min_element(sectors, {}, &SectorSpectrum::complete_below);
-    if (std::isinf(last.complete_below())) break;
     const auto sorted = sort_modes(modes, last.complete_below());
     const auto n = static_cast<std::size_t>(n_frequencies);
     if (sorted.size() >= n &&
@@ -205,6 +204,7 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
       return {};
     }
     if (interrupted()) return stopped();
+    if (std::isinf(last.complete_below())) break;  // all modes of the mesh are known
     if (report.n_eigenpairs > 200 * (n_frequencies + 1)) break;
     if (auto s = last.extend(last.asked() ? n_more : n_first, modes, report); !s) return s;
   }

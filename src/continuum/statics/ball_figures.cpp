@@ -241,7 +241,8 @@ mechanics::Status BallFigures::step(const Condition& condition, const Figure& fi
 
 mechanics::Status BallFigures::newton(const Condition& condition, Figure& figure) const {
   constexpr int max_iterations = 30, max_halvings = 12;
-  constexpr double accepted = 1e-11;
+  // The round-off of the forces grows with gravity: at gamma = 1000 the residual ends near 1.5e-11.
+  constexpr double accepted = 1e-10;
   Figure kept = figure;
   double best = std::numeric_limits<double>::infinity();
   for (int i = 0; i < max_iterations; ++i) {

@@ -1,7 +1,7 @@
 // A sweep: values over the parameter that takes most values, a line for each choice of the others, and of two parameters
 // a map.
 
-const SWEPT_UNITS = [[/^(kinetic|elastic|gravitational|external|dissipated|energy)$/, SQUARED], [/^[JZ]\d$/, MOMENTUM], [/^[ax]\d$/, "length"], [/^v\d$/, "length/time"], [/^Qdot/, "1/time"], [/^multiplier$/, "1/time^2"], [/^frequency$/, "1/time"], [/_omega_\d+$/, "1/time"]];
+const SWEPT_UNITS = [[/^(kinetic|elastic|gravitational|external|dissipated|energy)$/, SQUARED], [/^[JZ]\d$/, MOMENTUM], [/^[ax]\d$/, "length"], [/^v\d$/, "length/time"], [/^Qdot/, "1/time"], [/^multiplier$/, "1/time^2"], [/^frequency$/, "1/time"], [/(_omega_\d+|^omega3|^growth_rate)$/, "1/time"], [/^surface\d$/, "length"]];
 const MOST_LINES = 6, MOST_RUNS = 30;
 
 function sweptUnit(name) {
@@ -12,7 +12,7 @@ function sweptUnit(name) {
 // What is conserved or does not change within any run is shown once.
 function sweptQuantities(t) {
   if (t.has("compared")) return comparedQuantities(t);
-  if (isLinearSweep()) return linearQuantities(t);
+  if (isTableSweep()) return tableQuantities(t);
   const list = [], add = (base, y, words = base) => list.push({base, y, title: withUnit(words, sweptUnit(base))});
   if (t.has("frequency")) {
     add("frequency", t.columns.frequency.map(v => v > 0 ? v : NaN), "frequency of C = QᵀQ");
@@ -29,14 +29,16 @@ function sweptQuantities(t) {
   return list;
 }
 
-// Sweeps of modes and of Love numbers: the frequencies of every model, or its Love numbers h, l and k. 0 stands for a run that
-// failed.
-const isLinearSweep = () => ["modes", "love numbers"].includes(scene.Analysis);
-function linearQuantities(t) {
-  const wanted = scene.Analysis === "modes" ? /^(.*)_(omega)_(\d+)$/ : /^(.*)_([hlk])_(\d+)$/;
-  return t.names.map(name => [name, name.match(wanted)]).filter(([, match]) => match).map(([name, [, model, letter, i]]) => ({base: name,
-    y: t.columns[name].map((v, row) => t.at("finished", row) ? v : NaN), isMap: i === "1" || i === "2",
-    title: withUnit(letter === "omega" ? `${model}: frequency ${i}` : `${model}: ${letter} of degree ${i}`, sweptUnit(name))}));
+// Sweeps of modes, Love numbers and equilibria: columns of the tables of every model. 0 stands for a run that failed.
+const TABLE_COLUMNS = {"modes": /^(.*)_(omega)_(\d+)$/, "love numbers": /^(.*)_([hlk])_(\d+)$/, "equilibrium": /^(.*)_(omega3|a1|a3|surface1|surface3|J3|energy|growth_rate)()$/};
+const isTableSweep = () => scene.Analysis in TABLE_COLUMNS;
+function tableQuantities(t) {
+  const words = {"modes": (_, i) => `frequency ${i}`, "love numbers": (letter, i) => `${letter} of degree ${i}`, "equilibrium": name => name}[scene.Analysis];
+  const columns = t.names.map(name => [name, name.match(TABLE_COLUMNS[scene.Analysis])]).filter(([, match]) => match);
+  const order = scene.Analysis === "equilibrium" ? columns.map(([, match]) => match[2]) : [];
+  return columns.sort(([, a], [, b]) => order.indexOf(a[2]) - order.indexOf(b[2])).map(([name, [, model, column, i]]) => ({base: name,
+    y: t.columns[name].map((v, row) => t.at("finished", row) ? v : NaN), isMap: ["1", "2"].includes(i) || column === "a1",
+    title: withUnit(`${model}: ${words(column, i)}`, sweptUnit(i ? name : column))}));
 }
 
 // Of a sweep of several models, the comparison of each with the last. −1 and, of a ratio, 0 stand for "not known".
@@ -97,7 +99,7 @@ function sweepSections() {
   for (const q of quantities) scale.set(sweptUnit(q.base), Math.max(scale.get(sweptUnit(q.base)) || 1e-300, ...finiteExtent(q.y).map(Math.abs).filter(Number.isFinite)));
   const scaleOf = q => scale.get(sweptUnit(q.base));
   const isLevel = q => { const [a, b] = finiteExtent(q.y); return !(b - a > 1e-7 * scaleOf(q)); };
-  const level = quantities.filter(isLevel), jumping = t.has("compared") || isLinearSweep() ? [] : quantities.filter(q => !isLevel(q) && isOfSampling(q.y, all, scaleOf(q)));
+  const level = quantities.filter(isLevel), jumping = t.has("compared") || isTableSweep() ? [] : quantities.filter(q => !isLevel(q) && isOfSampling(q.y, all, scaleOf(q)));
   const drawn = quantities.filter(q => !level.includes(q) && !jumping.includes(q));
   const absent = q => { const n = q.y.filter(v => !Number.isFinite(v)).length; return n ? `${n} of ${t.n} runs do not have it.` : ""; };
   const draws = q => chart({title: q.title, xLabel: x, note: [absent(q), q.bar ? "The vertical lines are error bars." : ""].filter(Boolean).join(" "), series: lines.map(l => {
@@ -110,7 +112,7 @@ function sweepSections() {
   }).join("; ");
   const lineWords = others.length ? `, for ${lines.length < all.length ? `${lines.length} of the ${all.length}` : "all"} values of ${others.join(", ")}` : "";
   return [...mapSections(t, swept, x, quantities, drawn),
-    ...section("Sweep", t.has("compared") ? `Each model against the last, over ${x}${lineWords}.` : isLinearSweep() ? `Values of each run over ${x}${lineWords}; sweep.csv also has the exact sphere.` : `Values of each run over ${x}${lineWords}: conserved quantities, and the least and the greatest value of the others within the run.`,
+    ...section("Sweep", t.has("compared") ? `Each model against the last, over ${x}${lineWords}.` : isTableSweep() ? `Values of each run over ${x}${lineWords}; sweep.csv has further columns.` : `Values of each run over ${x}${lineWords}: conserved quantities, and the least and the greatest value of the others within the run.`,
       others.length ? legend(lines) : null, make("div", {class: "charts"}, drawn.slice(0, MOST_CHARTS).map(draws)),
       drawn.length > MOST_CHARTS ? more(`More charts (${drawn.length - MOST_CHARTS})`, [make("div", {class: "charts"}, drawn.slice(MOST_CHARTS).map(draws))]) : null,
       level.length ? make("p", {class: "note"}, `The same in all runs to 1e−7: ${named(level)}.`) : null,
@@ -120,7 +122,7 @@ function sweepSections() {
 
 function runsSection(t) {
   const failed = [...Array(t.n).keys()].filter(i => !hasFinished(t, i)), listed = (failed.length ? failed : [...Array(t.n).keys()]).slice(0, MOST_RUNS);
-  const head = t.has("compared") ? ["run", ...sweptNames(t), ...t.names.filter(n => /_(finished|frequency_ratio|frequency_ratio_error)$/.test(n))] : isLinearSweep() ? ["run", ...sweptNames(t), "finished", ...sweptQuantities(t).map(q => q.base).slice(0, MOST_LINES)] : t.names.slice(0, t.names.findIndex(n => /_(end|min|max|drift)$/.test(n))).filter(n => !t.has(`${n}_drift`));
+  const head = t.has("compared") ? ["run", ...sweptNames(t), ...t.names.filter(n => /_(finished|frequency_ratio|frequency_ratio_error)$/.test(n))] : isTableSweep() ? ["run", ...sweptNames(t), "finished", ...sweptQuantities(t).map(q => q.base).slice(0, MOST_LINES)] : t.names.slice(0, t.names.findIndex(n => /_(end|min|max|drift)$/.test(n))).filter(n => !t.has(`${n}_drift`));
   const words = {finished: "to its end", estimated_time_error: "estimated time error", frequency: withUnit("frequency", "1/time")};
   const cell = (c, i) => /(^|_)finished$/.test(c) ? (t.at(c, i) ? "yes" : "no") : c === "frequency" && !t.at(c, i) ? "none" : show(t.at(c, i), 5);
   return section(failed.length ? "Runs that stopped early" : "Runs", `${listed.length} of ${failed.length || t.n}; the file sweep.csv has all, with the values at the end.`, tableOf(head.map(c => words[c] || c), listed.map(i => head.map(c => cell(c, i)))));
