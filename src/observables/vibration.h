@@ -65,7 +65,8 @@ class Vibration {
   Vibration(const SpheroidalMotions& motions, Eigen::Matrix3Xd X, Eigen::VectorXd masses, Eigen::MatrixXd products);
 
   /// Returns the sums over the nodes of this rank from which `observables` computes its result. The positions x and
-  /// velocities v are relative to the centre of mass. Q is the mass moment Q_M, and Qdot its rate. The caller adds the sums of all ranks before it calls `observables`.
+  /// velocities v are relative to the centre of mass. Q is the mass moment Q_M, and Qdot its rate. The caller adds the
+  /// sums of all ranks before it calls `observables`.
   Eigen::VectorXd sums(const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& v, const Eigen::Matrix3d& Q,
                        const Eigen::Matrix3d& Qdot) const;
   /// Returns the observables of the whole body, from the sums over all nodes and the elastic energy of the whole body.
