@@ -53,7 +53,9 @@ CASES = (
     ({"System": "mass points", "Mass points/Drag": 1, "Time/Method": "symmetric-8"}, "Time/Method", None),
     # Sweeps.
     ({**SWEEP, "Output/Graphics": "vtu"}, "Output/Graphics", None),
-    ({**SWEEP, **FAMILY}, "Analysis", None),
+    ({**SWEEP, **FAMILY}, "Equilibrium/Number", None),
+    ({**SWEEP, **FAMILY, "Equilibrium/Number": 1, "Equilibrium/Family": "static"}, "Equilibrium/Family", None),
+    ({"System": "double pendulum", "Analysis": "equilibrium", "Sweep/Parameters": "l: 1, 2", "Time/End": "$(l)"}, "Analysis", None),
     # Love numbers.
     ({**LOVE, "Body/Incompressible": "false"}, "Body/Incompressible", None),
     ({**LOVE, "Body/Semi-axes": "1, 1, 1.1"}, "Body/Semi-axes", None),
