@@ -33,7 +33,7 @@ def families(run: Run) -> dict[str, Family]:
             rows = (degrees == degree) & (columns["kind"] == 0)
             found[f"{model}-{degree:.0f}" if model == "polynomial" else model] = {key: values[rows] for key, values in columns.items()}
     if not found:
-        raise WrongInput(f"{run.directory} has no table of equilibria; run a scene with Analysis = equilibrium")
+        raise WrongInput(f"{run.directory} has no table of a family; run a scene with Analysis = equilibrium and without a sweep")
     return found
 
 

@@ -24,6 +24,7 @@ struct Part {
   std::vector<std::string> names;  ///< columns of the table
   std::size_t first;               ///< first column that sweep.csv receives; the columns before it identify a row
   std::vector<WantedRow> rows;     ///< in the order of sweep.csv
+  bool must_exist = false;  ///< true if a missing row is a failure; sweep.csv then has the column `finished` of it
 };
 
 std::vector<std::string> names_of(const std::vector<scene::Column>& columns) {
@@ -35,7 +36,7 @@ std::vector<std::string> names_of(const std::vector<scene::Column>& columns) {
 /// The part of a table whose first column has the numbers of its rows.
 Part numbered_part(std::string file, const std::string& run, const std::vector<scene::Column>& columns,
                    const std::vector<int>& numbers) {
-  Part part{std::move(file), column_prefix(run), names_of(columns), 1, {}};
+  Part part{std::move(file), column_prefix(run), names_of(columns), 1, {}, false};
   for (const int number : numbers) part.rows.push_back({fmt::format("_{}", number), {{part.names[0], number}}});
   return part;
 }
@@ -44,7 +45,8 @@ Part numbered_part(std::string file, const std::string& run, const std::vector<s
 /// another degree. Special points between two members do not occur, because the family has one member.
 Part equilibrium_part(const scene::ModelDescription& model, const scene::Scene& scene, std::size_t k) {
   const std::vector<scene::ModelRun> runs = scene::runs_of(model, scene);
-  Part part{std::string(model.equilibria.file), column_prefix(runs[k].name), names_of(model.equilibria.columns), 0, {}};
+  Part part{
+      std::string(model.equilibria.file), column_prefix(runs[k].name), names_of(model.equilibria.columns), 0, {}, true};
   part.first = static_cast<std::size_t>(std::ranges::find(part.names, "kind") - part.names.begin()) + 1;
   WantedRow row{"", {{"kind", 0}}};
   if (runs.size() > 1) row.keys.emplace_back("degree", scene.polynomial.degrees[k]);
@@ -78,14 +80,18 @@ bool has_keys(const Part& part, const WantedRow& wanted, const io::Table& table,
 }
 
 /// Appends the values of a table to a row of sweep.csv, in the order of part.rows. If the table lacks a row, appends
-/// zeros.
-void append(const Part& part, const io::Table& table, std::vector<double>& row) {
+/// zeros. Returns false if such a row must exist.
+bool append(const Part& part, const io::Table& table, std::vector<double>& row) {
+  bool is_complete = true;
   for (const WantedRow& wanted : part.rows) {
     std::size_t i = 0;
     while (i < table.n_rows() && !has_keys(part, wanted, table, i)) ++i;
+    if (part.must_exist) row.push_back(i < table.n_rows());
+    is_complete = is_complete && (i < table.n_rows() || !part.must_exist);
     for (std::size_t c = part.first; c < part.names.size(); ++c)
       row.push_back(i < table.n_rows() ? table.row(i)[c] : 0);
   }
+  return is_complete;
 }
 
 }  // namespace
@@ -99,17 +105,25 @@ std::vector<std::string> columns_of_table_runs(const scene::Scene& scene, const 
   std::vector<std::string> names = first_columns(scene);
   names.emplace_back("finished");
   for (const Part& part : parts_of(scene, needs))
-    for (const WantedRow& wanted : part.rows)
+    for (const WantedRow& wanted : part.rows) {
+      if (part.must_exist) names.push_back(part.prefix + "finished");
       for (std::size_t c = part.first; c < part.names.size(); ++c)
         names.push_back(part.prefix + part.names[c] + wanted.suffix);
+    }
   return names;
 }
 
 void TableRuns::compute(const RunContext& context, Tables& tables, FinishedRun& run) const {
   for (const scene::ModelDescription* model : context.needs.models)
     if (add_outcome(executable_.model(*model).run(context), run.end, run.message)) return;
+  std::vector<double> values;
+  for (const Part& part : parts_of(context.scene, context.needs))
+    if (!append(part, tables[part.file], values) && run.end == mechanics::Outcome::finished) {
+      run.end = mechanics::Outcome::failed;
+      run.message = part.file + ".csv: a degree has no figure of equilibrium";
+    }
   run.row.push_back(run.end == mechanics::Outcome::finished);
-  for (const Part& part : parts_of(context.scene, context.needs)) append(part, tables[part.file], run.row);
+  run.row.insert(run.row.end(), values.begin(), values.end());
 }
 
 }  // namespace pseudorigid::app

@@ -241,8 +241,11 @@ mechanics::Status BallFigures::step(const Condition& condition, const Figure& fi
 
 mechanics::Status BallFigures::newton(const Condition& condition, Figure& figure) const {
   constexpr int max_iterations = 30, max_halvings = 12;
-  // The round-off of the forces grows with gravity: at gamma = 1000 the residual ends near 1.5e-11.
-  constexpr double accepted = 1e-10;
+  // The round-off of the forces grows with γ, the weight over the shear modulus: at γ = 1000 the residual ends near
+  // 1.5e-11. The error bars of figures contain 1e-11 (1 + γ).
+  const double gamma =
+      weight_of_density(forcing_.gravity_constant) / materials::moduli_at_rest(stored_.law, incompressible_).shear;
+  const double accepted = 1e-11 * std::min(10.0, 1 + gamma);
   Figure kept = figure;
   double best = std::numeric_limits<double>::infinity();
   for (int i = 0; i < max_iterations; ++i) {

@@ -59,7 +59,7 @@ function sceneSections() {
     .map(e => [({"Gravity/Constant": "Gravitational constant", "Gravity/Gamma": "Self-gravity γ = ρgr/μ"})[e] || e.replace(/^(Loads|Material|Body)\//, "").replace("Companions/", "Companions: "), e]));
   if (ball && motion) asked.push(["Initial deformation Q₀", "Initial state/Deformation"], ["Initial velocity Q̇₀", "Initial state/Velocity"], ...["Initial state/Equilibrium"].filter(e => given(e) && scene[e] !== "none").map(e => ["Initial equilibrium", e]));
   if (!ball) asked.push(...Object.keys(scene).filter(e => e.toLowerCase().startsWith(`${scene.System}/`)).map(e => [e.split("/")[1], e]));
-  if (ball && scene.Analysis === "equilibrium") asked.push(["Family", "Equilibrium/Family"], ["Parameter from", "Equilibrium/First"], ["to", "Equilibrium/Last"]);
+  if (ball && scene.Analysis === "equilibrium") asked.push(["Family", "Equilibrium/Family"], ...(scene["Equilibrium/Number"] === "1" ? [["Parameter", "Equilibrium/First"]] : [["Parameter from", "Equilibrium/First"], ["to", "Equilibrium/Last"]]));
   if (motion) asked.push(["End", "Time/End"], ["Method", "Time/Method"], ["Tolerance of the time error", "Time/Tolerance"]);
   if (ball && (manifest.ball || []).some(model => model.discretized)) asked.push(["Degree of the finite elements", "Continuum/Degree"], ["Refinements", "Continuum/Refinements"], ["Mesh", "Continuum/Mesh"]);
   asked.push(...["Sweep/Parameters"].filter(given).map(e => ["Sweep", e]));

@@ -37,8 +37,8 @@ function tableQuantities(t) {
   const columns = t.names.map(name => [name, name.match(TABLE_COLUMNS[scene.Analysis])]).filter(([, match]) => match);
   const order = scene.Analysis === "equilibrium" ? columns.map(([, match]) => match[2]) : [];
   return columns.sort(([, a], [, b]) => order.indexOf(a[2]) - order.indexOf(b[2])).map(([name, [, model, column, i]]) => ({base: name,
-    y: t.columns[name].map((v, row) => t.at("finished", row) ? v : NaN), isMap: ["1", "2"].includes(i) || column === "a1",
-    title: withUnit(`${model}: ${words(column, i)}`, sweptUnit(i ? name : column))}));
+    y: t.columns[name].map((v, row) => t.at(t.has(`${model}_finished`) ? `${model}_finished` : "finished", row) ? v : NaN), isMap: ["1", "2"].includes(i) || column === "a1",
+    unit: sweptUnit(i ? name : column), title: withUnit(`${model}: ${words(column, i)}`, sweptUnit(i ? name : column))}));
 }
 
 // Of a sweep of several models, the comparison of each with the last. −1 and, of a ratio, 0 stand for "not known".
@@ -96,8 +96,9 @@ function sweepSections() {
   const all = linesOver(t, x, others), n_lines = Math.min(all.length, MOST_LINES);
   const lines = Array.from({length: n_lines}, (_, k) => ({...all[n_lines > 1 ? Math.round(k * (all.length - 1) / (n_lines - 1)) : 0], style: `line${k}`}));
   const quantities = sweptQuantities(t), scale = new Map();
-  for (const q of quantities) scale.set(sweptUnit(q.base), Math.max(scale.get(sweptUnit(q.base)) || 1e-300, ...finiteExtent(q.y).map(Math.abs).filter(Number.isFinite)));
-  const scaleOf = q => scale.get(sweptUnit(q.base));
+  const unitOf = q => q.unit ?? sweptUnit(q.base);
+  for (const q of quantities) scale.set(unitOf(q), Math.max(scale.get(unitOf(q)) || 1e-300, ...finiteExtent(q.y).map(Math.abs).filter(Number.isFinite)));
+  const scaleOf = q => scale.get(unitOf(q));
   const isLevel = q => { const [a, b] = finiteExtent(q.y); return !(b - a > 1e-7 * scaleOf(q)); };
   const level = quantities.filter(isLevel), jumping = t.has("compared") || isTableSweep() ? [] : quantities.filter(q => !isLevel(q) && isOfSampling(q.y, all, scaleOf(q)));
   const drawn = quantities.filter(q => !level.includes(q) && !jumping.includes(q));

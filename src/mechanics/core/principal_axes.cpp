@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace pseudorigid::mechanics {
 namespace detail::axes {
