@@ -122,10 +122,11 @@ endif()
 math(EXPR pseudorigid_test_timeout "300 * ${pseudorigid_test_patience}")
 
 # pseudorigid_suites(NAME LABEL label SOURCES file…): one ctest entry per test suite of a GoogleTest executable, and one for
-# the tests of no known suite, so that all tests run. Loading deal.II takes 0.4 s, more than most tests of the finite elements.
+# the tests of no known suite, so that all tests run. An executable with finite elements takes 0.4 s to load deal.II.
 function(pseudorigid_suites name)
   cmake_parse_arguments(TEST "" "LABEL" "SOURCES" ${ARGN})
   set(suites)
+  set(tests)
   foreach(source ${TEST_SOURCES})
     file(STRINGS ${source} lines REGEX "^(TYPED_)?TEST(_[FP])?\\(")
     foreach(line ${lines})
@@ -151,8 +152,8 @@ function(pseudorigid_suites name)
 endfunction()
 
 # pseudorigid_test(NAME LABEL label SOURCES file… [LIBS layer or target…] [CASES]): one GoogleTest executable, one ctest
-# entry per test case, or per test suite if the executable has finite elements. CASES: an entry per case in all cases; needed
-# for tests that may be skipped.
+# entry per test case, or per test suite if the executable has finite elements. With CASES it has an entry per test case
+# even then, so that ctest reports a skipped test as skipped.
 function(pseudorigid_test name)
   cmake_parse_arguments(TEST "CASES" "LABEL" "SOURCES;LIBS" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})

@@ -24,7 +24,7 @@ struct Part {
   std::vector<std::string> names;  ///< columns of the table
   std::size_t first;               ///< first column that sweep.csv receives; the columns before it identify a row
   std::vector<WantedRow> rows;     ///< in the order of sweep.csv
-  bool must_exist = false;  ///< true if a missing row is a failure; sweep.csv then has the column `finished` of it
+  bool is_flagged = false;         ///< true if a column `finished` precedes the values: 1 if the table has the row
 };
 
 std::vector<std::string> names_of(const std::vector<scene::Column>& columns) {
@@ -42,7 +42,7 @@ Part numbered_part(std::string file, const std::string& run, const std::vector<s
 }
 
 /// The part of the table of equilibria of a model for its run number k. If the model has several runs, each run has
-/// another degree. Special points between two members do not occur, because the family has one member.
+/// another degree. The family has one member, so the table has no special points between members.
 Part equilibrium_part(const scene::ModelDescription& model, const scene::Scene& scene, std::size_t k) {
   const std::vector<scene::ModelRun> runs = scene::runs_of(model, scene);
   Part part{
@@ -80,18 +80,15 @@ bool has_keys(const Part& part, const WantedRow& wanted, const io::Table& table,
 }
 
 /// Appends the values of a table to a row of sweep.csv, in the order of part.rows. If the table lacks a row, appends
-/// zeros. Returns false if such a row must exist.
-bool append(const Part& part, const io::Table& table, std::vector<double>& row) {
-  bool is_complete = true;
+/// zeros.
+void append(const Part& part, const io::Table& table, std::vector<double>& row) {
   for (const WantedRow& wanted : part.rows) {
     std::size_t i = 0;
     while (i < table.n_rows() && !has_keys(part, wanted, table, i)) ++i;
-    if (part.must_exist) row.push_back(i < table.n_rows());
-    is_complete = is_complete && (i < table.n_rows() || !part.must_exist);
+    if (part.is_flagged) row.push_back(i < table.n_rows());
     for (std::size_t c = part.first; c < part.names.size(); ++c)
       row.push_back(i < table.n_rows() ? table.row(i)[c] : 0);
   }
-  return is_complete;
 }
 
 }  // namespace
@@ -106,7 +103,7 @@ std::vector<std::string> columns_of_table_runs(const scene::Scene& scene, const 
   names.emplace_back("finished");
   for (const Part& part : parts_of(scene, needs))
     for (const WantedRow& wanted : part.rows) {
-      if (part.must_exist) names.push_back(part.prefix + "finished");
+      if (part.is_flagged) names.push_back(part.prefix + "finished");
       for (std::size_t c = part.first; c < part.names.size(); ++c)
         names.push_back(part.prefix + part.names[c] + wanted.suffix);
     }
@@ -116,14 +113,8 @@ std::vector<std::string> columns_of_table_runs(const scene::Scene& scene, const 
 void TableRuns::compute(const RunContext& context, Tables& tables, FinishedRun& run) const {
   for (const scene::ModelDescription* model : context.needs.models)
     if (add_outcome(executable_.model(*model).run(context), run.end, run.message)) return;
-  std::vector<double> values;
-  for (const Part& part : parts_of(context.scene, context.needs))
-    if (!append(part, tables[part.file], values) && run.end == mechanics::Outcome::finished) {
-      run.end = mechanics::Outcome::failed;
-      run.message = part.file + ".csv: a degree has no figure of equilibrium";
-    }
   run.row.push_back(run.end == mechanics::Outcome::finished);
-  run.row.insert(run.row.end(), values.begin(), values.end());
+  for (const Part& part : parts_of(context.scene, context.needs)) append(part, tables[part.file], run.row);
 }
 
 }  // namespace pseudorigid::app

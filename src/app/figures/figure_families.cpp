@@ -207,9 +207,12 @@ void FigureRun::end(mechanics::Outcome how, std::string message) {
 
 void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily& family, const NameOfClass& name_of,
                     const RowOf& row_of) {
-  for (const auto& missing : family.missing)
-    context_.log->warn("{}: no equilibrium at {} = {:.9g}: {}", of_degree, parameter_, missing.parameter,
-                       missing.reason);
+  for (const auto& missing : family.missing) {
+    const std::string sentence =
+        fmt::format("{}: no equilibrium at {} = {:.9g}: {}", of_degree, parameter_, missing.parameter, missing.reason);
+    context_.log->warn("{}", sentence);
+    if (reason_.empty()) reason_ = sentence;
+  }
   for (const double parameter : family.without_special)
     context_.log->warn(
         "{}: the number of negative directions changes before {} = {:.9g}, but its special point was not "
@@ -224,7 +227,6 @@ void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily&
     add_result(outcome_, context_,
                fmt::format("  {} at {} = {:.10g} ({})", mechanics::name_of(special.kind), parameter_,
                            special.member.parameter, name_of(special.motions)));
-  if (!family.missing.empty() && reason_.empty()) reason_ = family.missing.front().reason;
   n_members_ += static_cast<double>(family.members.size());
   n_special_ += static_cast<double>(family.special.size());
   const auto n_values = static_cast<int>(family.members.size() + family.missing.size());
@@ -254,7 +256,8 @@ ModelOutcome FigureRun::finish() {
   counters["special_points"] = n_special_;
   outcome_.statistics.timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   if (goes_on() && n_members_ == 0)
-    end(mechanics::Outcome::failed, fmt::format("{}.csv: the family has no member in this range: {}", file_, reason_));
+    end(mechanics::Outcome::failed, "the family has no member in this range: " + reason_);
+  if (goes_on() && context_.tables && !reason_.empty()) end(mechanics::Outcome::failed, reason_);
   return outcome_;
 }
 

@@ -79,7 +79,8 @@ class FigureRun {
   /// Sets the outcome and the message of the run.
   void end(mechanics::Outcome how, std::string message);
   ModelOutcome& outcome() { return outcome_; }
-  /// Completes the table and the statistics. The outcome is `failed` if no figure was found.
+  /// Completes the table and the statistics. The outcome is `failed` if no figure was found. In a run of a sweep, which
+  /// has one figure of each degree, it is `failed` if one of them is missing.
   ModelOutcome finish();
 
  private:
@@ -90,7 +91,7 @@ class FigureRun {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   io::ColumnTable table_;
   ModelOutcome outcome_;
-  std::string reason_;  ///< why the first missing member does not exist; empty if no member is missing
+  std::string reason_;  ///< sentence on the first member that does not exist; empty if no member is missing
   int index_ = 0;
   double n_members_ = 0, n_special_ = 0;
 };

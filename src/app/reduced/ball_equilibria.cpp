@@ -188,7 +188,7 @@ ModelOutcome run_ball_equilibria(const RunContext& context) {
   const bool interrupted = n_values < asked.number;
   if (family.points.empty() && !interrupted) {
     outcome.end = mechanics::Outcome::failed;
-    outcome.message = fmt::format("equilibria.csv: the family has no member in this range: {}",
+    outcome.message = fmt::format("the family has no member in this range: {}",
                                   family.missing.empty() ? "it is empty" : family.missing.front().reason);
     return outcome;
   }
