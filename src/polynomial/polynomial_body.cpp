@@ -65,6 +65,17 @@ PolynomialBody::Vector PolynomialBody::affine(const Eigen::Matrix3d& A, const Ei
   return x;
 }
 
+void PolynomialBody::transform(const Eigen::Matrix3d& D, Vector& x) const {
+  for (int a = 0; a < space_->n_functions(); ++a) {
+    Eigen::Vector3d of_function = Eigen::Vector3d::Zero();
+    for (int i = 0; i < 3; ++i)
+      if (const int at = space_->place(i, a); at >= 0) of_function[i] = x[at];
+    of_function = D * of_function;
+    for (int i = 0; i < 3; ++i)
+      if (const int at = space_->place(i, a); at >= 0) x[at] = of_function[i];
+  }
+}
+
 mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const Vector& v, const Vector* held_at,
                                                 Vector& f) const {
   const int n = space_->n_points();

@@ -131,6 +131,9 @@ class PolynomialBody {
 
   /// Coefficients of x = c + A X, or of a velocity of this form. All other entries are 0.
   Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
+  /// Replaces the coefficients of a field x by those of the field D x. All other entries do not change. D must have the
+  /// symmetry planes of the space.
+  void transform(const Eigen::Matrix3d& D, Vector& x) const;
   const mechanics::Orbit& orbit() const { return orbit_; }
   /// The coordinates s_k of the companions (mechanics/core/orbit.h) in a vector, one column for each companion.
   mechanics::Orbit::Columns companions(const Vector& q) const {

@@ -168,27 +168,43 @@ mechanics::SymmetryDirections RotationSpectrum::symmetries(const Part& part, con
   return N;
 }
 
-mechanics::Status RotationSpectrum::analyse(const EquilibriumFigure& rotation,
-                                            std::vector<ClassStability>& classes) const {
-  const Eigen::VectorXd x = whole(rotation.x);
+std::vector<RotationSpectrum::ClassEquation> RotationSpectrum::equations(const EquilibriumFigure& rotation) const {
   const double spin = std::sqrt(std::max(rotation.drive, 0.0));
   const Eigen::MatrixXd K = stiffness(rotation);
-  const Eigen::MatrixXd G = incompressible_ ? constraint_matrix(space(), x) : Eigen::MatrixXd();
-  const mechanics::SymmetryDirections of_body = turns(x, spin);
-  classes.clear();
+  const Eigen::MatrixXd G = incompressible_ ? constraint_matrix(space(), whole(rotation.x)) : Eigen::MatrixXd();
+  std::vector<ClassEquation> equations;
   for (const Part& part : parts_) {
     Eigen::MatrixXd T = part.fields;
     if (incompressible_) T = T * mechanics::null_space(rows_beyond(dependent * G.norm(), G * T), dependent);
     if (T.cols() == 0) continue;
     Eigen::MatrixXd coriolis(T.rows(), T.cols());
     for (Eigen::Index k = 0; k < T.cols(); ++k) coriolis.col(k) = spin * turns_->of_space(2, T.col(k));
-    ClassStability of_class{part.motions, {}};
-    const auto system = mechanics::reduce(T.transpose() * K * T, T.transpose() * coriolis,
-                                          symmetries(part, T, space().affine_part(x), of_body), dependent);
+    equations.push_back({&part, T, T.transpose() * K * T, T.transpose() * coriolis});
+  }
+  return equations;
+}
+
+mechanics::Status RotationSpectrum::analyse(const EquilibriumFigure& rotation,
+                                            std::vector<ClassStability>& classes) const {
+  const Eigen::VectorXd x = whole(rotation.x);
+  const mechanics::SymmetryDirections of_body = turns(x, std::sqrt(std::max(rotation.drive, 0.0)));
+  classes.clear();
+  for (const ClassEquation& of : equations(rotation)) {
+    ClassStability of_class{of.part->motions, {}};
+    const auto system = mechanics::reduce(of.stiffness, of.coriolis,
+                                          symmetries(*of.part, of.T, space().affine_part(x), of_body), dependent);
     if (auto status = mechanics::analyse_stability(system, of_class.stability); !status) return status;
     classes.push_back(std::move(of_class));
   }
   return {};
+}
+
+mechanics::Status RotationSpectrum::motion(const EquilibriumFigure& rotation, std::size_t of_class,
+                                           std::complex<double> rate, mechanics::SmallMotion& motion) const {
+  const ClassEquation of = equations(rotation).at(of_class);
+  auto status = mechanics::motion_near(of.stiffness, of.coriolis, rate, motion);
+  motion.shape = of.T * motion.shape;
+  return status;
 }
 
 }  // namespace pseudorigid::polynomial

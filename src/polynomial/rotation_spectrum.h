@@ -21,11 +21,14 @@
 /// K maps motions of each of the eight parities to the same parity. Therefore one call of the force rate gives a column
 /// for each parity.
 
+#include <complex>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
 #include "mechanics/equilibria/figure_family.h"
 #include "mechanics/equilibria/linear_stability.h"
+#include "mechanics/equilibria/small_motion.h"
 #include "polynomial/steady_rotation.h"
 #include "polynomial/turns.h"
 
@@ -44,6 +47,11 @@ class RotationSpectrum {
   /// Computes the stability of all classes, in the same order for every figure. Fails if a matrix of a class is not
   /// finite, or if its eigenvalues do not converge.
   mechanics::Status analyse(const EquilibriumFigure& rotation, std::vector<ClassStability>& classes) const;
+  /// Sets `motion` to the small motion whose rate is nearest to `rate`. Its shape has the coefficients of the whole
+  /// body. `of_class` is the index of its class in the result of `analyse`. Fails if the iteration for the motion does
+  /// not converge.
+  mechanics::Status motion(const EquilibriumFigure& rotation, std::size_t of_class, std::complex<double> rate,
+                           mechanics::SmallMotion& motion) const;
 
  private:
   /// A class of motions. Each column of `fields` is a motion, and the columns are a basis of the class.
@@ -52,6 +60,14 @@ class RotationSpectrum {
     Eigen::MatrixXd fields;
     Eigen::MatrixXd exchanges;  ///< a basis of the motions w in the class; empty for a solid
   };
+  /// The linear equation of a class in the coordinates z of a basis T of its motions, u = T z. The columns of T satisfy
+  /// the constraint.
+  struct ClassEquation {
+    const Part* part;
+    Eigen::MatrixXd T, stiffness, coriolis;  ///< T; TᵀKT; the matrix of Ω ê₃×u
+  };
+  /// The equations of all classes that have a motion.
+  std::vector<ClassEquation> equations(const EquilibriumFigure& rotation) const;
   void add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure);
   Eigen::MatrixXd exchanges(const Eigen::MatrixXd& fields) const;
   Eigen::VectorXd whole_multiplier(const Eigen::VectorXd& lambda) const;

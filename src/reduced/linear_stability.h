@@ -50,9 +50,13 @@ mechanics::SymmetryDirections turns(const SteadyMotion& m, const Eigen::MatrixXd
 
 }  // namespace detail
 
-/// The linear system on the reduced space (mechanics/equilibria/linear_stability.h) for a steady motion.
+/// The equation of small motions in the coordinates y, H = Ty.
+struct SmallMotionEquation {
+  Eigen::MatrixXd T, K, G;
+};
+
 template <SmoothPotential V>
-ReducedLinearSystem reduce_linearisation(const IsotropicBody<V>& body, const SteadyMotion& m) {
+SmallMotionEquation linearisation(const IsotropicBody<V>& body, const SteadyMotion& m) {
   using detail::flat, detail::unflat;
   const Eigen::MatrixXd T = detail::tangent_space(m, body.incompressible);
   const Eigen::Index n = T.cols();
@@ -66,7 +70,14 @@ ReducedLinearSystem reduce_linearisation(const IsotropicBody<V>& body, const Ste
     K.col(j) = T.transpose() * flat(KH);
     G.col(j) = T.transpose() * flat(w * H - H * l);
   }
-  return mechanics::reduce(std::move(K), std::move(G), detail::turns(m, T), detail::absent);
+  return {T, K, G};
+}
+
+/// The linear system on the reduced space (mechanics/equilibria/linear_stability.h) for a steady motion.
+template <SmoothPotential V>
+ReducedLinearSystem reduce_linearisation(const IsotropicBody<V>& body, const SteadyMotion& m) {
+  SmallMotionEquation of = linearisation(body, m);
+  return mechanics::reduce(std::move(of.K), std::move(of.G), detail::turns(m, of.T), detail::absent);
 }
 
 /// Sets `result` to the rates and the stability of m. Fails if a matrix is not finite, or if the eigenvalues do not

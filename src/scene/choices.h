@@ -33,6 +33,8 @@ inline constexpr auto initial_family_kind = choice<Family>({
     {"riemann-planar", Family::riemann_planar},
     {"riemann-planar-dual", Family::riemann_planar_dual},
 });
+inline constexpr auto starting_figure_kind =
+    choice<StartingFigure>({{"affine", StartingFigure::affine}, {"own", StartingFigure::own}});
 /// The families for Analysis = equilibrium. They are the families of initial_family_kind without `none`, and in
 /// addition the equilibria at rest (`static`).
 inline constexpr auto family_kind = []() consteval {

@@ -99,7 +99,8 @@ void visit_loads(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_initial_state(S& scene, Visit& visit) {
-  auto& [deformation, velocity, equilibrium, parameter, center, center_velocity] = scene.initial_state;
+  auto& [deformation, velocity, equilibrium, parameter, figure, mode, amplitude, center, center_velocity, origin] =
+      scene.initial_state;
   visit(deformation, Matrix{},
         About{"Initial state/Deformation", "",
               "Q0: the ball starts as x = Q0 X; det Q0 > 0, and det Q0 = 1 within 1e-8 for an incompressible body "
@@ -116,6 +117,21 @@ void visit_initial_state(S& scene, Visit& visit) {
   visit(parameter, Number{},
         About{"Initial state/Equilibrium parameter", "",
               "Which member of the family: its parameter, as in Equilibrium/First. Ignored without Equilibrium."});
+  visit(figure, starting_figure_kind,
+        About{"Initial state/Figure", "",
+              "affine: every model starts from the ellipsoid of Equilibrium, which is the figure of the pseudo-rigid "
+              "body. own: every model starts from its own figure phi(X) of the same family and parameter, from x = "
+              "Deformation phi with the velocity Deformation (omega x phi) + Velocity X. The families are those of "
+              "Equilibrium/Family that the model offers, without static."});
+  visit(mode, AutoOrInteger{{0, 10}},
+        About{"Initial state/Mode", "",
+              "Small motion about the figure that is added to the start: the one with the rate rate_k of the table of "
+              "equilibria of the model (Analysis = equilibrium), for k = Mode; 0: none. Models number their motions "
+              "differently, so a scene with a number has one model and one degree. auto: every model starts with the "
+              "motion that grows fastest."});
+  visit(amplitude, Number{0, 1},
+        About{"Initial state/Mode amplitude", "",
+              "Root mean square of the displacement of that motion over the mass, in radii."});
   visit(center, Numbers{3}, About{"Initial state/Center", "length", "Initial position of the centre of mass."});
   visit(center_velocity, Numbers{3},
         About{"Initial state/Center velocity", "length/time", "Initial velocity of the centre of mass."});

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "entries/entry_kinds.h"
+#include "scene/discretization.h"
+#include "scene/models.h"
 #include "scene/scales.h"
 #include "scene/scene.h"
 
@@ -78,6 +81,34 @@ std::optional<Refusal> refuses_rate_of_expansion(double rate, const Matrix3& pro
 std::optional<Refusal> refuses_initial_state(const Scene& scene) {
   if (auto refusal = refuses_deformation(scene.initial_state.deformation)) return refusal;
   return refuses_velocity(scene.initial_state.velocity, time_scale(scene));
+}
+
+std::optional<Refusal> refuses_starting_figure(const Scene& scene) {
+  const Scene::InitialState& start = scene.initial_state;
+  if (start.figure == StartingFigure::affine && start.mode == 0) return {};
+  if (start.equilibrium == Family::none && !start.origin)
+    return Refusal{start.mode != 0 ? "Initial state/Mode" : "Initial state/Figure",
+                   "it belongs to a relative equilibrium; give Initial state/Equilibrium and its parameter"};
+  if (start.mode == 0) return {};
+  const auto models = models_of(scene);
+  const char* path = "Initial state/Mode";
+  if (start.mode && models.size() > 1)
+    return Refusal{path,
+                   "the number of a small motion is that of one model, and the scene has several",
+                   {},
+                   names_where(scene, [](const auto&) { return true; })};
+  if (!std::ranges::any_of(models, &ModelDescription::has_nonaffine)) return {};
+  if (start.figure == StartingFigure::affine)
+    return Refusal{
+        path, "a small motion is added to the figure of the model itself", {{{"Initial state/Figure", "own"}}}};
+  if (!start.mode) return {};
+  if (std::ranges::any_of(models, &ModelDescription::discretized)) {
+    if (!fixed_discretization(scene))
+      return Refusal{path, "the number of a small motion depends on the mesh; give Continuum/Degree and Refinements"};
+  } else if (scene.polynomial.degrees.size() != 1) {
+    return Refusal{path, "the number of a small motion is that of one degree; give one number to Polynomial/Degree"};
+  }
+  return {};
 }
 
 std::optional<Refusal> make_isochoric(Scene& scene) {

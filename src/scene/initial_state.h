@@ -18,6 +18,11 @@ namespace pseudorigid::scene {
 /// 1e12], and entries of Qdot0 above 1e12/t. The bounds keep products of such numbers finite and accurate.
 std::optional<Refusal> refuses_initial_state(const Scene& scene);
 
+/// Refuses an own figure or a small motion without a relative equilibrium. A small motion has a number that depends on
+/// the model and its discretisation. It is therefore also refused with several models or degrees, with a search for the
+/// discretisation, and if a model with motions that are not affine does not start from its own figure.
+std::optional<Refusal> refuses_starting_figure(const Scene& scene);
+
 /// Projects the initial state of the scene, whose body is incompressible. If a condition above is violated, returns the
 /// reason; the scene is then not usable.
 std::optional<Refusal> make_isochoric(Scene& scene);

@@ -35,6 +35,9 @@ enum class Family {
   riemann_planar_dual,
   at_rest
 };
+/// The figure from which a model starts if the scene gives a relative equilibrium: the ellipsoid of the pseudo-rigid
+/// body, or the model's own figure of the same family and parameter.
+enum class StartingFigure { affine, own };
 enum class Graphics { none, vtu };
 /// The cells of a picture. With `linear`, an element of degree k is divided into k³ hexahedra; with `lagrange`, it is
 /// one cell (io/block_cells.h).
@@ -93,8 +96,19 @@ struct Scene {
     Matrix3 velocity{};
     Family equilibrium = Family::none;
     double equilibrium_parameter = 0.5;
+    StartingFigure figure = StartingFigure::affine;
+    std::optional<int> mode = 0;  ///< number of the small motion that is added; 0: none; empty: the fastest growing one
+    double mode_amplitude = 1e-3;  ///< its root mean square displacement over the mass, in radii
     /// Centre of mass of the body and its companions, and the velocity of this centre.
     std::vector<double> center{0, 0, 0}, center_velocity{0, 0, 0};
+    /// The values of `equilibrium`, `equilibrium_parameter`, D and V, after explicit values of Q₀ and Q̇₀ have replaced
+    /// them (app/reduced/ball_equilibria.h). Empty if the scene did not give an equilibrium. No entry sets this member.
+    struct Origin {
+      Family family;
+      double parameter;
+      Matrix3 deformation, velocity;
+    };
+    std::optional<Origin> origin{};
   } initial_state;
   struct Equilibria {
     Family family = Family::maclaurin;

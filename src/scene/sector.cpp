@@ -128,7 +128,8 @@ Sector sector(const Scene& scene) {
   }
   const bool automatic = scene.continuum.symmetry == Symmetry::automatic;
   if (automatic) {
-    for (int i = 0; i < 3; ++i) sector.reflect[i] = !breaks_plane(scene, i);
+    // A small motion is found when the run starts. Before, its symmetry is not known.
+    for (int i = 0; i < 3; ++i) sector.reflect[i] = scene.initial_state.mode == 0 && !breaks_plane(scene, i);
   } else {
     sector.reflect = planes_of(scene.continuum.symmetry);
   }

@@ -75,6 +75,7 @@ class Validator {
     check_loads();
     check_output();
     if (const auto refusal = refuses_initial_state(scene_)) refuse(*refusal);
+    if (const auto refusal = refuses_starting_figure(scene_)) refuse(*refusal);
     if (const auto refusal = refuses_planes(scene_)) refuse(*refusal);
     if (const auto refusal = refuses_companions(scene_)) refuse(*refusal);
     if (const auto refusal = refuses_branches(scene_)) refuse(*refusal);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/continuum/figure_start.h"
 #include "app/continuum/stored_energy.h"
 #include "app/continuum/wrinkling_watch.h"
 #include "app/ranks/on_all_ranks.h"
@@ -38,6 +39,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
         ball_(mesh_of(context, task.discretization.refinements), task.discretization.degree,
               stored_energy(context.scene), internal_loads(context.scene), context.scene.continuum.gravity_points,
               context.scene.continuum.contact_points),
+        n_refinements_(task.discretization.refinements),
         rank_order_(ball_.space()),
         wrinkling_(context, law_) {}
 
@@ -98,6 +100,10 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   }
   Eigen::Matrix3d affine_part(const continuum::Vector& x) const override { return ball_.mass_moment(x); }
   Eigen::Vector3d mean(const continuum::Vector& x) const override { return ball_.mean(x); }
+  mechanics::Status own_figure(continuum::Vector& x, continuum::Vector& v) const override {
+    return start_from_figure(context_.scene, n_refinements_, ball_.space(), x, v);
+  }
+  void transform(const Eigen::Matrix3d& D, continuum::Vector& x) const override { ball_.transform(D, x); }
   double least_jacobian_at(const continuum::Vector& x) const override { return ball_.least_jacobian(x).value; }
   mechanics::VibrationObservables vibration(const State& state, const mechanics::ContinuumObservables& known) override {
     if (!vibration_) vibration_ = continuum::vibration_of(ball_);
@@ -143,6 +149,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   }
   materials::AnyLaw law_;
   System ball_;
+  int n_refinements_;  ///< of the mesh
   continuum::RankOrder rank_order_;
   WrinklingWatch wrinkling_;
   std::optional<mechanics::Vibration> vibration_;  ///< empty before the first row with the columns of vibration

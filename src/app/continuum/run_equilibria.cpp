@@ -6,9 +6,8 @@
 #include <cmath>
 #include <complex>
 
-#include "app/continuum/stored_energy.h"
+#include "app/continuum/figure_setup.h"
 #include "app/figures/continuum_figure_columns.h"
-#include "app/run/scene_to_model.h"
 #include "continuum/statics/figure_stability.h"
 #include "continuum/statics/observe_figure.h"
 #include "scene/discretization.h"
@@ -18,9 +17,9 @@ namespace {
 
 using mechanics::FigureFamily, mechanics::FigureMember, mechanics::SpecialFigure;
 
-/// Number of eigenvectors of each parity in the basis of the small motions, and a smaller number. The difference
-/// between the rates that result from both numbers is taken as a bound of the error of the basis.
-constexpr int n_eigenvectors = 10, n_fewer_eigenvectors = 6;
+/// A smaller number of eigenvectors than n_eigenvectors_of_figure. The difference between the rates that result from
+/// both numbers is taken as a bound of the error of the basis.
+constexpr int n_fewer_eigenvectors = 6;
 
 /// The largest difference between the rates of small motions in the rows of two figures.
 double difference_of_rates(const FigureMember& a, const FigureMember& b) {
@@ -34,7 +33,9 @@ double difference_of_rates(const FigureMember& a, const FigureMember& b) {
 class FamilyOnMesh {
  public:
   FamilyOnMesh(const RunContext& context, const scene::Discretization& discretization)
-      : context_(context), family_(family_of_figures(context.scene)), figures_(setup(context.scene, discretization)) {}
+      : context_(context),
+        family_(family_of_figures(context.scene, context.scene.equilibria.family)),
+        figures_(figure_setup(context.scene, discretization.degree, discretization.refinements, family_.figure)) {}
 
   /// The figures of the scene. If they are at rest under loads, `factor` is the factor of the loads. Otherwise it is
   /// not used.
@@ -60,18 +61,9 @@ class FamilyOnMesh {
   const continuum::BallFigures& figures() const { return figures_; }
 
  private:
-  continuum::FigureSetup setup(const scene::Scene& scene, const scene::Discretization& discretization) const {
-    return {.degree = discretization.degree,
-            .n_refinements = discretization.refinements,
-            .stored = stored_energy(scene),
-            .loads = internal_loads(scene),
-            .incompressible = scene.body.incompressible,
-            .drive = scene::finds_static_equilibria(scene) ? continuum::Drive::loads : continuum::Drive::rotation,
-            .figure = family_.figure};
-  }
   mechanics::FigureFinder finder() const {
     const auto analyse = [&](const auto& figure, auto& classes) {
-      return continuum::stability_of(figures_, figure, n_eigenvectors, classes);
+      return continuum::stability_of(figures_, figure, n_eigenvectors_of_figure, classes);
     };
     // A special point has the error of the mesh, so it need not be located to round-off.
     constexpr double resolution = 1e-7;
@@ -88,7 +80,7 @@ class FamilyOnMesh {
     if (!status) found.missing.push_back({factor, status.reason()});
     member.parameter = status ? factor : member.figure.drive;
     if (member.parameter == 0) return found;
-    status = continuum::stability_of(figures_, member.figure, n_eigenvectors, member.classes);
+    status = continuum::stability_of(figures_, member.figure, n_eigenvectors_of_figure, member.classes);
     if (status)
       found.members.push_back(std::move(member));
     else

@@ -39,22 +39,30 @@ int negative_directions(const FigureMember& member) {
 
 }  // namespace
 
+bool needs_own_figures(const scene::Scene& scene) {
+  const scene::Scene::InitialState& start = scene.initial_state;
+  if (scene.analysis == scene::Analysis::equilibrium) return true;
+  return scene.analysis == scene::Analysis::motion && start.equilibrium != Family::none &&
+         start.figure == scene::StartingFigure::own;
+}
+
 std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model,
                                              const std::vector<Family>& offered, std::vector<std::string_view> others) {
-  const Family family = scene.equilibria.family;
+  const bool is_of_start = scene.analysis != scene::Analysis::equilibrium;
+  const Family family = is_of_start ? scene.initial_state.equilibrium : scene.equilibria.family;
   if (std::ranges::find(offered, family) != offered.end()) return {};
   std::string names;
   for (const Family one : offered)
     names += (names.empty() ? "" : one == offered.back() ? " and " : ", ") + scene::family_kind.print(one);
-  return scene::Refusal{"Equilibrium/Family",
+  return scene::Refusal{is_of_start ? "Initial state/Equilibrium" : "Equilibrium/Family",
                         fmt::format("{} take {}; {} is", model, names, scene::family_kind.print(family)),
                         {},
                         std::move(others)};
 }
 
-mechanics::FamilyOfFigures family_of_figures(const scene::Scene& scene) {
+mechanics::FamilyOfFigures family_of_figures(const scene::Scene& scene, Family family) {
   const double time_unit = units_of(scene).time;
-  switch (scene.equilibria.family) {
+  switch (family) {
     case Family::maclaurin:
       return {Figure::spheroid, [](double e) -> FigureCondition {
                 return {FigureParameter::log_ratio_31, 0.5 * std::log((1 - e) * (1 + e))};
@@ -98,23 +106,29 @@ const ClassStability* fastest_growing(const FigureMember& member) {
   return fastest;
 }
 
-std::vector<std::complex<double>> slowest_rates(const FigureMember& member) {
+std::vector<RateOfClass> rates_by_frequency(const FigureMember& member) {
   double largest = 0;
-  std::vector<std::complex<double>> upper;  // Im s > 0, or s real
+  std::vector<RateOfClass> upper;  // Im s > 0, or s real
   for (const ClassStability& of_class : member.classes)
     for (const mechanics::Rate& rate : of_class.stability.rates) largest = std::max(largest, std::abs(rate.s));
   const double round_off = 1e-9 * largest;
-  for (const ClassStability& of_class : member.classes)
-    for (const mechanics::Rate& rate : of_class.stability.rates)
-      if (rate.s.imag() > -round_off) upper.push_back(rate.s);
-  std::ranges::sort(upper, [&](const auto& a, const auto& b) {
-    return a.imag() != b.imag() ? a.imag() < b.imag() : a.real() > b.real();
+  for (std::size_t k = 0; k < member.classes.size(); ++k)
+    for (const mechanics::Rate& rate : member.classes[k].stability.rates)
+      if (rate.s.imag() > -round_off) upper.push_back({rate.s, k});
+  std::ranges::sort(upper, [&](const RateOfClass& a, const RateOfClass& b) {
+    return a.s.imag() != b.s.imag() ? a.s.imag() < b.s.imag() : a.s.real() > b.s.real();
   });
-  std::vector<std::complex<double>> rates;
-  for (const std::complex<double>& s : upper) {
-    rates.push_back(s);
-    if (s.imag() > round_off) rates.push_back(std::conj(s));
+  std::vector<RateOfClass> rates;
+  for (const RateOfClass& rate : upper) {
+    rates.push_back(rate);
+    if (rate.s.imag() > round_off) rates.push_back({std::conj(rate.s), rate.of_class});
   }
+  return rates;
+}
+
+std::vector<std::complex<double>> slowest_rates(const FigureMember& member) {
+  std::vector<std::complex<double>> rates;
+  for (const RateOfClass& rate : rates_by_frequency(member)) rates.push_back(rate.s);
   rates.resize(n_slowest_rates);  // missing rates are 0
   return rates;
 }

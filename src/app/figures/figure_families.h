@@ -15,16 +15,19 @@
 
 namespace pseudorigid::app {
 
-/// The refusal if the scene requests a family that is not in `offered`, otherwise empty. `model` is the name of the
-/// model in the message, and `others` are the models that offer all families.
+/// True if the analysis computes figures of the model, or if a motion starts from such a figure.
+bool needs_own_figures(const scene::Scene& scene);
+
+/// The refusal if the scene requests a family that is not in `offered`, otherwise empty. The family is that of the
+/// analysis or, for a motion, that of the initial state. `model` is the name of the model in the message, and `others`
+/// are the models that offer all families.
 std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model,
                                              const std::vector<scene::Family>& offered,
                                              std::vector<std::string_view> others);
 
-/// The family of the scene as a function that maps a value of the parameter, in the unit of the family, to a condition
-/// on the figure. For Jacobi's family, the pseudo-rigid figure is the initial guess. The scene must exist as long as
-/// the result.
-mechanics::FamilyOfFigures family_of_figures(const scene::Scene& scene);
+/// A family as a function that maps a value of the parameter, in the unit of the family, to a condition on the figure.
+/// For Jacobi's family, the pseudo-rigid figure is the initial guess. The scene must exist as long as the result.
+mechanics::FamilyOfFigures family_of_figures(const scene::Scene& scene, scene::Family family);
 
 /// The values of the parameter that the scene requests.
 std::vector<double> parameters_of(const scene::Scene::Equilibria& asked);
@@ -34,6 +37,14 @@ const mechanics::ClassStability* fastest_growing(const mechanics::FigureMember& 
 
 /// The number of rates in a row of the table.
 inline constexpr std::size_t n_slowest_rates = 10;
+
+/// A rate s of small motions exp(st), and the index of its class in FigureMember::classes.
+struct RateOfClass {
+  std::complex<double> s;
+  std::size_t of_class;
+};
+/// All rates of a figure in the order of slowest_rates.
+std::vector<RateOfClass> rates_by_frequency(const mechanics::FigureMember& member);
 /// The ten rates s of lowest frequency |Im s| among all classes of small motions exp(st), by rising frequency. A rate
 /// with Im s > 0 is followed by its complex conjugate, which is a rate as well. If there are fewer than ten rates, the
 /// others are 0.

@@ -68,11 +68,12 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
   return {};
 }
 
-/// Refuses families, bodies and loads whose equilibria the finite-element model cannot compute. The loads must be
+/// Refuses families, bodies and loads whose equilibria the finite-element model cannot compute, for the analysis of
+/// equilibria and for a motion that starts from a figure of the model. For the analysis, the loads must be
 /// symmetric under the reflection of every axis, because only one octant is computed. The symmetry planes of the octant
 /// exclude rigid motions.
 std::optional<Refusal> refuses_equilibria(const Scene& scene) {
-  if (scene.analysis != scene::Analysis::equilibrium) return {};
+  if (!needs_own_figures(scene)) return {};
   if (auto refusal = refuses_family(scene, "finite elements",
                                     {Family::maclaurin, Family::spheroids, Family::spinning, Family::at_rest},
                                     scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })))
@@ -84,6 +85,10 @@ std::optional<Refusal> refuses_equilibria(const Scene& scene) {
                    "an equilibrium of a fluid, in which nothing resists inner motions, is",
                    {},
                    scene::names_where(scene, [](const auto& model) { return !model.discretized; })};
+  if (scene.analysis == scene::Analysis::motion) {
+    if (scene.continuum.grading == 1) return {};
+    return Refusal{"Continuum/Grading", "figures are computed on the even mesh", {{{"Continuum/Grading", "1"}}}};
+  }
   const loads::Forcing forcing = loads::constant_forcing(scene.loads);
   if (forcing.viscosity > 0 || forcing.drag > 0)
     return Refusal{forcing.viscosity > 0 ? "Material/Viscosity" : "Material/Drag",

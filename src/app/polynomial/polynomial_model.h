@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/polynomial/body_setup.h"
+#include "app/polynomial/figure_start.h"
 #include "app/polynomial/run_quadrature.h"
 #include "app/run/field_model.h"
 #include "app/run/picture.h"
@@ -96,6 +97,10 @@ class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces>
   Eigen::VectorXd affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const override {
     return body_.affine(A, c);
   }
+  mechanics::Status own_figure(Eigen::VectorXd& x, Eigen::VectorXd& v) const override {
+    return start_from_figure(context_.scene, body_.space(), x, v);
+  }
+  void transform(const Eigen::Matrix3d& D, Eigen::VectorXd& x) const override { body_.transform(D, x); }
   Eigen::Matrix3d affine_part(const Eigen::VectorXd& x) const override {
     return body_.space().affine_part(x.head(body_.space().n_unknowns()));
   }

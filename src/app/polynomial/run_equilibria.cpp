@@ -17,7 +17,7 @@ using scene::Family;
 void add_degree(int degree, const RunContext& context, FigureRun& run) {
   const scene::Scene& scene = context.scene;
   const polynomial::BodySetup setup = body_setup(scene, {}, degree);
-  const mechanics::FamilyOfFigures family = family_of_figures(scene);
+  const mechanics::FamilyOfFigures family = family_of_figures(scene, scene.equilibria.family);
   polynomial::RotationFinder finder(setup, scene.body.incompressible, family);
   const mechanics::FigureFamily found =
       finder.family(parameters_of(scene.equilibria), [&] { return context.interrupted(); });
@@ -32,12 +32,12 @@ void add_degree(int degree, const RunContext& context, FigureRun& run) {
 }  // namespace
 
 std::optional<scene::Refusal> refuses_polynomial_equilibria(const scene::Scene& scene) {
-  if (scene.analysis != scene::Analysis::equilibrium) return {};
+  if (!needs_own_figures(scene)) return {};
   if (auto refusal = refuses_family(scene, "polynomial bodies",
                                     {Family::maclaurin, Family::spheroids, Family::spinning, Family::jacobi},
                                     scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })))
     return refusal;
-  if (scene.polynomial.degrees.empty())
+  if (scene.analysis == scene::Analysis::equilibrium && scene.polynomial.degrees.empty())
     return scene::Refusal{"Polynomial/Degree",
                           "equilibria are those of named degrees: expected whole numbers from 1 to 13, as 1, 3, 5"};
   return {};

@@ -10,8 +10,8 @@
 
 namespace pseudorigid::app {
 
-/// The reason why the polynomial model refuses the equilibria of the scene. Empty if the polynomial model can compute
-/// them, or if the scene has another analysis.
+/// The reason why the polynomial model refuses the equilibria of the scene, or the figure from which its motion starts.
+/// Empty if the polynomial model can compute them, or if the scene does not need them.
 std::optional<scene::Refusal> refuses_polynomial_equilibria(const scene::Scene& scene);
 
 /// Computes the families of all degrees. Values of the parameter without an equilibrium give warnings. The outcome is

@@ -3,13 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <complex>
 #include <string>
+#include <string_view>
 
 #include "app/reduced/reduced_scene.h"
 #include "app/run/scene_to_model.h"
 #include "io/column_table.h"
+#include "mechanics/equilibria/small_motion.h"
 #include "reduced/equilibrium_families.h"
 #include "scene/entries.h"
+#include "scene/initial_state.h"
+#include "scene/models.h"
 #include "scene/user_error.h"
 
 namespace pseudorigid::app {
@@ -63,6 +68,18 @@ class FamilyMaker {
     return {};
   }
 
+  /// Sets `motion` to the small motion about a figure whose rate is nearest to `rate`, in internal units. Its shape has
+  /// the entries of H, column by column.
+  mechanics::Status small_motion(const reduced::SteadyMotion& figure, std::complex<double> rate,
+                                 mechanics::SmallMotion& motion) const {
+    const reduced::SmallMotionEquation of = reduced::linearisation(body_, figure);
+    auto status = mechanics::motion_near(of.K, of.G, rate, motion);
+    motion.shape = of.T * motion.shape;
+    return status;
+  }
+  /// The second moment of the ball, divided by its mass.
+  double moment_by_mass() const { return body_.m_bar / scene_.body.volume; }
+
  private:
   ReducedScene scene_;
   reduced::Potential potential_;
@@ -70,6 +87,16 @@ class FamilyMaker {
 };
 
 constexpr int most_rates = 10;  // spheroids have 10 rates, other figures 8; missing rates are 0
+
+/// The rates of a figure by rising frequency. Of two conjugate rates, the one with the positive frequency is first.
+std::vector<mechanics::Rate> rates_by_frequency(const EquilibriumPoint& p) {
+  auto rates = p.stability.rates;
+  std::sort(rates.begin(), rates.end(), [](const auto& a, const auto& b) {
+    return std::abs(a.s.imag()) != std::abs(b.s.imag()) ? std::abs(a.s.imag()) < std::abs(b.s.imag())
+                                                        : a.s.imag() > b.s.imag();
+  });
+  return rates;
+}
 
 enum Kind { member = 0 };  // the kind of a special point is 1 + SpecialKind
 
@@ -89,11 +116,7 @@ std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& 
   add(p.vorticity);
   row.insert(row.end(), {p.vorticity_ratio(), p.stability.growth_rate, p.stability.stable ? 1.0 : 0.0,
                          static_cast<double>(p.stability.n_negative)});
-  auto rates = p.stability.rates;
-  std::sort(rates.begin(), rates.end(), [](const auto& a, const auto& b) {
-    return std::abs(a.s.imag()) != std::abs(b.s.imag()) ? std::abs(a.s.imag()) < std::abs(b.s.imag())
-                                                        : a.s.imag() > b.s.imag();
-  });
+  const auto rates = rates_by_frequency(p);
   for (std::size_t k = 0; k < most_rates; ++k)
     row.insert(row.end(), {k < rates.size() ? rates[k].s.real() : 0, k < rates.size() ? rates[k].s.imag() : 0});
   row.push_back(p.residual);
@@ -210,31 +233,96 @@ ModelOutcome run_ball_equilibria(const RunContext& context) {
   return outcome;
 }
 
-mechanics::Status figure_of_family(const scene::Scene& scene, Family family, double parameter,
-                                   reduced::SteadyMotion& figure) {
+namespace {
+
+/// Sets `point` to the member of the family with this parameter. Fails if there is no such member.
+mechanics::Status find_member(const FamilyMaker& maker, const scene::Scene& scene, Family family, double parameter,
+                              EquilibriumPoint& point) {
   const EquilibriumFamily found =
-      FamilyMaker(scene).make(family, {parameter, parameter, 1}, scene.equilibria.ratio, units_of(scene).time);
+      maker.make(family, {parameter, parameter, 1}, scene.equilibria.ratio, units_of(scene).time);
   if (found.points.empty())
     return mechanics::Status::failure(found.missing.empty() ? "the family is empty" : found.missing.front().reason);
-  figure = found.points.front().motion;
+  point = found.points.front();
   return {};
+}
+
+/// The matrix in the form of scene entries.
+scene::Matrix3 entries_of(const Eigen::Matrix3d& A) {
+  scene::Matrix3 entries;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) entries[i][j] = A(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+  return entries;
+}
+
+/// Deformation Q and its rate, in internal units.
+struct Start {
+  Eigen::Matrix3d Q, Qdot;
+};
+
+/// Sets `start` to the start from a figure with the scene's small motion Re(H exp(st)),
+///
+///   Q = A + Re H,   Q̇ = ω̂Q − QΛ̂ + Re(sH),
+///
+/// projected onto the constraint. Fails if the figure does not have the small motion.
+mechanics::Status add_motion(const FamilyMaker& maker, const scene::Scene& scene, const EquilibriumPoint& figure,
+                             Start& start) {
+  const std::optional<int>& number = scene.initial_state.mode;
+  const auto rates = rates_by_frequency(figure);
+  if (!number && figure.stability.stable) return mechanics::Status::failure("no small motion about the figure grows");
+  if (number && static_cast<std::size_t>(*number) > rates.size())
+    return mechanics::Status::failure(fmt::format("the figure has {} rates of small motions", rates.size()));
+  const mechanics::Rate& rate =
+      number ? rates[static_cast<std::size_t>(*number) - 1]
+             : *std::ranges::max_element(rates, {}, [](const mechanics::Rate& of) { return of.s.real(); });
+  mechanics::SmallMotion motion;
+  if (auto status = maker.small_motion(figure.motion, rate.s, motion); !status) return status;
+  Eigen::Matrix3cd H = motion.shape.reshaped(3, 3);
+  mechanics::PhaseDisplacements displacements;
+  Eigen::Index k = 0;
+  for (const Eigen::Vector3d& X : mechanics::phase_points()) displacements.col(k++) = H * X;
+  H *= mechanics::factor_of_shape(scene.initial_state.mode_amplitude, maker.moment_by_mass() * H.squaredNorm(),
+                                  displacements);
+  const reduced::SteadyMotion& m = figure.motion;
+  start.Q = m.A + H.real();
+  if (scene.body.incompressible) start.Q = to_eigen(scene::project_deformation(entries_of(start.Q)));
+  start.Qdot = mechanics::cross_matrix(m.omega) * start.Q - start.Q * mechanics::cross_matrix(m.Lambda) +
+               (motion.rate * H).real();
+  if (scene.body.incompressible)
+    start.Qdot = to_eigen(scene::project_velocity(entries_of(start.Q), entries_of(start.Qdot)));
+  return {};
+}
+
+}  // namespace
+
+mechanics::Status figure_of_family(const scene::Scene& scene, Family family, double parameter,
+                                   reduced::SteadyMotion& figure) {
+  EquilibriumPoint point;
+  auto status = find_member(FamilyMaker(scene), scene, family, parameter, point);
+  figure = point.motion;
+  return status;
 }
 
 scene::Scene with_equilibrium(scene::Scene scene, const scene::Origins& origins) {
   auto& initial = scene.initial_state;
   if (initial.equilibrium == Family::none) return scene;
-  const io::Units units = units_of(scene);
-  reduced::SteadyMotion m;
-  if (const auto status = figure_of_family(scene, initial.equilibrium, initial.equilibrium_parameter, m); !status)
-    throw UserError(fmt::format("{}: Initial state/Equilibrium parameter: there is no such equilibrium: {}",
-                                origins.of("Initial state/Equilibrium parameter"), status.reason()));
-  const Eigen::Matrix3d D = to_eigen(initial.deformation), Q = D * m.A,
-                        Qdot = D * m.co_moving_velocity() / units.time + to_eigen(initial.velocity);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      initial.deformation[i][j] = Q(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-      initial.velocity[i][j] = Qdot(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-    }
+  const FamilyMaker maker(scene);
+  EquilibriumPoint figure;
+  const auto refuse = [&](const std::string& path, std::string_view sentence, const std::string& reason) {
+    throw UserError(fmt::format("{}: {}: {}: {}", origins.of(path), path, sentence, reason));
+  };
+  if (const auto status = find_member(maker, scene, initial.equilibrium, initial.equilibrium_parameter, figure);
+      !status)
+    refuse("Initial state/Equilibrium parameter", "there is no such equilibrium", status.reason());
+  Start start{figure.motion.A, figure.motion.co_moving_velocity()};
+  const bool is_affine =
+      std::ranges::none_of(scene::models_of(scene), [](const auto* model) { return model->has_nonaffine; });
+  if (initial.mode != 0 && is_affine)
+    if (const auto status = add_motion(maker, scene, figure, start); !status)
+      refuse("Initial state/Mode", "there is no such small motion", status.reason());
+  initial.origin = {initial.equilibrium, initial.equilibrium_parameter, initial.deformation, initial.velocity};
+  const Eigen::Matrix3d D = to_eigen(initial.deformation), V = to_eigen(initial.velocity);
+  initial.deformation = entries_of(D * start.Q);
+  initial.velocity = entries_of(D * start.Qdot / units_of(scene).time + V);
   initial.equilibrium = Family::none;
   return scene;
 }

@@ -35,8 +35,9 @@ std::string parameter_name(scene::Family family);
 ///   Q₀ = D A,   Q̇₀ = D (ω̂A − AΛ̂) + V
 ///
 /// with the constants A, ω and Λ of the equilibrium Q(t) = exp(tω̂) A exp(−tΛ̂) in the user's units, and ω̂x = ω × x. D
-/// and V are the entries Deformation and Velocity of the scene. Returns the new scene, or an unchanged scene if the
-/// entry is `none`. Throws UserError if there is no such equilibrium.
+/// and V are the entries Deformation and Velocity of the scene. If all models of the scene are affine, the start also
+/// has the small motion of the entry Initial state/Mode. Returns the new scene, or an unchanged scene if the entry is
+/// `none`. Throws UserError if there is no such equilibrium or small motion.
 scene::Scene with_equilibrium(scene::Scene scene, const scene::Origins& origins);
 
 }  // namespace pseudorigid::app

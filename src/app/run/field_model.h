@@ -20,8 +20,10 @@
 #include "app/run/scene_to_model.h"
 #include "app/run/tension_watch.h"
 #include "io/trajectory.h"
+#include "mechanics/core/explicit_multiplier.h"
 #include "mechanics/core/shape_columns.h"
 #include "mechanics/steps/step_size.h"
+#include "scene/user_error.h"
 
 namespace pseudorigid::app {
 
@@ -44,6 +46,7 @@ class FieldModel : public RunnableModelOf<S> {
     const io::Units& units = context_.units;
     State state{0, affine(initial_deformation(scene), initial_center(scene, units)),
                 affine(initial_velocity(scene, units), initial_center_velocity(scene, units))};
+    if (scene.initial_state.origin && scene.initial_state.figure == scene::StartingFigure::own) put_own_figure(state);
     if (context_.needs.orbit) {
       this->system().set_companions(this->system().orbit().position(), state.q);
       this->system().set_companions(this->system().orbit().velocity(), state.v);
@@ -218,6 +221,11 @@ class FieldModel : public RunnableModelOf<S> {
 
   /// The field c + A X of positions or of velocities, with the reference position X.
   virtual Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const = 0;
+  /// Adds the positions of the model's own figure (app/figures/figure_start.h) to x and its velocities to v, with the
+  /// small motion of the scene. Fails if the model does not have the figure or the small motion. Collective.
+  virtual mechanics::Status own_figure(Vector& x, Vector& v) const = 0;
+  /// Replaces the field x by D x.
+  virtual void transform(const Eigen::Matrix3d& D, Vector& x) const = 0;
   /// The matrix Q of the affine motion that is nearest to the field in the mean square over the mass. Collective.
   virtual Eigen::Matrix3d affine_part(const Vector& x) const = 0;
   /// The mean of the field over the mass: the centre of mass, or its velocity. Collective.
@@ -234,6 +242,36 @@ class FieldModel : public RunnableModelOf<S> {
   const RunContext& context_;
 
  private:
+  /// Replaces the positions and velocities of the body in `state` by those of its own figure,
+  ///
+  ///   x = x_c + D φ,   v = v_c + D φ' + V X,
+  ///
+  /// with the positions φ of the figure, its velocities φ', the entries D and V of the scene, and the centre of mass
+  /// x_c. A small motion changes the volume to second order of its amplitude; the state is then projected onto the
+  /// constraint. Throws UserError if the model does not have the figure or the small motion.
+  void put_own_figure(State& state) const {
+    const scene::Scene::InitialState& start = context_.scene.initial_state;
+    const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+    if (!own_figure_) {
+      own_figure_.emplace(affine(Eigen::Matrix3d::Zero(), none), affine(Eigen::Matrix3d::Zero(), none));
+      if (const auto status = own_figure(own_figure_->first, own_figure_->second); !status)
+        throw UserError("Initial state/Figure: the " + this->name + " model does not start: " + status.reason());
+    }
+    const Eigen::Matrix3d D = to_eigen(start.origin->deformation),
+                          V = to_eigen(start.origin->velocity) * context_.units.time;
+    auto [x, v] = *own_figure_;
+    transform(D, x);
+    transform(D, v);
+    state.q = affine(Eigen::Matrix3d::Zero(), initial_center(context_.scene, context_.units));
+    state.v = affine(V, initial_center_velocity(context_.scene, context_.units));
+    mechanics::axpy(1.0, x, state.q);
+    mechanics::axpy(1.0, v, state.v);
+    if (start.mode == 0) return;
+    const mechanics::ExplicitMultiplier<S> field(this->system());
+    auto workspace = field.make_workspace();
+    if (const auto status = field.project(state.q, state.v, workspace); !status)
+      throw UserError("Initial state/Mode amplitude: the volume cannot be restored: " + status.reason());
+  }
   /// The motion of the companions at the start of a pilot run. It is their motion at the start of the run, or at least
   /// half a pilot run before the closest approach to the body (Orbit::near_closest_approach).
   mechanics::Orbit::Motion near_pericentre(const mechanics::Orbit& orbit) const {
@@ -253,7 +291,8 @@ class FieldModel : public RunnableModelOf<S> {
   TensionWatch tension_;
   ContactWatch contacts_;
   CollisionWatch collisions_;
-  mutable std::optional<Faces> faces_;  ///< makes shapes; empty until the first shape
+  mutable std::optional<std::pair<Vector, Vector>> own_figure_;  ///< φ and φ'; empty if not needed yet
+  mutable std::optional<Faces> faces_;                           ///< makes shapes; empty until the first shape
 };
 
 }  // namespace pseudorigid::app

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "loads/contact.h"
+#include "loads/forcing.h"
 
 namespace pseudorigid::app {
 

@@ -122,6 +122,14 @@ Vector BallBody::affine_field(const Eigen::Matrix3d& A, const Eigen::Vector3d& c
   return x;
 }
 
+void BallBody::transform(const Eigen::Matrix3d& D, Vector& x) const {
+  for (unsigned int i = 0; i < 3 * space_.n_nodes(); i += 3) {
+    const Eigen::Vector3d before(x.local_element(i), x.local_element(i + 1), x.local_element(i + 2)),
+        after = D * before;
+    for (int c = 0; c < 3; ++c) x.local_element(i + c) = after[c];
+  }
+}
+
 Eigen::Vector3d BallBody::mean(const Vector& x) const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double mass = 0;

@@ -97,6 +97,8 @@ class BallBody {
   /// The nodal field A X + c, and 0 at the additional nodes. It is a position if A = Q₀ and c is a position, and a
   /// velocity if A = Q̇₀ and c is a velocity.
   Vector affine_field(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
+  /// Replaces each vector x_n of a nodal field by D x_n. The additional nodes do not change.
+  void transform(const Eigen::Matrix3d& D, Vector& x) const;
   /// The mass moment Q_M = (Σ m_n x_n X_nᵀ) E₀⁻¹ of a nodal field x over the whole ball, with E₀ = Σ m_n X_n X_nᵀ. If x
   /// is a velocity, the result is the time derivative of Q_M. Collective.
   Eigen::Matrix3d mass_moment(const Vector& x) const;

@@ -5,9 +5,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <stdexcept>
 
+#include "continuum/mesh/nodes_by_place.h"
 #include "materials/rest_moduli.h"
 
 namespace pseudorigid::continuum {
@@ -75,23 +74,11 @@ bool BallFigures::is_symmetric_about(int axis, double drive) const {
 }
 
 void BallFigures::find_exchanged_nodes() {
-  const Vector& X = body_->space().reference_positions();
-  std::map<std::array<long, 3>, unsigned int> node_at;
-  const auto place = [&](unsigned int node, unsigned int first, unsigned int second) {
-    const auto rounded = [&](unsigned int c) { return std::lround(1e9 * X.local_element(3 * node + c)); };
-    return std::array{rounded(first), rounded(second), rounded(2)};
-  };
-  const unsigned int n = body_->space().n_nodes();
-  for (unsigned int node = 0; node < n; ++node) node_at[place(node, 0, 1)] = node;
-  for (unsigned int node = 0; node < n; ++node) {
-    const std::array<long, 3> image = place(node, 1, 0);
-    // The rounded coordinates of a node and its image may differ by one unit in each direction.
-    unsigned int found = n;
-    for (auto near = node_at.lower_bound({image[0] - 1, 0, 0});
-         near != node_at.end() && near->first[0] <= image[0] + 1 && found == n; ++near)
-      if (std::abs(near->first[1] - image[1]) <= 1 && std::abs(near->first[2] - image[2]) <= 1) found = near->second;
-    if (found == n) throw std::logic_error("the mesh is not symmetric under the exchange of two axes");
-    exchanged_.push_back(found);
+  const BallSpace& space = body_->space();
+  const NodesByPlace nodes(space);
+  for (unsigned int node = 0; node < space.n_nodes(); ++node) {
+    const Eigen::Vector3d X = reference_position(space, node);
+    exchanged_.push_back(nodes.at({X[1], X[0], X[2]}));
   }
 }
 

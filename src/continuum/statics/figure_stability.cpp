@@ -8,6 +8,7 @@
 #include "continuum/kernels/node_gradients.h"
 #include "continuum/modes/largest_eigenpairs.h"
 #include "continuum/statics/turned.h"
+#include "mechanics/equilibria/small_motion.h"
 
 namespace pseudorigid::continuum {
 namespace {
@@ -78,6 +79,12 @@ class SectorBasis {
   Eigen::Index size() const { return static_cast<Eigen::Index>(basis_.size()); }
   const Eigen::VectorXd& operator[](Eigen::Index i) const { return basis_[static_cast<std::size_t>(i)]; }
   Vector field(Eigen::Index i) const { return sector_.field_of((*this)[i]); }
+  /// The sum of the vectors of the basis with the coefficients z.
+  Vector combination(const Eigen::VectorXd& z) const {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(sector_.n_unknowns()));
+    for (Eigen::Index i = 0; i < size(); ++i) u += z[i] * (*this)[i];
+    return sector_.field_of(u);
+  }
   /// The coordinates uᵀM b of a field u in the basis, for each vector b of the basis.
   Eigen::VectorXd coordinates(const Vector& u) const {
     const Eigen::VectorXd M_u = sector_.mass().cwiseProduct(sector_.entries_of(u));
@@ -129,10 +136,15 @@ double softening(const BallFigures& figures, double drive) {
 /// The number of the parity that contains the rotations about an axis (parity_of_sector).
 int parity_of_rotation(int axis) { return 7 ^ (1 << axis); }
 
-/// The bases of the two parities of a class. `numbers` has the numbers of the parities (parity_of_sector).
+/// The numbers of the two parities of each class (parity_of_sector). Bit 0 of a number is set for motions that are odd
+/// in x, and bit 2 for motions that are odd in z.
+constexpr std::array<std::array<int, 2>, 4> parities_of_classes{{{0, 3}, {1, 2}, {4, 7}, {5, 6}}};
+
+/// The bases of the two parities of a class. `numbers` has the numbers of the parities.
 struct ClassBasis {
-  ClassBasis(const TangentProblem& problem, int first, int second)
-      : numbers{first, second}, parts{SectorBasis(problem, first), SectorBasis(problem, second)} {}
+  ClassBasis(const TangentProblem& problem, std::size_t of_class)
+      : numbers(parities_of_classes[of_class]),
+        parts{SectorBasis(problem, numbers[0]), SectorBasis(problem, numbers[1])} {}
 
   bool contains(int number) const { return number == numbers[0] || number == numbers[1]; }
   Eigen::Index size() const { return parts[0].size() + parts[1].size(); }
@@ -172,20 +184,27 @@ class StabilityProblem {
     }
   }
 
-  mechanics::Status solve(int first, int second, int n_eigenvectors, mechanics::LinearStability& stability) const {
-    ClassBasis basis(problem_, first, second);
+  mechanics::Status solve(std::size_t of_class, int n_eigenvectors, mechanics::LinearStability& stability) const {
+    ClassBasis basis(problem_, of_class);
     if (auto status = fill(n_eigenvectors, basis); !status) return status;
-    const Eigen::Index n = basis.size(), n_first = basis.parts[0].size();
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n), coriolis(n, n);
-    K.topLeftCorner(n_first, n_first) = basis.parts[0].stiffness(shift_);
-    K.bottomRightCorner(n - n_first, n - n_first) = basis.parts[1].stiffness(shift_);
-    for (Eigen::Index j = 0; j < n; ++j) {  // ê₃×u has the other parity of the class
-      const std::size_t part = j < n_first ? 0 : 1;
-      const Vector u = basis.parts[part].field(part == 0 ? j : j - n_first);
-      coriolis.col(j) = spin_ * basis.coordinates(turned(space_, 2, u), basis.numbers[1 - part]);
-    }
-    const auto system = mechanics::reduce(K, coriolis, symmetries(basis), dependent);
+    const auto system = mechanics::reduce(stiffness(basis), coriolis(basis), symmetries(basis), dependent);
     return mechanics::analyse_stability(system, stability);
+  }
+  mechanics::Status solve(std::size_t of_class, int n_eigenvectors, std::complex<double> rate,
+                          SmallMotionOfBall& motion) const {
+    ClassBasis basis(problem_, of_class);
+    if (auto status = fill(n_eigenvectors, basis); !status) return status;
+    mechanics::SmallMotion found;
+    if (auto status = mechanics::motion_near(stiffness(basis), coriolis(basis), rate, found); !status) return status;
+    motion.rate = found.rate;
+    Eigen::Index first = 0;
+    for (std::size_t part = 0; part < 2; ++part) {
+      const SectorBasis& of_part = basis.parts[part];
+      const Eigen::VectorXcd z = found.shape.segment(first, of_part.size());
+      first += of_part.size();
+      motion.parts[part] = {of_part.sector().parity(), of_part.combination(z.real()), of_part.combination(z.imag())};
+    }
+    return {};
   }
 
  private:
@@ -208,6 +227,25 @@ class StabilityProblem {
           basis.parts[part].add_projected(rotations_.of_ball[axis]);
         }
     return {};
+  }
+
+  Eigen::MatrixXd stiffness(const ClassBasis& basis) const {
+    const Eigen::Index n = basis.size(), n_first = basis.parts[0].size();
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+    K.topLeftCorner(n_first, n_first) = basis.parts[0].stiffness(shift_);
+    K.bottomRightCorner(n - n_first, n - n_first) = basis.parts[1].stiffness(shift_);
+    return K;
+  }
+  /// The matrix of Ω ê₃×u, which has the other parity of the class.
+  Eigen::MatrixXd coriolis(const ClassBasis& basis) const {
+    const Eigen::Index n = basis.size(), n_first = basis.parts[0].size();
+    Eigen::MatrixXd coriolis(n, n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const std::size_t part = j < n_first ? 0 : 1;
+      const Vector u = basis.parts[part].field(part == 0 ? j : j - n_first);
+      coriolis.col(j) = spin_ * basis.coordinates(turned(space_, 2, u), basis.numbers[1 - part]);
+    }
+    return coriolis;
   }
 
   /// Directions and rates of the rotations of space and of the ball in the class. A rotation of space about a
@@ -249,30 +287,44 @@ class StabilityProblem {
 mechanics::Status all_classes(const StabilityProblem& problem, int n_eigenvectors,
                               std::vector<mechanics::ClassStability>& classes) {
   classes.clear();
-  for (const bool odd_in_z : {false, true})
-    for (const int m : {0, 1}) {
-      const int first = (odd_in_z ? 4 : 0) | m;  // bits of parity_of_sector: odd in x, odd in z
-      mechanics::ClassStability of_class{{odd_in_z, m}, {}};
-      if (auto status = problem.solve(first, first ^ 3, n_eigenvectors, of_class.stability); !status) return status;
-      classes.push_back(std::move(of_class));
-    }
+  for (std::size_t k = 0; k < parities_of_classes.size(); ++k) {
+    const int first = parities_of_classes[k][0];
+    mechanics::ClassStability of_class{{(first & 4) != 0, first & 1}, {}};
+    if (auto status = problem.solve(k, n_eigenvectors, of_class.stability); !status) return status;
+    classes.push_back(std::move(of_class));
+  }
   return {};
+}
+
+/// Calls `solve` with the problem of a figure. K + s M must be positive definite. A larger shift s permits a more
+/// unstable figure, but the iteration for the eigenvectors is then slower. If `solve` fails, it is therefore called
+/// again with larger shifts.
+template <class Solve>
+mechanics::Status with_shift(const BallFigures& figures, const mechanics::EquilibriumFigure& figure, Solve&& solve) {
+  double shift = figures.typical_stiffness() + softening(figures, figure.drive);
+  constexpr double next = 8;
+  mechanics::Status status;
+  for (int trial = 0; trial < 3; ++trial, shift *= next) {
+    status = solve(StabilityProblem(figures, figure, shift));
+    if (status) break;
+  }
+  return status;
 }
 
 }  // namespace
 
 mechanics::Status stability_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
                                int n_eigenvectors, std::vector<mechanics::ClassStability>& classes) {
-  // K + s M must be positive definite. A larger shift s permits a more unstable figure, but the iteration for the
-  // eigenvectors is then slower.
-  double shift = figures.typical_stiffness() + softening(figures, figure.drive);
-  constexpr double next = 8;
-  mechanics::Status status;
-  for (int trial = 0; trial < 3; ++trial, shift *= next) {
-    status = all_classes(StabilityProblem(figures, figure, shift), n_eigenvectors, classes);
-    if (status) break;
-  }
-  return status;
+  return with_shift(figures, figure,
+                    [&](const StabilityProblem& problem) { return all_classes(problem, n_eigenvectors, classes); });
+}
+
+mechanics::Status small_motion_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
+                                  int n_eigenvectors, std::size_t of_class, std::complex<double> rate,
+                                  SmallMotionOfBall& motion) {
+  return with_shift(figures, figure, [&](const StabilityProblem& problem) {
+    return problem.solve(of_class, n_eigenvectors, rate, motion);
+  });
 }
 
 }  // namespace pseudorigid::continuum

@@ -16,8 +16,12 @@
 ///
 /// The mesh is not symmetric under rotations of the ball. Their removal therefore has the error of the mesh.
 
+#include <array>
+#include <complex>
+#include <cstddef>
 #include <vector>
 
+#include "continuum/modes/parity.h"
 #include "continuum/statics/ball_figures.h"
 #include "mechanics/equilibria/figure_family.h"
 
@@ -29,5 +33,24 @@ namespace pseudorigid::continuum {
 /// Here k is typical_stiffness() plus the square of the spin.
 mechanics::Status stability_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
                                int n_eigenvectors, std::vector<mechanics::ClassStability>& classes);
+
+/// A small motion Re(y exp(st)) of the whole ball in the rotating frame. The shape y is the sum of the displacements of
+/// the two parities of a class.
+struct SmallMotionOfBall {
+  /// A complex displacement with this parity, on the octant.
+  struct Part {
+    Parity parity;
+    Vector real, imaginary;
+  };
+  std::complex<double> rate;  ///< s
+  std::array<Part, 2> parts;
+};
+
+/// Sets `motion` to the small motion whose rate is nearest to `rate`, among the motions in the span of the same basis.
+/// `of_class` is the index of its class in the result of stability_of. Fails in the same cases as stability_of, or if
+/// the iteration for the motion does not converge.
+mechanics::Status small_motion_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
+                                  int n_eigenvectors, std::size_t of_class, std::complex<double> rate,
+                                  SmallMotionOfBall& motion);
 
 }  // namespace pseudorigid::continuum

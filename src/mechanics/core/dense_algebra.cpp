@@ -36,4 +36,8 @@ Eigen::MatrixXd span_of(const Eigen::MatrixXd& N, double absent) {
 
 Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) { return A.fullPivLu().solve(B); }
 
+Eigen::VectorXcd solve_complex(const Eigen::MatrixXcd& A, const Eigen::VectorXcd& b) {
+  return A.partialPivLu().solve(b);
+}
+
 }  // namespace pseudorigid::mechanics

@@ -30,5 +30,7 @@ Eigen::MatrixXd span_of(const Eigen::MatrixXd& N, double absent);
 
 /// Returns A⁻¹B by elimination with full pivoting. A must be regular.
 Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+/// Returns A⁻¹b by elimination with partial pivoting. A must be regular.
+Eigen::VectorXcd solve_complex(const Eigen::MatrixXcd& A, const Eigen::VectorXcd& b);
 
 }  // namespace pseudorigid::mechanics

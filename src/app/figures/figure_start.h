@@ -1,0 +1,33 @@
+#pragma once
+/// The start of a motion from the model's own figure of a family (Initial state/Figure = own), with a small motion
+/// about this figure (Initial state/Mode). In the inertial frame, with the positions φ of the figure, its spin Ω and
+/// the small motion Re(y exp(st)) in the turning frame, the motion starts at
+///
+///   x = φ + Re y,   v = Ω ê₃×x + Re(s y).
+
+#include <cmath>
+#include <complex>
+
+#include "app/figures/figure_families.h"
+
+namespace pseudorigid::app {
+
+/// The figure of a scene whose initial state has the family and parameter `origin`.
+struct OwnFigure {
+  mechanics::FigureMember member;
+  RateOfClass motion{};  ///< rate and class of the small motion; not set without a small motion
+
+  double spin() const { return std::sqrt(std::max(member.figure.drive, 0.0)); }
+};
+
+/// Sets `start` to the figure from which the motion of the scene starts. `analyse` computes the stability of a figure,
+/// and is called only if the scene has a small motion. Fails if the body with these equations does not have the figure
+/// or the small motion.
+mechanics::Status find_own_figure(const scene::Scene& scene, const mechanics::FigureEquations& equations,
+                                  const mechanics::StabilityOfFigure& analyse, OwnFigure& start);
+
+/// Fails if a start lacks a plane of symmetry of the computed sector. `lost` is the largest part of the start that the
+/// sector cannot represent, in internal units.
+mechanics::Status check_symmetry_of_start(double lost);
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,71 @@
+#include "app/polynomial/figure_start.h"
+
+#include "app/figures/figure_start.h"
+#include "app/polynomial/body_setup.h"
+#include "polynomial/rotation_spectrum.h"
+
+namespace pseudorigid::app {
+namespace {
+
+using polynomial::PolynomialSpace;
+
+/// The displacements of the phase points. `shape` has the coefficients of the whole body.
+mechanics::PhaseDisplacements at_phase_points(const PolynomialSpace& space, const Eigen::VectorXcd& shape) {
+  mechanics::PhaseDisplacements u;
+  Eigen::Index k = 0;
+  for (const Eigen::Vector3d& X : mechanics::phase_points()) {
+    const auto functions = space.functions_at({X[0], X[1], X[2]});
+    u.col(k).real() = space.value(functions, shape.real());
+    u.col(k++).imag() = space.value(functions, shape.imag());
+  }
+  return u;
+}
+
+/// Adds the small motion to the coefficients x of the positions and v of the velocities in the turning frame.
+mechanics::Status add_motion(const scene::Scene& scene, const polynomial::RotationSpectrum& spectrum,
+                             const OwnFigure& own, Eigen::VectorXd& x, Eigen::VectorXd& v) {
+  mechanics::SmallMotion motion;
+  if (auto status = spectrum.motion(own.member.figure, own.motion.of_class, own.motion.s, motion); !status)
+    return status;
+  // The functions are orthonormal with respect to the mass, so |shape|² is the integral of |y|² over the mass.
+  const PolynomialSpace& space = spectrum.space();
+  const Eigen::VectorXcd y =
+      mechanics::factor_of_shape(scene.initial_state.mode_amplitude, motion.shape.squaredNorm() / space.volume(),
+                                 at_phase_points(space, motion.shape)) *
+      motion.shape;
+  x += y.real();
+  v += (motion.rate * y).real();
+  return {};
+}
+
+}  // namespace
+
+mechanics::Status start_from_figure(const scene::Scene& scene, const PolynomialSpace& space, Eigen::VectorXd& x,
+                                    Eigen::VectorXd& v) {
+  const polynomial::BodySetup setup = body_setup(scene, {}, space.degree());
+  const bool incompressible = scene.body.incompressible;
+  const mechanics::Figure figure = family_of_figures(scene, scene.initial_state.origin->family).figure;
+  const polynomial::SteadyRotations rotations(setup, incompressible, figure);
+  const polynomial::RotationSpectrum spectrum(setup, incompressible, figure);
+  OwnFigure own;
+  const auto analyse = [&](const auto& of, auto& classes) { return spectrum.analyse(of, classes); };
+  if (auto status = find_own_figure(scene, rotations, analyse, own); !status) return status;
+  Eigen::VectorXd position = spectrum.whole(own.member.figure.x), velocity = Eigen::VectorXd::Zero(position.size());
+  if (scene.initial_state.mode != 0)
+    if (auto status = add_motion(scene, spectrum, own, position, velocity); !status) return status;
+  velocity += own.spin() * polynomial::Turns(spectrum.space()).of_space(2, position);
+  double lost = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int a = 0; a < space.n_functions(); ++a) {
+      const int of_whole = spectrum.space().place(i, a);
+      if (const int at = space.place(i, a); at >= 0) {
+        x[at] = position[of_whole];
+        v[at] = velocity[of_whole];
+      } else {
+        lost = std::max({lost, std::abs(position[of_whole]), std::abs(velocity[of_whole])});
+      }
+    }
+  return check_symmetry_of_start(lost);
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,40 @@
+#pragma once
+/// Small motions about a relative equilibrium, in the frame in which the equilibrium is at rest. A small motion is
+/// Re(y exp(st)) with the rate s and the complex shape y. In coordinates in which the mass is the identity,
+///
+///   (s² + 2sG + K) y = 0                                                      (linear_stability.h).
+///
+/// A shape has any complex factor. A motion starts with the amplitude ε and a phase that does not depend on the
+/// discretisation: the root mean square of |y| over the mass is ε, and one component of the displacement of one point
+/// of the surface is real and positive. The point is one of seven points with simple coordinates, which every mesh has
+/// as nodes. It has the largest component.
+
+#include <Eigen/Core>
+#include <array>
+#include <complex>
+
+#include "mechanics/core/status.h"
+
+namespace pseudorigid::mechanics {
+
+struct SmallMotion {
+  std::complex<double> rate;  ///< s
+  Eigen::VectorXcd shape;     ///< y with |y| = 1
+};
+
+/// Sets `motion` to the small motion whose rate is nearest to `rate`, by inverse iteration. If several motions have
+/// this rate, the result is one of them. Fails if the iteration does not converge.
+Status motion_near(const Eigen::MatrixXd& K, const Eigen::MatrixXd& G, std::complex<double> rate, SmallMotion& motion);
+
+/// The seven points of the unit sphere: the ends of the positive axes, the three points midway between two of them, and
+/// the point midway between all three.
+const std::array<Eigen::Vector3d, 7>& phase_points();
+
+/// The displacements of the phase points, one in each column.
+using PhaseDisplacements = Eigen::Matrix<std::complex<double>, 3, 7>;
+
+/// The factor by which a shape is multiplied for the amplitude ε and the phase of the opening comment. `mean_square` is
+/// the mean of |y|² over the mass.
+std::complex<double> factor_of_shape(double amplitude, double mean_square, const PhaseDisplacements& displacements);
+
+}  // namespace pseudorigid::mechanics
