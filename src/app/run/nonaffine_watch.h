@@ -23,11 +23,12 @@ class NonaffineWatch {
         model_(model),
         watches_(scene::is_ideal_fluid(context.scene) && stays_affine(context.scene)) {}
 
-  /// True if the body is a fluid with an affine exact motion, so that the run must compute the non-affine displacement.
+  /// True if the body is an ideal fluid whose exact motion is affine. The run must then compute the non-affine
+  /// displacement.
   bool watches() const { return watches_; }
 
-  /// Checks a sample at a time in the user's units. `displacement` is |x − QX| / |x|, the error relative to the size of
-  /// the body.
+  /// Checks a sample. `time` is in the user's units. `displacement` is |x − QX| / |x|, the error relative to the size
+  /// of the body.
   void look(double time, double displacement) {
     if (!watches_) return;
     largest_ = std::max(largest_, displacement);
