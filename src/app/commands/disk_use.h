@@ -19,8 +19,8 @@ namespace pseudorigid::app {
 void describe_disk_use(const scene::Scene& scene, const io::RunDirectory& directory, scene::Needs& needs);
 
 /// Throws UserError if the disk is too small for the samples of all runs of a sweep. Each number counts with its
-/// largest size of 25 bytes. Does nothing if the scene is not a sweep, if it does not request these samples
-/// (Sweep/Trajectories), or if the free space is not known.
+/// largest size of 25 bytes. Does nothing if the scene is not a sweep, or if Sweep/Trajectories is false. Also does
+/// nothing if the free space is not known.
 void require_room_for_trajectories(const scene::Scene& scene, const scene::Origins& origins,
                                    const io::RunDirectory& directory);
 

@@ -28,7 +28,7 @@ namespace {
 enum class Answer : std::int64_t { row, wrong_input, no_memory, failure };
 
 /// The first part of an answer: its kind, the outcome `end` of the run, and the numbers of values, columns and letters
-/// that follow. n_letters is the length of the message.
+/// that follow. The message has n_letters letters.
 struct Header {
   Answer answer;
   std::int64_t end, n_row, n_columns, n_values, n_letters;

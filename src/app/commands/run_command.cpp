@@ -197,10 +197,9 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
   return failure.exit_code;
 }
 
-/// Prepares the directory and returns its lock. Throws UserError if the directory cannot be used. Reasons are, for
-/// example, a lock of another run, a pipe with the name of a result, or a checkpoint that does not fit the scene. The
-/// message names the entry or option that determines the directory. Throws io::WriteError if the lock cannot be
-/// written.
+/// Prepares the directory and returns its lock. Throws UserError if the directory cannot be used. Examples are a lock
+/// of another run, a pipe with the name of a result, and a checkpoint that does not fit the scene. The message names
+/// the entry or option that determines the directory. Throws io::WriteError if the lock cannot be written.
 io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const scene::Needs& needs,
                     const Options& options) {
   constexpr const char* entry = "Output/Directory";

@@ -32,8 +32,8 @@ std::set<int> corners(const scene::Sweep& sweep);
 /// acts. The volume is conserved if `incompressible` is true.
 std::set<std::string> names_conserved(bool is_free, bool incompressible);
 
-/// The names "frequency" and "amplitude" of two columns of sweep.csv. Only sweeps of the ball have these columns, and
-/// only if the files of the ball have the columns Q11 to Q33 of the deformation Q.
+/// The names "frequency" and "amplitude" of two columns of sweep.csv. Only sweeps of the ball have these columns. The
+/// files of the ball must have the columns Q11 to Q33 of the deformation Q.
 std::vector<std::string> columns_of_frequencies();
 
 /// The names of the columns of sweep.csv for one model or system (sweep.h). A column in `conserved` gives the initial

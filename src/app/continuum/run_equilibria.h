@@ -1,7 +1,7 @@
 #pragma once
 /// Runs `Analysis = equilibrium` for the finite-element model. The scene selects a family of figures that rotate
-/// steadily about axis 3, or with `Equilibrium/Family = static` the figure at rest under the loads
-/// (continuum/statics/ball_figures.h). The results are in equilibria-continuum.csv.
+/// steadily about axis 3 (continuum/statics/ball_figures.h). With `Equilibrium/Family = static`, it selects the figure
+/// at rest under the loads. The results are in equilibria-continuum.csv.
 ///
 /// The figures are computed on the discretisation of the scene and on its companion (scene/discretization.h). The
 /// differences of the results are the estimated errors of the discretisation. The figure at rest is found by

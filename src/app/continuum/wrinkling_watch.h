@@ -37,8 +37,8 @@ class WrinklingWatch {
         time, surface.value, surface.where[0], surface.where[1], surface.where[2], *limit_);
   }
 
-  /// Three numbers for checkpoints: the least ratio λ₁/λ_n so far, the time of the warning (0 without a warning), and 1
-  /// if there was a warning, otherwise 0.
+  /// Three numbers for checkpoints. They are the least ratio λ₁/λ_n so far, the time of the warning, and 1. Without a
+  /// warning, the last two are 0.
   std::array<double, 3> remarks() const { return {least_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
   /// Restores the numbers of `remarks`.
   void take_remarks(std::span<const double, 3> remarks) {

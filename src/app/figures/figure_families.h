@@ -1,6 +1,6 @@
 #pragma once
-/// Families of figures of equilibrium (mechanics/equilibria/figure_family.h) of polynomial bodies and finite elements:
-/// the family that a scene requests, and the table of its members.
+/// Families of figures of equilibrium of polynomial bodies and finite elements (mechanics/equilibria/figure_family.h).
+/// The file has the family that a scene requests, and the table of its members.
 
 #include <complex>
 #include <functional>

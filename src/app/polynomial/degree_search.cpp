@@ -130,7 +130,7 @@ class DegreeSearch {
   double tolerance_;
   int degree_ = 1;
   std::size_t n_runs_ = 0;  ///< number of runs of this search; 0 if the degree was loaded
-  /// Estimated error of Q, the factor that converts it to a relative error, and the cost of all runs of the search.
+  /// The estimated error of Q, the factor that converts it to a relative error, and the cost of all runs of the search.
   double error_ = 0, relative_to_largest_ = 0, work_ = 0;
   DeformationTrace before_;  ///< history of Q in the run of degree `degree_` − 2
 };

@@ -45,8 +45,8 @@ EquilibriumRows::EquilibriumRows(const polynomial::BodySetup& setup, bool incomp
                            : Body(polynomial::CompressibleBody(of_whole_body(setup, false)))),
       spectrum_(spectrum) {}
 
-/// Sets the observables of a figure in the inertial frame. x has the coefficients of its positions, and `spin` is its
-/// rate of rotation about axis 3. Fails if the observables cannot be computed.
+/// Sets the observables of a figure in the inertial frame. The vector x has the coefficients of the positions, and
+/// `spin` is the rate of rotation about axis 3. Fails if the observables cannot be computed.
 mechanics::Status EquilibriumRows::observe(const Eigen::VectorXd& x, double spin,
                                            mechanics::ContinuumObservables& observables) const {
   return std::visit(

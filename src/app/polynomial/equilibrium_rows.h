@@ -15,7 +15,7 @@ namespace pseudorigid::app {
 /// The columns of the file with their units and texts.
 std::vector<scene::Column> polynomial_equilibria_columns();
 
-/// Name of a class of motions, for example "even in z, m = 2" for a spheroid or "odd in z, even under the half turn"
+/// Name of a class of motions. Examples are "even in z, m = 2" for a spheroid, and "odd in z, even under the half turn"
 /// for an ellipsoid. The half turn is the rotation by π about axis 3.
 std::string name_of(const polynomial::MotionClass& motions, polynomial::Figure figure);
 

@@ -47,8 +47,8 @@ void on_all_ranks(const Ranks& ranks, Work&& work) {
 }
 
 /// Runs collective work and returns its result. In a single process every exception passes unchanged. If the work fails
-/// on one of several ranks, this rank calls `last_words(failure)`, for example to write the failure to the log, and
-/// then aborts all ranks. A FailureOnAllRanks passes unchanged, because all ranks throw it.
+/// on one of several ranks, this rank calls `last_words(failure)` and then aborts all ranks. The function `last_words`
+/// can, for example, write the failure to the log. A FailureOnAllRanks passes unchanged, because all ranks throw it.
 template <class Work, class LastWords>
 auto together_or_not_at_all(const Ranks& ranks, Work&& work, LastWords&& last_words) {
   try {

@@ -28,8 +28,8 @@ class FamilyMaker {
         body_{potential_, scene_.body.E0.trace() / 3, scene.body.incompressible} {}
 
   /// Computes a family; `none` and `at_rest` give an empty family. `range` is the range of the parameter of the family.
-  /// If the parameter is a spin, it has the user's unit in `range` and in the result, and `time_unit` is the internal
-  /// unit of time in the user's unit. `ratio` is a₃/a₁ of the semi-axes, which only Riemann's families use.
+  /// If the parameter is a spin, it has the user's unit in `range` and in the result. The internal unit of time,
+  /// measured in the user's unit, is `time_unit`. `ratio` is a₃/a₁ of the semi-axes, which only Riemann's families use.
   EquilibriumFamily make(Family family, reduced::ParameterRange range, double ratio, double time_unit) const {
     switch (family) {
       case Family::none:

@@ -77,8 +77,8 @@ class RunInLanes {
     for (int i = 0; i < n_body_lanes; ++i) inertia_.volume[i] = scenes[i].body.volume;
   }
 
-  /// Runs the bodies and writes their rows. Returns an empty value if no step is found, if a motion fails, if the step
-  /// is not stable, or if a row cannot be computed or is not finite.
+  /// Runs the bodies and writes their rows. Returns an empty value if no step is found, if a motion fails, or if the
+  /// step is not stable. Also returns an empty value if a row cannot be computed or is not finite.
   std::optional<std::vector<ModelOutcome>> run() {
     const mechanics::StepChoice choice = choose();
     if (!choice.status) return {};

@@ -120,9 +120,9 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   }
 
   /// Records the contact after a step. Fails after a collision or a disruption (orbit_of_run.h). If the body can change
-  /// its volume, also checks the least singular value of Q, which is the distance of Q from the nearest singular matrix
-  /// (Eckart and Young). If this value is at most Time/Tolerance, which bounds the error of Q, the exact motion may
-  /// already have collapsed. The function then fails.
+  /// its volume, also checks the least singular value of Q. This value is the distance of Q from the nearest singular
+  /// matrix (Eckart and Young). If this value is at most Time/Tolerance, which bounds the error of Q, the exact motion
+  /// may already have collapsed. The function then fails.
   mechanics::Status judge(const State& state) override {
     look_at_contact(state);
     const Eigen::Matrix3d Q = Q_of(state);

@@ -34,7 +34,7 @@ ReducedScene reduced_scene(const scene::Scene& scene);
 enum class ReducedForm {
   elastic,      ///< neo-Hookean energy (Ciarlet–Geymonat's type) and no loads; law known at compile time
   general,      ///< any law, self-gravity, and loads with a potential
-  diagonal,     ///< Q stays diagonal, three unknowns; loads as for `general`
+  diagonal,     ///< Q remains diagonal, three unknowns; loads as for `general`
   dissipative,  ///< viscosity, drag or loads that depend on time; computes their energies
   loaded        ///< planes, companions or viscoelastic branches, with all other loads
 };

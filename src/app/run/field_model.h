@@ -120,10 +120,10 @@ class FieldModel : public RunnableModelOf<S> {
     return true;
   }
   /// Length of the pilot runs in internal time, at most `end`. It is the rise time of the loads plus a length that
-  /// depends on the scene: 10 if a force depends on time, otherwise 3 with contact planes and 1 without. For an elastic
-  /// ball without self-gravity, the shear front from the surface reaches the centre at t = 1, after 0.4 periods of the
-  /// slowest mode. A contact of a fast body can take up to three times as long. A force that depends on time can act
-  /// later, so the length is then about four periods.
+  /// depends on the scene. This length is 10 if a force depends on time. Otherwise it is 3 with contact planes and 1
+  /// without. For an elastic ball without self-gravity, the shear front from the surface reaches the centre at t = 1,
+  /// after 0.4 periods of the slowest mode. A contact of a fast body can take up to three times as long. A force that
+  /// depends on time can act later, so the length is then about four periods.
   double pilot_window(double end) const final {
     const double window = mechanics::time_dependent(this->system()) ? 10.0 : context_.needs.contact ? 3.0 : 1.0;
     return std::min(end, window + rise_time(context_.scene));
@@ -235,8 +235,8 @@ class FieldModel : public RunnableModelOf<S> {
 
  private:
   /// The motion of the companions at the start of a pilot run. It is the last motion that is at least half a pilot run
-  /// ahead of the closest approach to the body. If there is no such motion, or if the companions hardly approach the
-  /// body, it is their motion at the start of the run (Orbit::near_closest_approach).
+  /// ahead of the closest approach to the body. It is their motion at the start of the run if there is no such motion,
+  /// or if the companions hardly approach the body (Orbit::near_closest_approach).
   mechanics::Orbit::Motion near_pericentre(const mechanics::Orbit& orbit) const {
     const double end = context_.internal_time(context_.scene.time.end);
     return orbit.near_closest_approach(end, pilot_window(end) / 2);

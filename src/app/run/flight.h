@@ -26,9 +26,9 @@ struct Flight {
 std::optional<Flight> flight_to_contact(const loads::Contact& now, const Eigen::Vector3d& velocity,
                                         const loads::Forcing& loads);
 
-/// Estimate of the largest penetration δ of the unit ball in its first contact, from the energy or the weight of a
-/// rigid ball, in internal units. A ball with the closing speed v has δ³ = 2v²/k. The stiffness k is the upper bound
-/// Planes::stiffness_of_all for all planes. A ball that rests under the acceleration b towards the plane has δ² =
+/// Estimate of the largest penetration δ of the unit ball in its first contact, in internal units. It is based on the
+/// energy or the weight of a rigid ball. A ball with the closing speed v has δ³ = 2v²/k. The stiffness k is the upper
+/// bound Planes::stiffness_of_all for all planes. A ball that rests under the acceleration b towards the plane has δ² =
 /// 4b/(3k). The result is the larger δ, but at most half a radius.
 double depth_of_contact(const loads::Contact& now, const Eigen::Vector3d& velocity, const loads::Forcing& loads);
 

@@ -26,7 +26,7 @@ CenteredMesh read_mesh_file(const scene::Scene& scene);
 std::size_t require_mesh_file(const scene::Scene& scene, const scene::Origins& origins);
 
 /// Text that identifies the mesh in a checkpoint. If the scene uses a mesh file, the text is a checksum of the bytes of
-/// the file, so the path of the file does not matter. Otherwise the text is the entry Continuum/Mesh.
+/// the file. The path of the file then does not matter. Otherwise the text is the entry Continuum/Mesh.
 std::string mesh_identity(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

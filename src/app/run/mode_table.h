@@ -26,8 +26,8 @@ struct ModeFrequency {
 };
 
 /// Data of the ball in internal units: Lamé's moduli λ and μ at rest, and γ = ρgr/μ. Here ρ is the density, r the
-/// radius, and g = (4/3)πGρr the gravity at the surface, with Newton's constant G. λ is not used for an incompressible
-/// ball.
+/// radius, and g = (4/3)πGρr the gravity at the surface, with Newton's constant G. The modulus λ is not used for an
+/// incompressible ball.
 struct BallAtRest {
   materials::RestModuli moduli;
   bool incompressible;

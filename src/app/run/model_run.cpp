@@ -52,7 +52,7 @@ bool ModelRunBase::is_time_to_save() const {
   return context_.ranks->of_first(Clock::now() - last_save_ > seconds_between_checkpoints);
 }
 
-/// Returns to the kept state, so that the interval can be integrated again with shorter steps. Returns false if a
+/// Returns to the stored state, so that the interval can be integrated again with shorter steps. Returns false if a
 /// repetition is not possible. A repetition requires a costly force, a method of fixed step and a step that the program
 /// has chosen. A repetition is not possible if the model itself ended the run, or if it would need more than
 /// `most_halvings` halvings of the step. After `most_failures` failed steps in a run, a further failed step ends the
@@ -73,7 +73,8 @@ bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
     position_.halvings_after_failure = halvings;
   }
   if (position_.steps_in_interval > 0) {
-    // The kept state is within the interval, because the run was resumed there. The steps of this interval are divided.
+    // The stored state is within the interval, because the run was resumed there. The steps of this interval are
+    // divided.
     const int more = halvings - position_.halvings;
     position_.steps_in_interval <<= more;
     position_.cursor.step <<= more;
@@ -169,8 +170,8 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   else if (Status status = choose(); !status)
     return status;
   if (old.steps_in_interval == 0 && time() == times_[old.cursor.sample]) {
-    // If the method is the same, its memory is kept. The memory can contain past multipliers, and a violent motion
-    // cannot start without them.
+    // If the method is the same, the run continues to use its memory. The memory can contain past multipliers, and a
+    // violent motion cannot start without them.
     if (position_.method != old.method) good_.memory.clear();
     return {};
   }
@@ -194,11 +195,11 @@ void ModelRunBase::write(const Snapshot& snapshot, SavedVectors vectors, std::op
   last_save_ = Clock::now();
 }
 
-/// Saves the kept state, and makes the outcome of the run. An interrupted run has saved its present state already.
+/// Saves the stored state, and makes the outcome of the run. An interrupted run has saved its present state already.
 ModelOutcome ModelRunBase::end(mechanics::RunResult result, Clock::time_point start) {
   if (result.outcome == Outcome::interrupted)
     return outcome(Outcome::interrupted, "interrupted at t = " + physical_time(result.t), start);
-  // After a failure the kept state is saved, without the remarks of the failed attempt.
+  // After a failure the stored state is saved, without the remarks of the failed attempt.
   if (result.outcome == Outcome::failed && repeats_intervals() && !kept_remarks_.empty())
     any_model_.take_remarks(kept_remarks_);
   save();

@@ -38,15 +38,15 @@ class ModelRunBase : protected ModelStepping {
 
   /// Integrates to the sample with this number, with the method and step of `position_`.
   virtual mechanics::RunResult run_until(long sample) = 0;
-  // The kept state is the state at the last sample, or after the last step of an adaptive method. `keep_state` copies
-  // the present state to the kept state. `return_to_kept_state` copies the kept state to the present state.
+  // The stored state is the state at the last sample, or after the last step of an adaptive method. `keep_state` copies
+  // the present state to the stored state. `return_to_kept_state` copies the stored state to the present state.
   virtual void keep_state() = 0;
   virtual void return_to_kept_state() = 0;
-  virtual SavedVectors kept_vectors() = 0;  ///< vectors of the kept state, complete on the first rank; collective
-  /// Sets the present state, the kept state and `good_` from a checkpoint.
+  virtual SavedVectors kept_vectors() = 0;  ///< vectors of the stored state, complete on the first rank; collective
+  /// Sets the present state, the stored state and `good_` from a checkpoint.
   virtual void restore_state(const io::Checkpoint& file) = 0;
-  virtual void set_time(double t) = 0;                      ///< sets the time of the present and of the kept state
-  virtual std::string place_of_least_jacobian() const = 0;  ///< text about the least det F in the kept state, or empty
+  virtual void set_time(double t) = 0;                      ///< sets the time of the present and of the stored state
+  virtual std::string place_of_least_jacobian() const = 0;  ///< text about the least det F in the stored state
   virtual void choose_quadrature() = 0;
   virtual void estimate_quadrature() = 0;
 
@@ -55,7 +55,7 @@ class ModelRunBase : protected ModelStepping {
   void save() {
     if (sink_->keeps_states()) write(good_, kept_vectors());
   }
-  /// Writes `snapshot` to a checkpoint. If `of_sample` has the vectors of the kept state, also writes the kept state.
+  /// Writes a checkpoint of `snapshot`. Adds the stored state if `of_sample` has the vectors of this state.
   void write(const Snapshot& snapshot, SavedVectors vectors, std::optional<SavedVectors> of_sample = {});
 
  private:
@@ -80,10 +80,10 @@ class ModelRunBase : protected ModelStepping {
   const bool has_shapes_;  ///< true if the run writes a table of shapes
   mechanics::Counters counters_;
   Status verdict_;  ///< failure that the model found after a step; such a failure ends the run
-  Snapshot good_;   ///< time, position, memory and counters of the kept state
+  Snapshot good_;   ///< time, position, memory and counters of the stored state
   std::vector<double> row_;
   int steps_since_look_ = 0;
-  std::vector<double> kept_remarks_;  ///< remarks of the model at the kept state, if intervals can be repeated
+  std::vector<double> kept_remarks_;  ///< remarks of the model at the stored state, if intervals can be repeated
   int least_halvings_ = 0;            ///< least position_.halvings if the present interval is repeated; otherwise 0
 
  private:
@@ -152,7 +152,7 @@ class ModelRun final : public ModelRunBase {
       verdict_ = std::move(status);
       return false;
     }
-    // Steps of an adaptive method do not end at samples. The state is therefore kept after every step.
+    // Steps of an adaptive method do not end at samples. The state is therefore stored after every step.
     if (is_adaptive()) keep(state, workspace);
     if (++steps_since_look_ < model_.steps_between_looks) return true;
     steps_since_look_ = 0;
@@ -221,7 +221,7 @@ class ModelRun final : public ModelRunBase {
     if (k > 0) {
       least_halvings_ = std::max(least_halvings_, halvings_at(state, seen));
       if (least_halvings_ > position_.halvings) return Status::failure("the motion becomes too fast for the step");
-      // The local volume in the kept state is not known if the run was resumed within the interval.
+      // The local volume in the stored state is not known if the run was resumed within the interval.
       const double kept = kept_volume_ ? kept_volume_->least_jacobian : model_.least_jacobian(good_state_);
       if (position_.halvings < most_halvings_for_energy &&
           !energy_.keeps_energy(good_state_, kept, state, seen.least_jacobian)) {
@@ -242,7 +242,7 @@ class ModelRun final : public ModelRunBase {
     });
     state_ = good_state_;
   }
-  /// After a resumption within an interval, makes the last sample the kept state if intervals can be repeated.
+  /// After a resumption within an interval, makes the last sample the stored state if intervals can be repeated.
   void keep_last_sample() {
     if (!last_sample_) return;
     if (repeats_intervals()) {

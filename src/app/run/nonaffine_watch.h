@@ -40,8 +40,8 @@ class NonaffineWatch {
         model_, time, 100 * displacement);
   }
 
-  /// Three numbers for checkpoints: the largest displacement, the time of the warning (0 without a warning), and 1 if
-  /// there was a warning, otherwise 0.
+  /// Three numbers for checkpoints. They are the largest displacement, the time of the warning, and 1. Without a
+  /// warning, the last two are 0.
   std::array<double, 3> remarks() const { return {largest_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
   void take_remarks(std::span<const double, 3> remarks) {
     largest_ = remarks[0];

@@ -78,8 +78,8 @@ class RunnableModelOf : public RunnableModel {
   virtual State at_rest(const State& state) const { return state; }
   /// Least det F in the body, with the deformation gradient F; 1 if the model does not resolve the local volume.
   virtual double least_jacobian(const State&) const { return 1; }
-  /// True if a step h forwards and a step h backwards, both with the present velocity, leave the least det F above half
-  /// of its present value.
+  /// True if the least det F remains above half of its present value after a step h forwards and after a step h
+  /// backwards. Both steps have the present velocity.
   virtual bool keeps_volume(const State&, double /*h*/) const { return true; }
   /// The state at the start of the pilot runs, for a run that begins with `state`.
   virtual State start_of_pilot(const State& state) const { return state; }

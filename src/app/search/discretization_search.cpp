@@ -123,9 +123,9 @@ void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace tr
                        scene::describe(rung()), apart.largest, errors_.error());
 }
 
-/// True if the present run is the final one: if it is marked as final, if it is the last of the ladder, or if its
-/// estimated error is within the tolerance. It is also final if two successive runs have ended early: the motion is
-/// then the cause, and a finer mesh does not help.
+/// True if the present run is the final one. This is the case if it is marked as final or the last of the ladder, or if
+/// its estimated error is at most the tolerance. It is also final if two successive runs have ended early: the motion
+/// is then the cause, and a finer mesh does not help.
 bool DiscretizationSearch::settles() const {
   return settled_ || is_last() || n_failures_ == 2 ||
          (n_failures_ == 0 && errors_.error() <= context_.scene.continuum.tolerance);
@@ -174,8 +174,8 @@ void DiscretizationSearch::load() {
 }
 
 void DiscretizationSearch::take(const io::Checkpoint& c) {
-  // The memory that was available at the start of the search has limited the ladder. A resumed search keeps the length
-  // of this ladder.
+  // The memory that was available at the start of the search has limited the ladder. The ladder of a resumed search has
+  // the same length.
   ladder_.resize(std::clamp<std::size_t>(static_cast<std::size_t>(c.get_integer("rungs")), 1, ladder_.size()));
   position_ = std::min(static_cast<std::size_t>(c.get_integer("position")), ladder_.size() - 1);
   settled_ = c.get_integer("settled") != 0;

@@ -19,8 +19,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Numbers of vertices, edges, faces and cells of a part of the unrefined builtin mesh. n_nodes(n) is the number of
-/// nodes of the part if the nodes divide each edge into n intervals.
+/// Numbers of vertices, edges, faces and cells of a part of the unrefined builtin mesh. The function n_nodes(n) returns
+/// the number of nodes of the part if the nodes divide each edge into n intervals.
 struct Part {
   double n_vertices, n_edges, n_faces, n_cells;
   double n_nodes(double n) const { return n_vertices + (n - 1) * (n_edges + (n - 1) * (n_faces + (n - 1) * n_cells)); }

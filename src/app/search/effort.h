@@ -25,9 +25,9 @@
 
 namespace pseudorigid::app {
 
-/// Estimated size of a run. n_unknowns is three times the number of nodes. n_multipliers is the number of multipliers
-/// of the constraint, 0 for a compressible body. `bytes` is the memory of all ranks together. Estimated and measured
-/// memory differ by less than a third.
+/// Estimated size of a run. The number n_unknowns is three times the number of nodes. The number of multipliers of the
+/// constraint is n_multipliers, which is 0 for a compressible body. `bytes` is the memory of all ranks together.
+/// Estimated and measured memory differ by less than a third.
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
   double checkpoint_bytes;     ///< bytes of a checkpoint on the first rank, with the memory of the method

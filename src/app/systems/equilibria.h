@@ -4,8 +4,8 @@
 ///
 /// The file has a row for each point, by increasing potential, with the rates of small motions of the system. The
 /// counts n_unstable and n_stable require dissipation. For these counts only, a system without dissipation has the
-/// additional force −M v/(unit of time) with the mass matrix M and the velocity v. If a point has no zero eigenvalue,
-/// the dimension of its unstable manifold is then its Morse index (Oliva, Geometric Mechanics, 5.8.3).
+/// additional force −M v/(unit of time). Here M is the mass matrix, and v is the velocity. If a point has no zero
+/// eigenvalue, the dimension of its unstable manifold is then its Morse index (Oliva, Geometric Mechanics, 5.8.3).
 
 #include <vector>
 

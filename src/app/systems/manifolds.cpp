@@ -43,8 +43,8 @@ struct End {
   Status step{};                  ///< status of the last step; a failure ends the motion
 };
 
-/// Columns of manifolds.csv: the number of the motion, the number of its critical point, 1 for a stable and 0 for an
-/// unstable manifold, the time, and the columns of the system.
+/// Columns of manifolds.csv. They are the number of the motion, the number of its critical point, 1 for a stable and 0
+/// for an unstable manifold, the time, and the columns of the system.
 std::vector<scene::Column> curve_columns(const std::vector<scene::Column>& of_system) {
   std::vector<scene::Column> columns{{"curve", "", ""}, {"point", "", ""}, {"stable", "", ""}, {"time", "time", ""}};
   columns.insert(columns.end(), of_system.begin(), of_system.end());
@@ -92,7 +92,7 @@ class ManifoldRun {
   int n_curves() const { return n_curves_; }
 
  private:
-  /// Computes the motions from all starts on one manifold of the critical point `from`, writes their rows, and adds a
+  /// Computes the motions from all starts on one manifold of the critical point `from`. Writes their rows, and adds a
   /// line about their ends to the results. If a motion on an unstable manifold fails, the loop continues, and
   /// `stopped_` receives the first failure. Fails if the run is interrupted or a row cannot be computed.
   Status follow_all(int from, bool stable, const std::vector<PhaseVector>& starts) {
