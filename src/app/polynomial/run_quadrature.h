@@ -44,10 +44,10 @@ class RunQuadrature {
     take(polynomial::choose_quadrature(setup_, body, state, request(state, stable_step, false)), state.t, body);
   }
 
-  /// Three numbers for a checkpoint. They are the number of points in each direction of an octant, the error of Q, and
-  /// the duration of the run for which this error was estimated, in internal time. The error is −1 if it was not
-  /// estimated, and `failed` if the estimate failed. A resumed run uses the rule of the checkpoint even if the end of
-  /// the run has changed.
+  /// Three numbers for a checkpoint. The first is the number of points in each direction of an octant, and the second
+  /// is the error of Q. The third is the duration, in internal time, of the run for which this error was estimated. The
+  /// error is −1 if it was not estimated, and `failed` if the estimate failed. A resumed run uses the rule of the
+  /// checkpoint even if the end of the run has changed.
   static constexpr std::size_t n_numbers = 3;
   std::array<double, n_numbers> numbers(const Body& body) const {
     return {static_cast<double>(body.space().n_points_in_direction()), error_.value_or(is_known_ ? failed : -1),
