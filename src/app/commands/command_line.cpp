@@ -18,7 +18,7 @@ namespace pseudorigid::app {
 namespace {
 
 /// Joins the lines of CLI11's text for a wrong command line, because an error message of the program has one line.
-/// Appends a hint to --help.
+/// Appends a hint to use --help.
 std::string one_sentence(std::string text) {
   for (char& c : text)
     if (c == '\n') c = ' ';
@@ -26,7 +26,7 @@ std::string one_sentence(std::string text) {
   return text + "; see pseudorigid --help";
 }
 
-/// Checks of arguments for CLI11. They refuse an empty argument, which CLI11 would accept. Each returns the error
+/// Checks of arguments for CLI11. They refuse an empty argument, which CLI11 would accept. Each check returns the error
 /// message, or "" if the argument is valid.
 std::string names_a_file(const std::string& scene) {
   return scene.empty() ? "expected the name of a parameter file, got nothing" : "";
@@ -73,7 +73,7 @@ void require_known_command(const CLI::App& app, int argc, const char* const* arg
 }
 
 /// Throws a UserError for `words`, the surplus arguments and unknown options of the command. The message names the
-/// first unknown option, or the first argument if there is no such option.
+/// first unknown option, or the first argument if all options are known.
 [[noreturn]] void refuse_arguments(const CLI::App& command, const std::vector<std::string>& words) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())

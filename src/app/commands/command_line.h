@@ -18,12 +18,12 @@ struct Options {
   std::filesystem::path scene;         ///< path of the parameter file
   std::vector<std::string> overrides;  ///< arguments of --set, for example "Time/End=10"
   std::optional<std::filesystem::path>
-      output;  ///< argument of --output: the results directory of `run`, or the page of `report`
+      output;  ///< argument of --output: the results directory of `run`, or the path of the page of `report`
   std::filesystem::path run_directory;  ///< argument DIR of `report`
   bool resume = false;                  ///< true if the run continues from its last checkpoint
   io::Verbosity verbosity = io::Verbosity::normal;
-  scene::Format format = scene::Format::markdown;  ///< argument of --format of the command `parameters`
-  std::string help;  ///< text of --help, for the whole program or for the command of the command line
+  scene::Format format = scene::Format::markdown;  ///< argument of --format, for the command `parameters`
+  std::string help;  ///< text of --help, for the whole program or for the command in the command line
 };
 
 /// Returns the options of the command line. An empty command line and --help give Command::help. Throws UserError if

@@ -45,8 +45,8 @@ std::optional<double> counter(const io::Manifest::Model& statistics, const char*
 }
 
 /// The errors that a run of `model` has estimated, and the motion on another discretisation. An error is empty if the
-/// run has not estimated it. The error in space and the quadrature error of the pseudo-rigid body are 0. For finite
-/// elements, the error in space contains the quadrature error, so the latter is 0.
+/// run has not estimated it. The error in space and the quadrature error of the pseudo-rigid body are 0. The quadrature
+/// error of finite elements is 0 as well, because their error in space contains it.
 analysis::RunErrors errors_of(const scene::ModelDescription& model, const io::Manifest::Model& statistics,
                               const OtherResolutions& others) {
   const auto other = others.find(model.name);
@@ -57,6 +57,7 @@ analysis::RunErrors errors_of(const scene::ModelDescription& model, const io::Ma
       .other = other == others.end() ? nullptr : &other->second};
 }
 
+/// Number of attempts to integrate an interval between samples in which a step failed; 0 if they were not counted.
 long n_failed_intervals(const io::Manifest::Model& statistics) {
   return static_cast<long>(counter(statistics, "failed_intervals").value_or(0));
 }
@@ -67,6 +68,7 @@ void warn_of_energy(const RunContext& context, const analysis::ModelSummary& sum
     context.log->warn("{}; a smaller Time/Step or Time/Tolerance keeps it better", clause);
 }
 
+/// The data of the scene that the summary of a motion needs.
 analysis::SceneFacts facts_of(const RunContext& context) {
   const scene::Scene& scene = context.scene;
   return {.resolution = scene.time.tolerance,
@@ -76,12 +78,14 @@ analysis::SceneFacts facts_of(const RunContext& context) {
           .loads_rise = scene::loads_rise(scene)};
 }
 
+/// Compares a run with the reference, which is the last run.
 analysis::Comparison compare(const RunContext& context, const RunOfModel& run, const RunOfModel& reference,
                              const OtherResolutions& others) {
   const scene::Scene& scene = context.scene;
   analysis::ComparisonOptions options{.facts = facts_of(context)};
-  // The exact ratio of the frequencies applies only to the pseudo-rigid model compared with the finite-element model.
-  // The ball must be incompressible, because a compressible ball can oscillate mainly in its volume.
+  // Two conditions restrict the exact ratio of the frequencies. The pseudo-rigid model must be compared with the
+  // finite-element model. The ball must be incompressible, because a compressible ball can oscillate mainly in its
+  // volume.
   if (const auto small = small_pulsation(scene);
       small && scene.body.incompressible && !run.model->has_nonaffine && reference.model->discretized)
     options.exact_frequency_ratio = small->ratio();

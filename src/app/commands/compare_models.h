@@ -1,8 +1,8 @@
 #pragma once
-/// The comparison of the models of a run. Each run is compared with the last one, whose model has the most degrees of
-/// freedom. For two runs the files are comparison.csv and comparison.json. For more runs, each comparison has two files
-/// with the name of its run, `comparison-<run>.csv` and `comparison-<run>.json`. The file comparison.json is then an
-/// overview. If a model runs alone, a summary is printed on the terminal.
+/// The comparison of the models of a run. Each run of a model is compared with the last one, whose model has the most
+/// degrees of freedom. For two runs the files are comparison.csv and comparison.json. For more runs, each comparison
+/// has two files with the name of its run, `comparison-<run>.csv` and `comparison-<run>.json`. The file comparison.json
+/// is then an overview. If a motion has only one run, the program prints a summary on the terminal.
 
 #include <functional>
 #include <map>
@@ -25,13 +25,13 @@ struct RunOfModel {
   const scene::ModelDescription* model;
   std::string name;                ///< name of the files of the run
   std::string adjective;           ///< adjective of the ball in tables and sentences (adjective_of)
-  io::Manifest::Model statistics;  ///< counters of the run; among them are its estimated errors
+  io::Manifest::Model statistics;  ///< counters of the run, among them its estimated errors
   io::Table table;
 };
 
 /// The adjective of the ball in a run for tables and sentences, for example "elastic". If the program has chosen the
-/// degree N of the run, the adjective contains N, for example "polynomial N = 7". The counter `degree` of `statistics`
-/// has N. Without this counter the adjective does not contain N.
+/// degree N of the run, the adjective contains N, for example "polynomial N = 7". N is the counter `degree` of
+/// `statistics`. Without this counter the adjective does not contain N.
 std::string adjective_of(const scene::ModelRun& run, const io::Manifest::Model& statistics);
 
 /// Compares each run with the last run, at the samples that all runs have. Returns a comparison for each run except the
@@ -41,15 +41,15 @@ std::vector<analysis::Comparison> comparisons_of(const RunContext& context, std:
                                                  const OtherResolutions& others);
 
 /// Compares the runs that have an entry in the manifest. Writes the comparison files, and prints a table unless `quiet`
-/// is true. Logs a warning for each model whose energy changes too much. Does nothing for fewer than two runs, or fewer
-/// than two common samples. Returns the reason if printing fails, otherwise an empty string. Throws UserError for the
-/// reasons of analysis::compare, and io::WriteError if a file cannot be written.
+/// is true. Logs a warning for each model whose energy changes by more than its bound. Does nothing for fewer than two
+/// runs, or fewer than two common samples. Returns the reason if printing fails, otherwise an empty string. Throws
+/// UserError for the reasons of analysis::compare, and io::WriteError if a file cannot be written.
 std::string compare_models(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others,
                            bool quiet);
 
 /// Prints a summary of the motion of the system, or of the last run of the only model. Logs a warning if its energy
-/// changes too much. Does nothing if there are several models, no CSV file or fewer than two samples. Returns the
-/// reason if printing fails, otherwise an empty string.
+/// changes by more than its bound (analysis/motion.h). Does nothing if there are several models, no CSV file or fewer
+/// than two samples. Returns the reason if printing fails, otherwise an empty string.
 std::string summarize_run(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others);
 
 }  // namespace pseudorigid::app

@@ -46,8 +46,8 @@ constexpr std::array differences{
     Difference{"multiplier_difference", &mechanics::Quantities::multiplier},
 };
 
-/// The results of all models for one run of the sweep, with the outcome `end` and the message of a run that has not
-/// finished.
+/// The results of all models for one run of the sweep. `end` is the outcome of the run. `message` is the reason why the
+/// run has not finished.
 struct Results {
   std::vector<RunOfModel> runs;
   std::vector<bool> finished;  ///< for each element of `runs`: true if it has all samples
@@ -62,8 +62,8 @@ double counter(const io::Manifest::Model& statistics, const char* name, double o
   return found == statistics.counters.end() ? otherwise : found->second;
 }
 
-/// A column for a model: the part of its name after "m_" (compared_runs.h), and a function for its value. `summary` is
-/// null if the runs are not compared.
+/// A column for a model: the part of its name after "m_" (compared_runs.h), and a function that returns its value.
+/// `summary` is null if the runs are not compared.
 struct ColumnOfRun {
   const char* name;
   double (*value)(const RunOfModel& run, const ModelSummary* summary);
@@ -102,8 +102,8 @@ constexpr std::array columns_of_model{
                                    const ModelSummary* s) { return s ? s->energy_drift.value_or(unknown) : unknown; }},
 };
 
-/// Time after which the phases of the two motions differ by a tenth of a period. The result is −1 if the ratio of the
-/// frequencies is not known, or if both frequencies are equal.
+/// Time after which the phases of the two motions differ by a tenth of a period, in the user's units. The result is −1
+/// if the ratio of the frequencies is not known, or if both frequencies are equal.
 double tenth_of_period_after(const Comparison& c) {
   if (!c.ratio) return unknown;
   const double apart = std::abs(c.model.frequency.dominant().frequency - c.reference.frequency.dominant().frequency);
@@ -117,8 +117,8 @@ double phase_after(const Comparison& c) {
   return found == c.phase_after_periods.end() ? unknown : std::abs(found->second);
 }
 
-/// A column for a comparison: its name, and a function for its value. For a column of columns_of_pair, the name is the
-/// part after "m_" (compared_runs.h).
+/// A column for a comparison: its name, and a function that returns its value. In columns_of_pair, the name is the part
+/// after "m_" (compared_runs.h).
 struct ColumnOfPair {
   const char* name;
   double (*value)(const Comparison&);
@@ -160,7 +160,7 @@ std::vector<scene::ModelRun> runs_of_models(const scene::Scene& scene, const sce
   return runs;
 }
 
-/// Runs the models one after the other. If a model stops early, its samples are kept, and the other models still run.
+/// Runs the models one after the other. If a model stops early, its samples are used, and the other models still run.
 /// After an interrupt, no further model runs, and the results are incomplete.
 Results run_models(const RunContext& context, const Executable& executable, std::map<std::string, io::Table>& tables) {
   Results results;
@@ -179,7 +179,7 @@ Results run_models(const RunContext& context, const Executable& executable, std:
   return results;
 }
 
-/// Appends the values of all columns that follow the parameters.
+/// Appends the values of all columns that follow the parameters to `row`.
 void add_results(const RunContext& context, const Results& results, std::vector<double>& row) {
   const std::vector<Comparison> comparisons = comparisons_of(context, results.runs, results.others);
   row.push_back(!comparisons.empty());

@@ -18,8 +18,8 @@
 /// A quantity that does not exist is 0. An error, a drift, a phase or a time that is not known is −1. However, if
 /// compared is 0, all columns from the first m_frequency_ratio on are 0. The column m_tenth_of_period_after is the time
 /// t = 0.2 π/|ω − ω'|, with the angular frequencies ω of m and ω' of the last model. After this time, their phases
-/// differ by a tenth of a period. The next three columns are absolute values of phase_difference (comparison.h), in
-/// periods. They are its values after 1 and after 10 periods of the last model, and the largest value.
+/// differ by a tenth of a period. The three phase columns are absolute values of phase_difference (comparison.h), in
+/// periods. They are its values after 1 and after 10 periods of the last model, and its largest value.
 
 #include <string>
 #include <vector>

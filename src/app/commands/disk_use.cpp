@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Usual and largest number of characters of a number in a table. The largest number of characters consists of a sign,
-/// 17 digits, a point, an exponent of three digits such as e-105, and a comma.
+/// Usual and largest number of characters of a number in a table. The longest number has a sign, 17 digits, a point and
+/// an exponent with three digits, such as e-105. A comma follows it.
 constexpr double bytes_per_value = 20, most_bytes_per_value = 25;
 /// Usual number of bytes of a number in a compressed picture, measured for motions without symmetry.
 constexpr double bytes_per_value_of_picture = 5;
@@ -38,7 +38,7 @@ struct DiskUse {
 
 double n_samples(const scene::Scene& scene) { return scene.output.samples + 1.0; }
 
-/// Number of entries in sweep.csv and trajectories.csv for the runs of the part Sweep/Part.
+/// Number of entries in sweep.csv and trajectories.csv for the runs in Sweep/Part.
 double values_of_sweep(const scene::Scene& scene, const scene::Needs& needs) {
   const auto [first, end] = scene::runs_of_part(scene.sweep_part, scene::n_runs(scene.sweep));
   const auto n_runs = static_cast<double>(end - first);
@@ -51,7 +51,7 @@ double values_of_sweep(const scene::Scene& scene, const scene::Needs& needs) {
   return n_runs * (more + per_column * n_columns + (scene.sweep_trajectories ? n_samples(scene) * (n_columns + 1) : 0));
 }
 
-/// Number of entries in all tables that have a row for every sample.
+/// Number of entries in all tables that have a row for every sample, including the comparisons.
 double values_of_motion(const scene::Scene& scene, const scene::Needs& needs) {
   if (needs.system) return n_samples(scene) * static_cast<double>(columns_of_run(scene, needs).size());
   constexpr double of_comparison = 16;  // about the number of columns of a comparison file
@@ -62,7 +62,7 @@ double values_of_motion(const scene::Scene& scene, const scene::Needs& needs) {
   return n_samples(scene) * (n + (needs.comparison ? (n_runs - 1) * of_comparison : 0));
 }
 
-/// Number of entries in the tables of families of relative equilibria.
+/// Number of entries in the tables of equilibria of the ball.
 double values_of_families(const scene::Scene& scene, const scene::Needs& needs) {
   double n = 0;
   for (const scene::ModelDescription* model : needs.models) n += static_cast<double>(model->equilibria.columns.size());
@@ -79,7 +79,7 @@ std::optional<double> values_of_tables(const scene::Scene& scene, const scene::N
   return scene.analysis == equilibrium && !needs.system ? values_of_families(scene, needs) : 0;
 }
 
-/// Number of points in a picture of the whole ball. The points belong to the finite elements, or to the blocks into
+/// Number of points in a picture of the whole ball. They are the points of the finite elements, or of the blocks into
 /// which the pictures of the other models divide the ball. If the discretisation of the finite elements is not known
 /// yet, the number of points of the blocks is used.
 double n_points(const scene::ModelDescription& model, const std::optional<Effort>& of_elements) {
@@ -95,8 +95,8 @@ std::optional<Effort> effort_of_elements(const scene::Scene& scene, const scene:
   return effort_of(scene, *fixed, scene::has_mesh_file(scene) ? read_mesh_file(scene).mesh.cells.size() : 0);
 }
 
-/// Number of components per point of a picture that need space after compression. Components that are equal at all
-/// points need almost no space.
+/// Number of components per point that need space in a compressed picture. A component that is equal at all points
+/// needs almost no space.
 double values_per_point(const scene::ModelDescription& model, const scene::Fields& fields) {
   const double moving = 3 + (fields.displacement ? 9 : 0) + (fields.velocity ? 3 : 0);
   return moving +
@@ -140,8 +140,8 @@ double bytes_of_files(const fs::path& folder) {
 }
 
 /// Free bytes on the disk of the directory, plus the bytes of the earlier results in the directory, which the run
-/// replaces. Empty if the operating system does not give the free space. Other problems with the directory are not
-/// reported here, but when the run creates the directory.
+/// replaces. Empty if the operating system does not give the free space. The function does not report other problems
+/// with the directory, because the run reports them when it creates the directory.
 std::optional<double> room_in(const io::RunDirectory& directory) {
   std::error_code error;
   const fs::space_info space = fs::space(nearest_existing(directory.path()), error);

@@ -1,8 +1,9 @@
 #pragma once
-/// Estimate of the disk space for the files of a run, before the run begins, and comparison with the free disk space.
+/// Estimate of the disk space for the files of a run before the run begins, and comparison with the free disk space.
 ///
 /// A number in a table takes about 20 bytes, and a number in a compressed picture about 5 bytes. These sizes are
-/// measured for motions without symmetry. Columns of zeros take a tenth of the space, so a symmetric motion needs less.
+/// measured for motions without symmetry. A column of zeros takes a tenth of the space, so a symmetric motion needs
+/// less.
 
 #include "io/run_directory.h"
 #include "scene/needs.h"
@@ -13,13 +14,13 @@ namespace pseudorigid::app {
 /// Adds a line about the space for tables, pictures and checkpoints to needs.needed. If the space exceeds the free
 /// space on the disk of the results directory, also adds a warning to needs.warnings. The directory need not exist yet.
 /// The run is not refused, because the estimate may be too high, and --resume continues a run that a full disk has
-/// stopped. If the motion determines the number of rows, the line states this, and there is no warning. If the
+/// stopped. If the number of rows depends on the motion, the line only states this, and there is no warning. If the
 /// operating system does not give the free space, the line omits it, and there is no warning.
 void describe_disk_use(const scene::Scene& scene, const io::RunDirectory& directory, scene::Needs& needs);
 
 /// Throws UserError if the disk is too small for the samples of all runs of a sweep. Each number counts with its
-/// largest size of 25 bytes. Does nothing if the scene is not a sweep, if it does not request these samples
-/// (Sweep/Trajectories), or if the free space is not known.
+/// largest size of 25 bytes. Does nothing if the scene is not a sweep, or if Sweep/Trajectories is false. Also does
+/// nothing if the free space is not known.
 void require_room_for_trajectories(const scene::Scene& scene, const scene::Origins& origins,
                                    const io::RunDirectory& directory);
 

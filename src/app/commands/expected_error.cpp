@@ -23,7 +23,7 @@ namespace {
 constexpr double largest_amplitude = 0.25, largest_rate = 0.75, no_spin = 1e-9;
 
 /// True if the initial state has no spin and is in the range of the sweeps of docs/adequacy.md. Without spin, the
-/// velocity gradient L = Q̇Q⁻¹ is symmetric. The speed c of shear waves is in internal units.
+/// velocity gradient L = Q̇Q⁻¹ is symmetric. The argument c is the speed of shear waves in internal units.
 bool is_moderate(const scene::Scene& scene, double c) {
   const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation);
   const Eigen::Matrix3d L = loads::to_eigen(scene.initial_state.velocity) * Q.inverse() * units_of(scene).time;

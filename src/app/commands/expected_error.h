@@ -16,10 +16,9 @@
 
 namespace pseudorigid::app {
 
-/// Adds a line with the predicted errors to needs.expected. Adds nothing if there is no prediction. There is none for a
-/// system other than the ball, or for an analysis other than motion. There is also none for a body without frequencies
-/// in app/run/small_pulsation.h, or if the initial state is outside the range above. The line omits a polynomial body
-/// whose frequency cannot be computed.
+/// Adds a line with the predicted errors to needs.expected. Adds nothing for a system other than the ball, or for an
+/// analysis other than motion. Also adds nothing for a body without frequencies in app/run/small_pulsation.h, or if the
+/// initial state is outside the range above. The line omits a polynomial body whose frequency cannot be computed.
 void describe_expected_error(const scene::Scene& scene, scene::Needs& needs);
 
 }  // namespace pseudorigid::app

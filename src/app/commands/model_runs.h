@@ -1,5 +1,5 @@
 #pragma once
-/// The runs of a sweep in which every model of the scene runs. Each run keeps the tables of its models in memory. The
+/// The runs of a sweep in which every model of the scene runs. The tables of the models of a run are in memory. The
 /// derived class makes a row of sweep.csv from these tables.
 
 #include <map>
@@ -26,7 +26,7 @@ std::vector<std::string> first_columns(const scene::Scene& scene);
 /// Base class of ComparedRuns and TableRuns, which define the columns and the results.
 class ModelRuns : public SweepTask {
  public:
-  /// `context` is the context of the first run of the sweep. The object keeps references to all three arguments.
+  /// `context` is the context of the first run of the sweep. All three arguments must exist as long as the object.
   ModelRuns(const scene::ReadScene& raw, const Executable& executable, const RunContext& context)
       : executable_(executable), context_(context), raw_(raw), silent_(io::make_logger(io::Verbosity::silent, {})) {}
 
@@ -45,8 +45,8 @@ class ModelRuns : public SweepTask {
   virtual std::vector<std::string> columns_of(const scene::Scene& scene, const scene::Needs& needs) const = 0;
 
   /// Runs the models in `context`, and sets the outcome and the message of `run`. The models write their tables into
-  /// `tables`. Appends the results to the row of `run`, unless the run is interrupted. The row of an interrupted run is
-  /// not used.
+  /// `tables`. Appends the results to the row of `run`, unless the run is interrupted. A caller does not use the row of
+  /// an interrupted run.
   virtual void compute(const RunContext& context, Tables& tables, FinishedRun& run) const = 0;
 
   const RunContext& context_;
@@ -54,9 +54,9 @@ class ModelRuns : public SweepTask {
   std::shared_ptr<io::Logger> silent_;
 };
 
-/// Adds the outcome of a model to the outcome `end` and the message of a run of the sweep. A finished model changes
-/// neither. Otherwise `end` becomes the outcome of the model, and its message is appended. Returns true if the model
-/// was interrupted.
+/// Adds the outcome of a model to the outcome `end` and the message of a run of the sweep. If the model has not
+/// finished, `end` becomes the outcome of the model, and its message is appended. Otherwise both do not change. Returns
+/// true if the model was interrupted.
 bool add_outcome(const ModelOutcome& outcome, mechanics::Outcome& end, std::string& message);
 
 }  // namespace pseudorigid::app

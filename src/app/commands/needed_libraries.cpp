@@ -36,7 +36,7 @@ bool read(std::ifstream& file, std::uint64_t position, Record& record) {
 }
 
 /// The names of the libraries that a library needs, from its ELF file; empty if the file is not an ELF file. The code
-/// uses the address of the string table as the offset of this table in the file, because linkers make both equal.
+/// uses the address of the string table as its offset in the file, because linkers make both equal.
 std::vector<std::string> needed_by(const fs::path& library) {
   std::ifstream file(library, std::ios::binary);
   ElfW(Ehdr) header;
@@ -70,7 +70,7 @@ class Opener {
 
  private:
   /// Opens the first library of this name in the search path, after the libraries that it needs. Ignores a failure,
-  /// because the linker tries again when the finite-element library is opened.
+  /// because the linker opens the library again together with the finite-element library.
   void open(const std::string& name) {
     for (const fs::path& directory : directories_)
       if (const fs::path library = directory / name; fs::exists(library)) {

@@ -10,8 +10,8 @@
 
 namespace pseudorigid::app {
 
-/// Opens every library that `library` needs, directly or through other libraries, by a separate call of the linker. If
-/// this call fails for a library, the linker opens it later together with `library`.
+/// Opens every library that `library` needs, directly or through other libraries, by a separate call of the linker for
+/// each. If this call fails for a library, the linker opens it later together with `library`.
 void open_needed_libraries(const std::filesystem::path& library);
 
 }  // namespace pseudorigid::app

@@ -40,13 +40,13 @@ namespace pseudorigid::app {
 namespace {
 
 /// The scene before validation (`raw`) and the validated scene (`read`). For a sweep, `read` is the scene of the first
-/// run. The runs in which every parameter has its first or last value have also been validated.
+/// run. The runs in which every parameter has its first or last value are then valid as well.
 struct Input {
   scene::ReadScene raw, read;
 };
 
-/// Sets the number of samples of a resumed scene, which may have a later Time/End (keep_sampling). Throws UserError for
-/// the reasons of keep_sampling.
+/// Sets the number of samples of a resumed scene, which may have a later Time/End. Throws UserError in the cases of
+/// keep_sampling.
 void go_on(scene::Scene& scene, const Options& options) {
   try {
     keep_sampling(scene, io::RunDirectory(scene.output.directory, options.scene, options.output));
@@ -56,7 +56,7 @@ void go_on(scene::Scene& scene, const Options& options) {
 }
 
 /// Reads and validates the scene. Checks the sweep and the disk space for its samples, the mesh file and the memory.
-/// Does not check the memory if `n_ranks` is Launch::unknown. Throws UserError if the scene cannot run.
+/// The memory is not checked if `n_ranks` is Launch::unknown. Throws UserError if the scene cannot run.
 Input read_and_validate(const Options& options, const scene::Catalogue& catalogue, int n_ranks) {
   Input input{scene::read_scene(options.scene, options.overrides, catalogue), {}};
   input.read = input.raw;
@@ -74,8 +74,8 @@ Input read_and_validate(const Options& options, const scene::Catalogue& catalogu
 }
 
 /// Throws UserError if MPI and the launcher give this process a different rank or a different number of ranks. If the
-/// launcher does not give the number, it is not compared. Processes can compute together only if MPI connects all
-/// processes that the launcher started.
+/// launcher does not give the number, the number is not compared. Processes can compute together only if MPI connects
+/// all processes that the launcher started.
 void require_mpi_of(const Launch& launch, const Ranks& ranks) {
   if (ranks.rank() == launch.rank && (ranks.size() == launch.n_ranks || launch.n_ranks == Launch::unknown)) return;
   throw UserError(
@@ -108,8 +108,8 @@ struct Process {
     require_mpi_of(launch, *several);
   }
 
-  /// The number of ranks that MPI gives, or 1 if the launcher started a single process. In other cases returns
-  /// Launch::unknown.
+  /// The number of ranks that MPI gives, or 1 if the launcher started a single process. Launch::unknown if MPI has not
+  /// been started for one of several processes.
   int n_ranks() const { return several ? several->size() : launch.n_ranks == 1 ? 1 : Launch::unknown; }
 };
 
@@ -143,8 +143,8 @@ void open_continuum_for(const scene::ReadScene& read, int argc, char** argv, Pro
 
 /// The command `run` on this rank. A scene without finite elements runs on the first rank, and the other ranks return
 /// at once. Returns the exit code. Throws UserError if the scene cannot run, and mechanics::NoKernels if the processor
-/// cannot run the kernels. On several ranks, such an exception of one rank, or a difference of their inputs, throws
-/// FailureOnAllRanks.
+/// cannot run the kernels. If there are several ranks, such an exception on one rank makes all ranks throw
+/// FailureOnAllRanks. All ranks also throw it if their inputs differ.
 int run(const Options& options, int argc, char** argv, Process& process, const scene::Catalogue& catalogue) {
   Input input;
   on_all_ranks(*process.executable.ranks, [&] {
@@ -172,8 +172,8 @@ int run(const Options& options, int argc, char** argv, Process& process, const s
   open_continuum_for(input.raw, argc, argv, process);
   process.executable.instructions();
   if (!is_first) return assist_scene(read, options, process.executable);
-  // The destructor tells the other ranks, which wait in assist_scene, that the run has ended. The destructor also runs
-  // after an exception.
+  // The destructor tells the other ranks, which wait in assist_scene, that the run has ended. It does so after an
+  // exception as well.
   struct Dismissal {
     const Ranks& ranks;
     ~Dismissal() { ranks.of_first(false); }
@@ -234,8 +234,8 @@ int run_program(int argc, char** argv, const Executable& executable) {
     const Failure failure = failure_of(error);
     const Ranks& ranks = *process.executable.ranks;
     // If all ranks have an error, the first rank reports it. If only a later rank has an error, this rank reports the
-    // error and aborts all ranks. Otherwise the first rank would wait for this rank forever. If MPI has not connected a
-    // process to the others, the process reports its own error.
+    // error and aborts all ranks. Otherwise the first rank would wait for it forever. A process that MPI has not
+    // connected to other processes reports its own error.
     const bool alone = ranks.rank() > 0 && !dynamic_cast<const FailureOnAllRanks*>(&error);
     const bool unconnected = process.several && ranks.size() == 1 && launch.n_ranks == Launch::unknown;
     const bool is_first = ranks.rank() == 0 && launch.rank == 0;

@@ -13,16 +13,15 @@
 
 namespace pseudorigid::app {
 
-/// The parts of the program that differ between executables. They are the models, the versions of the libraries, the
-/// instructions of the kernels, the function that opens the finite-element library, and the ranks.
+/// The parts of the program that differ between executables.
 struct Executable {
   std::vector<BallModel> models;                   ///< all models that scenes may name, in the order of the catalogue
   std::map<std::string, std::string> libraries{};  ///< maps the name of a library to its version, for the manifest
   /// Returns the SIMD instructions of the kernels, or "" if there are no kernels. Throws mechanics::NoKernels if the
   /// processor cannot run the kernels, or if the requested build of the kernels does not exist.
   std::string_view (*instructions)() = [] { return std::string_view(); };
-  /// Function that opens the finite-element library. Throws NoContinuum if this is not possible, and std::system_error
-  /// if the limit of the address space is too low.
+  /// Opens the finite-element library and returns its functions. Throws NoContinuum if the library cannot be opened,
+  /// and std::system_error if the limit of the address space is too low.
   const ContinuumModule* (*open_continuum)() = []() -> const ContinuumModule* {
     throw NoContinuum("this program has none");
   };

@@ -26,7 +26,7 @@ std::vector<std::string> movers_of_run(const io::RunDirectory& directory) try {
   throw UserError(std::string("DIR: expected the directory of a run; ") + error.what());
 }
 
-/// True if the chosen path causes the error, false if the machine causes it, for example by a full disk.
+/// True if the path of the page causes the error. False if the machine causes it, for example by a full disk.
 bool is_of_the_place(const io::WriteError& error) {
   constexpr int numbers[] = {ENOENT, ENOTDIR, EISDIR, EACCES, EPERM, EROFS, ENAMETOOLONG, ELOOP, EEXIST, ENXIO};
   return std::ranges::find(numbers, error.error_number) != std::end(numbers);
@@ -49,7 +49,7 @@ void report_run(const Options& options) {
     if (!is_of_the_place(error)) throw;
     throw UserError(fmt::format("{}: {}", options.output ? "--output" : "DIR", in_words(error)));
   }
-  // The output may be a pipe or a device. Its path is then not printed, because no page remains there.
+  // The output may be a pipe or a device. Its path is then not printed, because the page is not stored there.
   if (io::kind_unless_file(path).empty()) io::print(path.native() + "\n");
 }
 

@@ -27,8 +27,8 @@ namespace {
 constexpr const char* end_of_time = "Time/End";
 constexpr const char* number_of_samples = "Output/Samples";
 /// Entries that may change when a run is resumed. `keep_sampling` has already checked Time/End and set Output/Samples.
-/// The other entries concern pictures, and new pictures follow the resumed scene. Other entries of the section Time
-/// need not be in the list, because the compared texts do not contain their values (`run_identity`).
+/// The other entries concern pictures, and only new pictures depend on their new values. Other entries of the section
+/// Time need not be in the list, because the compared texts do not contain their values (`run_identity`).
 constexpr std::array<std::string_view, 6> may_change{end_of_time,     number_of_samples, "Output/Frames",
                                                      "Output/Fields", "Output/Cells",    "Output/Graphics"};
 
@@ -44,7 +44,7 @@ Entries entries_of(const std::string& prm, const std::filesystem::path& origin) 
   return entries;
 }
 
-/// The entries of the scene of a checkpoint, given the path of the checkpoint.
+/// The entries of the scene that the checkpoint at this path contains.
 Entries entries_of(const std::filesystem::path& checkpoint) {
   return entries_of(io::Checkpoint::load(checkpoint).get_string("scene"), checkpoint);
 }
@@ -63,8 +63,8 @@ std::string change_of(const std::string& path, const Entries& now, const Entries
   return fmt::format("{} = {}, which was {}", path, scene::quote(found->second), scene::quote(old->second));
 }
 
-/// A text with the first five forbidden changes of entries and the number of further ones; "" if there is no such
-/// change. In a sweep every change is forbidden.
+/// A text with the first five changes of entries that must not change, and the number of further ones; "" if there is
+/// none. In a sweep no entry may change.
 std::string changes_between(const Entries& now, const Entries& before, bool is_sweep) {
   Entries all = now;
   all.insert(before.begin(), before.end());
@@ -96,7 +96,7 @@ void require_shapes(const std::filesystem::path& path) {
   if (io::is_there(path)) io::require_rows(path, io::columns_in(path), io::n_rows_before(path, HUGE_VAL));
 }
 
-/// Throws UserError if the table of samples of an earlier run is missing. Also throws it if a table, the list of
+/// Throws UserError if the table of samples of an earlier run is missing. Also throws UserError if a table, the list of
 /// pictures or the checkpoint is damaged. `name` is the name of the files of the run. Does nothing if there is no
 /// checkpoint.
 void require_files_of_run(const io::RunDirectory& directory, const std::string& name,

@@ -24,10 +24,11 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Kind of an answer: a row, or the kind of the exception that the task has thrown.
+/// Kind of an answer of the child process: a row, or the kind of the exception that the task has thrown.
 enum class Answer : std::int64_t { row, wrong_input, no_memory, failure };
 
-/// The first part of an answer: its kind, the outcome `end` of the run, and the sizes of the parts that follow.
+/// The first part of an answer: its kind, the outcome `end` of the run, and the numbers of values, columns and letters
+/// that follow. The message has n_letters letters.
 struct Header {
   Answer answer;
   std::int64_t end, n_row, n_columns, n_values, n_letters;
@@ -66,8 +67,8 @@ bool write_answer(int file, Answer answer, const FinishedRun& run) {
   return written;
 }
 
-/// Computes run k. If the task throws an exception, the answer has the kind of the exception, and its run has only the
-/// message. For std::bad_alloc the message is empty.
+/// Computes run k. If the task throws an exception, the answer has the kind of the exception, and the FinishedRun has
+/// only its message. For std::bad_alloc the message is empty.
 std::pair<Answer, FinishedRun> answer_of(const SweepTask& task, int k) {
   try {
     return {Answer::row, task.run(k)};
@@ -205,8 +206,8 @@ FinishedRun TaskInProcesses::run(int k) const {
     process = std::move(idle_.back());
     idle_.pop_back();
   }
-  // The process returns to the list also after an exception. If the process has ended, the next run in it fails as
-  // well.
+  // The process returns to the list after an exception as well. If the process has ended, the next run in it also
+  // fails.
   struct Return {
     const TaskInProcesses& owner;
     std::unique_ptr<RowProcess>& process;

@@ -31,7 +31,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Runs one model or system, and writes the statistics of its runs into the manifest. `name` is the name of its files.
+/// Runs one model or system, and writes the statistics of its runs into the manifest. `name` is the name of the files
+/// of the last run.
 ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& context, io::ManifestFile& manifest) {
   ModelOutcome outcome = run(context);
   if (const auto& counters = outcome.statistics.counters; counters.contains("steps"))  // equilibria do not have steps
@@ -45,9 +46,9 @@ ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& co
 /// True if the directory has a checkpoint, from which --resume can continue.
 bool is_resumable(const RunContext& context) { return !checkpoints(context.directory, context.scene).empty(); }
 
-/// The context in which a model runs. All ranks share a motion of finite elements. Modes, Love numbers and equilibria
-/// are computed by a single process, in one octant of the ball. The collective call of_first(true) starts a shared run
-/// on the ranks that wait in assist_scene.
+/// The context in which a model runs. All ranks compute a motion of finite elements together. The collective call
+/// of_first(true) starts this motion on the ranks that wait in assist_scene. Modes, Love numbers and equilibria are
+/// computed by a single process, in one octant of the ball.
 RunContext context_of(const scene::ModelDescription& model, const RunContext& context, const Executable& executable) {
   RunContext of_model = context;
   if (model.discretized && context.scene.analysis == scene::Analysis::motion && executable.ranks->of_first(true))
@@ -75,8 +76,9 @@ int end_run(mechanics::Outcome outcome, int exit_code, const std::string& messag
   return exit_code;
 }
 
-/// Runs the system or the models, compares them, and prints the results unless `quiet` is true. If a model does not
-/// finish, the later ones do not run. A run whose results cannot be printed counts as failed. Returns the exit code.
+/// Runs the system or the models, compares the models, and prints the results unless `quiet` is true. If a model does
+/// not finish, the later models do not run. A run whose results cannot be printed counts as failed. Returns the exit
+/// code.
 int run_models(const RunContext& context, const Executable& executable, io::ManifestFile& manifest, bool quiet) {
   using enum mechanics::Outcome;
   ModelOutcome last;
@@ -177,7 +179,7 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
   return content;
 }
 
-/// Writes report.html. The page is made from the other files, so this function must be called at the end of the run.
+/// Writes report.html from the other files. This function must therefore be called at the end of the run.
 void add_report(const RunContext& context) {
   io::write_report(context.directory, io::movers_in(context.directory.manifest()));
   context.log->info("the report is {}", context.directory.report().string());
@@ -195,9 +197,9 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
   return failure.exit_code;
 }
 
-/// Prepares the directory and returns its lock. Throws UserError if the directory cannot be used. Causes are, for
-/// example, a lock of another run, a pipe with the name of a result, and an unsuitable checkpoint or table. The message
-/// names the entry or option that determines the directory. Throws io::WriteError if the lock cannot be written.
+/// Prepares the directory and returns its lock. Throws UserError if the directory cannot be used. Examples are a lock
+/// of another run, a pipe with the name of a result, and a checkpoint that does not fit the scene. The message names
+/// the entry or option that determines the directory. Throws io::WriteError if the lock cannot be written.
 io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const scene::Needs& needs,
                     const Options& options) {
   constexpr const char* entry = "Output/Directory";

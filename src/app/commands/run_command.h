@@ -12,14 +12,14 @@
 namespace pseudorigid::app {
 
 /// Runs a scene and returns the exit code. `raw` is the scene before scene::validate. `read` is the validated scene, or
-/// for a sweep the validated scene of its first run. The other runs of a sweep are validated when they begin. Until the
-/// results directory and the log are ready, exceptions leave this function. Later exceptions are written to the log and
-/// determine the exit code.
+/// for a sweep the validated scene of its first run. The other runs of a sweep are validated when they begin. `command`
+/// is the command line, for the manifest. Until the results directory and the log are ready, exceptions leave this
+/// function. Later exceptions are written to the log and determine the exit code.
 int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
               const std::vector<std::string>& command, const Executable& executable);
 
-/// Work of every rank except the first. The rank joins the runs of the finite-element model that the first rank begins,
-/// and writes its own pieces of the pictures. The rank does not print anything. Returns the exit code.
+/// Work of every rank except the first. The rank takes part in the motions of the finite-element model that the first
+/// rank starts, and writes its own pieces of the pictures. The rank does not print anything. Returns the exit code.
 int assist_scene(const scene::ReadScene& read, const Options& options, const Executable& executable);
 
 }  // namespace pseudorigid::app

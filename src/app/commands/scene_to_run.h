@@ -1,6 +1,6 @@
 #pragma once
-/// Conversion of the scene in the parameter file to the scene that runs. The scene that runs is validated and has
-/// explicit initial values.
+/// Conversion of the scene in the parameter file to a validated scene with explicit initial values, which the program
+/// runs.
 
 #include "app/reduced/ball_equilibria.h"
 #include "scene/validate.h"

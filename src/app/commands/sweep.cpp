@@ -36,7 +36,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// The number of run k, counted from 1, and its parameters, for messages.
+/// Text for messages: the number of run k, counted from 1, and its parameters.
 std::string describe_run(const scene::Sweep& sweep, int k) {
   return fmt::format("run {} of the sweep, {}", k + 1, describe_values(scene::values_of_run(sweep, k)));
 }
@@ -96,9 +96,10 @@ void require_used(const scene::ReadScene& raw) {
                                         parameter.name, parameter.name));
 }
 
-/// Computes the runs that do not have a row yet. Several threads take one group of runs after the other. Groups and
-/// rows do not depend on the number of threads or on an interruption. A thread that runs out of memory leaves its group
-/// to the other threads and ends. If all threads have ended, the calling thread continues alone.
+/// Computes the runs that do not have a row yet. Each of several threads computes one group of runs after the other.
+/// Groups and rows do not depend on the number of threads or on an interruption. If a thread exhausts the memory, it
+/// returns its group and ends, so that another thread can compute the group. If all threads have ended, the calling
+/// thread continues alone.
 class Workers {
  public:
   /// `end` is the number of the last run plus 1.
@@ -113,7 +114,7 @@ class Workers {
 
   /// Computes the runs with at most `n_threads` threads. Returns the number of threads, including the calling thread.
   /// This number is smaller than `n_threads` if a thread cannot be started. After the end of all threads, rethrows the
-  /// first exception of a run. A UserError is not rethrown, but recorded in `wrong_input`.
+  /// first exception of a run. Only a UserError is not rethrown, but recorded in `wrong_input`.
   int work(int n_threads) {
     left_.reserve(static_cast<std::size_t>(n_threads));  // allocated now, because memory may be exhausted later
     std::vector<std::jthread> threads;
@@ -129,7 +130,7 @@ class Workers {
     return static_cast<int>(threads.size()) + 1;
   }
 
-  /// Number of runs that failed before their end.
+  /// Number of runs with the outcome `failed`.
   int n_failed() const { return n_failed_; }
   /// Number of runs that were computed together in SIMD lanes.
   int n_together() const { return n_together_; }
@@ -144,8 +145,8 @@ class Workers {
     int begin, next, end;
   };
 
-  /// The next group: one that another thread has left, or a new one. Empty after an interrupt, or if there is no group
-  /// left.
+  /// The next group: a group that another thread has returned, or a new group. Empty after an interrupt, or if there
+  /// are no further groups.
   std::optional<Group> take() {
     const std::lock_guard lock(mutex_);
     if (io::interrupt_requested()) return {};
@@ -159,9 +160,10 @@ class Workers {
     return Group{begin, std::max(begin, first_), std::min(begin + group, end_)};
   }
 
-  /// Computes groups until none is left. If memory is exhausted and `has_others` is true, leaves the group to another
-  /// thread and returns. Any other exception ends the sweep and is recorded. For a UserError, the number of the run is
-  /// also recorded. If several runs throw a UserError, the record is that of the earliest run.
+  /// Computes groups until there are no further groups. If memory is exhausted and `has_others` is true, returns the
+  /// group for another thread and ends. Any other exception ends the sweep and is recorded. For a UserError, the number
+  /// of the run is also recorded. If several runs throw a UserError, the record is that of the run with the least
+  /// number.
   void take_groups(bool has_others) {
     while (std::optional<Group> mine = take()) try {
         work_on(*mine);
@@ -221,13 +223,13 @@ class Workers {
   const scene::Sweep& parameters_;
   const RunContext& context_;
   SweepRows& rows_;
-  int first_;  ///< first run that did not have a row when the sweep started
-  int end_;
+  int first_;                 ///< first run that did not have a row when the sweep started
+  int end_;                   ///< number of the last run plus 1
   std::mutex mutex_;          ///< protects the members below; n_together_ is atomic
   int next_;                  ///< first run of the next group; at least end_ after the last group
-  std::vector<Group> left_;   ///< groups that threads without memory have left
+  std::vector<Group> left_;   ///< groups that threads have returned because memory was exhausted
   std::exception_ptr error_;  ///< first exception other than a UserError
-  std::optional<std::pair<int, std::string>> wrong_input_;
+  std::optional<std::pair<int, std::string>> wrong_input_;  ///< number and message of the first run with wrong input
   int n_failed_ = 0;
   std::atomic<int> n_together_ = 0;
 };
@@ -239,8 +241,8 @@ int n_threads_of(const scene::Scene& scene, int n_runs) {
   return std::clamp(scene.sweep_threads.value_or(n_cores), 1, std::max(1, n_runs));
 }
 
-/// The number of threads for which the address space suffices: at most n_threads, and at least 1. Memory must not run
-/// out, because a failed resize in Eigen leaves a pointer that is freed twice.
+/// The number of threads for which the address space suffices: at most n_threads, and at least 1. Memory must not be
+/// exhausted, because a failed resize in Eigen leaves a pointer that is freed twice.
 int n_threads_with_addresses(int n_threads) {
   std::size_t stack = 0;
   pthread_attr_t attributes;
@@ -252,8 +254,8 @@ int n_threads_with_addresses(int n_threads) {
   return static_cast<int>(std::clamp(io::available_addresses() / (double(stack) + heap), 1., double(n_threads)));
 }
 
-/// The number of processes for which the memory suffices, if every run has the discretisation of the first run. The
-/// number is at least 1 and at most n_threads. If the scene has a mesh file or its discretisation is not known, the
+/// The number of child processes for which the memory suffices, if every run has the discretisation of the first run.
+/// The number is at least 1 and at most n_threads. If the scene has a mesh file or its discretisation is not known, the
 /// number is n_threads.
 int n_processes_of(const scene::Scene& scene, int n_threads) {
   const auto discretization = scene::fixed_discretization(scene);
@@ -263,7 +265,7 @@ int n_processes_of(const scene::Scene& scene, int n_threads) {
 }
 
 /// The task of the scene: tables of models (modes, Love numbers or equilibria), compared models, a system, or a single
-/// model.
+/// model of the ball.
 std::unique_ptr<SweepTask> task_of(const scene::ReadScene& raw, const RunContext& context,
                                    const Executable& executable) {
   const scene::Needs& needs = context.needs;

@@ -9,16 +9,15 @@
 ///   for every column c of the model's own CSV file: c_end, c_min, c_max over the samples. If the motion conserves c:
 ///   c at the start, and c_drift = c_max − c_min.
 ///
-/// If the scene requests the samples, the program also writes them (kept_trajectories.h).
+/// If the scene requests the samples, the program also writes trajectories.csv (kept_trajectories.h).
 ///
 /// The rows have the order of the runs and do not depend on the number of threads. A resumed sweep continues after the
 /// last row.
 ///
 /// Runs 8k + 1 … 8k + 8 are computed together in SIMD lanes if possible (app/reduced/reduced_in_lanes.h). Otherwise
-/// these runs are computed one by one, each like a single run. Runs with finite elements have separate processes
+/// each of these runs is computed separately, like a single run. Runs with finite elements have separate processes
 /// (row_processes.h). If the scene has several models, each run compares the models, and sweep.csv has the columns of
-/// compared_runs.h. Sweeps of modes, Love numbers and equilibria have those of
-/// table_runs.h.
+/// compared_runs.h. For sweeps of modes, Love numbers and equilibria, it has the columns of table_runs.h.
 
 #include <optional>
 #include <utility>
@@ -31,7 +30,7 @@ namespace pseudorigid::app {
 /// Checks a sweep before anything is written. Does nothing without a sweep. `raw` is the scene before validation.
 /// Throws UserError if a run with first or last values of the parameters is not valid. Also throws UserError if a
 /// parameter is not used, has the name of a column, or changes the columns of sweep.csv. Other runs are validated when
-/// they begin. An invalid run ends the sweep as failed, and the rows before it are kept.
+/// they begin. A run that is then not valid ends the sweep as failed; the earlier rows remain in the file.
 void check_sweep(const scene::ReadScene& raw);
 
 /// The least and the largest ratio γ of gravity to elasticity (scene/scale_numbers.h) of the runs of a sweep of the

@@ -1,6 +1,6 @@
 #pragma once
-/// Output of sweep.csv, and of trajectories.csv if the scene requests it. Several threads deliver rows in any order.
-/// The rows are written in the order of the runs, with a checkpoint every few seconds.
+/// Output of sweep.csv, and of trajectories.csv if the scene requests it. Several threads add rows in any order. The
+/// rows are written in the order of the runs, with a checkpoint every few seconds.
 
 #include <chrono>
 #include <cstdint>
@@ -25,7 +25,7 @@ class SweepRows {
  public:
   static constexpr const char* name = "sweep";  ///< name of the table and of the checkpoint, without extension
 
-  /// Creates the table of the runs first_run, …, first_run + n_runs − 1, or continues the table if the sweep is
+  /// Creates the tables for the runs first_run, …, first_run + n_runs − 1, or continues the tables if the sweep is
   /// resumed. In this class the numbers of the runs count from 0. Throws UserError if the checkpoint or a table of the
   /// earlier run is missing or damaged.
   SweepRows(const RunContext& context, const std::vector<std::string>& columns, int first_run, int n_runs,
@@ -49,13 +49,13 @@ class SweepRows {
     save();
   }
 
-  /// Number of rows in the file, including those of the earlier run of a resumed sweep.
+  /// Number of rows in sweep.csv, including those of the earlier run of a resumed sweep.
   int n_written() const { return n_written_; }
   /// The first run whose row is not yet written.
   int next_run() const { return first_run_ + n_written_; }
 
-  /// Stores the row of a run, and writes all rows whose earlier rows are written. Several threads may call this
-  /// function at the same time.
+  /// Stores the row of a run, and writes each stored row when all earlier rows are written. Several threads may call
+  /// this function at the same time.
   void deliver(int run, FinishedRun finished) {
     const std::lock_guard lock(mutex_);
     waiting_.emplace(run, std::move(finished));
@@ -68,7 +68,7 @@ class SweepRows {
     if (Clock::now() - last_save_ > std::chrono::seconds(5)) save();
   }
 
-  /// Ends the progress display and saves the checkpoint. Call it after all threads have ended.
+  /// Ends the progress display and saves the checkpoint. Must be called after all threads have ended.
   void finish() {
     progress_.finish();
     save();
@@ -133,7 +133,8 @@ class SweepRows {
   int first_run_, n_runs_, n_written_ = 0;
   io::Progress progress_;
   std::optional<io::CsvWriter> csv_, samples_;
-  std::map<int, FinishedRun> waiting_;  ///< finished runs whose rows wait for earlier rows, by their numbers
+  std::map<int, FinishedRun>
+      waiting_;  ///< runs whose rows wait for the rows of earlier runs; the key is the run number
   std::mutex mutex_;
   Clock::time_point last_save_{};
 };

@@ -18,7 +18,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// The columns of sweep.csv that follow the parameters, for every model and system.
+/// The columns of sweep.csv that directly follow the parameters, for every model and system.
 constexpr std::array<const char*, 5> columns_of_any{"finished", "time", "steps", "forces", "estimated_time_error"};
 constexpr std::array<const char*, 2> names_of_frequencies{"frequency", "amplitude"};
 

@@ -28,12 +28,12 @@ scene::Scene scene_of_run(const scene::ReadScene& raw, const scene::ParameterVal
 std::set<int> corners(const scene::Sweep& sweep);
 
 /// Names of the columns of the ball that the motion conserves. The energy, which includes the energies of loads and
-/// dissipation, is always conserved. Angular momentum J and circulation Z are conserved if `is_free` is true, which
-/// means that no load acts. The volume is conserved if `incompressible` is true.
+/// dissipation, is always conserved. Angular momentum J and circulation Z are conserved if `is_free` is true: no load
+/// acts. The volume is conserved if `incompressible` is true.
 std::set<std::string> names_conserved(bool is_free, bool incompressible);
 
-/// The names "frequency" and "amplitude" of two columns of sweep.csv. Only sweeps of the ball have these columns, and
-/// only if the files of the ball have the columns Q11 to Q33 of the deformation Q.
+/// The names "frequency" and "amplitude" of two columns of sweep.csv. Only sweeps of the ball have these columns. The
+/// files of the ball must have the columns Q11 to Q33 of the deformation Q.
 std::vector<std::string> columns_of_frequencies();
 
 /// The names of the columns of sweep.csv for one model or system (sweep.h). A column in `conserved` gives the initial
@@ -60,9 +60,9 @@ class SweepRun : public SweepTask {
     ModelOutcome outcome;
   };
 
-  /// The context of a run that does not write files or a log. The rows go to `result`.
+  /// The context of a run that does not write files or a log. The rows of the run are stored in `result`.
   RunContext context_of(const scene::Scene& scene, Result& result) const;
-  /// The row of run k, with its samples if the scene keeps them.
+  /// The row of run k, with its samples if Sweep/Trajectories is true.
   FinishedRun finished(int k, Result result) const;
   /// The row of run k in sweep.csv. Values that depend on samples are 0 if the run has none.
   std::vector<double> row(int k, const Result& result) const;

@@ -14,7 +14,7 @@ namespace pseudorigid::app {
 /// The row and the outcome of a run.
 struct FinishedRun {
   std::vector<double> row;  ///< row of sweep.csv
-  io::Table samples;        ///< samples, if they are kept and the sweep has one model; otherwise empty
+  io::Table samples;        ///< samples, if Sweep/Trajectories is true and the sweep has one model; otherwise empty
   mechanics::Outcome end = mechanics::Outcome::finished;
   std::string message;  ///< the reason why the run has not finished; empty for a finished run
 };
@@ -29,7 +29,7 @@ class SweepTask {
   /// not valid.
   virtual FinishedRun run(int k) const = 0;
   /// Computes the runs first, …, last − 1 at the same time, in SIMD lanes, and returns them in this order. Returns an
-  /// empty value if the runs must be computed one by one.
+  /// empty value if a caller must compute each run separately.
   virtual std::optional<std::vector<FinishedRun>> run_together(int /*first*/, int /*last*/) const { return {}; }
 };
 

@@ -11,10 +11,10 @@
 namespace pseudorigid::app {
 namespace {
 
-/// A row of a table that sweep.csv receives.
+/// A row of a model's table whose values become a part of a row of sweep.csv.
 struct WantedRow {
   std::string suffix;                             ///< end of the names of its columns in sweep.csv
-  std::vector<std::pair<std::string, int>> keys;  ///< columns of the table, and their values in this row
+  std::vector<std::pair<std::string, int>> keys;  ///< columns of the table that identify this row, with their values
 };
 
 /// A table of a model, and the columns of sweep.csv that receive its values.
@@ -22,9 +22,9 @@ struct Part {
   std::string file;                ///< name of the table without .csv
   std::string prefix;              ///< beginning of the names of the columns of sweep.csv
   std::vector<std::string> names;  ///< columns of the table
-  std::size_t first;               ///< first column that sweep.csv receives; the columns before it identify a row
-  std::vector<WantedRow> rows;     ///< in the order of sweep.csv
-  bool is_flagged = false;         ///< true if a column `finished` precedes the values: 1 if the table has the row
+  std::size_t first;            ///< first column whose values sweep.csv receives; the columns before it identify a row
+  std::vector<WantedRow> rows;  ///< in the order of sweep.csv
+  bool is_flagged = false;      ///< true if a column `finished` precedes the values: 1 if the table has the row
 };
 
 std::vector<std::string> names_of(const std::vector<scene::Column>& columns) {
@@ -33,7 +33,7 @@ std::vector<std::string> names_of(const std::vector<scene::Column>& columns) {
   return names;
 }
 
-/// The part of a table whose first column has the numbers of its rows.
+/// The part for a table whose first column has the numbers of its rows.
 Part numbered_part(std::string file, const std::string& run, const std::vector<scene::Column>& columns,
                    const std::vector<int>& numbers) {
   Part part{std::move(file), column_prefix(run), names_of(columns), 1, {}, false};
@@ -41,8 +41,8 @@ Part numbered_part(std::string file, const std::string& run, const std::vector<s
   return part;
 }
 
-/// The part of the table of equilibria of a model for its run number k. If the model has several runs, each run has
-/// another degree. The family has one member, so the table has no special points between members.
+/// The part for the table of equilibria of a model, for the model's run number k. If the model has several runs, each
+/// run has another degree. The family has one member, so the table has no special points between members.
 Part equilibrium_part(const scene::ModelDescription& model, const scene::Scene& scene, std::size_t k) {
   const std::vector<scene::ModelRun> runs = scene::runs_of(model, scene);
   Part part{
@@ -54,6 +54,7 @@ Part equilibrium_part(const scene::ModelDescription& model, const scene::Scene& 
   return part;
 }
 
+/// The parts of all models, in the order of sweep.csv.
 std::vector<Part> parts_of(const scene::Scene& scene, const scene::Needs& needs) {
   std::vector<Part> parts;
   std::vector<int> indices;
@@ -72,7 +73,7 @@ std::vector<Part> parts_of(const scene::Scene& scene, const scene::Needs& needs)
   return parts;
 }
 
-/// True if row i of the table has the values of `wanted`.
+/// True if row i of the table has the values that identify `wanted`.
 bool has_keys(const Part& part, const WantedRow& wanted, const io::Table& table, std::size_t i) {
   return std::ranges::all_of(wanted.keys, [&](const auto& key) {
     return table.row(i)[std::ranges::find(part.names, key.first) - part.names.begin()] == key.second;

@@ -7,9 +7,9 @@
 ///                  (app/run/mode_table.h);
 ///   Love numbers:  m_h_n, m_l_n, m_k_n, … for every run m of a model and the degrees n of the tide
 ///                  (app/run/love_table.h);
-///   equilibria:    m_finished (1 if there is the figure), m_parameter, m_omega3, m_a1, … for every run m of a model. These
-///                  are the columns of the model's table of equilibria that follow "kind". Each run of the sweep
-///                  computes one figure of each model, and has failed if one of them is missing.
+///   equilibria:    m_finished (1 if the figure exists), m_parameter, m_omega3, m_a1, … for every run m of a model.
+///                  These are the columns of the model's table of equilibria that follow "kind". Each run of the
+///                  sweep computes one figure of each model, and has failed if one of them is missing.
 ///
 /// A value is 0 if the table does not have its row, or if the model has failed.
 

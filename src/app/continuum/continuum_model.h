@@ -48,8 +48,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   const continuum::RankOrder& rank_order() const { return rank_order_; }
   Eigen::Vector2d energies(const State& state) const override { return continuum::energies(ball_, state); }
 
-  /// Text with the least det F and its place in the body, with the deformation gradient F. Collective: all ranks must
-  /// call this function.
+  /// Text with the least det F and its place in the body, with the deformation gradient F. Collective.
   std::string place_of_least_jacobian(const State& state) const override {
     return "least " + continuum::in_words(ball_.least_jacobian(state.q));
   }
@@ -112,8 +111,9 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   std::array<double, 3> own_remarks() const override { return wrinkling_.remarks(); }
   void take_own_remarks(std::span<const double, 3> remarks) override { wrinkling_.take_remarks(remarks); }
 
-  /// Adds the numbers of messages, bytes and reductions of MPI since the mesh was built. The search for the step is
-  /// included. Messages and bytes are means over the ranks; reductions are those of one rank. Collective.
+  /// Adds the numbers of messages, bytes and reductions of MPI since the mesh was built. They include those of the
+  /// search for the step. Messages and bytes are means over the ranks. The number of reductions is that of this rank.
+  /// Collective.
   void report_messages(std::map<std::string, double>& counters) const {
     const continuum::MessageCounts own = continuum::message_counts() - counts_at_start_;
     const auto sums = continuum::sum_over_ranks(std::array{own.messages, own.bytes}, MPI_COMM_WORLD);
@@ -122,8 +122,8 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
     counters["reductions"] = own.reductions;
   }
 
-  /// The mesh of the scene: the part of the builtin ball between its symmetry planes, or the whole body of a mesh file.
-  /// If the centre of mass of the file is not the origin, logs the displacement of the body.
+  /// The mesh of the scene: the sector of the builtin ball between its symmetry planes, or the whole body of a mesh
+  /// file. If the centre of mass of the file is not the origin, logs the displacement that moves it there.
   static continuum::BallMesh mesh_of(const RunContext& context, int n_refinements) {
     const MPI_Comm communicator = context.ranks->size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF;
     if (!scene::has_mesh_file(context.scene))
@@ -147,10 +147,10 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
     if (!planes.empty()) planes.front().normal.cwiseAbs().maxCoeff(&grading.axis);
     return grading;
   }
-  materials::AnyLaw law_;
+  materials::AnyLaw law_;  ///< law of the scene in internal units
   System ball_;
-  int n_refinements_;  ///< of the mesh
-  continuum::RankOrder rank_order_;
+  int n_refinements_;                ///< number of refinements of the mesh
+  continuum::RankOrder rank_order_;  ///< order of vectors in checkpoints
   WrinklingWatch wrinkling_;
   std::optional<mechanics::Vibration> vibration_;  ///< empty before the first row with the columns of vibration
   mechanics::PointBlocks blocks_;                  ///< empty before the first picture

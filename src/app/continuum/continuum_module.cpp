@@ -48,15 +48,16 @@ class MpiRanks final : public Ranks {
   dealii::Utilities::MPI::MPI_InitFinalize session_;
 };
 
-/// Runs the model, and replaces deal.II's exception for exhausted memory by std::bad_alloc.
+/// Runs the finite-element model, and replaces deal.II's exception for exhausted memory by std::bad_alloc.
 ModelOutcome run_within_memory(const RunContext& context) try {
   return run_continuum(context);
 } catch (const dealii::StandardExceptions::ExcOutOfMemory&) {
   throw std::bad_alloc();
 }
 
-/// Runs the model on all ranks; every rank must call this function. If only one rank fails, it aborts all ranks. The
-/// first rank then cannot complete the manifest or remove the lock, so the failing rank does both.
+/// Runs the finite-element model on all ranks. If only one rank fails, it writes the failure to the manifest, removes
+/// the lock of the run directory, and aborts all ranks. The first rank, which usually does this, can then not do it.
+/// Collective.
 ModelOutcome run_on_all_ranks(const RunContext& context) {
   return together_or_not_at_all(
       *context.ranks, [&] { return run_within_memory(context); },

@@ -11,8 +11,8 @@
 
 namespace pseudorigid::app {
 
-/// The mesh, the kernels and the linear problem of small motions about the state of rest. The object cannot be copied,
-/// because `problem` refers to the other members.
+/// The mesh, the kernels and the linear problem of small motions about the undeformed ball at rest. The object cannot
+/// be copied, because `problem` refers to the other members.
 class BallAtRestOnMesh {
  public:
   BallAtRestOnMesh(const scene::Scene& scene, const scene::Discretization& discretization)

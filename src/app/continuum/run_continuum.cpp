@@ -15,7 +15,7 @@ ModelOutcome run_model(const RunContext& context, const ContinuumTask& task) {
   return ModelRun(model, context, task.stepping).run();
 }
 
-/// Runs the incompressible or the compressible ball once, as the scene requires.
+/// Runs the motion of the incompressible or the compressible ball once.
 ModelOutcome run_ball(const RunContext& context, const ContinuumTask& task) {
   return context.scene.body.incompressible ? run_model<continuum::ElasticBall>(context, task)
                                            : run_model<continuum::CompressibleBall>(context, task);

@@ -17,11 +17,12 @@ namespace {
 
 using mechanics::FigureFamily, mechanics::FigureMember, mechanics::SpecialFigure;
 
-/// A smaller number of eigenvectors than n_eigenvectors_of_figure. The difference between the rates that result from
-/// both numbers is taken as a bound of the error of the basis.
+/// The small motions about a figure are computed in a basis of n_eigenvectors_of_figure eigenvectors of each parity. The
+/// difference from the rates in a basis of n_fewer_eigenvectors is regarded as a bound of the error that the basis
+/// causes.
 constexpr int n_fewer_eigenvectors = 6;
 
-/// The largest difference between the rates of small motions in the rows of two figures.
+/// The largest difference between the rates of small motions of two figures, among the n_slowest_rates rates of a row.
 double difference_of_rates(const FigureMember& a, const FigureMember& b) {
   const auto rates = slowest_rates(a), others = slowest_rates(b);
   double largest = 0;
@@ -37,12 +38,13 @@ class FamilyOnMesh {
         family_(family_of_figures(context.scene, context.scene.equilibria.family)),
         figures_(figure_setup(context.scene, discretization.degree, discretization.refinements, family_.figure)) {}
 
-  /// The figures of the scene. If they are at rest under loads, `factor` is the factor of the loads. Otherwise it is
-  /// not used.
+  /// The family of figures of the scene. If the scene requests the figure at rest, the family has only this figure, for
+  /// the loads times `factor`. Otherwise `factor` is not used.
   FigureFamily family(double factor) const {
     if (scene::finds_static_equilibria(context_.scene)) return at_rest(factor);
     return finder().family(parameters_of(context_.scene.equilibria), [&] { return context_.interrupted(); });
   }
+  /// Computes the numbers of a row for a member. Fails if they cannot be computed.
   mechanics::Status numbers(const FigureMember& member, FigureNumbers& numbers) const {
     if (auto status = observe_figure(figures_, member.figure, numbers.observables, numbers.surface); !status)
       return status;
@@ -51,7 +53,8 @@ class FamilyOnMesh {
     numbers.axes = numbers.observables.Q.diagonal();
     return {};
   }
-  /// Sets `error` to the error of the rates of a figure that the finite basis of the small motions causes.
+  /// Sets `error` to the error of the rates of a figure that the finite basis of the small motions causes. Fails if the
+  /// rates cannot be computed.
   mechanics::Status error_of_basis(const FigureMember& member, double& error) const {
     FigureMember with_fewer = member;
     auto status = continuum::stability_of(figures_, member.figure, n_fewer_eigenvectors, with_fewer.classes);
@@ -65,12 +68,12 @@ class FamilyOnMesh {
     const auto analyse = [&](const auto& figure, auto& classes) {
       return continuum::stability_of(figures_, figure, n_eigenvectors_of_figure, classes);
     };
-    // A special point has the error of the mesh, so it need not be located to round-off.
+    // A special point has the error of the mesh, so it need not be located up to round-off.
     constexpr double resolution = 1e-7;
     return {figures_, analyse, family_, resolution};
   }
-  /// The figure at rest with this factor of the loads, or with the largest factor for which a figure is found. In the
-  /// second case `missing` has the reason. If this factor is 0, the family has no member.
+  /// The figure at rest under the loads times `factor`. If there is none, the figure with the largest factor for which
+  /// one is found; `missing` then has the reason. If this largest factor is 0, the family has no member.
   FigureFamily at_rest(double factor) const {
     FigureFamily found;
     FigureMember member;
@@ -96,15 +99,16 @@ class FamilyOnMesh {
 /// The members and special points of the family on the companion mesh, from which the errors of the rows are estimated.
 class Companion {
  public:
-  /// If the figures are at rest under loads, `factor` is the factor of the loads.
+  /// `factor` is the factor of the loads for the figure at rest.
   Companion(const RunContext& context, const scene::Discretization& discretization, double factor)
       : mesh_(context, discretization),
         family_(mesh_.family(factor)),
         round_off_(1e-11 * (1 + gravity_to_elasticity(context.scene))) {}
 
-  /// Appends the errors of a row with these numbers. `of_basis` is the error that the basis of the small motions
-  /// causes. If the companion mesh does not have such a figure, each error is as large as the value. The errors contain
-  /// the tolerances of Newton's iteration and of the eigenvalues, because both meshes may agree to round-off.
+  /// Appends the four errors of a row with these numbers. `special` is null for an ordinary member. `of_basis` is the
+  /// error that the basis of the small motions causes. If the companion mesh does not have such a figure, each error is
+  /// as large as the value. The errors contain the tolerances of Newton's iteration and of the eigenvalues, because
+  /// both meshes may agree to round-off. Fails if the numbers on the companion mesh cannot be computed.
   mechanics::Status append_errors(const FigureMember& member, const SpecialFigure* special,
                                   const FigureNumbers& numbers, double of_basis, std::vector<double>& row) {
     const FigureMember* other = special ? match(*special) : match(member);
@@ -122,6 +126,7 @@ class Companion {
   }
 
  private:
+  /// The member with the same parameter; null if there is none.
   const FigureMember* match(const FigureMember& member) const {
     const auto found = std::ranges::find(family_.members, member.parameter, &FigureMember::parameter);
     return found == family_.members.end() ? nullptr : &*found;
@@ -140,9 +145,10 @@ class Companion {
 
   FamilyOnMesh mesh_;
   FigureFamily family_;
-  double round_off_;  ///< relative error of a figure from the tolerance of Newton's iteration; it rises with gravity
+  double round_off_;  ///< relative error of a figure from the tolerance of Newton's iteration; increases with gravity
 };
 
+/// Text about a class of motions for messages. The half turn is the rotation by π about axis 3.
 std::string name_of(const mechanics::MotionClass& motions) {
   return fmt::format("{} in z, {} under the half turn", motions.odd_in_z ? "odd" : "even",
                      motions.m == 0 ? "even" : "odd");

@@ -1,11 +1,11 @@
 #pragma once
-/// Runs `Analysis = equilibrium` for the finite-element model: a family of figures that rotate steadily about axis 3,
-/// or with `Equilibrium/Family = static` the figure at rest under the loads (continuum/statics/ball_figures.h). The
-/// results are in equilibria-continuum.csv.
+/// Runs `Analysis = equilibrium` for the finite-element model. The scene selects a family of figures that rotate
+/// steadily about axis 3 (continuum/statics/ball_figures.h). With `Equilibrium/Family = static`, it selects the figure
+/// at rest under the loads. The results are in equilibria-continuum.csv.
 ///
 /// The figures are computed on the discretisation of the scene and on its companion (scene/discretization.h). The
-/// difference is the estimated error of the discretisation. The figure at rest is found from the undeformed ball, whose
-/// loads rise from 0 to their values.
+/// differences of the results are the estimated errors of the discretisation. The figure at rest is found by
+/// continuation from the undeformed ball, while the loads rise from 0 to their values.
 
 #include "app/run/run_context.h"
 

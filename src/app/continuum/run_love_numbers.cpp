@@ -22,8 +22,8 @@ mechanics::Status find(const scene::Scene& scene, const scene::Discretization& d
 }
 
 /// Raises the relative error of a degree to the largest relative error of the lower degrees. The function must be
-/// called for the degrees in rising order. A mesh resolves tides of a low degree better. If the difference from the
-/// companion is relatively smaller at a higher degree, the reason is chance, and the bound would be too small.
+/// called for the degrees in increasing order. A mesh resolves tides of a low degree better. If the relative difference
+/// from the companion is smaller at a higher degree, this is a coincidence, and the bound would be too small.
 struct RisingBound {
   double relative = 0;
 
@@ -34,7 +34,7 @@ struct RisingBound {
 };
 
 /// Makes the rows for the degrees that the scene requests. `numbers` has the Love numbers of all degrees from 2 to the
-/// largest of these, on the discretisation of the scene. `other` has them on its companion.
+/// largest requested degree, on the discretisation of the scene. `other` has those on its companion.
 std::vector<LoveRow> rows_of(const scene::Scene& scene, const std::vector<continuum::BallLoveNumbers>& numbers,
                              const std::vector<continuum::BallLoveNumbers>& other) {
   const auto means = [](const auto& all) {

@@ -1,6 +1,7 @@
 #pragma once
-/// Monitors the surface of an incompressible ball, and warns at the first sample at which the surface reaches the
-/// stability limit of the material law. For neo-Hookean and Mooney–Rivlin bodies, this limit is Biot's limit
+/// Monitors the surface of an incompressible ball. Let λ₁ be the least stretch along the surface at a point, and λ_n
+/// the stretch along the normal. The program warns at the first sample at which the least ratio λ₁/λ_n falls to the
+/// surface limit of the material law. For neo-Hookean and Mooney–Rivlin bodies, this limit is Biot's limit
 /// (continuum/output/surface_stretch.h). Beyond the limit, the exact motion has growing surface waves of every length.
 /// The finite elements show only the waves that the mesh resolves.
 
@@ -36,8 +37,8 @@ class WrinklingWatch {
         time, surface.value, surface.where[0], surface.where[1], surface.where[2], *limit_);
   }
 
-  /// Three numbers for checkpoints: the least ratio of stretches, the time of the warning (0 without a warning), and 1
-  /// if there was a warning, otherwise 0.
+  /// Three numbers for checkpoints. They are the least ratio λ₁/λ_n so far, the time of the warning, and 1. Without a
+  /// warning, the last two are 0.
   std::array<double, 3> remarks() const { return {least_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
   /// Restores the numbers of `remarks`.
   void take_remarks(std::span<const double, 3> remarks) {
@@ -45,8 +46,8 @@ class WrinklingWatch {
     if (remarks[2] != 0) first_ = remarks[1];
   }
 
-  /// Adds the counter of the least ratio of stretches if this ratio is below 1. Adds the counter of the time of the
-  /// warning if there was a warning.
+  /// Adds the counter of the least ratio λ₁/λ_n if this ratio is below 1. Adds the counter of the time of the warning
+  /// if there was a warning.
   void report(io::Manifest::Model& statistics) const {
     if (limit_ && least_ < 1) statistics.counters["least_surface_stretch_ratio"] = least_;
     if (first_) statistics.counters["surface_limit_time"] = *first_;
@@ -54,8 +55,8 @@ class WrinklingWatch {
 
  private:
   const RunContext& context_;
-  std::optional<double> limit_;  ///< limit of the ratio of stretches for the law; if empty, nothing is checked
-  double least_ = 1;  ///< least ratio of the stretch along the surface to the stretch along the normal, so far
+  std::optional<double> limit_;  ///< limit of λ₁/λ_n for the law; if empty, nothing is checked
+  double least_ = 1;  ///< least λ₁/λ_n over the surface and the samples so far; 1 before the first sample
   std::optional<double> first_;  ///< time of the warning in the user's units; empty before it
 };
 

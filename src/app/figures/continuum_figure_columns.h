@@ -7,7 +7,7 @@
 
 namespace pseudorigid::app {
 
-/// The columns of figure_columns, and after them the estimated errors of the discretisation.
+/// The columns of figure_columns, and then four columns with the estimated errors of the discretisation.
 inline std::vector<scene::Column> continuum_figure_columns() {
   std::vector<scene::Column> columns =
       figure_columns("degree of the elements",

@@ -19,10 +19,10 @@ using mechanics::ClassStability, mechanics::Figure, mechanics::FigureCondition, 
 using mechanics::FigureParameter;
 using scene::Family;
 
-/// ln(a₂/a₁) of the semi-axes for a member of Jacobi's family, or −1e-5 if the logarithm is smaller in magnitude. The
-/// family bifurcates from the spheroids at a₂ = a₁, and the ratio does not determine the figure there. Near this point
-/// the figure is an even function of the logarithm, because a change of sign exchanges the axes. The replacement
-/// therefore changes the spin and the axes by terms of order 1e-10.
+/// ln(a₂/a₁) of the semi-axes a₁ and a₂ of a member of Jacobi's family, or −1e-5 if the logarithm is smaller in
+/// magnitude. The family bifurcates from the spheroids at a₂ = a₁, and the ratio a₂/a₁ does not determine the figure
+/// there. Near this point the figure is an even function of the logarithm, because a change of sign exchanges the axes.
+/// The replacement therefore changes the spin and the axes by terms of order 1e-10.
 double log_ratio_of_axes(double a2_to_a1) {
   constexpr double apart = 1e-5;
   const double value = std::log(a2_to_a1);

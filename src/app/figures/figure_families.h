@@ -1,6 +1,6 @@
 #pragma once
-/// Families of figures of equilibrium (mechanics/equilibria/figure_family.h) of polynomial bodies and finite elements:
-/// the family that a scene requests, and the table of its members.
+/// Families of figures of equilibrium of polynomial bodies and finite elements (mechanics/equilibria/figure_family.h).
+/// The file has the family that a scene requests, and the table of its members.
 
 #include <complex>
 #include <functional>
@@ -19,17 +19,18 @@ namespace pseudorigid::app {
 bool needs_own_figures(const scene::Scene& scene);
 
 /// The refusal if the scene requests a family that is not in `offered`, otherwise empty. The family is that of the
-/// analysis or, for a motion, that of the initial state. `model` is the name of the model in the message, and `others`
-/// are the models that offer all families.
+/// analysis or, for a motion, that of the initial state. The message begins with `model`, the subject of its sentence.
+/// It recommends the models `others`.
 std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model,
                                              const std::vector<scene::Family>& offered,
                                              std::vector<std::string_view> others);
 
-/// A family as a function that maps a value of the parameter, in the unit of the family, to a condition on the figure.
-/// For Jacobi's family, the pseudo-rigid figure is the initial guess. The scene must exist as long as the result.
+/// A family of figures. Its `condition` maps a value of the parameter, in the unit of the family, to the condition that
+/// determines the figure. For Jacobi's family, the pseudo-rigid figure is the initial guess. The scene must exist as
+/// long as the result.
 mechanics::FamilyOfFigures family_of_figures(const scene::Scene& scene, scene::Family family);
 
-/// The values of the parameter that the scene requests.
+/// The values of the parameter that the scene requests, in the unit of the family.
 std::vector<double> parameters_of(const scene::Scene::Equilibria& asked);
 
 /// The class of small motions that contains the fastest growing motion; null if no motion grows.
@@ -45,9 +46,9 @@ struct RateOfClass {
 };
 /// All rates of a figure in the order of slowest_rates.
 std::vector<RateOfClass> rates_by_frequency(const mechanics::FigureMember& member);
-/// The ten rates s of lowest frequency |Im s| among all classes of small motions exp(st), by rising frequency. A rate
-/// with Im s > 0 is followed by its complex conjugate, which is a rate as well. If there are fewer than ten rates, the
-/// others are 0.
+/// The ten rates s of lowest frequency |Im s| among all classes of small motions exp(st), by increasing frequency, in
+/// internal units. A rate with Im s > 0 is followed by its complex conjugate, which is a rate as well. If there are
+/// fewer than ten rates, the list is filled with 0.
 std::vector<std::complex<double>> slowest_rates(const mechanics::FigureMember& member);
 
 /// The columns of the table with their units and texts. `degree` and `m` are the texts of the columns with these names.
@@ -59,12 +60,12 @@ struct FigureNumbers {
   int degree;               ///< degree of the body or of the elements
   double spin;              ///< spin Ω about axis 3
   Eigen::Vector3d axes;     ///< semi-axes of the ellipsoid x = QX that is nearest to the figure
-  Eigen::Vector3d surface;  ///< points at which the surface cuts the axes
+  Eigen::Vector3d surface;  ///< distances from the centre at which the surface cuts the three axes
   mechanics::ContinuumObservables observables;
 };
 
 /// A row with the columns of figure_columns in internal units. Only the parameter has the unit of its family. `special`
-/// is null if `member` is an ordinary member of the family and not a special point.
+/// is the special point whose figure is `member`; null for an ordinary member of the family.
 std::vector<double> figure_row(int index, const mechanics::FigureMember& member,
                                const mechanics::SpecialFigure* special, const FigureNumbers& numbers);
 
@@ -80,29 +81,32 @@ class FigureRun {
   /// `file` is the name of the table without ".csv".
   FigureRun(const RunContext& context, std::string_view file, const std::vector<scene::Column>& columns);
 
-  /// Writes the members and the special points of the family of one degree by rising parameter. Adds a line with the
-  /// number of members, and a line for each special point, to the results. The first line and the warnings begin with
-  /// the text `of_degree`. Parameters without a figure give warnings. Sets the outcome to `interrupted` if an interrupt
-  /// left the family incomplete, and to `failed` if a row cannot be computed.
+  /// Writes the members and the special points of the family of one degree by increasing parameter. Adds a line with
+  /// the number of members, and a line for each special point, to the results. The first line and the warnings begin
+  /// with the text `of_degree`. Parameters without a figure give warnings. Sets the outcome to `interrupted` if an
+  /// interrupt left the family incomplete, and to `failed` if a row cannot be computed.
   void add(const std::string& of_degree, const mechanics::FigureFamily& family, const NameOfClass& name_of,
            const RowOf& row_of);
+  /// True if the outcome is `finished` so far.
   bool goes_on() const { return outcome_.end == mechanics::Outcome::finished; }
   /// Sets the outcome and the message of the run.
   void end(mechanics::Outcome how, std::string message);
   ModelOutcome& outcome() { return outcome_; }
-  /// Completes the table and the statistics. The outcome is `failed` if no figure was found. In a run of a sweep, which
-  /// has one figure of each degree, it is `failed` if one of them is missing.
+  /// Completes the table and the statistics. The outcome is `failed` if no figure was found. A run of a sweep has one
+  /// parameter of the family. Its outcome is `failed` if a figure is missing for one of the degrees.
   ModelOutcome finish();
 
  private:
+  /// Appends the rows of the family to the table, or sets the outcome to `failed` at the first row that cannot be
+  /// computed.
   void write(const mechanics::FigureFamily& family, const RowOf& row_of);
 
   const RunContext& context_;
-  std::string file_, parameter_;  ///< name of the table without ".csv"; name of the family's parameter
+  std::string file_, parameter_;  ///< name of the table without ".csv"; name of the family's parameter for messages
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   io::ColumnTable table_;
   ModelOutcome outcome_;
-  std::string reason_;  ///< sentence on the first member that does not exist; empty if no member is missing
+  std::string reason_;  ///< sentence about the first missing member; empty if no member is missing
   int index_ = 0;
   double n_members_ = 0, n_special_ = 0;
 };

@@ -12,25 +12,25 @@
 namespace pseudorigid::app {
 
 /// A function that runs a model and writes its results to the sinks of the context. If the context has several ranks,
-/// all of them call the function.
+/// every rank must call the function.
 using RunModel = ModelOutcome (*)(const RunContext&);
 /// A function that computes several runs of a sweep at the same time, one for each context. It returns their outcomes
-/// in this order, or an empty value if the runs must be computed one by one.
+/// in the order of the contexts. It returns an empty value if a caller must compute each run separately.
 using RunTogether = std::optional<std::vector<ModelOutcome>> (*)(std::span<const RunContext>);
 
 /// A model of the ball: its description for parameter files, and the functions that run it.
 struct BallModel {
-  /// `run` is null for a discretized model, whose function is in a library that the program opens later. Throws
-  /// std::logic_error if `run` is null for another model. Also throws it if the name, adjective, documentation, columns
-  /// or one of the functions `header`, `needed`, `skipped` and `refuses` is missing.
+  /// `run` may be null only for a discretized model, whose function is in a library that the program opens later.
+  /// Throws std::logic_error if `run` is null for another model. Also throws std::logic_error if the description lacks
+  /// the name, adjective, documentation, columns or one of the functions `header`, `needed`, `skipped` and `refuses`.
   BallModel(scene::ModelDescription description, RunModel run, RunTogether together = nullptr);
 
   scene::ModelDescription description;
   RunModel run;
-  RunTogether together;  ///< null if the runs of a sweep are computed one by one
+  RunTogether together;  ///< null if each run of a sweep is computed separately
 };
 
-/// The descriptions of the pseudo-rigid model, the polynomial bodies and the finite-element model.
+/// The pseudo-rigid model, the polynomial bodies and the finite-element model.
 BallModel reduced_model();
 BallModel polynomial_model();
 BallModel continuum_model();
@@ -44,8 +44,8 @@ inline std::vector<BallModel> ball_models() {
   };
 }
 
-/// The reason why the method or the initial deformation of the scene is refused; empty if both are accepted. The check
-/// uses the pseudo-rigid body, because the motions of every model of the ball include the affine motions.
+/// The reason to refuse the method or the initial deformation of the scene; empty if both are accepted. The check uses
+/// the pseudo-rigid body, because the motions of every model of the ball include the affine motions.
 std::optional<scene::Refusal> refuses_motion(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

@@ -9,7 +9,7 @@
 
 namespace pseudorigid::app {
 
-/// The catalogue of these models, and of all methods and systems.
+/// The catalogue with the descriptions of `models`, and of all methods and systems.
 scene::Catalogue catalogue_with(const std::vector<BallModel>& models);
 
 /// The catalogue of the program's own models. The reference is valid until the program ends.

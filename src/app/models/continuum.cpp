@@ -20,7 +20,7 @@ using scene::Family;
 using scene::Refusal;
 using scene::Scene;
 
-/// The line that the program shows to the user about the mesh, the degree and the computed part of the ball.
+/// The line for the user about the mesh, the degree and the part of the ball that is computed.
 std::string continuum_needed(const Scene& scene) {
   const auto found = [](const std::optional<int>& value) { return value ? std::to_string(*value) : "auto"; };
   const auto fixed = scene::fixed_discretization(scene);
@@ -38,8 +38,8 @@ std::string continuum_needed(const Scene& scene) {
               : fmt::format(", {}, one of {} ({})", sector.name(), sector.n_images(), sector.reason));
 }
 
-/// The discretisation of the companion run in words. The companion run estimates the error in space. Empty if a search
-/// chooses the discretisation.
+/// The discretisation of the companion run as text; empty if a search chooses the discretisation. The companion run
+/// estimates the error in space.
 std::optional<std::string> continuum_companion(const Scene& scene) {
   const auto fixed = scene::fixed_discretization(scene);
   return fixed ? std::optional(scene::describe(scene::companion(*fixed))) : std::nullopt;
@@ -47,8 +47,8 @@ std::optional<std::string> continuum_companion(const Scene& scene) {
 
 std::string continuum_skipped(const Scene&) { return "continuum: not among Models; no mesh, no deal.II, MPI or PETSc"; }
 
-/// Refuses modes, Love numbers and equilibria if the discretisation is not given or the mesh is graded. Also refuses
-/// Love numbers of degrees that the mesh does not resolve.
+/// Refuses modes, Love numbers and equilibria if the scene does not set degree and refinements, or if the mesh is
+/// graded. Also refuses Love numbers of degrees that the mesh does not resolve.
 std::optional<Refusal> refuses_modes(const Scene& scene) {
   if (scene.analysis == scene::Analysis::motion) return {};
   if (!scene::fixed_discretization(scene))
@@ -69,9 +69,9 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
 }
 
 /// Refuses families, bodies and loads whose equilibria the finite-element model cannot compute, for the analysis of
-/// equilibria and for a motion that starts from a figure of the model. For the analysis, the loads must be
-/// symmetric under the reflection of every axis, because only one octant is computed. The symmetry planes of the octant
-/// exclude rigid motions.
+/// equilibria and for a motion that starts from a figure of the model. The model computes only one octant, so the
+/// reflection of every axis must be a symmetry of the loads. The symmetry planes of the octant exclude rigid motions of
+/// the body.
 std::optional<Refusal> refuses_equilibria(const Scene& scene) {
   if (!needs_own_figures(scene)) return {};
   if (auto refusal = refuses_family(scene, "finite elements",
@@ -113,8 +113,8 @@ std::optional<Refusal> refuses_equilibria(const Scene& scene) {
   return {};
 }
 
-/// Refuses degree 1 for an incompressible body and for a mesh file. Also refuses a grading and a symmetry plane for a
-/// mesh file.
+/// Refuses degree 1 for an incompressible body and for a mesh file. For a mesh file, also refuses a grading and
+/// symmetry planes.
 std::optional<Refusal> refuses_discretization(const Scene& scene) {
   if (scene.body.incompressible && scene.continuum.degree == 1)
     return Refusal{"Continuum/Degree", "expected a whole number from 2 to 8 for an incompressible body, got 1"};
@@ -128,13 +128,14 @@ std::optional<Refusal> refuses_discretization(const Scene& scene) {
   return {};
 }
 
-/// True if self-gravity or a confining potential acts. Such a load can keep the pressure in a fluid positive.
+/// True if self-gravity or a positive definite tidal matrix acts. Such a load can keep the pressure in a fluid
+/// positive.
 bool is_held_together(const Scene& scene) {
   return loads::present(scene.loads.get<loads::SelfGravity>()) || scene::is_confined(scene);
 }
 
 /// Refuses bodies and loads that other models offer but the finite-element model does not offer. Also refuses an ideal
-/// fluid without volumetric stiffness, because no other force keeps the shape of its elements.
+/// fluid without volumetric stiffness, because no other force limits the distortion of its elements.
 std::optional<Refusal> refuses_body(const Scene& scene) {
   const auto offered_for_others = [&](const char* path, const char* what) {
     return Refusal{path, fmt::format("{} is", what), {}, scene::names_where(scene, [](const auto& model) {
@@ -174,7 +175,7 @@ std::optional<Refusal> refuses_symmetry(const Scene& scene) {
   return {};
 }
 
-/// The first reason to refuse the scene, or an empty value.
+/// The first reason to refuse the scene; empty if the model accepts the scene.
 std::optional<Refusal> refuses(const Scene& scene) {
   for (const auto judge :
        {refuses_discretization, refuses_modes, refuses_equilibria, refuses_body, refuses_symmetry, refuses_motion})
@@ -182,15 +183,15 @@ std::optional<Refusal> refuses(const Scene& scene) {
   return {};
 }
 
-/// True for the methods that the finite-element model can use: the methods of the incompressible pseudo-rigid body that
-/// accept any type of vector. The name "auto" is also accepted.
+/// True for "auto" and for the methods that the finite-element model can use. These are the methods of the
+/// incompressible pseudo-rigid body that accept any type of vector.
 bool continuum_takes_method(std::string_view name) {
   const auto id = mechanics::find_method(name);
   return method_can_run<ElasticBody<true>>(name) &&
          (!id || mechanics::with_method(*id, []<class Method>(Method) { return mechanics::takes_any_vector<Method>; }));
 }
 
-/// The table of figures. The argument, the number of degrees of freedom of the pseudo-rigid body, does not affect it.
+/// The table of figures. Its columns do not depend on the number of degrees of freedom, which other models need.
 scene::EquilibriaTable continuum_equilibria(int) {
   return {"equilibria-continuum",
           "These are figures of the finite-element ball that turn as a whole (Equilibrium/Family), a row each. With "

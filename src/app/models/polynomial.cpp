@@ -20,7 +20,7 @@ namespace {
 using scene::Refusal;
 using scene::Scene;
 
-/// The line that the program shows to the user about the degree and the computed part of the ball.
+/// The line for the user about the degree and the part of the ball that is computed.
 std::string polynomial_needed(const Scene& scene) {
   const auto& degrees = scene.polynomial.degrees;
   std::string of_degree = "degree";
@@ -37,8 +37,8 @@ std::string polynomial_needed(const Scene& scene) {
                      sector.reason);
 }
 
-/// The degree of the companion run in words. The companion run estimates the error in space. Empty if a search chooses
-/// the degree.
+/// The degree of the companion run as text; empty if a search chooses the degree. The companion run estimates the error
+/// in space.
 std::optional<std::string> polynomial_companion(const Scene& scene) {
   const auto& degrees = scene.polynomial.degrees;
   return degrees.empty() ? std::nullopt
@@ -47,18 +47,18 @@ std::optional<std::string> polynomial_companion(const Scene& scene) {
 
 std::string polynomial_skipped(const Scene&) { return "polynomial body: not among Models"; }
 
-/// Name of the files of a run of degree N that is not the last degree of the list in the scene.
+/// Name of the files of a run of degree N, if N is not the last degree that the scene lists.
 std::string rung(int N) { return fmt::format("polynomial-{}", N); }
 
-/// The possible names of the files of runs whose degree is not the last of the list.
+/// All possible results of `rung`.
 std::vector<std::string> rungs() {
   std::vector<std::string> names;
   for (int N = 1; N < scene::largest_polynomial_degree; ++N) names.push_back(rung(N));
   return names;
 }
 
-/// One run for each degree of the list, or one run in total if a search chooses the degree. The last run has the name
-/// of the model.
+/// One run for each degree that the scene lists, or a single run if a search chooses the degree. The last run has the
+/// name of the model.
 std::vector<scene::ModelRun> runs(const Scene& scene) {
   const auto& degrees = scene.polynomial.degrees;
   if (degrees.empty()) return {{"polynomial", "polynomial", true}};
@@ -83,8 +83,8 @@ std::optional<Refusal> refuses_body(const Scene& scene) {
   return {};
 }
 
-/// Refuses modes and Love numbers if the degree is not given, or if the body is not a ball. Also refuses modes of
-/// several degrees, and Love numbers of degrees that no polynomial body has.
+/// Refuses modes and Love numbers if the scene does not set the degree, or if the body is not a ball. Also refuses
+/// modes of several degrees, and Love numbers of degrees that no polynomial body resolves.
 std::optional<Refusal> refuses_modes(const Scene& scene) {
   if (!scene::is_linear(scene.analysis)) return {};
   if (scene.polynomial.degrees.empty())
@@ -99,6 +99,7 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
   return {};
 }
 
+/// The first reason to refuse the scene; empty if the model accepts the scene.
 std::optional<Refusal> refuses(const Scene& scene) {
   if (auto refusal = refuses_body(scene)) return refusal;
   if (auto refusal = refuses_modes(scene)) return refusal;

@@ -11,7 +11,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Refuses an initial deformation beyond the limit of the law. Also refuses a method that cannot integrate the form of
+/// Refuses an initial deformation that the law does not admit. Also refuses a method that cannot integrate the form of
 /// the pseudo-rigid body that the scene requires (app/reduced/reduced_scene.h).
 template <bool incompressible>
 std::optional<scene::Refusal> refuses_body(const scene::Scene& scene) {

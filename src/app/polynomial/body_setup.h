@@ -1,5 +1,5 @@
 #pragma once
-/// Data for a run of the polynomial model with a body of one degree.
+/// Data of one run of the polynomial model, and the setup of its body.
 
 #include <algorithm>
 #include <array>
@@ -22,8 +22,8 @@ struct PolynomialTask {
   std::optional<Stepping> stepping{};  ///< method and step of another run; if empty, the run searches for them
 };
 
-/// Number of quadrature points in each direction of an octant: the entry of the scene, but at least the number that the
-/// degree requires. Empty if the scene does not give a number.
+/// Number of quadrature points in each direction of an octant: the entry Polynomial/Quadrature points, but at least the
+/// number that the degree requires. Empty if the scene does not have this entry; the body then uses its default.
 inline std::optional<int> quadrature_points(const scene::Scene& scene, int degree) {
   if (!scene.polynomial.quadrature_points) return std::nullopt;
   return std::max(*scene.polynomial.quadrature_points, polynomial::PolynomialSpace::least_points(degree));

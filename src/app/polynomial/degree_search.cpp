@@ -20,7 +20,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Largest tolerance of the error in time, as a fraction of Polynomial/Tolerance.
+/// Largest tolerance of the time error, as a fraction of Polynomial/Tolerance.
 constexpr double part_for_time = 0.05;
 
 /// The search for the degree, and the run with the chosen degree.
@@ -31,6 +31,8 @@ class DegreeSearch {
     scene_.time.tolerance = std::min(scene_.time.tolerance, part_for_time * tolerance_);
   }
 
+  /// Searches for the degree or loads it, and runs the scene with it. Returns the outcome of this run, or of an
+  /// interrupted search.
   ModelOutcome run() {
     if (!load()) {
       ModelOutcome last = search();
@@ -49,9 +51,9 @@ class DegreeSearch {
   }
 
  private:
-  /// Runs the degrees 1, 3, 5, … and sets `degree_` to the last one. The search ends at a degree with an error within
-  /// the tolerance, at the largest degree, or at a degree whose run fails. At least three degrees run, unless the
-  /// largest degree is reached or the search is interrupted. The returned outcome is `finished` or `interrupted`.
+  /// Runs the degrees 1, 3, 5, … and sets `degree_` to the last one. From the third degree on, the search ends if the
+  /// error is at most the tolerance, if the run fails, or at the largest degree. The returned outcome is `finished` or
+  /// `interrupted`.
   ModelOutcome search() {
     analysis::SpaceErrorLadder errors(analysis::least_polynomial_rate);
     ModelOutcome outcome;
@@ -74,8 +76,8 @@ class DegreeSearch {
       }
       const bool is_last = degree_ + 2 > scene::largest_polynomial_degree;
       if (is_last || (errors.n_runs() > 2 && error_ <= tolerance_)) break;
-      // If three degrees have run and this one fails, the motion itself probably ends at this time. A higher degree
-      // does not help.
+      // A run of low degree can fail although the exact motion does not end. If the third or a later run fails, the
+      // motion itself probably ends at this time, and a higher degree does not help.
       if (outcome.end == mechanics::Outcome::failed && errors.n_runs() > 2) break;
       before_ = std::move(trace);
     }
@@ -95,10 +97,10 @@ class DegreeSearch {
   }
 
   std::filesystem::path path() const { return context_.directory.checkpoint(degree_checkpoint_name); }
-  /// False in sweeps, which do not write checkpoints.
+  /// False for a run of a sweep, which does not write checkpoints.
   bool keeps_states() const { return context_.scene.sweep.empty(); }
-  /// Writes the checkpoint: the chosen degree, its estimated error, the work of the search, and the history of Q of the
-  /// previous degree. Does nothing in sweeps.
+  /// Writes the checkpoint: the chosen degree, its estimated error, the work of the search, and the history of Q for
+  /// the previous degree. Does nothing in a run of a sweep.
   void save() const {
     if (!keeps_states()) return;
     io::Checkpoint c;
@@ -128,12 +130,12 @@ class DegreeSearch {
   double tolerance_;
   int degree_ = 1;
   std::size_t n_runs_ = 0;  ///< number of runs of this search; 0 if the degree was loaded
-  double error_ = 0, relative_to_largest_ = 0, work_ = 0;  ///< estimated error of Q; ratio relative/largest of
-                                                           ///< TraceDifference; work of all runs of the search
-  DeformationTrace before_;                                ///< history of Q in the run of degree `degree_` − 2
+  /// The estimated error of Q, the factor that converts it to a relative error, and the cost of all runs of the search.
+  double error_ = 0, relative_to_largest_ = 0, work_ = 0;
+  DeformationTrace before_;  ///< history of Q in the run of degree `degree_` − 2
 };
 
-/// Runs the polynomial body of degree N, which is the only or the last degree of the scene. If the scene does not have
+/// Runs the polynomial body of degree N, the only or the last degree that the scene lists. If the scene does not have
 /// finite elements, this body is the reference of comparisons. If the scene then also requests error estimates
 /// (`needs.companion`), a companion run of another degree estimates the discretisation error of this body.
 ModelOutcome run_richest_degree(const RunContext& context, const PolynomialRun& run, int N) {

@@ -2,25 +2,26 @@
 /// Runs of one polynomial scene with several degrees.
 ///
 /// The degrees that the scene lists run one after the other. The run of the last degree represents the model and writes
-/// polynomial.csv. The other runs write `polynomial-<degree>.csv` and are compared with the reference as further
-/// models.
+/// polynomial.csv. The run of any other degree N writes polynomial-<N>.csv, and is compared with the reference as a
+/// further model.
 ///
-/// If the scene leaves the degree open (auto), the program searches for it. It runs the scene with the degrees N = 1,
-/// 3, 5, …. These runs keep only the affine part Q of the motion, a 3×3 matrix, at the samples. In motions with the
-/// symmetry of an octant, an even degree is equivalent to the next lower odd degree. The differences of Q between
-/// successive runs give the error of the last run (analysis/space_error.h with N as the resolution). From the third
-/// degree on, the search ends if the error is within Polynomial/Tolerance, if the run fails, or at the largest degree.
-/// The last degree of the search runs again and writes the results. If its error exceeds the tolerance, the program
-/// warns. A checkpoint contains this degree, so that a resumed run does not repeat the search. An interrupted search
-/// starts again. The tolerance of the error in time is at most a twentieth of Polynomial/Tolerance.
+/// If the scene sets Polynomial/Degree to auto, the program searches for the degree. It runs the scene with the degrees
+/// N = 1, 3, 5, …. The only result of these runs is the affine part Q of the motion, a 3×3 matrix, at the samples. In
+/// motions with the symmetry of an octant, an even degree is equivalent to the next lower odd degree. The differences
+/// of Q between successive runs give the error of the last run (analysis/space_error.h with N as the resolution). From
+/// the third degree on, the search ends if the error is at most Polynomial/Tolerance, if the run fails, or at the
+/// largest degree. The last degree of the search runs again and writes the results. If its error exceeds the tolerance,
+/// the program logs a warning. A checkpoint contains this degree, so that a resumed run does not repeat the search. If
+/// the search was interrupted, a resumed run starts it again. The tolerance of the time error is at most a twentieth of
+/// Polynomial/Tolerance.
 ///
-/// A body of given degree can be the reference of a comparison. If the scene then requests error estimates, a companion
-/// run of another degree estimates the error of this body (search/error_estimate.h).
+/// A body whose degree the scene gives can be the reference of a comparison. If the scene then requests error
+/// estimates, a companion run of another degree estimates the error of this body (search/error_estimate.h).
 ///
-/// A search or a companion run adds the counters estimated_space_error (the error of an entry of Q) and
+/// A search or a companion run adds the counters estimated_space_error (the largest error of an entry of Q) and
 /// relative_space_error (the error relative to |Q|). A search also adds search_runs, the number of its runs, and
-/// search_work, their cost. If a resumed run does not repeat the search, search_runs is 0. A companion run also adds
-/// companion_degree and companion_work.
+/// search_work, their cost (silent_run.h). If a resumed run does not repeat the search, search_runs is 0. A companion
+/// run also adds companion_degree and companion_work.
 
 #include <functional>
 

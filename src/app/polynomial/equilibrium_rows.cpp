@@ -15,10 +15,10 @@ namespace {
 using polynomial::ClassStability;
 using polynomial::FigureMember;
 
-/// Index of the rotation about axis 3 among the symmetries of the whole body.
+/// Index of the rotation about axis 3 among the rotations of space that are symmetries of the whole body.
 constexpr int about_axis_3 = 2;
 
-/// The setup of the whole body, without symmetry planes. It has only the loads that a steady rotation can have.
+/// The setup of the whole body, without symmetry planes, and with only those loads that a steady rotation can have.
 polynomial::BodySetup of_whole_body(polynomial::BodySetup setup, bool incompressible) {
   setup = polynomial::conservative_setup(std::move(setup), incompressible);
   setup.reflect = {};
@@ -45,8 +45,8 @@ EquilibriumRows::EquilibriumRows(const polynomial::BodySetup& setup, bool incomp
                            : Body(polynomial::CompressibleBody(of_whole_body(setup, false)))),
       spectrum_(spectrum) {}
 
-/// Sets the observables of a figure in the inertial frame. The figure has the positions x, and rotates about axis 3 at
-/// the rate `spin`.
+/// Sets the observables of a figure in the inertial frame. The vector x has the coefficients of the positions, and
+/// `spin` is the rate of rotation about axis 3. Fails if the observables cannot be computed.
 mechanics::Status EquilibriumRows::observe(const Eigen::VectorXd& x, double spin,
                                            mechanics::ContinuumObservables& observables) const {
   return std::visit(

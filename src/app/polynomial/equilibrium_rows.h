@@ -15,8 +15,8 @@ namespace pseudorigid::app {
 /// The columns of the file with their units and texts.
 std::vector<scene::Column> polynomial_equilibria_columns();
 
-/// Name of a class of motions. Examples are "even in z, m = 2" for a spheroid and "odd in z, even under the half turn"
-/// for an ellipsoid.
+/// Name of a class of motions. Examples are "even in z, m = 2" for a spheroid, and "odd in z, even under the half turn"
+/// for an ellipsoid. The half turn is the rotation by π about axis 3.
 std::string name_of(const polynomial::MotionClass& motions, polynomial::Figure figure);
 
 /// Makes the rows for the figures of one polynomial body.
@@ -27,8 +27,8 @@ class EquilibriumRows {
                   const polynomial::RotationSpectrum& spectrum);
 
   /// Sets `row` to one row of the table. All columns are in internal units except the parameter, which has the unit of
-  /// its family. `special` is null for an ordinary member of the family. Fails if the observables of the figure cannot
-  /// be computed.
+  /// its family. `special` is the special point whose figure is `member`; null for an ordinary member of the family.
+  /// Fails if the observables of the figure cannot be computed.
   mechanics::Status row(int index, const polynomial::FigureMember& member, const polynomial::SpecialFigure* special,
                         std::vector<double>& row) const;
 
@@ -37,8 +37,8 @@ class EquilibriumRows {
 
   mechanics::Status observe(const Eigen::VectorXd& x, double spin, mechanics::ContinuumObservables& observables) const;
 
-  Body body_;
-  const polynomial::RotationSpectrum& spectrum_;
+  Body body_;                                     ///< the whole body, for the observables
+  const polynomial::RotationSpectrum& spectrum_;  ///< extends the positions of a figure to the whole body
 };
 
 }  // namespace pseudorigid::app

@@ -27,8 +27,8 @@ template <class Body>
 class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces> {
   using Base = FieldModel<Body, polynomial::MaterialFaces>;
   using Base::context_;
-  /// A step of a body of low degree takes microseconds. The clock and the interrupt flag are therefore checked only
-  /// once in this many steps.
+  /// Number of steps between two checks of the clock and of the interrupt flag. A step of a body of low degree takes
+  /// microseconds, so a check after every step would cost too much time.
   static constexpr int between_looks = 16;
 
  public:
@@ -87,8 +87,8 @@ class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces>
   }
 
  private:
-  /// The points of a picture, in the blocks into which the ball is divided. If the blocks are cut into cells, a quarter
-  /// of a circle has 8 straight edges.
+  /// The ball divided into blocks, and the fields at their points. If the blocks are divided into cells, a quarter of a
+  /// circle has 8 straight edges.
   struct Picture {
     explicit Picture(const polynomial::PolynomialSpace& space) : ball(io::ball_blocks(4, 2)), at(space, ball.points) {}
     io::BallBlocks ball;

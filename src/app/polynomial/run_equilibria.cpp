@@ -12,8 +12,8 @@ namespace {
 
 using scene::Family;
 
-/// Computes the family of one degree, and writes its rows and results. After an interrupt, writes the figures found so
-/// far.
+/// Computes the family of one degree, and writes its rows and results. After an interrupt, writes the figures that were
+/// found before it.
 void add_degree(int degree, const RunContext& context, FigureRun& run) {
   const scene::Scene& scene = context.scene;
   const polynomial::BodySetup setup = body_setup(scene, {}, degree);

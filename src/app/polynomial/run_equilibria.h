@@ -14,8 +14,8 @@ namespace pseudorigid::app {
 /// Empty if the polynomial model can compute them, or if the scene does not need them.
 std::optional<scene::Refusal> refuses_polynomial_equilibria(const scene::Scene& scene);
 
-/// Computes the families of all degrees. Values of the parameter without an equilibrium give warnings. The outcome is
-/// `failed` if no figure is found or a row cannot be computed, and `interrupted` after an interrupt.
+/// Computes the families of all degrees. If the family has no figure for a value of the parameter, logs a warning. The
+/// outcome is `failed` if no figure is found or a row cannot be computed, and `interrupted` after an interrupt.
 ModelOutcome run_polynomial_equilibria(const RunContext& context);
 
 }  // namespace pseudorigid::app

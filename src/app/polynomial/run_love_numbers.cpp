@@ -12,14 +12,15 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Computes the rows of the body of this degree, with error bounds from a body of another degree. Fails if the Love
-/// numbers of one of these bodies cannot be computed.
+/// Computes the rows of the body of this degree, with error bounds from a companion body of another degree. Fails if
+/// the Love numbers of one of both bodies cannot be computed.
 mechanics::Status find(const scene::Scene& scene, int degree, std::vector<LoveRow>& rows) {
   const std::vector<int> degrees = scene::love_degrees(scene);
   std::vector<gravity::LoveNumbers> numbers, other;
   if (auto status = polynomial::love_numbers(body_setup(scene, {}, degree), degrees, numbers); !status) return status;
-  // For a body of degree N, the other body for the errors has the degree N + 2. The degree of the other body is higher
-  // if a tide requires this, but at most the largest degree. If N is the largest degree, the other degree is N − 2.
+  // For a body of degree N, the companion has the degree N + 2. A tide of degree n causes displacements of degree n +
+  // 1, so the companion has at least this degree for the largest n. The companion has at most the largest degree. If N
+  // is the largest degree, the companion has the degree N − 2.
   const int companion = std::min(std::max(degree + 2, degrees.back() + 1), scene::largest_polynomial_degree);
   if (auto status =
           polynomial::love_numbers(body_setup(scene, {}, companion > degree ? companion : degree - 2), degrees, other);

@@ -6,8 +6,9 @@
 
 namespace pseudorigid::app {
 
-/// Computes the Love numbers of all degrees of the scene. The outcome is `failed` if a solution fails, and
-/// `interrupted` after an interrupt. The later files are then not written.
+/// Computes the Love numbers for all degrees of the scene. The outcome is `failed` if the Love numbers of a degree
+/// cannot be computed, and `interrupted` after an interrupt. The files of this degree and of the later degrees are then
+/// not written.
 ModelOutcome run_polynomial_love_numbers(const RunContext& context);
 
 }  // namespace pseudorigid::app

@@ -15,7 +15,7 @@ ModelOutcome run_model(const RunContext& context, const PolynomialTask& task) {
   return ModelRun(model, context, task.stepping).run();
 }
 
-/// Runs an incompressible or a compressible body once, as the scene requires.
+/// Runs the motion of an incompressible or a compressible body once.
 ModelOutcome run_body(const RunContext& context, const PolynomialTask& task) {
   return context.scene.body.incompressible ? run_model<polynomial::IncompressibleBody>(context, task)
                                            : run_model<polynomial::CompressibleBody>(context, task);

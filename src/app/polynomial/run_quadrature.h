@@ -8,8 +8,8 @@
 /// The program then adds points one by one until the estimated error is at most half of the tolerance. It stops earlier
 /// after 8 added points, after a point that does not halve the error, or if a pilot run fails. The program does not add
 /// points if the scene sets Time/Step or Polynomial/Quadrature points, or for viscoelastic bodies. It never adds points
-/// on the surface for self-gravity, which sums over pairs of these points. The cost of these sums grows as the fourth
-/// power of the number of surface points in each direction.
+/// on the surface, which are for self-gravity. The force of gravity is a sum over pairs of these points. The cost of
+/// this sum grows as the fourth power of the number of surface points in each direction.
 
 #include <array>
 #include <cmath>
@@ -24,15 +24,15 @@
 
 namespace pseudorigid::app {
 
-/// Chooses the rule, estimates its error, and keeps both for checkpoints.
+/// Chooses the rule, estimates its error, and saves both in checkpoints.
 template <class Body>
 class RunQuadrature {
  public:
   RunQuadrature(const RunContext& context, std::string_view model, polynomial::BodySetup setup)
       : context_(context), model_(model), setup_(std::move(setup)) {}
 
-  /// Adds points to the rule and replaces `body`, if follows() is true and the tolerance requires more points. Must be
-  /// called before the search for the step. `state` is the initial state of the run.
+  /// If follows() is true, adds the points that the tolerance requires, and replaces `body` by the body with these
+  /// points. Must be called before the search for the step. `state` is the initial state of the run.
   void choose(Body& body, const polynomial::BodyState& state) {
     if (!follows()) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, 0, true)), state.t, body);
@@ -44,9 +44,10 @@ class RunQuadrature {
     take(polynomial::choose_quadrature(setup_, body, state, request(state, stable_step, false)), state.t, body);
   }
 
-  /// Three numbers for a checkpoint. They are the number of points in each direction of an octant, the error of Q, and
-  /// the duration in internal time to which this error applies. The error is −1 if it was not estimated, and `failed`
-  /// if the estimate failed. A resumed run keeps its rule even if the end of the run has changed.
+  /// Three numbers for a checkpoint. The first is the number of points in each direction of an octant, and the second
+  /// is the error of Q. The third is the duration, in internal time, of the run for which this error was estimated. The
+  /// error is −1 if it was not estimated, and `failed` if the estimate failed. A resumed run uses the rule of the
+  /// checkpoint even if the end of the run has changed.
   static constexpr std::size_t n_numbers = 3;
   std::array<double, n_numbers> numbers(const Body& body) const {
     return {static_cast<double>(body.space().n_points_in_direction()), error_.value_or(is_known_ ? failed : -1),
@@ -61,8 +62,8 @@ class RunQuadrature {
   }
 
   /// Adds the number of points in each direction to the counters of `statistics`. Also adds the force evaluations of
-  /// the estimates if there are any, and the error if it is known. If the run has become longer than the duration of
-  /// the estimate, the reported error is larger by a power of the ratio of both durations.
+  /// the estimates if there are any, and the error if it is known. If the run is now longer than the duration T of the
+  /// estimate by a factor a > 1, the error is multiplied by a^quadrature_growth.
   void report(const Body& body, io::Manifest::Model& statistics) const {
     auto& counters = statistics.counters;
     counters["quadrature_points"] = body.space().n_points_in_direction();
@@ -114,7 +115,8 @@ class RunQuadrature {
       context_.log->warn("{}: the tolerance is below the error of the quadrature", model_);
   }
 
-  /// Replaces the body by one with n_points points in each direction of an octant, unless it already has this number.
+  /// Replaces the body by a body with n_points points in each direction of an octant, unless it already has this
+  /// number.
   void set_points(int n_points, Body& body) {
     setup_.n_points = n_points;
     if (n_points != body.space().n_points_in_direction()) body = Body(setup_);

@@ -1,6 +1,6 @@
 #pragma once
-/// Rank and number of processes under mpirun or srun, from environment variables of the launcher. With these variables,
-/// a process that does not need MPI need not start MPI.
+/// Rank and number of processes under mpirun or srun. The environment variables of the launcher give them, so that a
+/// process that does not need MPI need not start MPI.
 ///
 /// Open MPI's mpirun sets OMPI_*. MPICH's mpirun and `srun --mpi=pmi2` set PMI_*. With PMIx alone (`srun --mpi=pmix`),
 /// the environment has the rank but not the number of processes, which only MPI can give. SLURM_PROCID is not used as a

@@ -17,7 +17,7 @@
 
 namespace pseudorigid::app {
 
-/// Exception that all ranks throw, with the message of the first rank on which the work failed.
+/// Exception that all ranks throw, with the message and the exit code of the first rank on which the work failed.
 class FailureOnAllRanks : public std::runtime_error {
  public:
   explicit FailureOnAllRanks(const Failure& failure)
@@ -28,9 +28,9 @@ class FailureOnAllRanks : public std::runtime_error {
   int exit_code_;
 };
 
-/// Runs `work` on every rank. If the work fails on any of several ranks, throws FailureOnAllRanks on all ranks.
-/// Collective. The work itself must not contain collective operations: after a failure on one rank, the other ranks
-/// would wait in these operations.
+/// Runs `work` on every rank. In a single process its exceptions pass unchanged. If a std::exception leaves the work on
+/// one of several ranks, all ranks throw FailureOnAllRanks. Collective. The work itself must not contain collective
+/// operations: after a failure on one rank, the other ranks would wait in these operations.
 template <class Work>
 void on_all_ranks(const Ranks& ranks, Work&& work) {
   if (ranks.size() == 1) return work();
@@ -46,9 +46,9 @@ void on_all_ranks(const Ranks& ranks, Work&& work) {
   throw FailureOnAllRanks({exit_code, ranks.text_of(first, std::move(mine.message))});
 }
 
-/// Runs collective work and returns its result. If the work fails on one of several ranks, this rank calls
-/// `last_words(failure)`, for example to write the failure to the log, and aborts all ranks. A FailureOnAllRanks passes
-/// unchanged, because all ranks throw it. In a single process every exception passes unchanged.
+/// Runs collective work and returns its result. In a single process every exception passes unchanged. If the work fails
+/// on one of several ranks, this rank calls `last_words(failure)` and then aborts all ranks. The function `last_words`
+/// can, for example, write the failure to the log. A FailureOnAllRanks passes unchanged, because all ranks throw it.
 template <class Work, class LastWords>
 auto together_or_not_at_all(const Ranks& ranks, Work&& work, LastWords&& last_words) {
   try {

@@ -23,7 +23,8 @@ class Ranks {
   virtual int number_of(int /*rank*/, int mine) const { return mine; }
   /// Returns the text `mine` of the given rank, on every rank. Collective.
   virtual std::string text_of(int /*rank*/, std::string mine) const { return mine; }
-  /// Aborts all ranks. In a single process this function does nothing: the program ends as usual.
+  /// Aborts all ranks with this exit code. In a single process this function does nothing, so that the program ends as
+  /// usual.
   virtual void abort(int /*exit_code*/) const {}
 
   /// Returns `mine` of the first rank, on every rank. Collective.

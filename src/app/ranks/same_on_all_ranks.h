@@ -12,8 +12,9 @@
 
 namespace pseudorigid::app {
 
-/// Compares the input of each rank with the input of the first rank. `mine` has the lines of the input of this rank. If
-/// an input differs, all ranks throw FailureOnAllRanks, whose message has the first line that differs. Collective.
+/// Compares the input of each rank with the input of the first rank. `mine` has the lines of this rank's input, for
+/// example the entries of its scene. If an input differs, all ranks throw FailureOnAllRanks, whose message has the
+/// first line that differs. Collective.
 inline void require_same_on_all_ranks(const Ranks& ranks, const std::vector<std::string>& mine) {
   if (ranks.size() == 1) return;
   std::string text;

@@ -24,8 +24,7 @@ using reduced::EquilibriumFamily;
 using reduced::EquilibriumPoint;
 using scene::Family;
 
-/// Makes the families of a scene. The object contains the potential as a member, because the body refers to the
-/// potential.
+/// Computes the families of a scene. The potential is a member of the object, because the body refers to the potential.
 class FamilyMaker {
  public:
   explicit FamilyMaker(const scene::Scene& scene)
@@ -34,8 +33,8 @@ class FamilyMaker {
         body_{potential_, scene_.body.E0.trace() / 3, scene.body.incompressible} {}
 
   /// Computes a family; `none` and `at_rest` give an empty family. `range` is the range of the parameter of the family.
-  /// If the parameter is a spin, it has the user's unit in `range` and in the result, and `time_unit` is the internal
-  /// unit of time. `ratio` is a₃/a₁ of the semi-axes, which only Riemann's families use.
+  /// If the parameter is a spin, it has the user's unit in `range` and in the result. The internal unit of time,
+  /// measured in the user's unit, is `time_unit`. `ratio` is a₃/a₁ of the semi-axes, which only Riemann's families use.
   EquilibriumFamily make(Family family, reduced::ParameterRange range, double ratio, double time_unit) const {
     switch (family) {
       case Family::none:
@@ -86,7 +85,8 @@ class FamilyMaker {
   reduced::IsotropicBody<reduced::Potential> body_;
 };
 
-constexpr int most_rates = 10;  // spheroids have 10 rates, other figures 8; missing rates are 0
+/// Number of rates in a row. Spheroids have 10 rates and other figures 8; missing rates are 0.
+constexpr int most_rates = 10;
 
 /// The rates of a figure by rising frequency. Of two conjugate rates, the one with the positive frequency is first.
 std::vector<mechanics::Rate> rates_by_frequency(const EquilibriumPoint& p) {
@@ -98,10 +98,10 @@ std::vector<mechanics::Rate> rates_by_frequency(const EquilibriumPoint& p) {
   return rates;
 }
 
-enum Kind { member = 0 };  // the kind of a special point is 1 + SpecialKind
+enum Kind { member = 0 };  // column `kind` of an ordinary member; a special point has 1 + SpecialKind
 
 /// The row of a figure in the order of ball_equilibria_columns(). All values are in internal units except the
-/// parameter, which has the unit of its family. Values that are not defined are 0.
+/// parameter, which has the unit of its family. A ratio that is not defined is replaced by 0.
 std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& p) {
   const reduced::SteadyMotion& m = p.motion;
   std::vector<double> row{static_cast<double>(index), static_cast<double>(kind), p.parameter};
@@ -125,7 +125,7 @@ std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& 
   return row;
 }
 
-/// Writes the members and the special points of the family into equilibria.csv, by rising parameter.
+/// Writes the members and the special points of the family into equilibria.csv, by increasing parameter.
 void write_family(const EquilibriumFamily& family, const RunContext& context) {
   std::vector<std::pair<int, const EquilibriumPoint*>> rows;
   for (const EquilibriumPoint& point : family.points) rows.emplace_back(member, &point);

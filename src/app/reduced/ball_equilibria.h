@@ -19,7 +19,7 @@ std::vector<scene::Column> ball_equilibria_columns();
 
 /// Computes the family of the scene and writes equilibria.csv. The outcome is `failed` if the family has no member in
 /// the range; no file is then written. After an interrupt, the outcome is `interrupted`, and the file has the members
-/// found so far.
+/// that were found before.
 ModelOutcome run_ball_equilibria(const RunContext& context);
 
 /// Sets `figure` to the member of the family with this parameter, in internal units. If the parameter is a spin,

@@ -15,12 +15,11 @@ namespace pseudorigid::app {
 namespace {
 
 using reduced::n_body_lanes;
-/// The method for Time/Method = auto. This method is symmetric and needs one force evaluation and one constraint solve
-/// per step.
+/// The method for Time/Method = auto. It needs only one force evaluation and one constraint solve per step.
 using LaneMethod = mechanics::Symmetric8;
 
-/// True if two runs have the same law, method, tolerance, step, end and number of samples. Steps and ends are compared
-/// in internal units. The shape of the body and the initial state may differ.
+/// True if the scenes of two runs have the same law, method, tolerance, step, end and number of samples. Steps and ends
+/// are compared in internal units. The shape of the body and the initial state may differ.
 bool alike(const RunContext& a, const materials::AnyLaw& law_of_a, const RunContext& b,
            const materials::AnyLaw& law_of_b) {
   const auto& s = a.scene.time;
@@ -52,7 +51,7 @@ reduced::MatricesInLanes in_lanes(const MatrixOf& matrix_of) {
   return values;
 }
 
-/// The matrix of one body. This is the inverse of `in_lanes`.
+/// The matrix of one body from the matrices of all bodies. This function is the inverse of `in_lanes`.
 Eigen::Matrix3d of_lane(const reduced::MatricesInLanes& values, int body) {
   Eigen::Matrix3d matrix;
   for (int i = 0; i < 9; ++i) matrix(i / 3, i % 3) = values[i * n_body_lanes + body];
@@ -78,8 +77,8 @@ class RunInLanes {
     for (int i = 0; i < n_body_lanes; ++i) inertia_.volume[i] = scenes[i].body.volume;
   }
 
-  /// Runs the bodies and writes their rows. Returns an empty value if no step is found, a motion fails, the step is not
-  /// stable, or a row is not finite.
+  /// Runs the bodies and writes their rows. Returns an empty value if no step is found, if a motion fails, or if the
+  /// step is not stable. Also returns an empty value if a row cannot be computed or is not finite.
   std::optional<std::vector<ModelOutcome>> run() {
     const mechanics::StepChoice choice = choose();
     if (!choice.status) return {};
@@ -105,7 +104,7 @@ class RunInLanes {
  private:
   const RunContext& first() const { return contexts_.front(); }
 
-  /// Integrates all bodies from their initial states with `n_steps` steps between samples.
+  /// Integrates all bodies from their initial states with `n_steps` equal steps between two samples.
   reduced::MotionsInLanes move(mechanics::MethodId method, const mechanics::SampleTimes& times, long n_steps) const {
     return reduced::motions_in_lanes(scenes_.front().law, inertia_, in_lanes([&](int i) { return scenes_[i].start.q; }),
                                      in_lanes([&](int i) { return scenes_[i].start.v; }), method, times, n_steps);
@@ -148,8 +147,8 @@ class RunInLanes {
     return mechanics::detail::choose_among({in_pilots(method)}, {}, true, request);
   }
 
-  /// The method as the search for the step uses it: with its order, its stability limit and its pilot runs. Empty for
-  /// an adaptive method.
+  /// The method for the search: its order, its stability limit and a function that makes its pilot runs. Empty for an
+  /// adaptive method.
   mechanics::detail::FixedStepMethod in_pilots(mechanics::MethodId id) const {
     return mechanics::with_method(id, [&]<class Method>(Method) -> mechanics::detail::FixedStepMethod {
       if constexpr (Method::adaptive)
@@ -162,7 +161,8 @@ class RunInLanes {
     });
   }
 
-  /// The result of a pilot run for the search. One configuration contains the matrices of all bodies.
+  /// The result of a pilot run in the form that the search requires. One configuration contains the matrices Q of all
+  /// bodies.
   static mechanics::detail::PilotRun pilot(const reduced::MotionsInLanes& motions) {
     mechanics::detail::PilotRun run;
     run.t = motions.t;
@@ -174,8 +174,8 @@ class RunInLanes {
     return run;
   }
 
-  /// True if the step is stable during the whole motion. A step far below the stability limit at the start is assumed
-  /// to be stable. Other steps are checked at a few samples, because runs in lanes cannot reduce their step.
+  /// True if the step is stable during the whole motion. A step below a quarter of the stability limit at the start is
+  /// assumed to be stable. Another step is checked at 16 samples, because runs in lanes cannot reduce their step.
   bool is_stable(const mechanics::StepChoice& choice, const reduced::MotionsInLanes& motions) const {
     constexpr double much = 4, little_reserve = 0.9;
     constexpr long n_looks = 16;
@@ -194,7 +194,8 @@ class RunInLanes {
     return true;
   }
 
-  /// Writes the rows of run i into its sink. Returns false if a row fails or is not finite.
+  /// Writes the rows of run i into its sink, and its counters into `statistics`. Returns false if a row cannot be
+  /// computed or is not finite.
   bool deliver(int i, const reduced::MotionsInLanes& motions, io::Manifest::Model& statistics) const {
     const RunContext& context = contexts_[i];
     ReducedModel<Body> model(bodies_[i], scenes_[i], context);

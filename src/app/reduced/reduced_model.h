@@ -29,7 +29,8 @@ namespace pseudorigid::app {
 template <class BodySystem>
 class ReducedModel final : public RunnableModelOf<BodySystem> {
   using Base = RunnableModelOf<BodySystem>;
-  /// A step takes less than 1 µs. The clock and the interrupt flag are therefore checked only once in this many steps.
+  /// Number of steps between two checks of the clock and of the interrupt flag. A step takes less than 1 µs, so a check
+  /// after every step would cost too much time.
   static constexpr int between_looks = 256;
 
  public:
@@ -119,9 +120,9 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   }
 
   /// Records the contact after a step. Fails after a collision or a disruption (orbit_of_run.h). If the body can change
-  /// its volume, also checks the least singular value of Q, which is the distance of Q from the nearest singular matrix
-  /// (Eckart and Young). If this value is at most the tolerance of Q, the exact motion may have collapsed already, and
-  /// the function fails.
+  /// its volume, also checks the least singular value of Q. This value is the distance of Q from the nearest singular
+  /// matrix (Eckart and Young). If this value is at most Time/Tolerance, which bounds the error of Q, the exact motion
+  /// may already have collapsed. The function then fails.
   mechanics::Status judge(const State& state) override {
     look_at_contact(state);
     const Eigen::Matrix3d Q = Q_of(state);
@@ -183,7 +184,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
 
  private:
   static constexpr bool is_loaded = requires(const System& s) { s.orbit(); };
-  /// True if the centre of mass is a part of the state.
+  /// True if the scene has contact planes. The centre of mass is then a part of the state.
   bool on_planes() const {
     if constexpr (is_loaded) return system_.has_contact();
     return false;
@@ -217,7 +218,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   }
 
   /// The fields for a picture, in internal units. All fields except positions and velocities are uniform in the body.
-  /// Lambda is the multiplier of the volume constraint, or 0 without this constraint.
+  /// Lambda is the multiplier of the volume constraint det Q = 1; it is 0 without this constraint.
   mechanics::BodyFields fields(const State& state, double Lambda) {
     const auto& body = system_.body();
     const auto motion = system_.motion(state);
@@ -239,14 +240,15 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     return fields;
   }
 
-  /// Updates `motion_` and `size_`, the largest entries of |Q − Q₀| and of |Q|, with the initial value Q₀.
+  /// Updates `motion_`, the largest entry of |Q − Q₀|, and `size_`, the largest entry of |Q|, with the initial value
+  /// Q₀.
   void note_motion(const Eigen::Matrix3d& Q) {
     ++n_noted_;
     motion_ = std::max(motion_, (Q - Q_of(start_)).cwiseAbs().maxCoeff());
     size_ = std::max(size_, Q.cwiseAbs().maxCoeff());
   }
 
-  /// Warns if Q moves from its start by at most ten times the error of Q, because velocities and energies are then not
+  /// Warns if no entry of Q changes by more than ten times its error, because velocities and energies are then not
   /// resolved. Does not warn about a body at rest in equilibrium, for fewer than two samples, or if earlier samples of
   /// Q are not known.
   void warn_of_resolution(const io::Manifest::Model& statistics) const {
@@ -273,7 +275,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   }
 
   /// Adds the position, velocity and energies of the centre of mass to the observables. With drag, the energy that the
-  /// centre of mass has lost counts as dissipated. Fails if the motion of the centre of mass is not finite.
+  /// centre of mass has lost counts as dissipated. With contact planes, the energies of the system already contain the
+  /// energies of time-dependent loads and of drag. Fails if the motion of the centre of mass is not finite.
   mechanics::Status add_center_of_mass(const State& state) {
     const double t = state.t;
     const auto motion = center_at(state);
@@ -307,11 +310,11 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   TensionWatch tension_;
   double motion_ = 0, size_ = 0;  ///< largest entries of |Q − Q₀| and |Q| at the samples
   bool knows_motion_ = true;      ///< false if a resumed run has earlier rows without Q
-  long n_noted_ = 0;
+  long n_noted_ = 0;              ///< number of samples that were recorded in `motion_` and `size_`
   mechanics::ReducedObservables observables_;
   ContactWatch contacts_;
   CollisionWatch collisions_;
-  std::optional<reduced::Bipolar> bipolar_;  ///< bipolar quantities at the last sample
+  std::optional<reduced::Bipolar> bipolar_;  ///< bipolar quantities at the last sample; empty before the first one
   std::optional<io::BallBlocks> ball_;       ///< blocks of the pictures; empty until the first picture
 };
 

@@ -24,7 +24,7 @@ struct ReducedScene {
   reduced::Dissipation dissipation;
   reduced::CenterOfMass center;
   mechanics::VectorState<Eigen::Matrix3d> start;  ///< initial deformation Q₀ and its rate Q̇₀
-  bool keeps_diagonal;  ///< true if Q stays diagonal in a motion without planes and companions
+  bool keeps_diagonal;  ///< true if Q remains diagonal in a motion without planes and companions
 };
 
 /// Converts a scene. If the body is incompressible, loads that only change its volume are removed.
@@ -34,7 +34,7 @@ ReducedScene reduced_scene(const scene::Scene& scene);
 enum class ReducedForm {
   elastic,      ///< neo-Hookean energy (Ciarlet–Geymonat's type) and no loads; law known at compile time
   general,      ///< any law, self-gravity, and loads with a potential
-  diagonal,     ///< Q stays diagonal, three unknowns; loads as for `general`
+  diagonal,     ///< Q remains diagonal, three unknowns; loads as for `general`
   dissipative,  ///< viscosity, drag or loads that depend on time; computes their energies
   loaded        ///< planes, companions or viscoelastic branches, with all other loads
 };
@@ -52,11 +52,11 @@ GeneralBody<incompressible> general_body(const ReducedScene& s) {
   return {potential_of(s), s.body};
 }
 
-/// The form with the fewest forces and coordinates that contains all forces of the scene.
+/// The form with the fewest forces and coordinates that contains all forces and coordinates of the scene.
 ReducedForm form_of(const ReducedScene& scene);
 
 /// The system of a form. The form `elastic` is valid only for the law of Ciarlet and Geymonat without self-gravity and
-/// loads. For another law, the function throws std::bad_variant_access. The form `diagonal` is valid only if Q stays
+/// loads. For another law, the function throws std::bad_variant_access. The form `diagonal` is valid only if Q remains
 /// diagonal.
 template <ReducedForm form, bool incompressible>
 auto system_of(const ReducedScene& s) {
@@ -73,7 +73,7 @@ auto system_of(const ReducedScene& s) {
     return reduced::LoadedBody<Body>(general_body<incompressible>(s), s.loads);
 }
 
-/// The initial state in the coordinates of the system of a form.
+/// The initial state of the scene in the coordinates of `system`.
 template <class System>
 mechanics::State<System> start_of(const System& system, const ReducedScene& s) {
   if constexpr (requires { system.start(s.start, s.center.position, s.center.velocity); })

@@ -7,6 +7,7 @@
 
 namespace pseudorigid::app {
 
+/// Runs the motion of the body in this form. The form must contain all forces of the scene (form_of).
 template <ReducedForm form>
 ModelOutcome run_reduced_form(const ReducedScene& scene, const RunContext& context);
 

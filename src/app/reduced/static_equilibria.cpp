@@ -17,8 +17,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Number of starting points of the search. If equilibria are known to be missing, the search continues up to the
-/// second number.
+/// Number of starting points of the search. If equilibria are known to be missing, the search continues up to
+/// n_static_starts_at_most starting points.
 constexpr int n_static_starts = 400, n_static_starts_at_most = 20000;
 
 /// The row of a critical point in internal units, in the order of static_equilibria_columns().
@@ -43,8 +43,8 @@ std::vector<double> static_row(int index, const mechanics::CriticalPoint& p, con
 }
 
 /// Reports the equilibrium of the centre of mass x, at which ẍ = b − Tx = 0 with the acceleration b and the tidal
-/// matrix T. Warns if there is no equilibrium. Reports nothing if b and T are 0. The centre of mass moves independently
-/// of Q.
+/// matrix T. The centre of mass moves independently of Q. Warns if there is no equilibrium. Reports nothing if b and T
+/// are 0.
 void report_center(const ReducedScene& s, const io::Units& units, const RunContext& context, ModelOutcome& outcome) {
   const Eigen::Matrix3d& T = s.forcing.quadratic;
   const Eigen::Vector3d& b = s.forcing.acceleration;

@@ -1,6 +1,6 @@
 #pragma once
-/// Static equilibria of the pseudo-rigid body of a scene (reduced/static_equilibria.h). With `Equilibrium/Family =
-/// static` the program writes the critical points of the potential energy into equilibria.csv.
+/// Static equilibria of the pseudo-rigid body of a scene (reduced/static_equilibria.h). If Equilibrium/Family is
+/// `static`, the program writes the critical points of the potential energy into equilibria.csv.
 
 #include <vector>
 
@@ -13,7 +13,8 @@ namespace pseudorigid::app {
 std::vector<scene::Column> static_equilibria_columns(int n_modes);
 
 /// Searches for the critical points and writes the file. The outcome is `failed` if the search fails or finds no point.
-/// Warns if the numbers of points of each Morse index show that points are missing (reduced/static_equilibria.h).
+/// Logs a warning if the numbers of points of each Morse index show that points are missing
+/// (reduced/static_equilibria.h).
 ModelOutcome run_static_equilibria(const RunContext& context);
 
 }  // namespace pseudorigid::app

@@ -1,7 +1,8 @@
 #pragma once
-/// Transfer of the positions q, the velocities v and the method's memory between a run and its checkpoint. A checkpoint
-/// contains the complete vectors, in an order that does not depend on the number of ranks. If a model distributes its
-/// vectors, each rank has only a part of their entries.
+/// Transfer of the positions q, the velocities v and the method's memory between a run and its checkpoint. The memory
+/// contains the numbers that a method stores from step to step (mechanics/core/memory.h). A checkpoint contains the
+/// complete vectors, in an order that does not depend on the number of ranks. If a model distributes its vectors, each
+/// rank has only a part of their entries.
 
 #include <algorithm>
 #include <optional>
@@ -22,16 +23,16 @@ inline constexpr bool is_distributed = requires(const Model& model) {
   model.rank_order();
 };
 
-/// Copies the memory that a method carries from step to step into the workspace of the method. Does nothing if `memory`
-/// is empty. Throws std::invalid_argument if the memory belongs to another method.
+/// Sets the memory in the workspace of a method to `memory`. Does nothing if `memory` is empty. Throws
+/// std::invalid_argument if the length of `memory` does not fit the method.
 template <class Workspace>
 void give_memory(Workspace& workspace, std::span<const double> memory) {
   if (!memory.empty() && !mechanics::restore_memory(workspace, memory))
     throw std::invalid_argument("memory of another method");
 }
 
-/// Transfer for a model whose vectors are complete on one process. The functions are those of the transfer for
-/// distributed vectors below.
+/// Transfer for a model that runs in one process, which has the complete vectors. The functions are those of the class
+/// for distributed vectors below.
 template <class Model>
 class CheckpointVectors {
   using State = typename Model::State;
@@ -39,8 +40,9 @@ class CheckpointVectors {
  public:
   explicit CheckpointVectors(const Model&) {}
 
-  /// Reads t, q and v into `state`, and all other data into `snapshot`. The names of the entries begin with `prefix`.
-  /// Throws UserError if an entry is missing or has the wrong size.
+  /// Reads t, q and v into `state`. Reads t, the position, the counters and the memory of the method into `snapshot`.
+  /// In the checkpoint, the names of the entries begin with `prefix`. Throws UserError if an entry is missing or has
+  /// the wrong size, or if the program lacks the method.
   void take(const io::Checkpoint& file, State& state, Snapshot& snapshot, const std::string& prefix = "") {
     from_checkpoint(file, snapshot, prefix);
     state.t = snapshot.t;
@@ -51,13 +53,13 @@ class CheckpointVectors {
     copy("v", mechanics::local_values(state.v));
     snapshot.memory = file.get_doubles(prefix + "memory");
   }
-  /// Copies the memory of the snapshot into the workspace of its method. Throws std::invalid_argument if the memory
-  /// belongs to another method.
+  /// Copies the memory of the snapshot into the workspace of its method. Throws std::invalid_argument if the length of
+  /// the memory does not fit the method.
   template <class Workspace>
   void restore_memory(Workspace& workspace, Snapshot& snapshot) {
     give_memory(workspace, snapshot.memory);
   }
-  void take_own_memory(Snapshot&) const {}  ///< does nothing: the memory is already that of this process
+  void take_own_memory(Snapshot&) const {}  ///< does nothing, because one process has the whole memory
   /// Returns copies of q and v, and the memory of the snapshot.
   SavedVectors collect(State& state, const Snapshot& snapshot) const {
     const auto q = mechanics::local_values(state.q), v = mechanics::local_values(state.v);
@@ -74,9 +76,9 @@ class CheckpointVectors<Model> {
  public:
   explicit CheckpointVectors(const Model& model) : order_(model.rank_order()) {}
 
-  /// Reads the snapshot, q and v of this rank, and the memory of all ranks. The workspace of the method determines the
-  /// part of the memory that belongs to this rank. This workspace is made later, so `restore_memory` selects the part.
-  /// Throws UserError if an entry is missing or has the wrong size.
+  /// Reads the snapshot, q and v of this rank, and the memory of all ranks. The part of the memory that belongs to this
+  /// rank depends on the workspace of the method. The workspace is made later, so `restore_memory` selects the part.
+  /// Throws UserError if an entry is missing or has the wrong size, or if the program lacks the method. Collective.
   void take(const io::Checkpoint& file, State& state, Snapshot& snapshot, const std::string& prefix = "") {
     from_checkpoint(file, snapshot, prefix);
     state.t = snapshot.t;
@@ -86,7 +88,8 @@ class CheckpointVectors<Model> {
     memory_is_whole_ = true;
   }
   /// Copies the memory of this rank into the workspace of its method. If the snapshot has the memory of all ranks,
-  /// selects the part of this rank first. Throws std::invalid_argument if the memory belongs to another method.
+  /// first replaces it by the part of this rank. Throws std::invalid_argument if the length of the memory does not fit
+  /// the method.
   template <class Workspace>
   void restore_memory(Workspace& workspace, Snapshot& snapshot) {
     layout_.emplace(order_);
@@ -94,12 +97,13 @@ class CheckpointVectors<Model> {
     if (std::exchange(memory_is_whole_, false)) take_own_memory(snapshot);
     give_memory(workspace, snapshot.memory);
   }
-  /// Replaces the memory of all ranks by that of this rank. Requires an earlier call of `restore_memory`.
+  /// Replaces the memory of all ranks in the snapshot by the part of this rank. Requires an earlier call of
+  /// `restore_memory`.
   void take_own_memory(Snapshot& snapshot) const {
     if (!snapshot.memory.empty()) snapshot.memory = layout_->take(snapshot.memory);
   }
-  /// Returns the complete vectors on the first rank, which writes the checkpoint. On the other ranks they are empty.
-  /// Collective: all ranks must call this function.
+  /// Returns complete copies of q, v and the memory on the first rank, which writes the checkpoint. On the other ranks
+  /// they are not complete. Collective.
   SavedVectors collect(State& state, const Snapshot& snapshot) const {
     return {order_.collect_position(state.q), order_.collect_field(mechanics::local_values(state.v)),
             snapshot.memory.empty() ? std::vector<double>() : layout_->collect(snapshot.memory)};
@@ -107,8 +111,8 @@ class CheckpointVectors<Model> {
 
  private:
   decltype(std::declval<const Model&>().rank_order()) order_;
-  std::optional<typename Model::MemoryLayout> layout_;  ///< distribution of the method's memory over the ranks
-  bool memory_is_whole_ = false;                        ///< true if the snapshot contains the memory of all ranks
+  std::optional<typename Model::MemoryLayout> layout_;  ///< distribution of the memory over the ranks
+  bool memory_is_whole_ = false;  ///< true if the snapshot of the last `take` has the memory of all ranks
 };
 
 }  // namespace pseudorigid::app

@@ -23,9 +23,9 @@ namespace pseudorigid::app {
 
 class ContactWatch {
  public:
-  /// Updates the summary at the end of a step. `now` is the contact at the time `t`, and `velocity` is the velocity of
-  /// the centre of mass. Does nothing if `t` is not after the last recorded time, because the step is then a repetition
-  /// of an earlier step.
+  /// Updates the summary at the end of a step, or at the start of the run. `now` is the contact at the time `t`, and
+  /// `velocity` is the velocity of the centre of mass. Does nothing if `t` is not after the last recorded time, because
+  /// the step is then a repetition of an earlier step.
   void look(double t, const loads::Contact& now, const Eigen::Vector3d& velocity) {
     if (is_begun_ && t <= t_) return;
     const double v = now.normal.dot(velocity) - now.speed;
@@ -81,7 +81,7 @@ class ContactWatch {
   bool is_begun_ = false, has_touched_ = false;
   double t_ = 0, height_ = 0, v_ = 0;  ///< time, height and n·ẋ_c − ż₀ at the end of the last step
   double first_ = 0, speed_before_ = 0, last_ = 0, largest_force_ = 0,
-         restitution_ = 0;  ///< the summary; `speed_before_` is the closing speed at the time `first_`
+         restitution_ = 0;  ///< the summary, and the approach speed ż₀ − n·ẋ_c at the time `first_`
 };
 
 }  // namespace pseudorigid::app

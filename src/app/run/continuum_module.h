@@ -22,11 +22,12 @@ struct NoContinuum : std::runtime_error {
 /// The functions of the library.
 struct ContinuumModule {
   ModelOutcome (*run)(const RunContext& context);     ///< runs the finite-element model; collective
-  std::map<std::string, std::string> (*libraries)();  ///< maps names of libraries to their versions
+  std::map<std::string, std::string> (*libraries)();  ///< versions of deal.II and CHOLMOD by library name
   /// Returns the SIMD instructions of the kernels. Throws mechanics::NoKernels if the processor cannot run the kernels,
   /// or if the requested build of the kernels does not exist.
   std::string_view (*instructions)();
-  /// Starts MPI for the processes of a launcher. The destructor of the returned object ends MPI.
+  /// Starts MPI, and returns the processes that a launcher, for example mpirun, has started. The destructor of the
+  /// returned object ends MPI.
   std::unique_ptr<Ranks> (*start_ranks)(int argc, char** argv);
 };
 

@@ -12,14 +12,15 @@ namespace pseudorigid::app {
 
 /// Columns of a critical point for `n_modes` degrees of freedom. The first four have the Morse index, the nullity, and
 /// the dimensions of the unstable and the stable manifold. The next n_modes columns have the eigenvalues of the Hessian
-/// of the potential in the metric of the kinetic energy. The last 4 n_modes columns have the 2 n_modes rates z of small
-/// motions exp(zt). A rate has two columns, its real part and its imaginary part.
+/// of the potential in the metric of the kinetic energy, in increasing order. The last 4 n_modes columns have the 2
+/// n_modes rates z of small motions exp(zt). A rate has two columns, its real part and its imaginary part.
 std::vector<scene::Column> critical_point_columns(int n_modes);
 /// Appends the values of these columns, in internal units, to `row`.
 void append_critical_point(const mechanics::CriticalPoint& point, std::vector<double>& row);
 
-/// Adds the number of points and a line for each point to the results of `outcome`. Adds the counters of the search to
-/// the statistics of `outcome`. `energy` is the internal unit of energy in the user's units, for the potential V.
+/// Adds the number of points to the results of `outcome`, and a line with the potential V of each point. Adds the
+/// counters of the search to the statistics of `outcome`. The factor `energy` converts V from internal units to the
+/// user's units.
 void report_search(const mechanics::CriticalPoints& found, double energy, const RunContext& context,
                    ModelOutcome& outcome);
 

@@ -27,14 +27,14 @@
 
 namespace pseudorigid::app {
 
-/// The type S is the system. `Faces` computes the shapes for the report and is continuum::MaterialFaces or
-/// polynomial::MaterialFaces.
+/// Common part of both models. S is the type of the system. `Faces` computes the shapes for the report. It is
+/// continuum::MaterialFaces or polynomial::MaterialFaces.
 template <class S, class Faces>
 class FieldModel : public RunnableModelOf<S> {
   using Base = RunnableModelOf<S>;
-  /// Factor of the tolerance in the search for the step. A pilot run covers only the first part of the motion. After a
-  /// release, the time error can grow in this part at only 0.45 of its mean rate over the run. This was measured at
-  /// Time/Tolerance = 1e-3 and 1e-4 until t = 10.
+  /// Factor of the tolerance in the search for the step. A pilot run covers only the first part of the motion. After
+  /// the release of a deformed body, the time error grows in this part at only 0.45 of its mean rate over the run. This
+  /// was measured at Time/Tolerance = 1e-3 and 1e-4 until t = 10.
   static constexpr double reserve = 0.4;
 
  public:
@@ -111,8 +111,8 @@ class FieldModel : public RunnableModelOf<S> {
   }
   double least_jacobian(const State& state) const final { return least_jacobian_at(state.q); }
   /// True if the least det F at q + h v and at q − h v exceeds half of its value at q. Here q are the positions, v the
-  /// velocities and F the deformation gradient. The positions q ± h v approximate a step h forwards and a step h
-  /// backwards. Collective.
+  /// velocities and F the deformation gradient. The positions q ± h v approximate those after a step h forwards and a
+  /// step h backwards. Collective.
   bool keeps_volume(const State& state, double h) const final {
     const double most_change = 0.5, bound = (1 - most_change) * least_jacobian_at(state.q);
     Vector x = state.q;
@@ -123,10 +123,10 @@ class FieldModel : public RunnableModelOf<S> {
     return true;
   }
   /// Length of the pilot runs in internal time, at most `end`. It is the rise time of the loads plus a length that
-  /// depends on the scene: 10 if a force depends on time, otherwise 3 with contact planes and 1 without. For an elastic
-  /// ball without self-gravity, the shear front from the surface has reached the centre at t = 1. This time is 0.4
-  /// periods of the slowest mode. A contact of a fast body can take up to three times as long. A force that depends on
-  /// time can act later, so the length is then about four periods.
+  /// depends on the scene. This length is 10 if a force depends on time. Otherwise it is 3 with contact planes and 1
+  /// without. For an elastic ball without self-gravity, the shear front from the surface reaches the centre at t = 1,
+  /// after 0.4 periods of the slowest mode. A contact of a fast body can take up to three times as long. A force that
+  /// depends on time can act later, so the length is then about four periods.
   double pilot_window(double end) const final {
     const double window = mechanics::time_dependent(this->system()) ? 10.0 : context_.needs.contact ? 3.0 : 1.0;
     return std::min(end, window + rise_time(context_.scene));
@@ -153,8 +153,8 @@ class FieldModel : public RunnableModelOf<S> {
     for (std::size_t n = 0; n < rows.n_rows(); ++n)
       (*trace_)[sample_at(rows.row(n)[0])] = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + first);
   }
-  /// Numbers for a checkpoint: three of the non-affine displacement, three of the derived class, and those of the
-  /// contacts if the scene has contact planes.
+  /// Numbers for a checkpoint: three of NonaffineWatch, three of the derived class, and those of ContactWatch if the
+  /// scene has contact planes.
   std::vector<double> remarks() const final {
     std::vector<double> remarks;
     for (const auto& part : {nonaffine_.remarks(), own_remarks()})
@@ -188,8 +188,8 @@ class FieldModel : public RunnableModelOf<S> {
     columns.insert(columns.end(), mechanics::shape_columns.begin(), mechanics::shape_columns.end());
     return columns;
   }
-  /// The rows of the table of shapes, with lengths in the user's units; empty on ranks other than the first.
-  /// Collective.
+  /// The rows of the table of shapes: the time, and then the shape columns with lengths in the user's units. Ranks
+  /// other than the first return no rows. Collective.
   std::vector<std::vector<double>> shape(double time, const State& state) const final {
     if (!faces_) faces_.emplace(this->system().space());
     std::vector<std::vector<double>> rows = faces_->rows(state.q);
@@ -232,10 +232,10 @@ class FieldModel : public RunnableModelOf<S> {
   virtual Eigen::Vector3d mean(const Vector& x) const = 0;
   /// Least det F over the quadrature points, with the deformation gradient F. Collective.
   virtual double least_jacobian_at(const Vector& x) const = 0;
-  /// The observables of the energy of vibration. `known` has the other observables of the state. Collective.
+  /// The observables of the energy of vibration. `known` has the other observables of the same state. Collective.
   virtual mechanics::VibrationObservables vibration(const State& state,
                                                     const mechanics::ContinuumObservables& known) = 0;
-  /// Three numbers of the derived class for checkpoints, as in RunnableModel::remarks.
+  /// Three numbers of the derived class for checkpoints (RunnableModel::remarks).
   virtual std::array<double, 3> own_remarks() const = 0;
   virtual void take_own_remarks(std::span<const double, 3> remarks) = 0;
 
@@ -272,8 +272,9 @@ class FieldModel : public RunnableModelOf<S> {
     if (const auto status = field.project(state.q, state.v, workspace); !status)
       throw UserError("Initial state/Mode amplitude: the volume cannot be restored: " + status.reason());
   }
-  /// The motion of the companions at the start of a pilot run. It is their motion at the start of the run, or at least
-  /// half a pilot run before the closest approach to the body (Orbit::near_closest_approach).
+  /// The motion of the companions at the start of a pilot run. It is the last motion that is at least half a pilot run
+  /// ahead of the closest approach to the body. It is their motion at the start of the run if there is no such motion,
+  /// or if the companions hardly approach the body (Orbit::near_closest_approach).
   mechanics::Orbit::Motion near_pericentre(const mechanics::Orbit& orbit) const {
     const double end = context_.internal_time(context_.scene.time.end);
     return orbit.near_closest_approach(end, pilot_window(end) / 2);

@@ -25,8 +25,8 @@ CenteredMesh read_mesh_file(const scene::Scene& scene);
 /// be used, throws a UserError that names the entry.
 std::size_t require_mesh_file(const scene::Scene& scene, const scene::Origins& origins);
 
-/// Text for the mesh in the scene of a checkpoint. If the scene uses a mesh file, the text is a checksum of the bytes
-/// of the file. The path of the file then does not matter. Otherwise the text is the entry Continuum/Mesh.
+/// Text that identifies the mesh in a checkpoint. If the scene uses a mesh file, the text is a checksum of the bytes of
+/// the file. The path of the file then does not matter. Otherwise the text is the entry Continuum/Mesh.
 std::string mesh_identity(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

@@ -21,8 +21,8 @@ double exact_frequency(const ModeFrequency& f, const BallAtRest& ball) {
                                                                         std::sqrt(mu / (lambda + 2 * mu))));
 }
 
-/// The angular frequency of the pseudo-rigid ball for the kind, degree and overtone of `f`, in internal units; 0 if the
-/// pseudo-rigid ball does not have the mode. The modes of the pseudo-rigid ball are Q = Id + εH with
+/// The angular frequency of the pseudo-rigid ball for the kind, degree and overtone of `f`, in internal units. If the
+/// pseudo-rigid ball does not have the mode, the result is 0. The modes of the pseudo-rigid ball are Q = Id + εH with
 ///
 ///   degree 2:   m̄ Ḧ = −(2 + 4γ/25)μ Vol H,   H symmetric and trace-free (five motions),
 ///   degree 0:   m̄ Ḧ = −(3λ + 2μ) Vol H,      H ∝ Id (compressible balls only).

@@ -1,6 +1,6 @@
 #pragma once
-/// The table of the modes of the ball, as a CSV file and for the terminal. The table compares the frequencies about
-/// rest with the frequencies of the exact sphere (analysis/sphere_frequencies.h) and of the pseudo-rigid ball.
+/// The table of the modes of the ball, as a CSV file and for the terminal. The table compares the frequencies about the
+/// undeformed ball at rest with those of the exact sphere (analysis/sphere_frequencies.h) and of the pseudo-rigid ball.
 
 #include <string>
 #include <string_view>
@@ -11,45 +11,45 @@
 
 namespace pseudorigid::app {
 
-/// A frequency in internal units. The modes with this frequency are called copies. The exact ball has 2n + 1 copies for
-/// degree n. An unstable motion has ω < 0 and grows at the rate −ω.
+/// An angular frequency in internal units. The modes with this frequency are called copies. The exact ball has 2n + 1
+/// copies for degree n. An unstable motion has ω < 0 and grows at the rate −ω.
 struct ModeFrequency {
   double omega;           ///< mean over the copies
   double least, largest;  ///< least and largest frequency among the copies
-  bool spheroidal;
-  int degree;
-  int overtone;  ///< 0 for the mode of lowest frequency of its kind and degree
-  int multiplicity;
+  bool spheroidal;        ///< true for a spheroidal mode, false for a toroidal mode
+  int degree;             ///< degree n of the spherical harmonics
+  int overtone;           ///< 0 for the mode of lowest frequency of its kind and degree
+  int multiplicity;       ///< number of copies
 
-  double spread() const {
-    return (largest - least) / omega;
-  }  ///< difference of the largest and the least frequency, divided by omega
+  /// Difference of the largest and the least frequency, divided by omega.
+  double spread() const { return (largest - least) / omega; }
 };
 
 /// Data of the ball in internal units: Lamé's moduli λ and μ at rest, and γ = ρgr/μ. Here ρ is the density, r the
-/// radius, and g = (4/3)πGρr the gravity at the surface, with Newton's constant G.
+/// radius, and g = (4/3)πGρr the gravity at the surface, with Newton's constant G. The modulus λ is not used for an
+/// incompressible ball.
 struct BallAtRest {
   materials::RestModuli moduli;
   bool incompressible;
   double gamma;
 };
 
-/// Text about the first frequency whose copies differ by more than `spread`, relative to the frequency; empty if there
-/// is no such frequency. Example: "the copies of T3 differ by 5.3e-01". If the difference exceeds a hundredth, the
-/// copies belong to different modes, or the mesh is too coarse for the mode.
+/// Text about the first frequency whose spread() exceeds `spread`; empty if there is no such frequency. Example: "the
+/// copies of T3 differ by 5.3e-01". If the spread exceeds a hundredth, the copies belong to different modes, or the
+/// mesh is too coarse for the mode.
 std::string differing_copies(const std::vector<ModeFrequency>& frequencies, double spread = 1e-2);
 /// Text about the fastest growing motion; empty if no motion grows. The rate is in the user's unit 1/time. Example:
 /// "the ball is unstable at rest: a motion of kind T1 grows at the rate 0.3".
 std::string instability(const std::vector<ModeFrequency>& frequencies, const io::Units& units);
 
-/// The name of the CSV file of a model, without ".csv". It is "modes" for the last and most accurate model of the
-/// scene, and "modes-<model>" for the others.
+/// The name of the CSV file of a model, without ".csv". It is "modes" for the last model of the scene, which is the
+/// most accurate one, and "modes-<model>" for any other model.
 std::string mode_file(const scene::Needs& needs, std::string_view model);
 
 /// The columns of the file with their units and texts.
 std::vector<scene::Column> mode_columns();
 
-/// Writes the CSV file `file`, and adds the table for the terminal to the results of `outcome`.
+/// Writes the CSV file <file>.csv, and adds the table for the terminal to the results of `outcome`.
 void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallAtRest& ball, const RunContext& context,
                       std::string_view file, ModelOutcome& outcome);
 

@@ -94,8 +94,8 @@ void ModelFiles::create_shapes(const std::string& name, const std::vector<std::s
 void ModelFiles::resume_shapes(const std::string& name, const std::vector<std::string>& columns, long n_samples_taken) {
   on_all_ranks(*context_.ranks, [&] {
     if (!writes()) return;
-    // Keeps the shapes before the next sample. If the earlier run had an earlier end, the times of its shapes differ
-    // from the present schedule (ShapeSchedule). The first row, at the start, is always kept.
+    // Retains the shapes before the next sample. If the earlier run had an earlier end, the times of its shapes differ
+    // from the present schedule (ShapeSchedule). The first row, at the start, always remains.
     const auto path = context_.directory.csv(name);
     const std::int64_t least = n_samples_taken > 0 ? 1 : 0;
     shapes_csv_.emplace(

@@ -31,8 +31,8 @@ class ModelFiles : public ModelSink {
   io::Table rows_so_far() override;
 
   bool wants_frame(long sample) const override { return context_.needs.graphics && frames_.has(sample); }
-  /// Writes a picture. If the picture cannot be drawn, logs a warning, and the run continues. For example, a node can
-  /// have det F ≤ 0 while all quadrature points have det F > 0.
+  /// Writes a picture. If the fields of the picture cannot be computed, logs a warning, and the run continues. For
+  /// example, a node can have det F ≤ 0 while all quadrature points have det F > 0.
   void draw_frame(long sample, const Draw& draw) override;
 
   bool has_shapes() const override { return context_.needs.report; }
@@ -48,24 +48,26 @@ class ModelFiles : public ModelSink {
   bool writes() const { return context_.ranks->is_first(); }  ///< the first rank writes
   std::filesystem::path csv() const { return context_.directory.csv(model_); }
   std::filesystem::path checkpoint() const { return context_.directory.checkpoint(model_); }
-  /// A time half an interval before the next sample. Although times have round-off, this time separates the written
-  /// samples from the next ones.
+  /// A time in the user's units, half an interval between samples before the next sample. Although times have
+  /// round-off, this time separates the written samples from the next ones.
   double next_time(long n_samples_taken) const {
     return context_.time_of_sample(n_samples_taken) - context_.time_of_sample(1) / 2;
   }
-  /// Continues the list of pictures of an earlier run, and the numbering of the pictures.
+  /// Continues the list of pictures of an earlier run, and the numbering of the pictures. Called on the first rank
+  /// only.
   void resume_pictures(long n_samples_taken);
 
   const RunContext& context_;
   std::string model_;
   FrameSchedule frames_;
-  int n_more_frames_ =
-      0;  ///< added to the numbers of pictures, if an earlier run with an earlier end wrote more than the schedule has
+  int n_more_frames_ = 0;  ///< added to the numbers of new pictures. It is positive if an earlier run with an earlier
+                           ///< end wrote more pictures than the schedule has up to this sample.
   ShapeSchedule shapes_;
   io::Progress progress_;
   std::optional<io::CsvWriter> csv_,
-      shapes_csv_;                        ///< tables of rows and of shapes; empty on ranks other than the first
-  std::optional<io::PvdCollection> pvd_;  ///< list of pictures; empty without pictures, and on other ranks
+      shapes_csv_;  ///< tables of rows and of shapes; empty on ranks other than the first
+  /// The list of pictures. It is empty without pictures, and on ranks other than the first.
+  std::optional<io::PvdCollection> pvd_;
 };
 
 /// Returns a function that makes sinks for files in the directory of the run. If `shows_progress` is true, the sinks

@@ -18,8 +18,8 @@ ModelRunBase::ModelRunBase(RunnableModel& model, const RunContext& context, cons
       has_shapes_(sink_->has_shapes() && !model.shape_file().empty()),
       identity_(sink_->keeps_states() ? run_identity(context.scene) : RunIdentity{}) {}
 
-/// Runs the model from its start, or from its checkpoint, to the last sample. Repeats failed intervals with shorter
-/// steps if the model admits this.
+/// Runs the model from its start, or from its checkpoint, to the last sample. If `repeats_intervals` is true, a failed
+/// interval between samples is integrated again with shorter steps.
 ModelOutcome ModelRunBase::run() {
   const auto start = Clock::now();
   if (Status status = begin(); !status) {
@@ -52,11 +52,11 @@ bool ModelRunBase::is_time_to_save() const {
   return context_.ranks->of_first(Clock::now() - last_save_ > seconds_between_checkpoints);
 }
 
-/// Returns to the last sample, so that the interval can be integrated again with shorter steps. Returns false if a
+/// Returns to the stored state, so that the interval can be integrated again with shorter steps. Returns false if a
 /// repetition is not possible. A repetition requires a costly force, a method of fixed step and a step that the program
 /// has chosen. A repetition is not possible if the model itself ended the run, or if it would need more than
 /// `most_halvings` halvings of the step. After `most_failures` failed steps in a run, a further failed step ends the
-/// run. The next interval begins with the steps that its own state and the last failure require. A motion that is
+/// run. The step after the repeated interval depends only on the state there and on the last failure. A motion that is
 /// violent for a short time therefore does not shorten the steps of the whole run.
 bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
   if (!repeats_intervals() || !verdict_) return false;
@@ -73,7 +73,8 @@ bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
     position_.halvings_after_failure = halvings;
   }
   if (position_.steps_in_interval > 0) {
-    // The kept state is within the interval, because the run was resumed there. The steps of this interval are divided.
+    // The stored state is within the interval, because the run was resumed there. The steps of this interval are
+    // divided.
     const int more = halvings - position_.halvings;
     position_.steps_in_interval <<= more;
     position_.cursor.step <<= more;
@@ -82,8 +83,8 @@ bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
     good_.memory.clear();
   }
   good_.position = position_;
-  // Often the state of the body requires shorter steps; this causes no warning. The first failed step causes a warning,
-  // because the motion before it was not resolved.
+  // There is no warning if the state at the end of the interval requires shorter steps, because this is frequent. The
+  // first failed step causes a warning, because the motion before it was not resolved.
   const std::string text = fmt::format(
       "{}: from t = {} the step is {:.4g} for one interval between samples, since with a longer one {}",
       any_model_.name, physical_time(time()), std::ldexp(position_.step, -halvings) * context_.units.time,
@@ -169,8 +170,8 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   else if (Status status = choose(); !status)
     return status;
   if (old.steps_in_interval == 0 && time() == times_[old.cursor.sample]) {
-    // If the method is the same, its memory is kept. The memory can contain past multipliers, and a violent motion
-    // cannot start without them.
+    // If the method is the same, the run continues to use its memory. The memory can contain past multipliers, and a
+    // violent motion cannot start without them.
     if (position_.method != old.method) good_.memory.clear();
     return {};
   }
@@ -194,11 +195,11 @@ void ModelRunBase::write(const Snapshot& snapshot, SavedVectors vectors, std::op
   last_save_ = Clock::now();
 }
 
-/// Saves the last state, and makes the outcome of the run. An interrupted run has saved its state already.
+/// Saves the stored state, and makes the outcome of the run. An interrupted run has saved its present state already.
 ModelOutcome ModelRunBase::end(mechanics::RunResult result, Clock::time_point start) {
   if (result.outcome == Outcome::interrupted)
     return outcome(Outcome::interrupted, "interrupted at t = " + physical_time(result.t), start);
-  // After a failure the last sample is saved, without the remarks of the failed attempt.
+  // After a failure the stored state is saved, without the remarks of the failed attempt.
   if (result.outcome == Outcome::failed && repeats_intervals() && !kept_remarks_.empty())
     any_model_.take_remarks(kept_remarks_);
   save();
@@ -209,7 +210,7 @@ ModelOutcome ModelRunBase::end(mechanics::RunResult result, Clock::time_point st
                  start);
 }
 
-/// A clause about the saved state, for the message of a failed run.
+/// A clause about the saved state and the place of the least det F, for the message of a failed run.
 std::string ModelRunBase::saved_state() const {
   std::string text =
       "the state at t = " + physical_time(good_.t) + (is_adaptive() ? "" : ", the last sample,") + " is saved";

@@ -38,15 +38,15 @@ class ModelRunBase : protected ModelStepping {
 
   /// Integrates to the sample with this number, with the method and step of `position_`.
   virtual mechanics::RunResult run_until(long sample) = 0;
-  // `keep_state` copies the present state to the kept state, which belongs to `good_`. `return_to_kept_state` copies
-  // the kept state to the present state.
+  // The stored state is the state at the last sample, or after the last step of an adaptive method. `keep_state` copies
+  // the present state to the stored state. `return_to_kept_state` copies the stored state to the present state.
   virtual void keep_state() = 0;
   virtual void return_to_kept_state() = 0;
-  virtual SavedVectors kept_vectors() = 0;  ///< complete vectors of the kept state; collective
-  /// Sets the present state, the kept state and `good_` from a checkpoint.
+  virtual SavedVectors kept_vectors() = 0;  ///< vectors of the stored state, complete on the first rank; collective
+  /// Sets the present state, the stored state and `good_` from a checkpoint.
   virtual void restore_state(const io::Checkpoint& file) = 0;
-  virtual void set_time(double t) = 0;                      ///< sets the time of the present and of the kept state
-  virtual std::string place_of_least_jacobian() const = 0;  ///< text about the least det F in the kept state
+  virtual void set_time(double t) = 0;                      ///< sets the time of the present and of the stored state
+  virtual std::string place_of_least_jacobian() const = 0;  ///< text about the least det F in the stored state
   virtual void choose_quadrature() = 0;
   virtual void estimate_quadrature() = 0;
 
@@ -55,7 +55,7 @@ class ModelRunBase : protected ModelStepping {
   void save() {
     if (sink_->keeps_states()) write(good_, kept_vectors());
   }
-  /// Writes a checkpoint. The checkpoint also has the kept state if `of_sample` contains the vectors of this state.
+  /// Writes a checkpoint of `snapshot`. Adds the stored state if `of_sample` has the vectors of this state.
   void write(const Snapshot& snapshot, SavedVectors vectors, std::optional<SavedVectors> of_sample = {});
 
  private:
@@ -80,10 +80,10 @@ class ModelRunBase : protected ModelStepping {
   const bool has_shapes_;  ///< true if the run writes a table of shapes
   mechanics::Counters counters_;
   Status verdict_;  ///< failure that the model found after a step; such a failure ends the run
-  Snapshot good_;   ///< data of the kept state: the last sample, or the last step of an adaptive method
+  Snapshot good_;   ///< time, position, memory and counters of the stored state
   std::vector<double> row_;
   int steps_since_look_ = 0;
-  std::vector<double> kept_remarks_;  ///< remarks of the model at the kept state, if intervals can be repeated
+  std::vector<double> kept_remarks_;  ///< remarks of the model at the stored state, if intervals can be repeated
   int least_halvings_ = 0;            ///< least position_.halvings if the present interval is repeated; otherwise 0
 
  private:
@@ -152,7 +152,7 @@ class ModelRun final : public ModelRunBase {
       verdict_ = std::move(status);
       return false;
     }
-    // Steps of an adaptive method do not end at samples. The state is therefore kept after every step.
+    // Steps of an adaptive method do not end at samples. The state is therefore stored after every step.
     if (is_adaptive()) keep(state, workspace);
     if (++steps_since_look_ < model_.steps_between_looks) return true;
     steps_since_look_ = 0;
@@ -181,7 +181,7 @@ class ModelRun final : public ModelRunBase {
 
   static constexpr int n_lanczos = 24;
   /// Relative accuracy of the squared frequency at which Lanczos' iteration ends. If it is 0, the iteration makes all
-  /// n_lanczos steps. For a costly force, a better estimate costs more than the steps save that it lengthens by 1 %.
+  /// n_lanczos steps. For a costly force, a better estimate costs more than steps longer by 1 % would save.
   static constexpr double accuracy = traits.has_costly_force ? 0.02 : 0;
 
   double time() const override { return state_.t; }
@@ -204,7 +204,7 @@ class ModelRun final : public ModelRunBase {
       seen.rattle_limit = limit;
     return seen;
   }
-  /// Least number of halvings, up to most_halvings, after which a step is stable at `state` and keeps the local volume.
+  /// Least number of halvings, up to most_halvings, with which a step is stable and `keeps_volume` is true at `state`.
   /// It is 0 if `seen` has no stability limit. It does not depend on earlier states or the sign of the velocity.
   int halvings_at(const State& state, const LocalVolume& seen) const {
     if (seen.rattle_limit == HUGE_VAL) return 0;
@@ -221,7 +221,7 @@ class ModelRun final : public ModelRunBase {
     if (k > 0) {
       least_halvings_ = std::max(least_halvings_, halvings_at(state, seen));
       if (least_halvings_ > position_.halvings) return Status::failure("the motion becomes too fast for the step");
-      // The local volume in the kept state is not known if the run was resumed within the interval.
+      // The local volume in the stored state is not known if the run was resumed within the interval.
       const double kept = kept_volume_ ? kept_volume_->least_jacobian : model_.least_jacobian(good_state_);
       if (position_.halvings < most_halvings_for_energy &&
           !energy_.keeps_energy(good_state_, kept, state, seen.least_jacobian)) {
@@ -242,7 +242,7 @@ class ModelRun final : public ModelRunBase {
     });
     state_ = good_state_;
   }
-  /// After a resumption within an interval, makes the last sample the kept state if intervals can be repeated.
+  /// After a resumption within an interval, makes the last sample the stored state if intervals can be repeated.
   void keep_last_sample() {
     if (!last_sample_) return;
     if (repeats_intervals()) {
@@ -286,8 +286,8 @@ class ModelRun final : public ModelRunBase {
     return {};
   }
 
-  /// Sets request.stiff if an explicit method needs too many steps: about γh for each step h of RATTLE, with the
-  /// largest damping rate γ. With friction, γ is that of a body at rest in contact. Fails if γ cannot be computed.
+  /// Sets request.stiff if an explicit method needs too many steps. With the largest damping rate γ, it needs about γh
+  /// steps for each step h of RATTLE. With friction, γ is that of a body at rest in contact. Fails if γ is not found.
   Status judge_stiffness([[maybe_unused]] mechanics::StepRequest& request) const override {
     if constexpr (mechanics::Damped<System>) {
       if (!mechanics::dissipative(model_.system())) return {};
@@ -393,7 +393,7 @@ class ModelRun final : public ModelRunBase {
   std::optional<LastSample> last_sample_;   ///< last sample in the checkpoint, until `keep_last_sample` uses it
   std::optional<LocalVolume> kept_volume_;  ///< local volume of good_state_; empty if it is not computed yet
   EnergyWatch<Model> energy_;
-  std::optional<typename System::Workspace> system_workspace_;  ///< workspace for rows if the method has none
+  std::optional<typename System::Workspace> system_workspace_;  ///< for rows, if the method's workspace has none
   CheckpointVectors<Model> vectors_;
 };
 

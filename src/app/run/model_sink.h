@@ -1,7 +1,7 @@
 #pragma once
-/// Receiver of the results of one model's run. The base class discards all results. It serves runs that only give the
-/// affine part of their motion (search/silent_run.h). `RowsInMemory` keeps the rows, for sweeps. `ModelFiles` writes
-/// the files into the directory of the run.
+/// Receiver of the results of one model's run. The base class discards all results. It serves runs of which only the
+/// affine part of the motion is used (search/silent_run.h). `RowsInMemory` stores the rows in memory, for sweeps.
+/// `ModelFiles` writes files into the directory of the run.
 ///
 /// All ranks call the same functions in the same order.
 
@@ -41,7 +41,7 @@ class ModelSink {
   virtual std::optional<io::Checkpoint> state_to_resume() { return std::nullopt; }
   /// Continues the table of rows after its first n_samples_taken rows.
   virtual void resume(const std::vector<std::string>& /*columns*/, long /*n_samples_taken*/) {}
-  /// The rows of the earlier run that `resume` has kept in the table.
+  /// All rows of the table after a call of `resume`.
   virtual io::Table rows_so_far() { return {}; }
 
   /// True if the sink writes a picture of this sample.
@@ -54,6 +54,7 @@ class ModelSink {
   virtual bool has_shapes() const { return false; }
   /// True if the sink writes the shape at this sample.
   virtual bool wants_shape(long /*sample*/) const { return false; }
+  /// Creates the table of shapes <name>.csv with these columns. A resumed run calls `resume_shapes` instead.
   virtual void create_shapes(const std::string& /*name*/, const std::vector<std::string>& /*columns*/) {}
   /// Continues the table of shapes after the shapes of the first n_samples_taken samples.
   virtual void resume_shapes(const std::string& /*name*/, const std::vector<std::string>& /*columns*/,
@@ -61,13 +62,13 @@ class ModelSink {
   /// Appends the block of rows of one shape.
   virtual void append_shape(const Rows&) {}
 
-  /// Shows the completed fraction of the run, from 0 to 1.
+  /// Updates the display of the completed fraction of the run, from 0 to 1.
   virtual void progress(double /*part*/) {}
   /// Removes the display of the progress at the end of the run.
   virtual void progress_ends() {}
 };
 
-/// Keeps the rows and discards all other results.
+/// Stores the rows in a table in memory and discards all other results.
 class RowsInMemory : public ModelSink {
  public:
   explicit RowsInMemory(io::Table& rows) : rows_(rows) {}

@@ -7,11 +7,11 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Messages about a search for method and step that takes longer than a second. The first message states the task.
+/// Messages about a search for method and step that takes longer than a second. The first message describes the search.
 /// Later messages, after ten seconds, a hundred seconds and so on, state that the search continues.
 class SearchNotice {
  public:
-  /// `what` is the predicate of the first message, whose subject is the name of the files of the run.
+  /// `what` is the text of the first message after the name of the model, for example "looks for method and step …".
   SearchNotice(const RunContext& context, std::string model, std::string what, int steps_between_looks)
       : context_(context),
         model_(std::move(model)),
@@ -33,14 +33,14 @@ class SearchNotice {
 
  private:
   using Clock = std::chrono::steady_clock;
-  static constexpr double first_ = 1;
+  static constexpr double first_ = 1;  ///< seconds until the first message
 
   const RunContext& context_;
   std::string model_, what_;
   int steps_between_looks_;
   Clock::time_point start_ = Clock::now();
   int n_steps_ = 0;
-  double next_ = first_;
+  double next_ = first_;  ///< seconds until the next message
 };
 
 /// Largest ratio of a step to the stability limit when the step is chosen. The largest frequency of the motion can then
@@ -141,7 +141,7 @@ mechanics::Status ModelStepping::search(const std::optional<double>& error_so_fa
     request.rattle_limit = std::min(limit, request.end);
     if (Status status = judge_stiffness(request); !status) return status;
   } else {
-    request.rattle_limit = HUGE_VAL;  // only the accuracy and the iteration for the stages bound the step
+    request.rattle_limit = HUGE_VAL;  // only accuracy and the convergence of iterations bound the step
   }
   SearchNotice notice(context_, any_model_.name, about_search(request), any_model_.steps_between_looks);
   request.give_up = [&] {
@@ -203,8 +203,10 @@ mechanics::Status ModelStepping::take_over(const Stepping& known) {
   return {};
 }
 
-/// Chooses method and step if the search failed. A possible cause is that the motion itself ends within a pilot run.
-/// The run then continues as long as possible and reports the time at which it stopped.
+/// Chooses method and step after a search without result. The method is that of the scene, or explicit-8, or RATTLE if
+/// explicit-8 does not fit the system. The step is half of the stable step, or the local tolerance is small. A possible
+/// cause is that the motion itself ends within a pilot run. The run then continues as long as possible and reports the
+/// time at which it stopped.
 void ModelStepping::fall_back(const mechanics::StepChoice& choice, const mechanics::StepRequest& request) {
   using Explicit = mechanics::DormandPrince8;
   position_.method = request.method.value_or(traits_.takes_explicit ? mechanics::id_of<Explicit>

@@ -16,17 +16,17 @@
 
 namespace pseudorigid::app {
 
-/// Warns if the tolerance is below the accuracy of the arithmetic, or if the motion is unstable and round-off grows
-/// beyond the tolerance.
+/// Logs a warning if the tolerance is below the accuracy of double precision over the run. Logs another warning if the
+/// motion is so unstable that round-off grows beyond the tolerance.
 void warn_of_round_off(const mechanics::StepChoice& choice, std::string_view model, const RunContext& context);
 
 /// Properties of the type of a system that affect the choice of the step and the run.
 struct SystemTraits {
-  bool constrained_form;  ///< true for a ConstrainedSystem, with constraints or without
+  bool constrained_form;  ///< true for a mechanics::ConstrainedSystem, with constraints or without
   bool has_constraints,
       has_costly_force;  ///< whether there are multipliers, and whether a force evaluation is costly
-                         ///< (core/constrained_system.h)
-  bool takes_explicit;   ///< true if the method explicit-8 fits the system
+                         ///< (mechanics/core/constrained_system.h)
+  bool takes_explicit;   ///< true if the explicit method of order 8 fits the system
 };
 
 /// The part of a run that chooses its method and step. It is the base class of ModelRunBase.
@@ -57,7 +57,7 @@ class ModelStepping {
   /// Sets request.stiff to true if the damping would force an explicit method to take too many steps. Called only for
   /// systems in constrained form.
   virtual Status judge_stiffness(mechanics::StepRequest& request) const = 0;
-  /// Searches for the method and the step by pilot runs from the present state.
+  /// Searches for the method and the step by pilot runs, which begin with start_of_pilot(present state).
   virtual mechanics::StepChoice choose_step(const mechanics::StepRequest& request) const = 0;
 
   /// Sets the method, the step and the local tolerance for the rest of the run. If the program searches for them, it
@@ -90,10 +90,10 @@ class ModelStepping {
   /// limit of RATTLE at the same state. If `most_halvings` halvings do not suffice, the result is `most_halvings`.
   int halvings_within(double rattle_limit) const;
 
-  /// Tolerance of the scaled constraint, for systems with a costly force. It is the value of Time/Constraint tolerance
-  /// if the scene gives one. Otherwise it is 1e-4 of Time/Tolerance, or 0 if the scene gives the step. The method uses
-  /// the larger of this tolerance and the tolerance of the system. A factor of 1e-13 instead of 1e-4 would change
-  /// errors and steps by less than a thousandth.
+  /// Tolerance of the constraint divided by constraint_scale, for systems with a costly force. It is the value of
+  /// Time/Constraint tolerance if the scene gives one. Otherwise it is 1e-4 of Time/Tolerance, or 0 if the scene gives
+  /// the step. The method uses the larger of this tolerance and the tolerance of the system. Compared with 1e-13, a
+  /// factor of 1e-4 changes errors and steps by less than a thousandth.
   double constraint_tolerance() const {
     const auto& time = context_.scene.time;
     constexpr double part = 1e-4;
@@ -101,12 +101,12 @@ class ModelStepping {
   }
 
   /// Ratio of a step to the stability limit above which the step is halved. When a step is chosen, the ratio is at most
-  /// 0.8. A frequency that oscillates by a few per cent therefore does not halve the step. A step whose ratio increases
-  /// is halved before it becomes unstable at the ratio 1.
+  /// 0.8. An oscillation of the frequency by a few per cent therefore does not halve the step. If the ratio increases,
+  /// the step is halved before it becomes unstable at the ratio 1.
   static constexpr double less_reserve = 0.9;
   /// Largest number of halvings of the step in one interval between samples.
   static constexpr int most_halvings = 6;
-  /// Largest number of failed steps in a run after which their intervals are integrated again.
+  /// Largest number of failed steps in a run. A further failed step ends the run.
   static constexpr long most_failures = 32;
   /// Largest number of halvings of the step in one interval because of a change of the energy.
   static constexpr int most_halvings_for_energy = 5;
@@ -114,7 +114,7 @@ class ModelStepping {
   RunnableModel& any_model_;
   const RunContext& context_;
   const SystemTraits traits_;
-  const std::optional<Stepping> known_;
+  const std::optional<Stepping> known_;  ///< method and step that another run found; empty if there are none
   const mechanics::SampleTimes times_;
   RunPosition position_;
   io::Manifest::Model statistics_;

@@ -23,11 +23,12 @@ class NonaffineWatch {
         model_(model),
         watches_(scene::is_ideal_fluid(context.scene) && stays_affine(context.scene)) {}
 
-  /// True if the body is a fluid with an affine exact motion, so that the run must compute the non-affine displacement.
+  /// True if the body is an ideal fluid whose exact motion is affine. The run must then compute the non-affine
+  /// displacement.
   bool watches() const { return watches_; }
 
-  /// Checks a sample at a time in the user's units. `displacement` is |x − QX| / |x|, the error relative to the size of
-  /// the body.
+  /// Checks a sample. `time` is in the user's units. `displacement` is |x − QX| / |x|, the error relative to the size
+  /// of the body.
   void look(double time, double displacement) {
     if (!watches_) return;
     largest_ = std::max(largest_, displacement);
@@ -39,8 +40,8 @@ class NonaffineWatch {
         model_, time, 100 * displacement);
   }
 
-  /// Three numbers for checkpoints: the largest displacement, the time of the warning (0 without a warning), and 1 if
-  /// there was a warning, otherwise 0.
+  /// Three numbers for checkpoints. They are the largest displacement, the time of the warning, and 1. Without a
+  /// warning, the last two are 0.
   std::array<double, 3> remarks() const { return {largest_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
   void take_remarks(std::span<const double, 3> remarks) {
     largest_ = remarks[0];

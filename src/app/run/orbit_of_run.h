@@ -16,9 +16,9 @@ namespace pseudorigid::app {
 Eigen::MatrixXd with_companions(const Eigen::Matrix3d& Q, const mechanics::Orbit& orbit,
                                 const mechanics::Orbit::Columns& s);
 
-/// The kinetic and gravitational energy of the body about its centre, in internal units. The body is taken as the
-/// ellipsoid with the second moment S, in the affine motion Q with the rate Q̇. The result is exact for a pseudo-rigid
-/// fluid.
+/// The kinetic and gravitational energy of the body about its centre, in internal units. The body is regarded as the
+/// ellipsoid with the present second moment S, in the affine motion Q with the rate Q̇. The result is exact for a
+/// pseudo-rigid fluid.
 double own_energy(const mechanics::Orbit& orbit, const Eigen::Matrix3d& S, const Eigen::Matrix3d& Q,
                   const Eigen::Matrix3d& Qdot);
 
@@ -32,11 +32,11 @@ class CollisionWatch {
   /// Fails after a collision. A companion has then been nearer to the centre of the body, or to the other companion,
   /// than the longest semi-axis of the body.
   ///
-  /// Also fails after a disruption by the tide. The longest semi-axis then exceeds the Hill radius, and the body is not
-  /// bound. It is not bound if `energy_of_body()`, the sum of its kinetic and gravitational energies about its centre,
-  /// is positive. An equilibrium under tide and spin has a negative sum. A body that is stretched beyond the Hill
-  /// radius for a short time is therefore not taken for a disrupted one. For a solid, `energy_of_body` must return a
-  /// negative number.
+  /// Also fails after a disruption by the tide. The longest semi-axis then exceeds the least Hill radius, and the body
+  /// is not bound by its gravity: `energy_of_body()` is positive. This function must return the sum of the kinetic and
+  /// gravitational energies of the body about its centre, or a negative number for a solid. An equilibrium under tide
+  /// and spin has a negative sum. A body that is stretched beyond the Hill radius for a short time is therefore not
+  /// regarded as disrupted.
   template <class OwnEnergy>
   mechanics::Status look(double t, const mechanics::Orbit& orbit, const Eigen::Matrix3d& S,
                          const mechanics::Orbit::Columns& s, const OwnEnergy& energy_of_body) {

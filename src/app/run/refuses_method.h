@@ -15,16 +15,16 @@
 
 namespace pseudorigid::app {
 
-/// A refusal of the entry Time/Method with this sentence. Every method is named as a remedy. The program then
-/// recommends only the methods that the scene admits.
+/// A refusal of the entry Time/Method with the message `sentence`. Every method is listed as a remedy. The program then
+/// recommends only those methods with which the scene is accepted.
 inline scene::Refusal refusal_of_method(std::string sentence) {
   scene::Refusal refusal{"Time/Method", std::move(sentence)};
   mechanics::for_each_method([&]<class Method>(Method) { refusal.remedies.push_back({{refusal.path, Method::name}}); });
   return refusal;
 }
 
-/// True if the method of this name can integrate systems of the type `System`. Also true if no method has this name, as
-/// for "auto".
+/// True if the method of this name can integrate systems of the type `System`. Also true if there is no method of this
+/// name, as for "auto".
 template <class System>
 bool method_can_run(std::string_view name) {
   const auto id = mechanics::find_method(name);
@@ -32,7 +32,7 @@ bool method_can_run(std::string_view name) {
          mechanics::with_method(*id, []<class Method>(Method) { return mechanics::method_fits<Method, System>(); });
 }
 
-/// The refusal if the scene's method cannot integrate this system, otherwise empty.
+/// The refusal if the scene's method cannot integrate this system; empty if it can, or if the method is auto.
 template <class System>
 std::optional<scene::Refusal> refuses_method(const scene::Scene& scene, const System& system) {
   const auto id = mechanics::find_method(scene.time.method);

@@ -26,7 +26,7 @@ namespace pseudorigid::app {
 
 struct RunContext;
 
-/// A function that makes the sink for the results of the model with this name.
+/// A function that makes the sink for the results of a model. `model` is the name of the files of the run.
 using SinkOfModel = std::function<std::unique_ptr<ModelSink>(const RunContext& context, const char* model)>;
 
 /// Data of a run that its models need. The objects to which the context refers must exist as long as the context.
@@ -36,14 +36,15 @@ struct RunContext {
   const io::RunDirectory& directory;
   io::Units units;  ///< internal units, measured in the user's units
   std::shared_ptr<io::Logger> log;
-  SinkOfModel sink_of;                                 ///< makes the sink of each model
-  bool resumes = false;                                ///< true if the run continues an earlier run in the directory
-  const Ranks* ranks = &one_rank();                    ///< processes that share the run of the model
-  std::map<std::string, io::Table>* tables = nullptr;  ///< receives tables of modes and so on; if null, files do
+  SinkOfModel sink_of;               ///< makes the sink of each model
+  bool resumes = false;              ///< true if the run continues an earlier run in the directory
+  const Ranks* ranks = &one_rank();  ///< processes that share the run of the model
+  /// Receives the tables of `table_of`. If the pointer is null, these tables are written to files.
+  std::map<std::string, io::Table>* tables = nullptr;
 
   /// Converts a time of the scene to internal units.
   double internal_time(double physical) const { return physical / units.time; }
-  /// Factors that convert the columns of tables from internal units to the user's units.
+  /// Factors that convert numbers of tables from internal units to the user's units.
   systems::Scales scales() const { return {units.length, units.mass, units.time}; }
   /// The time of sample k in the user's units.
   double time_of_sample(long k) const {
@@ -84,12 +85,13 @@ struct Stepping {
 /// Result of a model's run.
 struct ModelOutcome {
   mechanics::Outcome end = mechanics::Outcome::finished;
-  std::string message;                                    ///< one sentence for the user if the run has not finished
-  io::Manifest::Model statistics;                         ///< counters and timers of the run
-  std::optional<Stepping> stepping{};                     ///< method and step of a motion; empty for other analyses
-  std::map<std::string, io::Manifest::Model> of_rungs{};  ///< statistics of further runs by the names of their files
-  std::optional<analysis::OtherResolution>
-      other{};            ///< the same motion on another discretisation, for the error in space
+  std::string message;                 ///< one sentence for the user if the run has not finished
+  io::Manifest::Model statistics;      ///< counters and timers of the run
+  std::optional<Stepping> stepping{};  ///< method and step of a motion; empty for other analyses
+  /// Statistics of the additional polynomial bodies of a run, by the names of their files.
+  std::map<std::string, io::Manifest::Model> of_rungs{};
+  /// The same motion on another discretisation, for the estimate of the error in space; empty without an estimate.
+  std::optional<analysis::OtherResolution> other{};
   std::string results{};  ///< text for standard output at the end of the run
   bool is_over = false;  ///< true if the model has ended its motion, for example by a collision, so that a smaller step
                          ///< does not continue it

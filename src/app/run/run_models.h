@@ -8,10 +8,10 @@ namespace pseudorigid::app {
 /// Runs the pseudo-rigid model: a motion, relative or static equilibria, or Love numbers, as the scene requires.
 ModelOutcome run_reduced(const RunContext& context);
 
-/// Runs the polynomial bodies of all degrees of the scene, for every analysis that the model offers.
+/// Runs polynomial bodies, as the scene requires: a motion, modes, equilibria or Love numbers.
 ModelOutcome run_polynomial(const RunContext& context);
 
-/// Runs the system that the scene names, a row of the table in systems/table.h.
+/// Runs the system, for example a pendulum, that the scene selects from the table in systems/table.h.
 ModelOutcome run_system(const RunContext& context);
 
 /// Runs the finite-element model: a motion, modes, equilibria or Love numbers, as the scene requires. The function is

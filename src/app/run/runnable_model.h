@@ -30,7 +30,8 @@ class RunnableModel {
   /// The names of the columns of a row, in their order. The first column is the time.
   virtual std::vector<std::string> columns() const = 0;
 
-  /// Restores the data about earlier samples from the rows of an interrupted run.
+  /// Restores data of the model about earlier samples, for example a time of first tension, from the rows of an
+  /// interrupted run.
   virtual void take_up(const io::Table& /*rows*/) {}
   /// Data that a checkpoint contains for the model, for example about earlier warnings and contacts. The number of
   /// elements does not change during a run.
@@ -63,13 +64,13 @@ class RunnableModelOf : public RunnableModel {
   virtual State initial_state() const = 0;
   /// The configuration as a matrix. Time/Tolerance bounds the time error of its entries.
   virtual Eigen::MatrixXd configuration(const State&) const = 0;
-  /// Rate of the motion about which small vibrations are considered, per internal unit of time. The limit of the step
-  /// is computed for ω + rate, with the largest frequency ω of these vibrations.
+  /// Rate at which the present motion rotates and stretches the body, in internal units. The stable step is computed
+  /// for the frequency ω + rate, with the largest frequency ω of small vibrations about the motion.
   virtual double rate(const State&) const = 0;
-  /// The constraint and its rate are divided by this scale in tolerances and statistics.
+  /// Size of the constraints. The constraint and its rate are divided by this number in tolerances and statistics.
   virtual double constraint_scale() const { return 1; }
-  /// Kinetic and potential energy, in this order. Methods that are not symplectic can change the sum of both energies.
-  /// For systems with a costly force, the choice of the step bounds this change.
+  /// Kinetic and potential energy in internal units, in this order. Methods that are not symplectic can change their
+  /// sum. For systems with a costly force, the search for the step bounds this change.
   virtual Eigen::Vector2d energies(const State&) const { return Eigen::Vector2d::Zero(); }
   /// Checks the state after every step. A failure ends the run.
   virtual mechanics::Status judge(const State&) { return {}; }
@@ -77,8 +78,8 @@ class RunnableModelOf : public RunnableModel {
   virtual State at_rest(const State& state) const { return state; }
   /// Least det F in the body, with the deformation gradient F; 1 if the model does not resolve the local volume.
   virtual double least_jacobian(const State&) const { return 1; }
-  /// Whether a step h forwards and a step h backwards, both with the present velocity, keep the least det F above half
-  /// of its present value.
+  /// True if the least det F remains above half of its present value after a step h forwards and after a step h
+  /// backwards. Both steps have the present velocity.
   virtual bool keeps_volume(const State&, double /*h*/) const { return true; }
   /// The state at the start of the pilot runs, for a run that begins with `state`.
   virtual State start_of_pilot(const State& state) const { return state; }
@@ -90,7 +91,8 @@ class RunnableModelOf : public RunnableModel {
   /// known.
   virtual void choose_quadrature(const State&) {}
   virtual void estimate_quadrature(const State&, double /*stable_step*/) {}
-  virtual std::string place_of_least_jacobian(const State&) const { return {}; }  ///< text for messages
+  /// Text about the place of the least det F, for messages; may be empty.
+  virtual std::string place_of_least_jacobian(const State&) const { return {}; }
 
   /// Writes the observables of a sample into `row`, in the order of columns() and in the user's units. `time` is the
   /// time in the user's units. Fails if an observable cannot be computed.
@@ -99,10 +101,10 @@ class RunnableModelOf : public RunnableModel {
   virtual mechanics::Status write_frame(const std::filesystem::path&, double /*time*/, const State&, Workspace&) {
     return {};
   }
-  /// The rows of the table of shapes for this state, one for each point.
+  /// The rows of the table of shapes for this state, one for each point; `time` is in the user's units.
   virtual std::vector<std::vector<double>> shape(double /*time*/, const State&) const { return {}; }
   /// Adds the counters of the model to the statistics. `workspace` is the part of the method's workspace that belongs
-  /// to the system; null if there is none.
+  /// to the system; null if the method's workspace has no such part.
   virtual void report(const mechanics::Counters&, const Workspace* /*workspace*/, io::Manifest::Model&) const {}
 
  protected:

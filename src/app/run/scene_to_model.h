@@ -14,6 +14,7 @@
 namespace pseudorigid::app {
 
 using loads::to_eigen;
+/// Returns the vector of the three numbers of v.
 Eigen::Vector3d to_eigen(const std::vector<double>& v);
 
 /// The internal units of length, mass and time, measured in the user's units.
@@ -30,7 +31,7 @@ Eigen::Vector3d initial_center_velocity(const scene::Scene& scene, const io::Uni
 /// The loads of a scene, in internal units.
 loads::Loads internal_loads(const scene::Scene& scene);
 
-/// The time until which the loads rise, in internal units; 0 if they have their full strength from the start.
+/// The time at which loads that rise from 0 reach their full strength, in internal units; 0 if the loads do not rise.
 double rise_time(const scene::Scene& scene);
 
 /// The material law in internal units. For a solid without self-gravity, the unit of time is r/c with the speed c of

@@ -24,7 +24,7 @@ class TensionWatch {
   /// True if the body is an incompressible fluid, so that the run must compute λ.
   bool watches() const { return is_fluid_; }
 
-  /// Records the samples in the rows of an interrupted run, without warnings.
+  /// Records the samples of an interrupted run from its rows, without warnings.
   void take_up(const io::Table& rows) {
     if (!is_fluid_ || !rows.has_column("multiplier")) return;
     const std::vector<double> times = rows.column("time"), lambdas = rows.column("multiplier");
@@ -46,7 +46,8 @@ class TensionWatch {
   }
 
  private:
-  /// Records a sample. Returns true if the body is a fluid and this sample is the first one under tension.
+  /// Records a sample. Returns true if the body is an incompressible fluid and this sample is the first one under
+  /// tension.
   bool note(double time, double lambda) {
     if (!is_fluid_ || first_) return false;
     if (lambda < 0)

@@ -1,7 +1,7 @@
 #pragma once
 /// Description of one run of the finite-element model. A scene may need several runs. One run writes the results. The
-/// other runs only give the affine part Q of the motion, a 3×3 matrix, at the samples (the history of Q), without
-/// observables, files or messages.
+/// other runs do not write observables, files or messages. They only give the history of Q, which has the affine part Q
+/// of the motion, a 3×3 matrix, at the samples.
 
 #include <functional>
 #include <optional>
@@ -21,7 +21,7 @@ struct ContinuumTask {
   DeformationTrace* trace = nullptr;   ///< receives the history of Q; null if the history is not requested
 };
 
-/// Runs the finite-element model once, with results or silently, as the context requires. Collective.
+/// Runs the finite-element model once for the scene and the sink of the context. Collective.
 using ContinuumRun = std::function<ModelOutcome(const RunContext& context, const ContinuumTask& task)>;
 
 /// Warns if the history of Q does not have all samples. A resumed run reads the earlier Q from `<model>.csv`. If this

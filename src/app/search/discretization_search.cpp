@@ -18,10 +18,10 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Largest tolerance of the error in time, as a fraction of Continuum/Tolerance.
+/// Largest tolerance of the time error, as a fraction of Continuum/Tolerance.
 constexpr double time_part = 0.05;
 /// A run writes its results if its predicted error is at most this factor times the tolerance. The factor is above 1,
-/// because predictions are usually too large.
+/// because predicted errors are usually too large.
 constexpr double benefit_of_doubt = 2;
 
 /// The discretisations of the search that fit in the memory of this machine, from the coarsest to the last that fits.
@@ -100,7 +100,7 @@ std::optional<Stepping> DiscretizationSearch::silent_stepping() const {
   return stepping;
 }
 
-/// `trace` is the history of Q in the present run. After a failure, it is not used.
+/// `trace` is the history of Q in the present run. It is not used if the run has failed.
 void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace trace) {
   if (outcome.end == mechanics::Outcome::failed) {
     ++n_failures_;
@@ -123,15 +123,16 @@ void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace tr
                        scene::describe(rung()), apart.largest, errors_.error());
 }
 
-/// True if the present run is the final one: if it is marked as final, if it is the last of the ladder, or if its
-/// estimated error is within the tolerance. It is also final if two successive runs have ended early: the motion is
-/// then the cause, and a finer mesh does not help.
+/// True if the present run is the final one. This is the case if it is marked as final or the last of the ladder, or if
+/// its estimated error is at most the tolerance. It is also final if two successive runs have ended early: the motion
+/// is then the cause, and a finer mesh does not help.
 bool DiscretizationSearch::settles() const {
   return settled_ || is_last() || n_failures_ == 2 ||
          (n_failures_ == 0 && errors_.error() <= context_.scene.continuum.tolerance);
 }
 
-/// Removes the checkpoint of a run that is not the final one, and saves the state of the search.
+/// Removes the checkpoint of a run that is not the final one, so that the next run does not continue from it. Saves the
+/// state of the search.
 void DiscretizationSearch::start_afresh() const {
   on_all_ranks(*context_.ranks, [this] {
     if (keeps_states()) std::filesystem::remove(context_.directory.checkpoint("continuum"));
@@ -173,8 +174,8 @@ void DiscretizationSearch::load() {
 }
 
 void DiscretizationSearch::take(const io::Checkpoint& c) {
-  // The memory that was available at the start of the search has limited the ladder. A resumed search keeps the length
-  // of this ladder.
+  // The memory that was available at the start of the search has limited the ladder. The ladder of a resumed search has
+  // the same length.
   ladder_.resize(std::clamp<std::size_t>(static_cast<std::size_t>(c.get_integer("rungs")), 1, ladder_.size()));
   position_ = std::min(static_cast<std::size_t>(c.get_integer("position")), ladder_.size() - 1);
   settled_ = c.get_integer("settled") != 0;

@@ -5,8 +5,9 @@
 /// (scene/discretization.h). Let Q be the affine part of the motion, a 3×3 matrix. The differences of Q between
 /// successive runs give the error of the last run and predict the error of the next run (analysis/space_error.h). If
 /// the predicted error of a run is at most twice the tolerance, the run writes its results. The last run of the ladder
-/// also does so. The other runs only give their history of Q. If the estimate after the run does not confirm the
-/// prediction, the search continues. The next run that writes its results then replaces the files.
+/// also writes its results. The other runs only give their history of Q, which has Q at each sample. If the error that
+/// is estimated after the run exceeds the tolerance, the search continues. The next run that writes its results then
+/// replaces the files.
 ///
 /// Time errors must be much smaller than errors in space. A run that writes its results finds its own method and step.
 /// The tolerance of this run is the smaller of Time/Tolerance and a twentieth of Continuum/Tolerance. The first run
@@ -15,9 +16,9 @@
 /// frequencies ω of a shear front in Q are proportional to N, so hω remains constant. If the scene gives the step, all
 /// runs use this step and have the same time error.
 ///
-/// No decision depends on the clock, so all ranks of a parallel run decide alike. A checkpoint contains the errors and
-/// the last two histories of Q. A resumed search therefore does not repeat the runs, and a resumed final run does not
-/// repeat the search.
+/// No decision depends on the clock, so all ranks of a parallel run make the same decisions. A checkpoint contains the
+/// errors and the last two histories of Q. A resumed search therefore does not repeat the runs, and a resumed final run
+/// does not repeat the search.
 ///
 /// The run that wrote the results has the counters degree, refinements, estimated_space_error, relative_space_error and
 /// work. The counter search_work is the work of all other runs. The counter search_runs is the number of other
@@ -46,22 +47,25 @@ class DiscretizationSearch {
   const scene::Discretization& rung() const { return ladder_[position_]; }
   bool is_last() const { return position_ + 1 == ladder_.size(); }
   /// True if the present run writes its results. This is the case if the run is final or the last of the ladder, or if
-  /// its predicted error is small enough.
+  /// its predicted error is at most twice the tolerance.
   bool writes() const;
   /// Runs the present discretisation. `trace` receives its history of Q.
   ModelOutcome run_rung(DeformationTrace& trace);
-  /// Method and step of a run that does not write results. Empty if no run has reached its end yet, because this run
+  /// Method and step of a run that does not write results. Empty if no run has reached its end yet, because the run
   /// then finds its own method and step.
   std::optional<Stepping> silent_stepping() const;
   /// Adds the present run to the series of errors. If the run ended early, only counts the failure.
   void note(const ModelOutcome& outcome, DeformationTrace trace);
-  /// True if the present run is the final one.
+  /// True if the present run is the final one: no further discretisation is tried. A final run that has not written its
+  /// results is repeated.
   bool settles() const;
   /// Adds the counters of the search to the outcome, and logs the estimated error. Also adds the history of Q of the
   /// previous run that reached its end. If fewer than two runs have reached their end, adds only the counters of the
   /// discretisation and of the work.
   void report(ModelOutcome& outcome) const;
   // The next three functions are collective.
+  // `start_afresh` prepares the next run of the search. `load` reads the state of the search from its checkpoint, if
+  // there is one, and `save` writes it.
   void start_afresh() const;
   void load();
   void save() const;
@@ -70,13 +74,12 @@ class DiscretizationSearch {
   /// Restores the state of the search from a checkpoint.
   void take(const io::Checkpoint& c);
   void write_checkpoint() const;
-  /// True on the first rank, which writes the checkpoint. False in sweeps, which do not write checkpoints of their
-  /// runs.
+  /// True on the first rank of a single run. A run of a sweep does not write a checkpoint.
   bool keeps_states() const { return context_.ranks->is_first() && context_.scene.sweep.empty(); }
 
   const RunContext& context_;
   ContinuumRun run_;
-  scene::Scene written_scene_, silent_scene_;  ///< scene of runs that write results, and of the others
+  scene::Scene written_scene_, silent_scene_;  ///< scene of the runs that write results, and of the other runs
   std::vector<scene::Discretization> ladder_;
 
   // These members are the contents of the checkpoint.
@@ -84,8 +87,8 @@ class DiscretizationSearch {
   bool settled_ = false;      ///< true if the present run is the final one and writes the results
   int n_failures_ = 0;        ///< number of successive runs, up to the last one, that ended early
   analysis::SpaceErrorLadder errors_;
-  /// Ratio of the largest |Q − Q'|/|Q| to the largest entry of |Q − Q'|, with Q' of the run before. It is 0 for the
-  /// first run, and if Q = Q'.
+  /// Ratio of the largest |Q − Q'|/|Q| to the largest entry of |Q − Q'|, with Q' of the previous run that reached its
+  /// end. It is 0 for the first run, and if Q = Q'. It converts the error of Q to a relative error.
   double relative_to_largest_ = 0;
   DeformationTrace trace_;                  ///< history of Q in the last run that reached its end
   DeformationTrace trace_before_;           ///< history of Q in the last but one run that reached its end

@@ -19,8 +19,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Numbers of vertices, edges, faces and cells of a part of the builtin mesh. n_nodes(n) is the number of nodes of the
-/// part if the nodes divide each edge into n intervals.
+/// Numbers of vertices, edges, faces and cells of a part of the unrefined builtin mesh. The function n_nodes(n) returns
+/// the number of nodes of the part if the nodes divide each edge into n intervals.
 struct Part {
   double n_vertices, n_edges, n_faces, n_cells;
   double n_nodes(double n) const { return n_vertices + (n - 1) * (n_edges + (n - 1) * (n_faces + (n - 1) * n_cells)); }
@@ -41,8 +41,8 @@ double n_nodes_of_images(int n_octants, double n) {
 /// libraries was subtracted.
 constexpr double bytes_of_unknown = 600, bytes_of_pair_of_multipliers = 60;
 /// Number of doubles in a checkpoint per unknown and per multiplier: positions, velocities, and the memory of
-/// symmetric-4. Among the methods for the ball, symmetric-4 remembers the largest number of past steps. If the program
-/// chooses the step, a checkpoint also has the last sample.
+/// symmetric-4. Among the methods for the ball, symmetric-4 stores the largest number of past steps. If the program
+/// chooses the step, a checkpoint also has the last sample, and its size doubles.
 constexpr double remembered_of_unknown = 11, remembered_of_multiplier = 5;
 constexpr double most_unknowns = std::numeric_limits<int>::max();  // largest index in PETSc and deal.II
 
@@ -59,9 +59,9 @@ double step_of_mesh(const scene::Discretization& d) {
   return 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
 }
 
-/// Seconds per step and unknown of the finite-element model, for an incompressible and for a compressible body. They
-/// are correct within a factor of 3. They were measured on cores of 2 to 4 GHz for degrees k = 3 … 6 and r = 0 … 1
-/// refinements.
+/// Seconds per step and unknown of the finite-element model, for an incompressible and for a compressible body. The
+/// true times differ by a factor of at most 3. They were measured on cores of 2 to 4 GHz for degrees k = 3 … 6 and r =
+/// 0 … 1 refinements.
 constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
 /// Typical ratio of the step to the stability limit at rest, if the program chooses the step for a tolerance.
 constexpr double usual_part_of_limit = 0.6;
@@ -91,8 +91,9 @@ double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs
 }
 
 /// Adds a line with the number of force evaluations of the pseudo-rigid body and their time. A method of order 8 with
-/// tolerance 1e-6 needs 73 evaluations per internal unit of time (measured). If the scene gives the step, the number is
-/// at least the number of these steps. Adds nothing without a motion of this model.
+/// the tolerance 1e-6 needs 73 evaluations per internal unit of time (measured). The number is proportional to the
+/// tolerance to the power −1/8. If the scene gives the step, the number is at least that of these steps. Adds nothing
+/// without a motion of this model.
 void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
   const auto model = std::ranges::find_if(needs.models, [](const auto* m) { return !m->has_nonaffine; });
   if (model == needs.models.end() || scene.analysis != scene::Analysis::motion) return;

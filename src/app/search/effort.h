@@ -1,7 +1,7 @@
 #pragma once
-/// Estimate of the unknowns, the memory and the largest stable step of a finite-element run. The estimate is made
-/// before the mesh is built. The program shows the estimate to the user, and refuses a run that needs more memory than
-/// the machine has. For small motions about rest, the stable step of RATTLE is
+/// Estimate of the unknowns, the memory and the largest stable step of a finite-element run before its mesh is built.
+/// The program shows the estimate to the user, and refuses a run that needs more memory than the machine has. For small
+/// motions about rest, the stable step of RATTLE is
 ///
 ///   h = 0.38/(k (k + 0.4)) · 0.493^r / √(μ + 0.296 λ)      (μ, λ Lamé's moduli at rest, ρ = 1, radius 1)
 ///
@@ -13,7 +13,7 @@
 ///
 ///   γ = 4 η (0.38/(k (k + 0.4)) · 0.493^r)⁻².
 ///
-/// A larger γh makes a step more expensive.
+/// A larger product γh, with the step h, makes a step of RATTLE more expensive.
 
 #include <cstddef>
 #include <optional>
@@ -25,8 +25,9 @@
 
 namespace pseudorigid::app {
 
-/// Estimated size of a run. `bytes` is the memory of all ranks together. Estimated and measured memory differ by less
-/// than a third.
+/// Estimated size of a run. The number n_unknowns is three times the number of nodes. The number of multipliers of the
+/// constraint is n_multipliers, which is 0 for a compressible body. `bytes` is the memory of all ranks together.
+/// Estimated and measured memory differ by less than a third.
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
   double checkpoint_bytes;     ///< bytes of a checkpoint on the first rank, with the memory of the method
@@ -43,9 +44,9 @@ std::string in_bytes(double bytes);
 /// for an adaptive method. If the program chooses the method, the function returns the step of RATTLE.
 double stable_step(const scene::Scene& scene, const scene::Discretization& discretization);
 
-/// The result of scene::needs with lines about the effort. They have the force evaluations of the pseudo-rigid model,
-/// and the size, the steps and the time of a finite-element run. If the scene gives a method and an unstable step,
-/// there is also a warning. For analyses other than a motion, there is only the size. There is no line for finite
+/// The result of scene::needs with lines about the cost of the run. They have the force evaluations of the pseudo-rigid
+/// model, and the size, the steps and the time of a finite-element run. If the scene gives a method and an unstable
+/// step, there is also a warning. For analyses other than a motion, there is only the size. There is no line for finite
 /// elements on a mesh file or without a fixed discretisation.
 scene::Needs needs_with_effort(const scene::Scene& scene);
 

@@ -28,23 +28,24 @@ struct CompanionPair {
 };
 
 /// Runs the scene on the discretisation, or on the companion if `is_companion` is true. For the discretisation,
-/// `stepping` is empty. For the companion, `stepping` is the method and step of the run on the discretisation. `trace`
-/// receives the history of Q.
+/// `stepping` is empty, and the run finds its method and step. For the companion, `stepping` has the method and step of
+/// the first run. `trace` receives the history of Q, which has Q at each sample.
 using RunOfPair = std::function<ModelOutcome(const RunContext& context, bool is_companion,
                                              const std::optional<Stepping>& stepping, DeformationTrace* trace)>;
 
 /// Runs the scene on the discretisation, and then on its companion if the first run has finished. The companion does
 /// not write files or messages. Returns the outcome of the first run with the estimate of its error. If the companion
-/// fails, a warning replaces the estimate. If the companion is interrupted, the outcome is `interrupted`.
+/// fails, the program logs a warning and does not estimate the error. If the companion is interrupted, the outcome is
+/// `interrupted`.
 ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& pair, const RunOfPair& run);
 
 /// Runs the scene on its fixed discretisation, and also on the companion if the scene requests error estimates. The
 /// scene must set degree and refinements. Returns the outcome of the first run. Collective.
 ModelOutcome run_with_estimate(const RunContext& context, const ContinuumRun& run);
 
-/// Returns the history `trace` of Q as a table, with a factor. The factor converts the difference between the run and
-/// `trace` to an error of the run. It assumes that this error decreases with the resolution at the rate `least_rate`.
-/// `resolution` is the resolution of the run. The comparison of the models uses the table and the factor.
+/// Data for the comparison of the models: the history `trace` of Q as a table, and a factor. The factor times the
+/// difference between the run and `trace` is an error of the run with the given resolution. It is based on the
+/// assumption that this error decreases with the resolution at the rate `least_rate`.
 analysis::OtherResolution other_resolution(const DeformationTrace& trace, double resolution, double resolution_of_trace,
                                            double least_rate, const RunContext& context);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Runs of a model without observables, files or messages. They only give their history of Q, which has the affine part
-/// Q of the motion at each sample (app/run/deformation_trace.h).
+/// Runs of a model without observables, files or messages. Their only result is the history of Q, which has the affine
+/// part Q of the motion at each sample (app/run/deformation_trace.h).
 
 #include <memory>
 
@@ -10,8 +10,8 @@
 
 namespace pseudorigid::app {
 
-/// Runs the model with `scene`, whose section Time may differ from the scene of the context. `task` is the second
-/// argument of `run`, for example a ContinuumTask.
+/// Runs the model with `scene`, in which only the section Time may differ from the scene of the context. `task` is the
+/// second argument of `run`, for example a ContinuumTask.
 template <class Run, class Task>
 ModelOutcome run_silently(const Run& run, const RunContext& context, const scene::Scene& scene, const Task& task) {
   scene::Needs needs = context.needs;

@@ -9,7 +9,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// The row of a critical point, in the order of equilibria_columns().
+/// The row of a critical point in internal units, in the order of equilibria_columns().
 std::vector<double> equilibria_row(int index, const mechanics::CriticalPoint& p) {
   std::vector<double> row{static_cast<double>(index)};
   row.insert(row.end(), p.q.begin(), p.q.end());

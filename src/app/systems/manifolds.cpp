@@ -21,16 +21,16 @@ using mechanics::CriticalPoint;
 using mechanics::PhaseVector;
 using mechanics::Status;
 
-/// Distances from a critical point in (q, q̇), in the scales of the system. A motion along a single direction of a
-/// manifold starts at the distance `start_along`. Motions in all directions of an unstable manifold start at
+/// Distances from a critical point in (q, q̇), in the scales of the system. If a manifold has a single direction, its
+/// motions start at the distance `start_along`. Motions in all directions of an unstable manifold start at
 /// `start_around`, measured in the slowest direction. A motion has arrived at a point if its distance is below
-/// `arrival_distance`. A motion has left the point at which it starts if its distance was above `departure_distance`.
+/// `arrival_distance`. It has left its first point when its distance has exceeded `departure_distance`.
 constexpr double start_along = 1e-5, start_around = 1e-3, arrival_distance = 1e-6, departure_distance = 1e-2;
-/// Tolerance per step of the integration (explicit-8).
+/// Tolerance per step of the method explicit-8.
 constexpr double local_tolerance = 1e-13;
 
-/// A motion: its number, the number of its critical point, and whether it is on the stable manifold. Both numbers count
-/// from 1.
+/// A motion: its number, the number of the critical point on whose manifold it lies, and true for the stable manifold.
+/// Both numbers count from 1.
 struct Curve {
   int number, from;
   bool stable;
@@ -43,8 +43,8 @@ struct End {
   Status step{};                  ///< status of the last step; a failure ends the motion
 };
 
-/// Columns of manifolds.csv: the number of the motion, the number of its critical point, 1 for a stable and 0 for an
-/// unstable manifold, the time, and the columns of the system.
+/// Columns of manifolds.csv. They are the number of the motion, the number of its critical point, 1 for a stable and 0
+/// for an unstable manifold, the time, and the columns of the system.
 std::vector<scene::Column> curve_columns(const std::vector<scene::Column>& of_system) {
   std::vector<scene::Column> columns{{"curve", "", ""}, {"point", "", ""}, {"stable", "", ""}, {"time", "time", ""}};
   columns.insert(columns.end(), of_system.begin(), of_system.end());
@@ -70,8 +70,8 @@ class ManifoldRun {
     if (depth > 0) highest_energy_ = points.back().V + depth;
   }
 
-  /// Follows the motions of all critical points with an unstable manifold. Fails if a motion on an unstable manifold
-  /// cannot be followed, if a row cannot be computed, or after an interrupt.
+  /// Computes the motions of all critical points with an unstable manifold. Fails if a motion on an unstable manifold
+  /// cannot be computed to its end, if a row cannot be computed, or after an interrupt.
   Status run() {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const auto unstable = mechanics::manifold_basis(points_[i], true);
@@ -92,9 +92,9 @@ class ManifoldRun {
   int n_curves() const { return n_curves_; }
 
  private:
-  /// Follows the motions from all starts, writes their rows, and adds a line about their ends to the results. A motion
-  /// on an unstable manifold that stops early does not end the loop; `stopped_` receives its failure. Fails if the run
-  /// is interrupted or a row cannot be computed.
+  /// Computes the motions from all starts on one manifold of the critical point `from`. Writes their rows, and adds a
+  /// line about their ends to the results. If a motion on an unstable manifold fails, the loop continues, and
+  /// `stopped_` receives the first failure. Fails if the run is interrupted or a row cannot be computed.
   Status follow_all(int from, bool stable, const std::vector<PhaseVector>& starts) {
     std::vector<int> n_ends(points_.size() + 1, 0);
     int n_stopped = 0;
@@ -130,8 +130,8 @@ class ManifoldRun {
   }
 
   /// Integrates a motion from its start, backwards in time on a stable manifold. The motion ends at a critical point,
-  /// after the time of the scene, or when a step fails. On a stable manifold, the motion also ends if its energy is far
-  /// above all critical points, and a failed step is not an error. Fails if the run is interrupted or a row cannot be
+  /// after the time of the scene, or when a step fails. On a stable manifold, the motion also ends if its energy
+  /// exceeds `highest_energy_`, and a failed step is not an error. Fails if the run is interrupted or a row cannot be
   /// computed.
   template <class Form>
   Status follow(const Form& form, systems::AnyModel& at_rest, const Curve& curve, const PhaseVector& start, End& end) {
@@ -169,7 +169,8 @@ class ManifoldRun {
   }
 
   /// Returns true if the state is at a critical point. Sets `end` to the nearest critical point and the distance from
-  /// it. The point at which the motion starts counts only after the motion has left it; `has_left` then becomes true.
+  /// it. The point at which the motion starts does not count until the motion has left it; `has_left` then becomes
+  /// true.
   template <class State>
   bool arrives(const Curve& curve, const State& state, bool& has_left, End& end) {
     end = {};
@@ -188,7 +189,7 @@ class ManifoldRun {
     return end.to != 0 && end.distance < arrival_distance;
   }
 
-  /// Kinetic plus potential energy of the state.
+  /// Kinetic plus potential energy of the state in internal units.
   template <class State>
   double energy(const State& state) const {
     Eigen::MatrixXd M;
@@ -213,13 +214,13 @@ class ManifoldRun {
   Eigen::VectorXd periods_,
       offset_;  ///< periods of the landscape's coordinates, and their offset from the coordinates of the motion
   double length_,
-      highest_energy_ =
-          HUGE_VAL;  ///< longest duration of a motion; energy above which a motion on a stable manifold ends
+      highest_energy_ = HUGE_VAL;  ///< longest duration of a motion in internal time; energy above which a motion on a
+                                   ///< stable manifold ends
   std::vector<double> row_;
   io::ColumnTable rows_, ends_;
   ModelOutcome& outcome_;  ///< receives the text of the results
   int n_curves_ = 0;
-  Status stopped_;  ///< failure of the first motion on an unstable manifold that cannot be followed
+  Status stopped_;  ///< failure of the first motion on an unstable manifold that cannot be computed to its end
 };
 
 }  // namespace

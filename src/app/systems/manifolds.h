@@ -9,9 +9,9 @@
 /// Motions on a stable manifold are computed backwards in time. A motion ends when its distance from a critical point
 /// is below 1e-6, and at the latest at Time/End. The distance is measured in (q, q̇), in the scales of the system
 /// (systems/system_scene.h). A motion that passes a critical point at a smaller distance is therefore also reported as
-/// a connection. A motion on a stable manifold also ends, without a connection, if a step fails, or if its energy is
-/// far above the energies of all critical points. A motion on an unstable manifold that cannot be followed to its end
-/// has no row in connections.csv, and the run then fails.
+/// a connection. Let V₁ be the least and V₂ the largest potential energy of the critical points. A motion on a stable
+/// manifold also ends, without a connection, if a step fails, or if its energy exceeds V₂ + (V₂ − V₁). A motion on an
+/// unstable manifold that cannot be computed to its end has no row in connections.csv, and the run then fails.
 
 #include <vector>
 
@@ -23,8 +23,9 @@ namespace pseudorigid::app {
 /// The columns of connections.csv with their units and texts.
 std::vector<scene::Column> connections_columns();
 
-/// Finds the critical points, computes the motions and writes the files. `scales` are the units of the system. The
-/// outcome is `failed` if the search fails or a motion cannot be followed, and `interrupted` after an interrupt.
+/// Finds the critical points, computes the motions and writes the files. `scales` are the units of the system in the
+/// user's units. The outcome is `failed` if the search fails or a motion cannot be computed, and `interrupted` after an
+/// interrupt.
 ModelOutcome run_manifolds(const systems::AnySystemScene& system, const systems::AnyModel& model,
                            const systems::Scales& scales, const RunContext& context);
 

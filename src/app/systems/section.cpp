@@ -25,11 +25,10 @@ namespace {
 using mechanics::Status;
 using Method = mechanics::DormandPrince8;
 
-/// Number of times in each step at which the column of the section is evaluated, and number of steps between checks of
-/// the interrupt flag.
+/// Number of evaluations of the section's column in each step, and number of steps between two checks of the interrupt
+/// flag.
 constexpr int looks_per_step = 8, steps_between_interrupts = 256;
-/// Local tolerance of the integration that locates a crossing. This tolerance is close to the least one that the method
-/// accepts.
+/// Local tolerance of the integration that locates a crossing. The method accepts only slightly smaller tolerances.
 constexpr double tolerance_of_location = 1e-15;
 
 /// The motion and the table of its crossings of the surface of section.
@@ -75,7 +74,7 @@ class SectionRun {
 
  private:
   /// Returns the local tolerance that Time/Tolerance requires, and adds the counters of the search. If the search
-  /// fails, warns and returns 1e-3 of Time/Tolerance, but at least 1e-14.
+  /// fails, logs a warning and returns 1e-3 of Time/Tolerance, but at least 1e-14.
   double choose_tolerance(std::map<std::string, double>& counters) {
     const double tolerance = context_.scene.time.tolerance;
     const mechanics::StepRequest request{.end = end_,
@@ -120,7 +119,7 @@ class SectionRun {
         double after = 0;
         if (Status status = level(between, after); !status) return status;
         if (Status status = take(start, early, late, before, after); !status) return status;
-        // A motion that starts on the surface does not cross the surface at its start.
+        // If the motion starts on the surface, `before` is 0 at first, and the start is not a crossing.
         before = after;
         early = late;
       }
@@ -133,9 +132,9 @@ class SectionRun {
     return {};
   }
 
-  /// Sets `distance` to the column minus the value of the section. If the section has a period, multiples of the period
-  /// are subtracted such that |distance| is least. Leaves the columns of the state in `row_`. Fails if a column cannot
-  /// be computed or is not finite.
+  /// Sets `distance` to the value of the section's column minus the value of the section, in the user's units. If the
+  /// section has a period, subtracts the multiple of the period for which |distance| is least. `row_` then has the
+  /// columns of the state. Fails if a column cannot be computed or is not finite.
   Status level(const State& state, double& distance) {
     if (Status status = motion_.row(state.t * context_.units.time, state, workspace_, row_); !status) return status;
     if (!std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); }))
@@ -186,7 +185,7 @@ class SectionRun {
   typename Form::Workspace workspace_;
   const std::vector<std::string> columns_;
   std::size_t watched_;  ///< index of the column that defines the surface
-  double end_;
+  double end_;           ///< duration of the motion in internal time
   io::CsvWriter csv_;
   std::vector<double> row_;
 };

@@ -3,18 +3,19 @@
 /// (Poincaré). On this surface, one column of the system's file has a given value. The points are the rows of
 /// section.csv, with the columns of the motion.
 ///
-/// Within each step the dense output is evaluated at eight times. If the column crosses the value between two of these
-/// times, the crossing is located to round-off. For this purpose the motion is integrated again from the start of the
-/// step. A jump of a column is not a crossing, for example the jump of an angle after a full rotation.
+/// Within each step the column is evaluated at eight times by interpolation. If the column crosses the value between
+/// two of these times, the time of the crossing is found up to round-off. For this purpose the motion is integrated
+/// again from the start of the step. A jump of a column, for example of an angle after a full rotation, is not a
+/// crossing.
 
 #include "app/run/run_context.h"
 #include "systems/any_system_scene.h"
 
 namespace pseudorigid::app {
 
-/// Computes the motion from the start to Time/End and writes its crossings. `scales` are the units of the system. The
-/// outcome is `failed` if a step fails or a column cannot be computed, and `interrupted` after an interrupt. In both
-/// cases, the file keeps the earlier crossings.
+/// Computes the motion from the start to Time/End and writes its crossings. `scales` are the units of the system in the
+/// user's units. The outcome is `failed` if a step fails or a column cannot be computed, and `interrupted` after an
+/// interrupt. In both cases, the file has the earlier crossings.
 ModelOutcome run_section(const systems::AnySystemScene& system, systems::AnyModel& model, const systems::Scales& scales,
                          const RunContext& context);
 

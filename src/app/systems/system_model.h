@@ -19,7 +19,8 @@ namespace pseudorigid::app {
 template <class Form>
 class SystemModel final : public RunnableModelOf<Form> {
   using Base = RunnableModelOf<Form>;
-  /// A step takes less than 1 µs. The clock and the interrupt flag are therefore checked only once in this many steps.
+  /// Number of steps between two checks of the clock and of the interrupt flag. A step takes less than 1 µs, so a check
+  /// after every step would cost too much time.
   static constexpr int between_looks = 256;
 
  public:
@@ -36,8 +37,8 @@ class SystemModel final : public RunnableModelOf<Form> {
   State initial_state() const override { return model_.start(); }
   Eigen::MatrixXd configuration(const State& state) const override { return state.q; }
   double rate(const State& state) const override { return model_.rate(state); }
-  /// The duration of a pilot run, at most 1000 in internal time. Most runs are shorter than this, and the pilot run
-  /// then covers the whole run in a fraction of a second. A shorter pilot run would not contain the later part of the
+  /// The duration of a pilot run, at most 1000 in internal time. Most runs are shorter than 1000, and a pilot run then
+  /// covers the whole run in a fraction of a second. A shorter pilot run would not contain the later part of the
   /// motion.
   double pilot_window(double end) const override { return std::min(end, 1000.0); }
 
@@ -52,8 +53,8 @@ class SystemModel final : public RunnableModelOf<Form> {
   }
 
  private:
-  /// The columns, with the time as the first. The time of a row is in the user's units already, so the column of the
-  /// time gets no unit and is not converted.
+  /// The columns with the time as the first column. The time of a row is already in the user's units, so its column has
+  /// no unit and is not converted.
   static std::vector<scene::Column> time_and(std::vector<scene::Column> columns) {
     columns.insert(columns.begin(), {"time", "", ""});
     return columns;

@@ -22,7 +22,7 @@ namespace pseudorigid::app {
 namespace {
 
 /// The reason why the program cannot run the scene; empty if there is none. The reason can be an entry of the system,
-/// the duration, the method, or a negative end of a system that cannot run backwards in time.
+/// the duration or the method. It can also be a negative Time/End for a system that cannot run backwards in time.
 std::optional<scene::Refusal> refuses_scene(const systems::AnySystemScene& system, const scene::Scene& scene) {
   if (auto refusal = system.description.refuses(scene)) return refusal;
   using enum scene::Analysis;
@@ -42,7 +42,7 @@ std::optional<scene::Refusal> refuses_scene(const systems::AnySystemScene& syste
   return std::visit([&](const auto& form) { return refuses_method(scene, form); }, model.form());
 }
 
-/// The context of the same run with another scene, whose end is positive even if time runs backwards.
+/// The context of the same run with another scene.
 RunContext with_scene(const RunContext& context, const scene::Scene& scene) {
   return derived(context, scene, context.needs);
 }
