@@ -1,5 +1,5 @@
 #pragma once
-/// A uniform acceleration b of all mass points, with the potential energy −b·x per mass.
+/// A uniform acceleration b of all mass points, with the potential energy −b·x per mass at the position x.
 
 #include "loads/load.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Point masses in orbit about the body (mechanics/core/orbit.h). The companions act on the body by their tides. The
-/// body and the companions act on each companion by their gravity.
+/// Point masses in orbit about the body (mechanics/core/orbit.h). The tidal force of each companion acts on the body.
+/// The gravity of the body and of the other companions acts on each companion.
 
 #include <algorithm>
 #include <optional>
@@ -10,15 +10,16 @@
 namespace pseudorigid::loads {
 
 struct CompanionMasses {
-  /// The mass m_i of each companion, its position r_i and its velocity ṙ_i. Positions and velocities are relative to
-  /// the centre of mass of the body, with three numbers for each companion.
+  /// The mass m_i of each companion, and its position r_i and velocity ṙ_i at the start. Positions and velocities are
+  /// relative to the centre of mass of the body, with three numbers for each companion. Without velocities, the orbits
+  /// are circular.
   std::vector<double> masses, positions, velocities;
-  /// Orbital elements in place of r_i and ṙ_i, with angles in radians. Each orbit is about the centre of mass of the
-  /// body and the companions before this one. Each list has a number for each companion. A list other than that of the
-  /// semi-major axes may be empty, and its elements are then 0.
+  /// Orbital elements at the start in place of r_i and ṙ_i, with angles in radians. Companion i is in orbit about the
+  /// centre of mass of the body and of the companions before i. Each list has a number for each companion. A list other
+  /// than that of the semi-major axes may be empty, and its elements are then 0.
   std::vector<double> semi_major_axes, eccentricities, inclinations, ascending_nodes, arguments_of_pericentre,
       mean_anomalies;
-  bool full_potential = false;  ///< true if finite elements use the whole potential, not only its second degree
+  bool full_potential = false;  ///< true if finite elements use the whole potential, not its expansion to degree 2
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {
@@ -93,8 +94,8 @@ struct CompanionMasses {
     return sum;
   }
 
-  /// Returns a clause about the first companion that leaves the plane x_i = 0, for the message that the scene has no
-  /// such symmetry. Empty if no companion leaves the plane.
+  /// Returns the reason why x_i = 0 is not a plane of symmetry: a clause about the first companion that leaves this
+  /// plane. Empty if no companion leaves the plane.
   std::optional<std::string> breaks_plane(int i) const {
     const mechanics::Companions list = forcing().companions;
     for (std::size_t j = 0; j < list.size(); ++j) {

@@ -29,11 +29,11 @@
 
 namespace pseudorigid::loads {
 
-/// Contact of a surface with one plane, without the damping force. The members are the sums of the head of this file
-/// for this plane, and the least height of the points. The default is the contact of no points.
+/// Contact of a surface with one plane, without the damping force. The members are the sums in the opening comment of
+/// this file for this plane, and the least height of the points. The default values are those for no points.
 struct PlaneContact {
   double energy = 0, force = 0, area = 0;  ///< energy V, force N, and reference area of the contact
-  double spread = 0;                       ///< second moment of the pressure, ∫p |x − (n·x) n|² dA
+  double spread = 0;  ///< second moment of the pressure about the axis n, ∫p |x − (n·x) n|² dA
   double height = std::numeric_limits<double>::infinity();  ///< least n·x − z₀ of all points; infinite without points
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< integral of the pressure times the position, ∫p x dA
 
@@ -61,8 +61,8 @@ struct PlaneContact {
   }
 };
 
-/// Powers of contact forces at one time, for one plane or several. `taken` is the power that damping and friction
-/// dissipate. `given` is the power of moving planes, N ż₀ with the part of N that belongs to these forces.
+/// Powers of some of the contact forces at one time, as sums over planes. `taken` is the power that these forces
+/// dissipate. `given` is the power N ż₀ that moving planes transmit by these forces. N is their component along n.
 struct ContactPower {
   double taken = 0, given = 0;
 
@@ -73,8 +73,8 @@ struct ContactPower {
   }
 };
 
-/// Contact in the columns of the output. `energy` is the sum over all planes, and `height` is the least height. The
-/// other members are for the plane with the largest force N. Without contact, `normal` and `speed` are those of the
+/// The values of the output columns for contact. `energy` is the sum over all planes, and `height` is the least height.
+/// The other members are for the plane with the largest force N. Without contact, `normal` and `speed` are those of the
 /// nearest plane, and `force`, `point` and both radii are 0.
 struct Contact {
   double energy = 0, force = 0;
@@ -97,10 +97,9 @@ inline Plane mirrored_plane(Plane plane, const Eigen::Vector3d& signs) {
   return plane;
 }
 
-/// Returns the contact of the whole body with each plane. `computed` has the contact of the computed sector with each
-/// plane. `reflect[i]` is true if the body is symmetric under the reflection of x_i. The sector is then on one side of
-/// the plane x_i = 0. Apart from the reflection, the image of the sector has the same contact with plane j as the
-/// sector has with the image of plane j. The set of planes must contain all mirror images.
+/// Returns the contact of the whole body with each plane, from the contact `computed` of a sector with each plane.
+/// `reflect[i]` is true if the body is symmetric under the reflection of x_i. The sector is then on one side of the
+/// plane x_i = 0. The set of planes must contain the mirror images of all planes.
 inline std::vector<PlaneContact> of_whole_body(const Planes& planes, const std::vector<PlaneContact>& computed,
                                                const std::array<bool, 3>& reflect) {
   std::vector<PlaneContact> whole(planes.size());
@@ -113,6 +112,7 @@ inline std::vector<PlaneContact> of_whole_body(const Planes& planes, const std::
       signs[i] = mirrored ? -1 : 1;
     }
     if (!belongs) continue;
+    // The image of the sector touches plane j in the same way as the sector touches the image k of plane j.
     for (std::size_t j = 0; j < planes.size(); ++j)
       for (std::size_t k = 0; k < planes.size(); ++k)
         if (planes[k] == mirrored_plane(planes[j], signs)) {
@@ -123,8 +123,8 @@ inline std::vector<PlaneContact> of_whole_body(const Planes& planes, const std::
   return whole;
 }
 
-/// Returns the columns for `contacts`, which has one entry for each plane. Without planes, `normal` is 0 and `height`
-/// is infinite.
+/// Returns the values of the output columns. `contacts` has the contact of the whole body with each plane. Without
+/// planes, `normal` is 0 and `height` is infinite.
 inline Contact summary(const Planes& planes, const std::vector<PlaneContact>& contacts) {
   Contact result;
   const PlaneContact* pressing = nullptr;

@@ -14,10 +14,10 @@
 ///   ∂V/∂G = πk [(δ² + μ²)/G − (δ³ − μ³)/(3G²)],
 ///   −∂V/∂c = N n,   −∂V/∂Q = −∂V/∂G n (S g/G)ᵀ.
 ///
-/// The contact area on the sphere |ξ| = 1 is 2πδ/G, at most 4π. For a rigid unit ball and small δ it is a disk of
-/// radius √(2δ), like the intersection of the ball and the plane. At the first contact the second derivative of
-/// N = πkδ²/G jumps. The damping force with the coefficient β needs the rate ḋ = ż₀ − n·(ċ + Q̇ S ξ) with the speed ż₀
-/// of the plane, and the moments
+/// The contact area on the sphere |ξ| = 1 is 2πδ/G, at most 4π. For a rigid unit ball and small δ, it is the area of a
+/// disk of radius √(2δ), which is the intersection of the ball and the plane. When contact begins, the second
+/// derivative of N = πkδ²/G with respect to δ jumps. The damping force with the coefficient β needs the rate ḋ = ż₀ −
+/// n·(ċ + Q̇ S ξ) with the speed ż₀ of the plane, and the moments
 ///
 ///   I_j = 2π ∫ d u^j du,   ∫d dA = I₀,   ∫d ξ dA = −I₁ ĝ,   ∫d ξξᵀ dA = I₂ ĝĝᵀ + ½(I₀ − I₂)(Id − ĝĝᵀ),   ĝ = g/G.
 
@@ -29,14 +29,14 @@
 
 namespace pseudorigid::loads {
 
-/// Generalised forces on Q and c, or the rates of these forces. With the force F at the points x = c + Q X, they are ΣF
-/// Xᵀ and ΣF.
+/// Generalised forces on Q and c, or the rates of these forces. Forces F at the points x = c + Q X give the sum of F Xᵀ
+/// on Q and the sum of F on c.
 struct AffineForce {
   Eigen::Matrix3d on_Q = Eigen::Matrix3d::Zero();
   Eigen::Vector3d on_center = Eigen::Vector3d::Zero();
 };
 
-/// The contact for given Q and c. The object keeps a reference to S.
+/// The contact for given Q and c. The object keeps a reference to S, which must outlive it.
 class EllipsoidContact {
  public:
   EllipsoidContact(const Plane& plane, const Eigen::Matrix3d& S, const Eigen::Matrix3d& Q, const Eigen::Vector3d& c)
@@ -55,7 +55,8 @@ class EllipsoidContact {
   const Eigen::Vector3d& direction() const { return direction_; }  ///< unit vector ĝ = g/G
   double slope() const { return G_; }                              ///< norm G = |g|
   double deepest() const { return deepest_; }                      ///< largest penetration δ
-  /// Returns the power N ż₀ for the speed ż₀ of the plane, without the damping force.
+  /// Returns the power N ż₀ that a plane with the speed ż₀ transmits, without the damping force. It is 0 without
+  /// contact.
   double given() const { return touches() ? by_h() * plane_.speed : 0; }
 
   /// Returns the sums of contact.h in closed form, without the damping force. Without contact, only `height` is set.
@@ -68,9 +69,9 @@ class EllipsoidContact {
     result.area = 2 * std::numbers::pi * std::min(2.0, deepest_ / G_);
     // The moment is N c + Q S ∫p ξ dA, and ∫p ξ dA = −ĝ ∂V/∂G since ∂d/∂G = u.
     result.moment = result.force * c_ - by_G() * (Q_ * (S_ * direction_));
-    // Let c_t and T be the parts of c and Q S along the plane. The part c_t + Tξ of x has the integral N|c_t|² +
-    // 2c_t·T∫p ξ dA + tr(T ∫p ξξᵀ dA Tᵀ) of p times its square. The factor 1 − u² is written in t = 1 − u, so that
-    // small penetrations have no cancellation.
+    // Let c_t and T be the projections of c and Q S onto the plane, so that c_t + Tξ is the projection of x. The
+    // integral of p |c_t + Tξ|² is N|c_t|² + 2c_t·T∫p ξ dA + tr(T ∫p ξξᵀ dA Tᵀ). The factor 1 − u² is computed as 2t −
+    // t² with t = 1 − u, which has no cancellation for small penetrations.
     const Eigen::Matrix3d along = Eigen::Matrix3d::Identity() - plane_.normal * plane_.normal.transpose();
     const Eigen::Matrix3d T = along * Q_ * S_;
     const Eigen::Vector3d of_center = along * c_, of_axis = T * direction_, of_t = strength() * moments_of_t();
@@ -103,7 +104,7 @@ class EllipsoidContact {
   }
 
   /// Adds the damping force for the velocities Qdot and cdot to f. Returns the power that this force dissipates, and
-  /// its part of the power N ż₀ of the plane. Without contact or damping, adds nothing and returns 0.
+  /// the power that a moving plane transmits by this force. Without contact or damping, adds nothing and returns 0.
   ContactPower add_damping(const Eigen::Matrix3d& Qdot, const Eigen::Vector3d& cdot, AffineForce& f) const {
     if (!touches() || plane_.damping == 0) return {};
     const double factor = plane_.stiffness * plane_.damping;
@@ -128,8 +129,8 @@ class EllipsoidContact {
   double by_G() const {
     return strength() / G_ * (square(deepest_) + square(least_) - (cube(deepest_) - cube(least_)) / (3 * G_));
   }
-  /// Returns the integrals 2∫d t^j dt over 0 ≤ t ≤ T for j = 0, 1, 2, with t = 1 − u and T = min(2, δ/G). Unlike the
-  /// integrals of d u^j, their formula has no cancellation for small penetrations.
+  /// Returns the integrals 2∫d t^j dt over 0 ≤ t ≤ T for j = 0, 1, 2, with t = 1 − u and T = min(2, δ/G). Unlike those
+  /// of d u^j, the formulas of these integrals have no cancellation for small penetrations.
   Eigen::Vector3d moments_of_t() const {
     const double T = std::min(2.0, deepest_ / G_);
     Eigen::Vector3d of_t;

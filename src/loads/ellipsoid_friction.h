@@ -11,11 +11,12 @@
 ///
 ///   on c  ∫F dA,   on Q  ∫F (S ξ)ᵀ dA.
 ///
-/// The sum has the 8 points of Gauss in τ and n_angles equidistant angles φ. The sum is exact for polynomials F of ξ up
-/// to the degree 13. F is smooth, but varies over distances at which the tangential velocity v_t changes by s. If v_t
-/// vanishes within the contact and changes by more than s, the error of the sum is larger (docs/contact.md has
-/// numbers). The vector e₁ is the part of (QS)ᵀa orthogonal to ĝ, with a fixed tangent vector a of the plane. The
-/// points therefore do not turn with a body that turns rigidly.
+/// The integrals are sums over 8 Gauss points in τ and n_angles equidistant angles φ. The sums are exact if F/(k d) is
+/// a polynomial of ξ with at most degree 13. F is smooth, but varies over distances at which the tangential velocity
+/// v_t changes by s. If v_t vanishes within the contact and changes by more than s, the error of the sums is larger
+/// (docs/contact.md has numbers). The vector e₁ is parallel to the part of (QS)ᵀa that is orthogonal to ĝ. Here a is a
+/// tangent vector of the plane that is fixed in space. If a ball rotates rigidly, the points therefore remain fixed
+/// relative to its centre.
 
 #include <array>
 #include <cmath>
@@ -32,7 +33,7 @@ class EllipsoidFriction {
   static constexpr int n_angles = 16;
 
   /// Sets the velocities Qdot and cdot at which the friction is evaluated. The object keeps references to the
-  /// arguments.
+  /// arguments, which must outlive it.
   EllipsoidFriction(const EllipsoidContact& contact, const Eigen::Matrix3d& Qdot, const Eigen::Vector3d& cdot)
       : contact_(contact), Qdot_(Qdot), cdot_(cdot) {}
 

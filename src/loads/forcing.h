@@ -9,7 +9,8 @@
 ///   per mass       the force b − T x − c ẋ with the acceleration b, the tidal matrix T and the drag coefficient c;
 ///                  energy ½ xᵀTx − b·x per mass; the drag dissipates c|ẋ|²
 ///   on the surface the nominal stress P̄ − p cof F, which is a dead traction P̄N per reference area and the follower
-///                  pressure −p n per current area, with the normals N and n; energy −P̄:∫F dX + p V
+///                  pressure −p n per current area; N and n are the reference and the current normal; energy
+///                  −P̄:∫F dX + p V
 ///   inside         the stress σ = 2ηd with the viscosity η and the symmetric part d of the velocity gradient, and
 ///                  self-gravity with Newton's constant G
 ///   branches       viscoelastic branches with internal strains (materials/maxwell_branch.h)

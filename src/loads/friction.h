@@ -1,8 +1,8 @@
 #pragma once
 /// Friction at one point of the surface (plane.h). The point has the tangential velocity v_t, and w = √(|v_t|² + s²)
-/// with the slip speed s. The coefficient of friction is f, and p = k d is the conservative part of the pressure. The
-/// traction is F = −f p v_t/w = −∂R/∂v with the convex function R = f p w. The two linearisations of F = F(v)
-/// (mechanics/core/damping.h) are
+/// with the slip speed s. The coefficient of friction is f. The pressure p = k d, with the stiffness k and the
+/// penetration d, does not include damping. The traction is F = −f p v_t/w = −∂R/∂v with the convex function R = f p w.
+/// The two linearisations of F = F(v) (mechanics/core/damping.h) are
 ///
 ///   secant   −f p u_t/w,     tangent   −(f p/w) [u_t − v_t (v_t·u_t)/w²]
 ///

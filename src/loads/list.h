@@ -91,10 +91,10 @@ void visit_entries(L& loads, Visit&& visit) {
 /// Returns true if at least one load is present, or if the loads rise.
 bool any_present(const Loads& loads);
 
-/// Returns the sum of the forcings of all loads whose forcing does not depend on time after the rise of the loads
-/// (rise.h), at full strength.
+/// Returns the sum of the forcings of all loads that have no time dependence of their own (DependsOnTime). Loads that
+/// rise (rise.h) have their full strength in this sum.
 Forcing full_forcing(const Loads& loads);
-/// Returns the part of the full forcing that does not depend on time. Planes are a part of it, even if they move.
+/// Returns the full forcing without the loads that rise. Planes are a part of the result, even if they move.
 Forcing constant_forcing(const Loads& loads);
 
 /// Returns the sum of the forcings that depend on time, at the time t. If the loads rise, the sum includes the rising
@@ -112,8 +112,8 @@ bool depend_on_time(const Loads& loads);
 /// Returns the angular frequencies of the periodic loads that are present, without zeros.
 std::vector<double> angular_frequencies(const Loads& loads);
 
-/// Returns the loads that affect a body of constant volume, and the rise of the loads. Other loads, such as a pressure,
-/// are set to absent, because the constraint balances them.
+/// Returns the loads without those that do not move a body of constant volume, such as a pressure. The constraint
+/// balances the omitted loads. The rise of the loads does not change.
 Loads at_constant_volume(Loads loads);
 
 }  // namespace pseudorigid::loads

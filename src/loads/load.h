@@ -4,10 +4,10 @@
 /// A load is a struct of parameters, in the user's units or in internal units. A load with the default parameters is
 /// absent. The members of a load are
 ///
-///   visit_entries(self, visit)    calls visit(member, kind, About) for each entry, as in scene/entries.h. The kind
-///                                 decides if the load admits the reflection of an axis i. A matrix must not have
-///                                 entries off the diagonal in row i and column i. A vector must not have the component
-///                                 i. The unit in About converts the value to internal units.
+///   visit_entries(self, visit)    calls visit(member, kind, About) for each entry, as in scene/entries.h. The unit in
+///                                 About converts the value to internal units. The load admits the reflection of axis i
+///                                 if the entries of its matrices off the diagonal in row i and column i are 0, and if
+///                                 component i of its vectors is 0.
 ///   forcing()                     the load as a Forcing (forcing.h); zero if the load is absent
 ///   no_equilibria                 empty if the families of equilibria include this load; otherwise a sentence with the
 ///                                 reason why no relative equilibrium is known
@@ -16,7 +16,8 @@
 ///                                 axis i, otherwise the reason (scene/sector.cpp)
 ///   has_static_equilibria         optional, false if no equilibrium at rest is sought under the load
 ///
-/// A load that only changes other loads, such as Rise, has a forcing() that is zero. It has is_present() in addition.
+/// By default, a load is present if its largest forcing is not zero. An optional function is_present() replaces this
+/// condition. A load that only changes other loads, such as Rise, has a forcing() of zero and needs is_present().
 ///
 /// A load with a forcing that depends on time has forcing(t) and its derivative forcing_rate(t) instead of forcing().
 /// It also has largest_forcing(), the forcing of largest size over all times. A periodic load also has

@@ -6,9 +6,10 @@
 ///   p n − f k d v_t/√(|v_t|² + s²),   p = k d (1 + β ḋ),   ḋ = ż₀ − n·v,   v_t = v − (n·v) n,
 ///
 /// per area of the reference surface, with the stiffness k. For a reference ellipsoid X = S ξ, the reference area is
-/// the area of the sphere |ξ| = 1. The energy k d²/2 of the contact is a penalty for d > 0, and k → ∞ enforces n·x ≥
-/// z₀. The damping coefficient β of Hunt and Crossley (1975) is 0 for a pressure without damping. The damping
-/// dissipates the power k β d ḋ² per area. If β > 0 and the separation is fast, ḋ < −1/β, the plane attracts the body.
+/// the area of the sphere |ξ| = 1. The energy of the contact, k d²/2 per reference area, is a penalty for d > 0. In the
+/// limit k → ∞ it enforces n·x ≥ z₀. The damping coefficient β of Hunt and Crossley (1975) is 0 for a pressure without
+/// damping. The damping dissipates the power k β d ḋ² per area. If β > 0 and the separation is fast, ḋ < −1/β, the
+/// plane attracts the body.
 ///
 /// The second term is Coulomb's friction with the coefficient f, regularised by the slip speed s. For |v_t| ≫ s the
 /// point slides, and the friction is f k d. For |v_t| ≪ s the friction is f k d v_t/s, so a point that sticks creeps

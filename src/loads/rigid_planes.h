@@ -75,8 +75,8 @@ struct RigidPlanes {
   /// The search for equilibria does not include bodies at rest on a plane.
   static constexpr bool has_static_equilibria = false;
 
-  /// Returns a Forcing that contains the planes with unit normals. A row without a partner in the other entry, and a
-  /// normal of length 0, are omitted here. scene/contact.h rejects scenes with such rows.
+  /// Returns a Forcing that contains the planes with unit normals. Normals without a point, points without a normal,
+  /// and normals of length 0 are omitted here. scene/contact.h rejects such scenes.
   Forcing forcing() const {
     Forcing sum;
     for (std::size_t i = 0; i + 2 < std::min(normals.size(), points.size()); i += 3) {
@@ -101,8 +101,8 @@ struct RigidPlanes {
     return any ? frequency : 0;
   }
 
-  /// Returns a clause about the first plane whose mirror image in x_i = 0 is missing, for the message that the scene
-  /// has no such symmetry. Empty if no image is missing.
+  /// Returns the reason why x_i = 0 is not a plane of symmetry: a clause about the first plane whose mirror image is
+  /// not in the list. Empty if the list contains all images.
   std::optional<std::string> breaks_plane(int i) const {
     const Planes planes = forcing().planes;
     for (std::size_t j = 0; j < planes.size(); ++j) {

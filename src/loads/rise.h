@@ -14,7 +14,7 @@
 namespace pseudorigid::loads {
 
 struct Rise {
-  double time = 0;  ///< the time T; 0: all loads act at once
+  double time = 0;  ///< the time T; 0: all loads have their full strength from the start
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {
@@ -54,7 +54,7 @@ struct Rise {
             .nominal_traction = f.nominal_traction,
             .pressure = f.pressure};
   }
-  /// Returns the part of the forcing that has its full strength at once.
+  /// Returns the part of the forcing that does not rise.
   static Forcing constant(Forcing f) {
     f.quadratic.setZero();
     f.acceleration.setZero();

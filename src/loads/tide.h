@@ -1,5 +1,5 @@
 #pragma once
-/// A quadratic external potential energy ½ xᵀTx per mass.
+/// A quadratic external potential energy ½ xᵀTx per mass at the position x.
 
 #include "loads/load.h"
 

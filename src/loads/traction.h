@@ -1,5 +1,5 @@
 #pragma once
-/// A dead traction P̄N per reference area, with the reference normal N.
+/// A dead traction P̄N per reference area, with the reference normal N. The vector does not change when the body moves.
 
 #include "loads/load.h"
 

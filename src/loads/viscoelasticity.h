@@ -50,8 +50,8 @@ struct Viscoelasticity {
   }
   bool is_present() const { return !moduli.empty(); }
 
-  /// Returns a Forcing with the branches. A modulus or a time without its partner is omitted here; scene/branches.h
-  /// rejects such scenes.
+  /// Returns a Forcing with the branches. A modulus without a time, or a time without a modulus, is omitted here;
+  /// scene/branches.h rejects such scenes.
   Forcing forcing() const {
     Forcing sum;
     for (std::size_t i = 0; i < std::min(moduli.size(), times.size()); ++i)

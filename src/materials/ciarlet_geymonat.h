@@ -1,20 +1,20 @@
 #pragma once
 /// Ciarlet–Geymonat law (Oliva 5.7.9(2), with the standard coefficient λ/4; Ciarlet, Mathematical Elasticity I, 4.10),
-/// per unit reference volume. The symbols are I = |F|², III = J², J = det F:
+/// per unit reference volume. With the Lamé moduli λ and μ, I = |F|², III = J² and J = det F:
 ///
 ///   W = (λ/4)(III − 1 − ln III) + (μ/2)(I − 3 − ln III)
 ///   P = ∂W/∂F = μ(F − F⁻ᵀ) + (λ/2)(J² − 1) F⁻ᵀ = μF + s cof F,   s(J) = [(λ/2)(J² − 1) − μ]/J
 ///   DP(F)[H] = μH + s′(J)(cof F : H) cof F + s D(cof)(F)[H],   s′ = [(λ/2)(J² + 1) + μ]/J²
 ///
-/// Oliva prints λ/2 in place of λ/4. The printed law is this law with 2λ instead of λ. The printed law has the name
-/// `ciarlet-geymonat (as printed)` in law_table.h.
+/// Oliva prints λ/2 in place of λ/4. The printed law is therefore this law with 2λ instead of λ. Its name in
+/// law_table.h is `ciarlet-geymonat (as printed)`.
 ///
-/// For compressible bodies, F ∈ GL⁺(3), the neo-Hookean law of this program is the same function. The neo-Hookean law
-/// is usually written as W = (μ/2)(I − 3 − 2 ln J) plus the bulk term (λ/4)(III − 1 − ln III). For incompressible
-/// bodies, F ∈ SL(3), the neo-Hookean law does not have the bulk term: λ = 0. Both laws are stress-free at Id.
+/// The neo-Hookean law is W = (μ/2)(I − 3 − 2 ln J), plus the bulk term (λ/4)(III − 1 − ln III) for compressible
+/// bodies, F ∈ GL⁺(3). For these bodies it is the same function as this law. For incompressible bodies, F ∈ SL(3), this
+/// struct with λ = 0 is the neo-Hookean law. These laws are stress-free at Id.
 ///
-/// The energy is computed from H = F − Id, so that there is no cancellation for small strains. With II(H) = tr cof H
-/// and δ = J − 1 = tr H + II(H) + det H,
+/// The energy is computed from H = F − Id, because the formula for W has cancellation for small strains. With II(H) =
+/// tr cof H and δ = J − 1 = tr H + II(H) + det H,
 ///   I − 3 − ln III = |H|² − 2(II(H) + det H) + 2(δ − ln(1 + δ)).
 
 #include "materials/law_limits.h"
@@ -27,7 +27,7 @@ namespace pseudorigid::materials {
 
 struct CiarletGeymonat {
   double mu, lambda;
-  static constexpr double surface_limit = biot_ratio;  ///< stretch at which a surface wrinkles: neo-Hookean if J = 1
+  static constexpr double surface_limit = biot_ratio;  ///< for the law at J = 1, which is neo-Hookean (law_limits.h)
   bool operator==(const CiarletGeymonat&) const = default;
 
   /// Energy W(F) per reference volume; F must have J > 0.

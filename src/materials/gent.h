@@ -1,18 +1,18 @@
 #pragma once
 /// Gent's law (Rubber Chem. Technol. 69 (1996) 59), for polymer chains of limited extension, per unit reference volume.
-/// The symbols are I = |F|², III = J², J = det F, d = I − 3 < J_m:
+/// With the moduli λ and μ, the limit J_m, I = |F|², III = J², J = det F and d = I − 3 < J_m:
 ///
 ///   W = −(μ/2) J_m ln(1 − d/J_m) − μ ln J + (λ/4)(III − 1 − ln III)
 ///
-/// With y = d/J_m and −ln(1 − y) = y + [−y − ln(1 − y)] this is Ciarlet–Geymonat's law plus a term of second order in
-/// the strain:
+/// With y = d/J_m and −ln(1 − y) = y + [−y − ln(1 − y)], this is Ciarlet–Geymonat's law W_CG (ciarlet_geymonat.h) plus
+/// a term of second order in the strain. P_CG is the stress of W_CG:
 ///
 ///   W = W_CG(μ, λ) + (μ/2) J_m [−y − ln(1 − y)]
 ///   P = ∂W/∂F = P_CG + μ d/(J_m − d) F
 ///   DP(F)[H] = DP_CG(F)[H] + μ [J_m ḋ/(J_m − d)² F + d/(J_m − d) H],   ḋ = 2 F:H
 ///
 /// The law is stress-free at Id. The shear modulus at Id is μ, and the first Lamé modulus is λ + 2μ/J_m. As J_m → ∞,
-/// the law tends to the neo-Hookean law. W is infinite at d = J_m, and deformations with larger d are not possible.
+/// the law tends to the neo-Hookean law. W is infinite at d = J_m, so d ≥ J_m is not possible.
 
 #include <string_view>
 

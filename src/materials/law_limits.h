@@ -7,8 +7,8 @@
 ///     static constexpr std::string_view limit;                  the reason for the user, one clause
 ///
 /// The surface of an incompressible body may wrinkle (continuum/output/surface_stretch.h). A law may declare the ratio
-/// λ₁/λ_n at which a half-space wrinkles. Here λ₁ is the smaller stretch within the surface, and λ_n the stretch along
-/// the normal:
+/// λ₁/λ_n at which the surface of a half-space wrinkles. Here λ₁ is the smaller principal stretch within the surface,
+/// and λ_n is the stretch along its normal:
 ///
 ///     static constexpr double surface_limit;
 
@@ -43,7 +43,7 @@ template <class Law>
     return true;
 }
 
-/// Returns the reason why the law does not admit some F with J > 0, or an empty text if the law admits all F.
+/// Returns the reason why the law does not admit some F with J > 0, or an empty text if it admits all F with J > 0.
 template <class Law>
 constexpr std::string_view limit_of(const Law& law) {
   if constexpr (is_limited<Law>)
@@ -54,7 +54,7 @@ constexpr std::string_view limit_of(const Law& law) {
     return {};
 }
 
-/// Returns the message to the user if a deformation is beyond the limit of the law, with the reason `limit`.
+/// Returns the message to the user for a deformation that the law does not admit. `limit` is the reason from limit_of.
 [[gnu::cold, gnu::noinline]] inline std::string beyond_limit(std::string_view limit) {
   std::string sentence = "the law of the material admits no such deformation: ";
   sentence += limit;

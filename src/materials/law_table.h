@@ -1,8 +1,8 @@
 #pragma once
 /// Table of the material laws by name, and their entries in parameter files. A new law needs a header with operator==,
 /// and with energy, stress and tangent for any scalar type. law_limits.h and stress_coefficients.h describe the
-/// optional declarations. In this file, add its type to AnyLaw, its own numbers to LawParameters and law_entries, and a
-/// line to law_table.
+/// optional declarations. In this file, add the type of the law to AnyLaw, its parameters to LawParameters and
+/// law_entries, and a line to law_table.
 
 #include <concepts>
 #include <iterator>
@@ -44,7 +44,8 @@ struct LawParameters {
   double gent_limit = 10;
 };
 
-/// One entry of the parameter file. Permitted values are from `low` to `high`, without `low` if `low_excluded` is true.
+/// The entry `path` of parameter files, which sets the parameter `member`. Permitted values are from `low` to `high`,
+/// without `low` if `low_excluded` is true.
 struct LawEntry {
   double LawParameters::*member;
   std::string_view path;
@@ -89,15 +90,15 @@ struct NamedLaw {
   /// Documentation of the law in parameter files: the formula for W, and remarks. The documentation of Material/Law
   /// defines the symbols, such as the bulk term B (scene/choices.h).
   std::string_view energy;
-  /// Makes the law. `bulk` is the modulus λ of the bulk term, which is 0 for an incompressible body. Some laws ignore
-  /// `bulk` and always use the λ of the parameters.
+  /// Makes the law. `bulk` is the modulus λ of the bulk term; `make` passes 0 for an incompressible body. Some laws
+  /// ignore `bulk` and always use lame_lambda.
   AnyLaw (*of)(const LawParameters&, double bulk);
   /// Warnings to the user about the choice of this law for an incompressible and for a compressible body; empty if
   /// there is none.
   std::string_view warning_incompressible = "", warning_compressible = warning_incompressible;
 
   /// Makes the law for an incompressible or a compressible body. The modulus of the bulk term is 0 for an
-  /// incompressible body, otherwise the entry Material/Lame lambda.
+  /// incompressible body, and otherwise lame_lambda.
   AnyLaw make(const LawParameters& p, bool incompressible = true) const {
     return of(p, incompressible ? 0 : p.lame_lambda);
   }

@@ -12,18 +12,20 @@
 /// branch dissipates (μ_b/(2τ_b))(tr (Ĉ C_i⁻¹)² − ⅓ tr²(Ĉ C_i⁻¹)) ≥ 0 per reference volume. For small strains, the
 /// strain ε_i of the dashpot and the deviatoric strain ε of the body satisfy ε̇_i = (ε − ε_i)/τ_b.
 ///
-/// For constant Ĉ the flow has an exact solution. Up to the factor D, it is on the straight line from C_i(0) to Ĉ.
-/// After the time t,
+/// For constant Ĉ the flow has an exact solution C_i(t). Up to the factor D, C_i(t) is on the straight line from C_i(0)
+/// to Ĉ. With α and β at the time 0,
 ///
 ///   C_i(t) = Y/D,   Y = (1 − w) C_i(0) + w Ĉ,   D³ = det Y = 1 + w(1 − w)[α(1 − w) + βw],
 ///   α = tr(Ĉ C_i⁻¹) − 3,   β = tr(Ĉ⁻¹C_i) − 3,
 ///   s − I(w) = t/τ_b,   w = 1 − e^{−s},   I(w) = ∫₀^w w'[α(1 − w') + βw']/(D + D² + D³) dw'.
 ///
-/// If Y is inserted into the flow, ẇ = (1 − w) D/τ_b follows. After the time t the branch has lost the energy
+/// The equation for s follows from ẇ = (1 − w) D/τ_b, which results if Y/D is inserted into the flow. Per reference
+/// volume, the branch loses the energy
 ///
 ///   (μ_b/2)[(α + 3)(D² − 1) + w(α(2 − w) − 2β(1 − w))]/D².
 ///
-/// The functions are for numbers and for SIMD vectors, with one point in each lane.
+/// until the time t. The functions are templates for doubles and for SIMD vectors (mechanics/core/lanes.h) with one
+/// point in each lane.
 
 #include <algorithm>
 #include <array>
@@ -91,7 +93,7 @@ template <class T>
 
 namespace detail {
 
-/// Returns the vector with f(x_l, l) in lane l, or f(x, 0) if x is a number.
+/// Returns the vector with f(x_l, l) in lane l, where x_l is lane l of x. If x is a double, returns f(x, 0).
 template <int n, class Function>
 mechanics::Lanes<n> in_each_lane(const mechanics::Lanes<n>& x, const Function& f) {
   return mechanics::Lanes<n>::of([&](int l) { return f(x[l], l); });
@@ -106,7 +108,7 @@ double lane(const mechanics::Lanes<n>& x, int l) {
 }
 inline double lane(double x, int) { return x; }
 
-/// Returns true if |x| ≤ bound in all lanes, and false if a number is NaN.
+/// Returns true if |x| ≤ bound in all lanes. Returns false if a lane is NaN.
 template <int n>
 bool all_within(const mechanics::Lanes<n>& x, double bound) {
   bool all = true;
@@ -115,10 +117,10 @@ bool all_within(const mechanics::Lanes<n>& x, double bound) {
 }
 inline bool all_within(double x, double bound) { return std::abs(x) <= bound; }
 
-/// Largest |p| for cube_root_near_one.
+/// Largest |p| for which cube_root_near_one(p) is accurate.
 inline constexpr double near_one = 0.1;
-/// Returns (1 + p)^{1/3}, by one step of Halley's method from four terms of the series. The error is below 1e-16 if |p|
-/// is at most `near_one`.
+/// Returns (1 + p)^{1/3}, by one step of Halley's method from the first four terms of the power series in p. The error
+/// is below 1e-16 if |p| is at most `near_one`.
 template <class T>
 [[gnu::always_inline]] inline T cube_root_near_one(const T& p) {
   const T y = 1.0 + p * (1.0 / 3 + p * ((5.0 / 81) * p - 1.0 / 9)), y3 = y * y * y, u = 1.0 + p;
@@ -131,7 +133,7 @@ T cube_root(const T& u) {
   return all_within(p, near_one) ? cube_root_near_one(p) : in_each_lane(u, [](double x, int) { return std::cbrt(x); });
 }
 
-/// The Gauss points in (0, 1) with weights.
+/// A Gauss rule with n points on the interval (0, 1).
 template <std::size_t n>
 struct GaussRule {
   std::array<double, n> points, weights;
@@ -153,7 +155,7 @@ inline double largest_stretch(double excess) {
   return positive + std::sqrt(2 * positive);
 }
 
-/// Computes the number w of the flow after the time x = t/τ_b, for any α and β. `share` solves s − I(w) = x by Newton's
+/// Computes w after the time x = t/τ_b, for any α and β. `share(x)` returns w. It solves s − I(w) = x for s by Newton's
 /// method, with bisections if an iterate leaves its bounds.
 class FlowLine {
  public:
@@ -195,15 +197,15 @@ class FlowLine {
   double alpha_, beta_;
 };
 
-/// Computes the number w of the flow for α and β in lanes. It is correct if one panel of Gauss points suffices and D is
-/// near 1, which `one_panel` checks.
+/// Computes w after the time x = t/τ_b, for SIMD vectors α and β. The result is accurate if one panel of Gauss points
+/// is sufficient and D is near 1. `one_panel` checks these conditions and must be called before `share`.
 template <class T>
 class ShortFlow {
  public:
   ShortFlow(const T& alpha, const T& beta, double x) : alpha_(alpha), beta_(beta), x_(x) {}
 
-  /// Returns true if `share` is correct to round-off, and false if α or β is not finite. Also chooses the number of
-  /// Gauss points. The number w is at most x(α + 3)/3.
+  /// Returns true if `share` is accurate to round-off in all lanes, and false if α or β is not finite. Also chooses the
+  /// number of Gauss points. The check uses the bound w ≤ x(α + 3)/3.
   bool one_panel() {
     double worst = 0, largest = 0;
     bool all_numbers = true;
@@ -218,7 +220,7 @@ class ShortFlow {
     return all_numbers && worst <= 0.5 && largest <= near_one;
   }
 
-  /// Returns w after two steps of Newton's method for s, from a start with D = 1.
+  /// Returns w, by two steps of Newton's method for s. The start is s = x + I(1 − e^{−x}) with D = 1 in I.
   T share() const {
     const double w0 = -std::expm1(-x_);
     T s = x_ + (w0 * w0 / 6) * alpha_ + (w0 * w0 * w0 / 9) * (beta_ - alpha_);
@@ -263,7 +265,7 @@ class ShortFlow {
   bool few_points_ = false;
 };
 
-/// Returns w after the time x = t/τ_b. Uses FlowLine in each lane if ShortFlow is not correct in all lanes.
+/// Returns w after the time x = t/τ_b. Uses FlowLine in each lane if ShortFlow is not accurate in all lanes.
 template <class T>
 T share_of_flow(const T& alpha, const T& beta, double x) {
   constexpr double forever = 60;  // 1 − e^{−60} is 1 in double precision
@@ -284,15 +286,15 @@ template <class T>
 Symmetric<T> isochoric_strain(const Tensor<T>& F) {
   return unimodular(gram(F));
 }
-/// Returns the isochoric strain of the mean of C for two deformations. Unlike the strain of the mean deformation, the
-/// result does not depend on rotations.
+/// Returns C/(det C)^{1/3} for the mean C = ½(F0ᵀF0 + F1ᵀF1). Unlike the strain of the mean ½(F0 + F1), it does not
+/// depend on rotations of F0 and F1.
 template <class T>
 Symmetric<T> mean_strain(const Tensor<T>& F0, const Tensor<T>& F1) {
   return unimodular(plus(gram(F0), T(1.0), gram(F1)));
 }
 
-/// Replaces C_i = `metric` by C_i(t) for constant Ĉ = `strain`, with x = t/τ_b ≥ 0. Returns the lost energy per
-/// reference volume, divided by μ_b.
+/// Replaces C_i(0) = `metric` by C_i(t) for constant Ĉ = `strain`, with x = t/τ_b ≥ 0. Returns the energy that the
+/// branch loses per reference volume, divided by μ_b.
 template <class T>
 T relax(const Symmetric<T>& strain, double x, Symmetric<T>& metric) {
   const T alpha = dot(adjugate(metric), strain) - 3.0, beta = dot(adjugate(strain), metric) - 3.0;
@@ -335,7 +337,8 @@ T energy_of_branches(const Tensor<T>& F, const Symmetric<T>& A, double sum_of_mo
   return 0.5 * (dot(isochoric_strain(F), A) - 3.0 * sum_of_moduli);
 }
 
-/// The branches at a point, for fields. Without branches, both members are zero.
+/// The branches at a point, as the stress and the energy need them (point_fields.h). Without branches, both members are
+/// zero.
 struct BranchesAtPoint {
   Symmetric<double> inverse_sum{};  ///< sum Σ μ_b C_i⁻¹ over the branches
   double sum_of_moduli = 0;

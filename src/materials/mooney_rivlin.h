@@ -4,8 +4,8 @@
 ///
 ///   W = (μ/2)[(1 − b)(I − 3) + b(II − 3)] − μ(1 + b) ln J + (λ/4)(III − 1 − ln III)
 ///
-/// Since I − 3 = d and II − 3 = 2d + ½(d² − |D|²), this is Ciarlet–Geymonat's law with (1 + b)μ plus a term of second
-/// order in the strain:
+/// Since I − 3 = d and II − 3 = 2d + ½(d² − |D|²), this is Ciarlet–Geymonat's law W_CG with (1 + b)μ
+/// (ciarlet_geymonat.h) plus a term of second order in the strain. P_CG is the stress of W_CG:
 ///
 ///   W = W_CG((1 + b)μ, λ) + (bμ/4)(d² − |D|²)
 ///   P = P_CG + bμ(d F − F D)

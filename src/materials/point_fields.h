@@ -1,8 +1,8 @@
 #pragma once
 /// Fields of a picture file (mechanics/core/body_fields.h) that depend on the material: the Cauchy stress σ = (P Fᵀ − p
 /// Id)/det F and the energy density W. The first Piola–Kirchhoff stress P and W are the sums of the contributions of
-/// the law and of the viscoelastic branches. The number p is the Kirchhoff pressure by which the constraint of an
-/// incompressible body reacts.
+/// the law and of the viscoelastic branches. The number p is the Kirchhoff pressure of an incompressible body, which is
+/// the reaction of the constraint det F = 1.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -18,7 +18,8 @@
 namespace pseudorigid::materials {
 
 /// Appends the values at the material point X to the fields. The point has the position x, the velocity v and the
-/// deformation gradient F. `pressure` is p, or 0 for a compressible body. Fails if det F is not positive or not finite.
+/// deformation gradient F. `pressure` is p, or 0 for a compressible body. Returns a failure and appends nothing if det
+/// F is not positive and finite.
 inline mechanics::Status add_point(const AnyLaw& law, const Eigen::Vector3d& X, const Eigen::Vector3d& x,
                                    const Eigen::Vector3d& v, const Eigen::Matrix3d& F, double pressure,
                                    const BranchesAtPoint& branches, mechanics::BodyFields& fields) {

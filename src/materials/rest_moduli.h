@@ -1,6 +1,6 @@
 #pragma once
 /// Moduli of small motions about rest, F = Id. At rest the law may have a stress P(Id) = p Id, which the constraint of
-/// an incompressible body balances. The second variation of W − p ln J is
+/// an incompressible body balances. The second variation C(H) of W − p ln J is the derivative of its stress along H,
 ///
 ///   C(H) = DP(Id)[H] + p Hᵀ  (incompressible),      C(H) = DP(Id)[H]  (compressible; Id is at rest only if p = 0).
 ///
@@ -33,7 +33,8 @@ inline Tensor<double> tangent_at_rest(const AnyLaw& law, bool incompressible, co
 struct RestModuli {
   double shear, lame;
 };
-/// Returns the moduli from C. If a compressible body has a stress at Id, they are not the moduli of its state of rest.
+/// Returns the moduli from C at F = Id. If a compressible body has a stress at Id, its state of rest is not Id and has
+/// other moduli.
 inline RestModuli moduli_at_rest(const AnyLaw& law, bool incompressible) {
   constexpr Tensor<double> shear{{{0, 1, 0}, {0, 0, 0}, {0, 0, 0}}}, stretch{{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
   const double mu = tangent_at_rest(law, incompressible, shear)(0, 1);

@@ -1,6 +1,6 @@
 #pragma once
-/// Functions of scalars for the material laws, for real and complex numbers. A SIMD type has its own log1p
-/// (mechanics/core/lanes.h).
+/// Functions of scalars for the material laws, for real and complex numbers. For SIMD vectors, log1p is in
+/// mechanics/core/lanes.h.
 
 #include <cmath>
 #include <complex>
@@ -12,7 +12,7 @@ inline std::complex<double> log1p(std::complex<double> z) { return std::log(1.0 
 
 namespace detail {
 /// Returns x − ln(1+x) = s [x − 2s²(1/3 + s²/5 + s⁴/7 + …)] with s = x/(2+x). The series follows from ln(1+x) = 2
-/// artanh s. The result is exact to round-off for |x| ≤ ¼.
+/// artanh s. For |x| ≤ ¼, the terms that are left out are below round-off.
 template <class T>
 T x_minus_log1p_series(const T& x) {
   const T s = x / (2.0 + x), s2 = s * s;
@@ -23,7 +23,8 @@ T x_minus_log1p_series(const T& x) {
 }  // namespace detail
 
 /// Returns x − ln(1+x), which is about x²/2. For real and complex x, there is no cancellation for small x. For SIMD
-/// types, the result is the direct difference of both terms. Its absolute error is about |x| ε with the round-off ε.
+/// vectors, the result is computed as the difference of the two terms, and its absolute error is about |x| ε with ε =
+/// 2⁻⁵².
 template <class T>
 T x_minus_log1p(const T& x) {
   return x - log1p(x);

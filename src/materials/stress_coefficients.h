@@ -7,7 +7,7 @@
 ///
 ///     template <class T> StressCoefficients<T> stress_coefficients(const T& J) const;
 ///
-/// The elements of the finite-element model then need fewer numbers and operations at a quadrature point
+/// The finite-element model then needs fewer numbers and operations at a quadrature point
 /// (continuum/kernels/stress_points.h).
 
 namespace pseudorigid::materials {

@@ -2,9 +2,9 @@
 /// 3×3 tensors over any scalar: double, complex (derivatives by complex step), or a SIMD vector with a tensor entry of
 /// one cell in each lane.
 ///
-/// All operations are inlined and written entry by entry, so that the compiler keeps the tensors in registers. With
-/// loops, the compiler would not do so, because it unrolls loops too late. The use of registers halves the time of a
-/// force evaluation.
+/// All operations are inlined and written entry by entry, so that the compiler keeps the tensors in registers. Loops
+/// would prevent this, because the compiler unrolls them too late. The use of registers halves the time of a force
+/// evaluation.
 
 namespace pseudorigid::materials {
 
@@ -45,7 +45,7 @@ template <class T>
            {minor(0, 1, 1, 2), minor(0, 2, 1, 0), minor(0, 0, 1, 1)}}};
 }
 
-/// Returns det F from F and its cofactor `cof`, which the caller often has already.
+/// Returns det F from F and its cofactor `cof`.
 template <class T>
 [[gnu::always_inline]] inline T determinant(const Tensor<T>& F, const Tensor<T>& cof) {
   return F(0, 0) * cof(0, 0) + F(0, 1) * cof(0, 1) + F(0, 2) * cof(0, 2);

@@ -17,7 +17,7 @@ std::string_view section_of(std::string_view path) {
   return slash == path.npos ? std::string_view() : path.substr(0, slash);
 }
 
-/// The name of an entry in a recommendation. The section is omitted if the refused entry is in the same section.
+/// The name of an entry in a recommendation. The name omits the section if the refused entry is in the same section.
 std::string_view name_of(std::string_view path, const Refusal& refusal) {
   const std::string_view section = section_of(path);
   return !section.empty() && section == section_of(refusal.path) ? path.substr(section.size() + 1) : path;
@@ -33,8 +33,8 @@ std::string in_words(const std::vector<Setting>& settings, const Refusal& refusa
 
 Setting models(const std::vector<std::string_view>& names) { return {models_path, joined(names)}; }
 
-/// Returns those models of `names` with which the scene is valid if they run alone. If there is none, returns all of
-/// `names`.
+/// Returns the models of `names` for which the scene is valid if it runs only this model. If there is no such model,
+/// returns all of `names`.
 std::vector<std::string_view> accepted_of(const std::vector<std::string_view>& names, const Scene& scene,
                                           const Accepts& accepts) {
   std::vector<std::string_view> accepted;

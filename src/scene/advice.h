@@ -1,6 +1,6 @@
 #pragma once
-/// Recommendations in error messages. The program tries each recommendation, and prints only those with which the scene
-/// is valid.
+/// Recommendations in error messages. The program tries each recommendation, and prints it only if the changed scene is
+/// valid.
 
 #include <functional>
 #include <string>
@@ -16,12 +16,13 @@ namespace pseudorigid::scene {
 using Accepts = std::function<bool(Scene)>;
 
 /// Returns the scene in which the entries of `settings` have the given values. Expressions in these entries are
-/// removed. An entry keeps its value if the given text is not a permitted value.
+/// removed. If a text is not a permitted value, the entry keeps its value. A list of words (Switches) is then not
+/// valid.
 Scene with_settings(Scene scene, const std::vector<Setting>& settings);
 
-/// Returns the sentence of a refusal, the models that accept the input if the refusal lists models, and
-/// recommendations. The text contains only recommendations for which `accepts` is true for the changed scene. An
-/// example is "a sweep is offered for the models a, b; set Models = a, or set Method = rattle or explicit-8".
+/// Returns the text of an error message: the sentence of the refusal, the models that accept the input if the refusal
+/// lists models, and recommendations. It contains only recommendations for which `accepts` returns true for the changed
+/// scene. An example is "a sweep is offered for the models a, b; set Models = a, or set Method = rattle or explicit-8".
 std::string sentence_with_advice(const Refusal& refusal, const Scene& scene, const Accepts& accepts);
 
 }  // namespace pseudorigid::scene

@@ -27,8 +27,8 @@ std::string first_entry(const Load& load) {
   return path;
 }
 
-/// Refuses the first load that acts and for which `is_refused(load)` is true. The sentence is Load::no_equilibria
-/// (loads/load.h).
+/// Refuses the first load of the scene that is present and for which `is_refused(load)` is true. The sentence is
+/// Load::no_equilibria (loads/load.h).
 template <class Predicate>
 std::optional<Refusal> refuses_load(const Scene& scene, Predicate&& is_refused) {
   std::optional<Refusal> refusal;
@@ -40,7 +40,7 @@ std::optional<Refusal> refuses_load(const Scene& scene, Predicate&& is_refused) 
 }
 
 /// Returns the violated requirement of relative equilibria, or nothing. Relative equilibria are known for a ball under
-/// potentials that depend only on the shape of the body. A fluid must be incompressible and have self-gravity.
+/// loads with an empty Load::no_equilibria, such as self-gravity. A fluid must be incompressible and have self-gravity.
 std::optional<Refusal> refuses_relative_equilibrium(const Scene& scene) {
   if (scene.body.inertia || scene.body.semi_axes != std::vector<double>{1, 1, 1})
     return Refusal{"Body/Semi-axes",
@@ -59,9 +59,9 @@ std::optional<Refusal> refuses_relative_equilibrium(const Scene& scene) {
 }
 
 /// Returns the violated requirement of equilibria at rest, or nothing. Every model of the scene must be able to compute
-/// these equilibria. A body can be at rest under loads with a potential that does not depend on time. A fluid needs a
-/// load or gravity that selects its shape. Dissipation does not change the equilibria, but changes the rates of small
-/// motions about them.
+/// these equilibria. The loads must have a potential that does not depend on time. A fluid needs gravity or a load,
+/// because otherwise it is at rest in every shape. Dissipation does not change the equilibria, but changes the rates of
+/// small motions about them.
 std::optional<Refusal> refuses_static_equilibria(const Scene& scene) {
   const auto finds = [](const ModelDescription& model) { return model.static_equilibria != nullptr; };
   if (!std::ranges::all_of(models_of(scene), [&](const auto* model) { return finds(*model); }))
@@ -85,10 +85,9 @@ std::optional<Refusal> refuses_equilibria(const Scene& scene) {
   return finds_static_equilibria(scene) ? refuses_static_equilibria(scene) : refuses_relative_equilibrium(scene);
 }
 
-/// Refuses initial states and loads that modes and Love numbers ignore. The text `what` is the name of the analysis in
-/// messages. Both analyses compute small displacements of the undeformed ball from rest, without loads other than
-/// self-gravity. Also refuses a compressible ball whose law has a stress at rest, because such a ball does not stay
-/// undeformed.
+/// Refuses initial states and loads that modes and Love numbers ignore. Both analyses compute small displacements of
+/// the undeformed ball from rest, without loads other than self-gravity. Also refuses a compressible ball whose law has
+/// a stress at Id, because such a ball does not remain undeformed. `what` is the name of the analysis in messages.
 std::optional<Refusal> refuses_displaced_start(const Scene& scene, std::string_view what) {
   const auto& state = scene.initial_state;
   const std::string start =
@@ -115,10 +114,10 @@ std::optional<Refusal> refuses_displaced_start(const Scene& scene, std::string_v
   return refusal;
 }
 
-/// Refuses a scene for which the program does not compute modes or Love numbers. `what` is the name of the analysis in
-/// messages. The refused scenes have a mesh from a file, a fluid, a symmetry other than the octant or `auto`, or a
-/// start or load that refuses_displaced_start refuses. A scene without a model that offers the analysis is refused as
-/// well. `is_offered` is the member of ModelDescription that is true for a model with this analysis.
+/// Refuses a scene for which the program does not compute modes or Love numbers. Such a scene has a mesh from a file, a
+/// fluid, a symmetry other than the octant or `auto`, or an initial state or load that refuses_displaced_start refuses.
+/// The function also refuses a scene without a model that offers the analysis. `is_offered` is the member of
+/// ModelDescription that is true for a model with this analysis. `what` is the name of the analysis in messages.
 std::optional<Refusal> refuses_linear_analysis(const Scene& scene, std::string_view what,
                                                bool ModelDescription::*is_offered) {
   if (has_mesh_file(scene))

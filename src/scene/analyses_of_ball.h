@@ -7,14 +7,15 @@
 
 namespace pseudorigid::scene {
 
-/// Returns the violated requirement, or nothing. All analyses share one requirement: if the initial state is a member
-/// of a family of relative equilibria, the ball must have such equilibria. A motion has no other requirement here.
+/// Returns the violated requirement of the analysis of the scene, or nothing. For every analysis, if the initial state
+/// is a member of a family of relative equilibria, the ball must have such equilibria. This function does not check
+/// other requirements of a motion.
 std::optional<Refusal> refuses_analysis_of_ball(const Scene& scene);
 
-/// The violated requirement of the columns `vibration` of a motion, or nothing. These columns use the modes in closed
-/// form of an incompressible elastic sphere. The body must therefore be an incompressible elastic ball without a mesh
-/// from a file, self-gravity or viscoelastic branches. There is no requirement if the scene does not request these
-/// columns, or if the analysis is not a motion.
+/// Returns the violated requirement of the columns `vibration` of a motion, or nothing. These columns use closed
+/// formulas for the modes of an incompressible elastic sphere. The body must therefore be an incompressible elastic
+/// ball without a mesh from a file, self-gravity or viscoelastic branches. There is no requirement if the scene does
+/// not request these columns, or if the analysis is not a motion.
 std::optional<Refusal> refuses_vibration(const Scene& scene);
 
 }  // namespace pseudorigid::scene

@@ -11,7 +11,7 @@
 
 namespace pseudorigid::scene {
 
-/// A scene whose entries are written, or a const scene whose entries are only read.
+/// The type Scene, or const Scene if the visitor only reads the entries.
 template <class S>
 concept SceneOrConst = std::same_as<std::remove_const_t<S>, Scene>;
 

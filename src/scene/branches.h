@@ -1,6 +1,6 @@
 #pragma once
-/// Checks of viscoelastic branches (loads/viscoelasticity.h). There are at most four branches. Each branch has a
-/// modulus and a relaxation time. Only a scene with branches may start with relaxed branches.
+/// Checks of viscoelastic branches (loads/viscoelasticity.h). A scene has at most four branches. Each branch needs a
+/// modulus and a relaxation time.
 
 #include <optional>
 

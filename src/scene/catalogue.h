@@ -18,8 +18,8 @@
 
 namespace pseudorigid::scene {
 
-/// A kind of values (entry_kinds.h), without the C++ type of the values. The scene stores such a value as text in the
-/// canonical form, which is the form in which its kind prints a value.
+/// A kind of values (entry_kinds.h) whose C++ type is not known here. The scene stores a value of this kind as text in
+/// its canonical form, which is the text that the function `print` of the kind returns.
 class AnyKind {
  public:
   /// Makes an AnyKind from a kind whose values have the type Value.
@@ -75,9 +75,9 @@ struct Setting {
 /// functions of scene/advice.h try the changes, and append the successful changes to the sentence.
 struct Refusal {
   std::string path, sentence;
-  std::vector<std::vector<Setting>> remedies{};  ///< alternatives, each of which sets one or several entries
-  /// Models that accept the input. If there are any, `sentence` is incomplete, for example "a sweep is". scene/advice.h
-  /// then appends "offered for" and the names of the models.
+  std::vector<std::vector<Setting>> remedies{};  ///< alternative changes; each change sets one or several entries
+  /// Models that accept the input. If the list is not empty, `sentence` is incomplete, for example "a sweep is".
+  /// scene/advice.h then appends "offered for" and the names of the models.
   std::vector<std::string_view> models{};
 };
 
@@ -88,11 +88,11 @@ struct SystemDescription {
   std::string_view section;        ///< its subsection in parameter files
   std::string_view documentation;  ///< one sentence for the user about the system
   std::vector<SystemEntry> entries;
-  std::vector<Column> columns;  ///< columns of a scene with default values
-  /// The columns of a scene. Their number may depend on the values of the scene.
+  std::vector<Column> columns;  ///< columns for a scene in which the entries have their default values
+  /// Returns the columns for a scene. Their number may depend on the values of the entries.
   std::function<std::vector<Column>(const Scene&)> columns_of;
   bool has_equilibria = false;  ///< whether Analysis = equilibrium and manifolds are offered
-  bool complete = false;  ///< whether every motion exists for all time, so that runs backwards in time are possible
+  bool complete = false;  ///< whether every motion exists for all times; runs backwards in time then exist as well
   /// Returns the error in a scene of this system, or nothing. The range of each single entry has been checked before.
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
@@ -122,8 +122,8 @@ struct ModelDescription {
   /// (app/run/continuum_module.h).
   Required<bool> discretized;
   /// Whether the model has motions that are not affine. An affine motion is x = QX + x_c with a matrix Q and the centre
-  /// of mass x_c. Sectors and the columns `nonaffine` are for models with other motions. A model without other motions
-  /// is the pseudo-rigid body, and the exact results for this body apply.
+  /// of mass x_c. Sectors and the columns `nonaffine` are for models with non-affine motions. A model that has only
+  /// affine motions is the pseudo-rigid body, and the exact results for this body apply.
   Required<bool> has_nonaffine;
   /// Whether the model offers Analysis = modes, love numbers and equilibrium.
   bool has_modes = false, has_love_numbers = false, has_equilibria = false;
@@ -132,19 +132,20 @@ struct ModelDescription {
   /// freedom of the pseudo-rigid body. The pointer is null if the model does not compute these equilibria.
   EquilibriaTable (*static_equilibria)(int n_modes) = nullptr;
   std::vector<Column> columns;  ///< columns of all groups, for the documentation
-  /// Names of further runs of the model that a scene may request, by increasing number of degrees of freedom. Each run
-  /// has its own files.
+  /// Names of the runs of the model in addition to the run `name`, by increasing number of degrees of freedom. A scene
+  /// may request them. Each run has its own files.
   std::vector<std::string> rungs{};
   /// Returns the runs of the model in a scene, by increasing number of degrees of freedom. The function is null for a
   /// model with one run, which has the name of the model.
   std::function<std::vector<ModelRun>(const Scene&)> runs{};
   /// Returns the names of the columns of the model's CSV file for the selected groups. The first name is `time`.
   std::function<std::vector<std::string>(const mechanics::Quantities&)> header;
-  /// Returns a text about the discretisation of the companion run, from which the error in space is estimated. The
-  /// result is empty if a search chooses the discretisation. The function is null for a model without an error in
-  /// space.
+  /// Returns a text about the discretisation of the companion run. The program estimates the error in space from the
+  /// difference of both runs. The result is empty if a search chooses the discretisation. The function is null for a
+  /// model without an error in space.
   std::function<std::optional<std::string>(const Scene&)> companion{};
-  /// Return the line for the user about the model: `needed` if the scene runs the model, otherwise `skipped`.
+  /// Return the line about the model in the output of `pseudorigid check`: `needed` if the scene runs the model,
+  /// otherwise `skipped`.
   std::function<std::string(const Scene&)> needed, skipped;
   /// Returns whether the model can use a method. The pointer is null if the model can use every method.
   bool (*takes_method)(std::string_view name) = nullptr;
@@ -175,8 +176,8 @@ struct Catalogue {
   std::vector<SystemDescription> systems{};
   /// The columns of connections.csv, which Analysis = manifolds writes for systems other than the ball.
   std::vector<Column> connections{};
-  /// The columns of equilibria.csv for a system with one degree of freedom, for the documentation. The coordinates of
-  /// the system are not included.
+  /// The columns of equilibria.csv for a system with one degree of freedom, for the documentation. The list does not
+  /// contain the coordinates of the system.
   std::vector<Column> equilibria{};
 
   /// The system of this name. The result is null for the ball and for an unknown name.

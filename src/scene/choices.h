@@ -1,5 +1,5 @@
 #pragma once
-/// The words that are valid values of entries, and the members or enumerators of Scene that they select.
+/// The words that are valid values of entries, and the enumerators or members that they select in a Scene.
 
 #include <algorithm>
 #include <cstddef>

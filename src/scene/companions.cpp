@@ -34,7 +34,7 @@ bool has_any_elements(const loads::CompanionMasses& load) {
 }
 
 /// Refuses elements in addition to positions or velocities, incomplete elements, and a semi-major axis of 0. Also
-/// refuses eccentricities that do not fit the sign of the semi-major axis.
+/// refuses an eccentricity outside [0, 1) if the semi-major axis is positive, and at most 1 if this axis is negative.
 std::optional<Refusal> refuses_elements(const loads::CompanionMasses& load) {
   const std::size_t n = load.masses.size();
   for (const auto& [path, values] : {ElementsEntry{positions_path, load.positions}, {velocities_path, load.velocities}})
@@ -65,8 +65,8 @@ std::optional<Refusal> refuses_elements(const loads::CompanionMasses& load) {
   return {};
 }
 
-/// Refuses too many masses, masses that are not positive, and wrong numbers of positions, velocities or elements. For
-/// elements, it also refuses the cases of refuses_elements.
+/// Refuses too many masses and masses that are not positive. If the scene has elements, also refuses the cases of
+/// refuses_elements. Otherwise also refuses wrong numbers of positions or velocities.
 std::optional<Refusal> refuses_rows(const loads::CompanionMasses& load) {
   const std::size_t n = load.masses.size(), n_positions = load.positions.size() / 3,
                     n_velocities = load.velocities.size() / 3, most = mechanics::Orbit::most_companions;
@@ -83,7 +83,8 @@ std::optional<Refusal> refuses_rows(const loads::CompanionMasses& load) {
   return {};
 }
 
-/// Refuses loads that act on the body alone, and a scene without gravity.
+/// Refuses drag, planes and tidal matrices, which would exert a force on the body but not on the companions. Also
+/// refuses a scene without gravity.
 std::optional<Refusal> refuses_loads(const Scene& scene) {
   const auto only = [](const char* path) {
     return Refusal{path, "it acts on the body alone and would change the orbit; it is not offered with companions"};
@@ -121,7 +122,8 @@ double mass_of(const Scene& scene) {
 }
 
 /// Whether r, the position relative to the centre of the orbit, is nearly parallel to the z axis. A circular orbit
-/// about this axis has a velocity along e_z × r. The direction of this small vector would be mainly round-off.
+/// about this axis has a velocity along e_z × r. This vector is then small, and its direction is sensitive to
+/// round-off.
 bool is_on_axis(const Eigen::Vector3d& r) {
   constexpr double near = 1e-4;
   return r.head<2>().norm() <= near * r.norm();

@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char *normals_path = "Loads/Plane normals", *points_path = "Loads/Plane points";
 
-/// An initial penetration counts as round-off if it is at most this fraction of the sum of two lengths. The lengths are
-/// the extent of the body along the normal and the distance of the plane from the origin.
+/// An initial penetration counts as round-off if it is at most this fraction of a + b. Here a is the distance of the
+/// body's extreme point from its centre along the normal, and b is the distance of the plane from the origin.
 constexpr double round_off = 1e-12;
 
 Eigen::Vector3d vector_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
@@ -56,7 +56,8 @@ std::optional<Refusal> refuses_motion_of_planes(const loads::RigidPlanes& load) 
   return {};
 }
 
-/// Refuses bodies whose surface Body/Semi-axes does not describe.
+/// Refuses bodies with a matrix Body/Inertia or a mesh from a file, because Body/Semi-axes does not describe their
+/// surface.
 std::optional<Refusal> refuses_body(const Scene& scene) {
   if (scene.body.inertia)
     return Refusal{"Body/Inertia",

@@ -14,8 +14,8 @@ namespace pseudorigid::continuum {
 namespace {
 
 /// Number of energies that are integrated with the motion. It is 0 if there is no dissipation, no load depends on time
-/// and no plane moves. Otherwise the energies are the dissipated one, the given one, and one dissipated energy for each
-/// branch.
+/// and no plane moves. Otherwise the energies are the dissipated energy, the energy that loads give, and the energy
+/// that each branch dissipates.
 unsigned int n_accounts(const loads::Loads& loads) {
   const loads::Forcing constant = loads::constant_forcing(loads);
   if (!loads::depend_on_time(loads) && !constant.dissipative()) return 0;
@@ -199,7 +199,8 @@ Eigen::Matrix3d BallBody::second_moment(const Vector& x) const {
   return nodal_moment(x, x) - mass() * center * center.transpose();
 }
 
-/// Adds the forces of the companions on the ball, which have no resultant, and sets the forces on the companions.
+/// Adds the forces of the companions on the nodes to f, and sets the forces on the coordinates of the companions. The
+/// resultant of the forces on the nodes is zero.
 void BallBody::add_companions(const Vector& x, Vector& f) const {
   const mechanics::Orbit::Columns s = companions(x);
   if (orbit_.full_potential()) {
@@ -258,8 +259,8 @@ void BallBody::fill_irregular(Vector& x) const {
   const Vector& X = space_.reference_positions();
   for (unsigned int i = 0; i < x.locally_owned_size(); ++i) {
     const unsigned int node = i - i % 3;
-    // The numbers are the values of a sine wave at the nodes. The wave is much shorter than the elements, and its phase
-    // differs between the components. Values at neighbouring nodes are therefore not related. The round-off of X
+    // The numbers are the values of a sine wave at the nodes. The wavelength is much smaller than the elements, so
+    // values at neighbouring nodes are not correlated. The phase differs between the components. The round-off of X
     // changes the numbers by about 1e-12.
     const double phase =
         1e3 * (X.local_element(node) + 1.7 * X.local_element(node + 1) + 2.9 * X.local_element(node + 2));

@@ -5,19 +5,20 @@
 ///   M ẍ = −∫P:∇φ + loads   [+ Gᵀλ,   elastic_ball.h]                       (generalized Newton law, Oliva 5.3–5.4)
 ///
 /// with the first Piola–Kirchhoff stress P and the basis functions φ of the displacements in (Q_k)³. P contains the
-/// stresses of viscoelastic branches (kernels/cell_branches.h). The mass M is lumped. If there is dissipation, if a
-/// load depends on time, or if a plane moves, the ball has one or two additional nodes (BallSpace::account). Their
-/// first two coordinates s and s' obey
+/// volumetric stabilisation (kernels/stored_energy.h) and the stresses of viscoelastic branches
+/// (kernels/cell_branches.h). The mass M is lumped. If there is dissipation, if a load depends on time, or if a plane
+/// moves, the ball has one or two additional nodes (BallSpace::account). Their first two coordinates s and s' obey
 ///
 ///   s̈ = dissipated power,   s̈' = power that loads give by their change in time, and planes by their motion.
 ///
-/// Therefore ṡ and ṡ' are the dissipated and the given energy, and every method integrates these energies with its own
-/// order. Branches do not act on s̈: `relax` adds their dissipated energy to ṡ. The energy that each branch has
-/// dissipated is the velocity of a further coordinate. Companions in orbit (mechanics/core/orbit.h) are further nodes.
-/// Their tide has the potential ½(x − x_c)ᵀT(x − x_c) per mass, with the centre of mass x_c. Node n with the mass m_n
-/// and the position x_n then has the force −m_n T (x_n − x_c). As an option, the forces without expansion
-/// (companion_sums.h) replace this force. All quantities are in internal units. The equations are those of the computed
-/// sector. The observables are those of the whole ball.
+/// Therefore ṡ is the dissipated energy, ṡ' is the given energy, and every method integrates these energies with its
+/// own order. The powers do not contain the dissipation of branches; `relax` adds their dissipated energy to ṡ. The
+/// energy that each branch has dissipated is the velocity of a further coordinate. Companions in orbit
+/// (mechanics/core/orbit.h) are further nodes. Their tide has the potential ½(x − x_c)ᵀT(x − x_c) per mass, with the
+/// centre of mass x_c. Node n with the mass m_n and the position x_n then has the force −m_n T (x_n − x_c). As an
+/// option, the forces without expansion (companion_sums.h) replace this force. All quantities are in internal units. If
+/// symmetry planes bound a sector, the equations are those of the sector. Functions state whether their results are for
+/// the sector or for the whole ball.
 
 #include <Eigen/Core>
 #include <functional>
@@ -37,15 +38,15 @@
 
 namespace pseudorigid::continuum {
 
-/// The least det F with its place as a text for messages, such as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
+/// Returns the least det F and its place as a text for messages, such as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
 std::string in_words(const LeastPlace& jacobian);
 
 class BallBody {
  public:
   using Vector = continuum::Vector;
 
-  /// The body of a sector of the unit ball. `degree` is the degree k, from 1 to 8, or from 2 to 8 with the constraint.
-  /// An octant has 4 coarse cells, each of which is refined uniformly n_refinements times. The ranks of the
+  /// The body of a sector of the unit ball. `degree` is k, from 1 to 8, or from 2 to 8 if the body is incompressible.
+  /// An octant has 4 coarse cells. Each coarse cell is refined uniformly n_refinements times. The ranks of the
   /// communicator share the cells. Both constructors throw the exceptions of make_cell_kernels.
   BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
            const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
@@ -59,8 +60,8 @@ class BallBody {
 
   /// a = M⁻¹f, with 0 for components that a symmetry plane fixes. f and a may be the same vector.
   void apply_inverse_mass(const Vector& f, Vector& a) const;
-  /// f = M v, with the mass 1 for the coordinates of the energies and of the companions. Components without an inverse
-  /// mass, which are fixed or not used, get 0.
+  /// f = M v, with the mass 1 for the coordinates of the energies and of the companions. For components that are fixed
+  /// or not used, f is 0. Their inverse mass is 0.
   void apply_mass(const Vector& v, Vector& f) const;
   /// f ← f − C u for viscosity, drag, and the damping and friction of contacts. C is the linearisation `kind` of the
   /// damping force at `state` (mechanics/core/damping.h). Collective.
@@ -69,20 +70,20 @@ class BallBody {
     loads_.add_dissipation(state.q, u, f);
     if (contact_) contact_->add_damping(state.t, state.q, state.v, u, kind, f);
   }
-  /// True if the matrix C of add_damping does not depend on the velocity. Only friction makes C depend on the velocity.
+  /// True if the matrix C of add_damping does not depend on the velocity. This is the case without friction.
   bool damping_is_linear() const { return !loads_.rough(); }
-  /// Number of entries of a vector on all ranks, if viscosity acts on them. It is 0 without viscosity. A preconditioner
+  /// Number of entries of a position vector on all ranks, or 0 without viscosity. The preconditioner of viscous damping
   /// needs this number (mechanics/core/damping_preconditioner.h).
   int n_damped_entries() const { return loads_.viscous() ? static_cast<int>(space_.reference_positions().size()) : 0; }
   /// True if there are viscoelastic branches.
   bool relaxes() const { return !branches_.empty(); }
   const materials::MaxwellBranches& branches() const { return branches_.list; }
   /// Replaces the internal metrics of the branches in x (kernels/branch_kernels.h) by their values after the time h.
-  /// The strain is the mean strain of the positions `before` and x. Adds the energy that the branches dissipate to the
-  /// dissipated energies in v, in total and for each branch. Collective.
+  /// During this time the strain is constant: it is materials::mean_strain of the positions `before` and x. Adds the
+  /// energy that the branches dissipate to the dissipated energies in v, in total and for each branch. Collective.
   void relax(double h, const Vector& before, Vector& x, Vector& v) const;
   /// Sets the internal metrics of x. If `relaxed` is true, they become Ĉ = J^{−2/3} FᵀF at x and the branches have no
-  /// stress. Otherwise they become the identity, which belongs to the undeformed body.
+  /// stress. Otherwise they become the identity, which has no stress in the undeformed body. Collective.
   void start_branches(bool relaxed, Vector& x) const { kernels_->start_branches(branches_.list.size(), relaxed, x); }
   /// The energy that the viscoelastic branches store in the whole ball, at the position x with its internal metrics. It
   /// is 0 without branches. Collective.
@@ -105,13 +106,13 @@ class BallBody {
   /// Mass-weighted mean Σ m_n x_n / Σ m_n of a nodal field over the whole ball. Components normal to a symmetry plane
   /// are 0. Collective.
   Eigen::Vector3d mean(const Vector& x) const;
-  /// `add_taken` adds to the dissipated energy in v, and `add_given` to the given energy in v. The argument is the
-  /// energy of the sector on all ranks. The functions multiply this energy by the number of images of the sector. If v
-  /// is a force, `energy` is a power. On ranks without the coordinates of BallSpace::account, v does not change.
+  /// `add_taken` adds to the dissipated energy in v, and `add_given` to the given energy in v. The argument is the sum
+  /// over the sector on all ranks. The functions multiply it by the number of images of the sector. If v is a force,
+  /// `energy` is a power. On ranks without the coordinates of BallSpace::account, v does not change.
   void add_taken(double energy, Vector& v) const { add_to_account(energy, 0, v); }
   void add_given(double energy, Vector& v) const { add_to_account(energy, 1, v); }
-  /// The dissipated energy and the energy given by loads and by moving planes, for the whole ball. Both are entries of
-  /// the velocity v, or 0 if no rank has the coordinates of BallSpace::account. Collective.
+  /// The dissipated energy, and the energy given by loads and by moving planes, for the whole ball. Both energies are
+  /// entries of the velocity v. They are 0 if no rank has the coordinates of BallSpace::account. Collective.
   double dissipated(const Vector& v) const;
   double given(const Vector& v) const;
   /// The energy that each branch has dissipated in the whole ball, from the velocity v. It is 0 for branches that do
@@ -120,10 +121,11 @@ class BallBody {
 
   const mechanics::Orbit& orbit() const { return orbit_; }
   /// `companions` returns the coordinates s_k of the companions (mechanics/core/orbit.h) in a vector, one column for
-  /// each companion. It is collective. `set_companions` writes these coordinates into a vector.
+  /// each companion. It is collective. `set_companions` writes these coordinates into a vector on the rank that owns
+  /// them.
   mechanics::Orbit::Columns companions(const Vector& x) const;
   void set_companions(const mechanics::Orbit::Columns& s, Vector& x) const;
-  /// Σ m_n (x_n − x_c)(x_n − x_c)ᵀ over the nodes of the whole ball. Collective.
+  /// The second moment Σ m_n (x_n − x_c)(x_n − x_c)ᵀ over the nodes of the whole ball, with the mean x_c. Collective.
   Eigen::Matrix3d second_moment(const Vector& x) const;
 
   /// The contact of the whole ball with rigid planes at the time t and the position x. Without planes, the force is 0
@@ -132,8 +134,8 @@ class BallBody {
     return contact_ ? contact_->contact(t, x) : loads::Contact{};
   }
 
-  /// Inertia E₀ = Σ m_n X_n X_nᵀ, volume, and mass of the whole ball, for the discretised body. Node n has the mass m_n
-  /// and the reference position X_n.
+  /// Inertia E₀ = Σ m_n X_n X_nᵀ, reference volume, and mass of the whole discretised ball. Node n has the mass m_n and
+  /// the reference position X_n. The call of `mass` is collective.
   const Eigen::Matrix3d& E0() const { return E0_; }
   double volume() const { return volume_; }
   double mass() const;
@@ -143,9 +145,9 @@ class BallBody {
   /// The self-gravity, or null if there is none.
   const SurfaceGravityForces* gravity() const { return gravity_ ? &*gravity_ : nullptr; }
 
-  /// The integral of a tensor over the whole ball from the integral over the sector. Entry (i, j) is odd under a
-  /// reflection of exactly one of x_i and x_j. If the sector has such a reflection, the entry of the result is 0. The
-  /// other entries are multiplied by the number of images.
+  /// Returns the integral of a tensor over the whole ball from the integral over the sector. For i ≠ j, the entry (i,
+  /// j) changes its sign under the reflections of x_i and of x_j. It is 0 if the sector has one of these reflections.
+  /// The other entries are multiplied by the number of images.
   Eigen::Matrix3d whole_ball(const Eigen::Matrix3d& sector_integral) const;
   /// Least det F over the quadrature points of all ranks, with its reference position. Collective.
   LeastPlace least_jacobian(const Vector& x) const;
@@ -157,26 +159,28 @@ class BallBody {
   /// The integrals and extreme values of CellIntegrals over the sector on all ranks, at the position x and the velocity
   /// v. Collective.
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
-  /// Fails if the smallest `least` of all ranks is not a positive finite number. `least` is the smallest value of det F
-  /// and of the reserve of the law at the points of this rank. For a law with limits and det F > 0 everywhere, the
-  /// message names the limit and the place of the least reserve. Otherwise it names the place of the least det F.
-  /// Collective.
+  /// Fails if the minimum of `least` over the ranks is not a positive finite number. `least` is the least value of det
+  /// F and of the reserve of the law at the quadrature points of this rank. For a law with limits and det F > 0
+  /// everywhere, the message names the limit and the place of the least reserve. Otherwise it names the place of the
+  /// least det F. Collective.
   mechanics::Status judge(double least, const Vector& x) const;
   /// Fills x with fixed irregular numbers in [−1, 1], the start of the search for the largest frequency
-  /// (mechanics/steps/largest_frequency.h). They do not depend on the number of ranks, except for round-off of 1e-12.
+  /// (mechanics/steps/largest_frequency.h). The numbers do not depend on the number of ranks, except for a difference
+  /// of about 1e-12 due to round-off.
   void fill_irregular(Vector& x) const;
   /// Σ_n m_n a_n b_nᵀ over the nodes n of the whole ball, with the nodal masses m_n. Collective.
   Eigen::Matrix3d nodal_moment(const Vector& a, const Vector& b) const;
 
  protected:
   /// Sets f to all forces without the reactions. If `held_at` is not null and there are planes, springs on the whole
-  /// surface replace the contact. The springs pull each point of the surface towards its position at the nodal
-  /// positions `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for
-  /// the stiffness with contact, which the search for a stable step needs. Fails if `judge` fails. Collective.
+  /// surface replace the contact. The springs pull each point of the surface towards the place that it has for the
+  /// nodal positions `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then an upper
+  /// bound for the stiffness with contact, which the search for a stable step needs. Fails if `judge` fails.
+  /// Collective.
   mechanics::Status applied_force(double t, const Vector& x, const Vector& v, const Vector* held_at, Vector& f) const;
-  /// Adds loads, branches, gravity, companions and contact to f, which already contains the force of the elastic
-  /// stress. `least` is the least value of det F and of the reserve of the law on this rank, which the kernel returned
-  /// for this force. `held_at` has the meaning of applied_force. Fails if `judge` fails for `least`. Collective.
+  /// Adds the forces of loads, branches, gravity, companions and contact to f. On entry, f contains the elastic force.
+  /// `least` is the least value of det F and of the reserve of the law on this rank, which the kernel returned for this
+  /// force. `held_at` has the meaning of applied_force. Fails if `judge` fails for `least`. Collective.
   mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, const Vector* held_at,
                                    Vector& f) const;
 
@@ -190,7 +194,7 @@ class BallBody {
   LeastPlace of_all_ranks(LeastPlace of_this_one) const;
 
   BallSpace space_;
-  std::string_view limit_;  ///< name of the limit of the law for messages; empty for a law without limits
+  std::string_view limit_;  ///< reason why the law does not admit some F (law_limits.h); empty if it has no limit
   bool is_fluid_;
   std::unique_ptr<CellKernels> kernels_;
   LoadForces loads_;

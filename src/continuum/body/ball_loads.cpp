@@ -5,8 +5,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// ∫∇φ_n dX for every node n with its basis function φ_n, from the kernel for the viscous force −2η∫J d F⁻ᵀ∇φ_n. With x
-/// = X and ẋ = X, F = d = Id. With 2η = −1, the force is then the integral.
+/// Returns ∫∇φ_n dX for every node n with its basis function φ_n. The kernel for the viscous force −2η∫J d F⁻ᵀ∇φ_n
+/// computes this integral with x = ẋ = X and 2η = −1, because then F = d = Id.
 Vector integrated_gradients(const BallSpace& space, const CellKernels& kernels) {
   const Vector& X = space.reference_positions();
   Vector gradients = space.make_vector();
@@ -93,8 +93,8 @@ double LoadForces::driving_power(const loads::Forcing& rate, const Vector& x) co
              x_n.dot(rate.nominal_traction * gradient);
   }
   if (rate.pressure == 0) return power;
-  // The potential of the pressure, p ∫J dX, is homogeneous of degree 3 in x. By Euler's theorem it is therefore a third
-  // of the scalar product of x and its gradient.
+  // The potential of the pressure, p ∫J dX, is homogeneous of degree 3 in x. By Euler's theorem, the potential is
+  // therefore a third of the scalar product of x and its gradient, which is −`force`.
   Vector force = space_.make_vector();
   add_pressure(rate.pressure, x, force);
   for (unsigned int i = 0; i < x.locally_owned_size(); ++i) power -= force.local_element(i) * x.local_element(i) / 3;

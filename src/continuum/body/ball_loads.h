@@ -1,6 +1,6 @@
 #pragma once
-/// The loads on the finite-element ball (loads/forcing.h). Forces per mass use the lumped mass of the nodes. Therefore
-/// motions x = QX have exactly the forces of the pseudo-rigid body (reduced/external_potential.h,
+/// The loads on the finite-element ball (loads/forcing.h). Forces per mass use the lumped mass of the nodes. For
+/// motions x = QX, the forces on Q are therefore exactly those of the pseudo-rigid body (reduced/external_potential.h,
 /// reduced/dissipation.h):
 ///
 ///   quadratic potential ½ xᵀTx per mass     f_n = −m_n T x_n               V = ½ Σ m_n x_nᵀTx_n
@@ -13,8 +13,8 @@
 /// Node n has the mass m_n, the position x_n and the basis function φ_n. The other symbols are those of
 /// loads/forcing.h. Viscosity and drag dissipate the power ∫2ηJ d:d dX + c Σ m_n |ẋ_n|². A load that depends on time
 /// gives the power ∂V/∂t. Both powers act as forces on the first two coordinates of BallSpace::account, which have the
-/// mass 1. Their velocities are therefore the dissipated energy and the given energy (ball_body.h). All quantities are
-/// in internal units.
+/// mass 1. The velocities of these coordinates are therefore the dissipated energy and the given energy (ball_body.h).
+/// All quantities are in internal units.
 
 #include <Eigen/Core>
 #include <optional>
@@ -24,8 +24,7 @@
 
 namespace pseudorigid::continuum {
 
-/// The forces of the loads on the nodes of a space. Loads that are zero are skipped. The space and the kernels must
-/// outlive this object.
+/// The forces of the loads on the nodes of a space. The space and the kernels must outlive this object.
 class LoadForces {
  public:
   LoadForces(const loads::Loads& loads, const BallSpace& space, const CellKernels& kernels);
@@ -37,9 +36,9 @@ class LoadForces {
   bool rough() const { return constant_.planes.rough(); }
   bool time_dependent() const { return driven_; }
 
-  /// f ← f + the forces of the loads at the time t. If there is a node BallSpace::account, sets its first two forces to
-  /// two powers of the whole ball. The first is the power that viscosity and drag dissipate. The second is the power
-  /// that loads give by their change in time. Collective.
+  /// f ← f + the forces of the loads at the time t. If BallSpace::account is not empty, sets the forces on its first
+  /// two coordinates to powers of the whole ball. The first is the power that viscosity and drag dissipate. The second
+  /// is the power that loads give by their change in time. Collective.
   void add(double t, const Vector& x, const Vector& v, Vector& f) const;
   /// f ← f + viscous force and drag. Returns the power that these forces dissipate in the cells and at the own nodes of
   /// this rank. Collective.
@@ -50,8 +49,8 @@ class LoadForces {
                    const Eigen::Matrix3d& F_integral, double volume) const;
 
   /// `add_driving` computes f ← f − ∂V/∂x for the potential V of `forcing`. `driving_power` returns the contribution of
-  /// the nodes of this rank to ∂V/∂t. Its argument `rate` contains the time derivatives of the loads. Both need the
-  /// member gradients_, so a load must depend on time or a plane must move. Collective.
+  /// the nodes of this rank to ∂V/∂t. Its argument `rate` contains the time derivatives of the loads. Both functions
+  /// need the member gradients_, so a load must depend on time or a plane must move. Collective.
   void add_driving(const loads::Forcing& forcing, const Vector& x, Vector& f) const;
   double driving_power(const loads::Forcing& rate, const Vector& x) const;
 

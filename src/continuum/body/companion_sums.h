@@ -7,8 +7,8 @@
 ///   U = −Σ_i Σ_n G m_i m_n/|r_i − y_n|,   F_i = −∂U/∂r_i,   f_n = −∂U/∂y_n + (m_n/M) Σ_i F_i,
 ///
 /// with the mass M of the ball. The resultant of the forces −∂U/∂y_n is −Σ_i F_i. The last term of f_n removes this
-/// resultant, because Jacobi's coordinates contain the motion of the centre of mass. The nodes are the points of the
-/// Gauss–Lobatto rule with the weights m_n.
+/// resultant, because the motion of the centre of mass of the ball is a part of Jacobi's coordinates of the companions.
+/// The nodes are the points of the Gauss–Lobatto rule with the weights m_n.
 
 #include "continuum/mesh/ball_space.h"
 #include "mechanics/core/orbit.h"

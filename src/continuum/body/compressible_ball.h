@@ -15,8 +15,8 @@ namespace pseudorigid::continuum {
 class CompressibleBall : public BallBody, public mechanics::Unconstrained {
  public:
   struct Workspace : mechanics::Unconstrained::Workspace {
-    /// If not null, springs replace the contact (BallBody::applied_force), and these are the nodal positions at which
-    /// the springs have no force. Null means contact with the planes.
+    /// Null: contact with the planes. Otherwise springs replace the contact (BallBody::applied_force), and `*held_at`
+    /// has the nodal positions at which the springs exert no force.
     const Vector* held_at = nullptr;
   };
   using BallBody::BallBody;

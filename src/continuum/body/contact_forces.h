@@ -7,8 +7,9 @@
 /// with the stiffness k and the unit normal n of a plane n·x = z₀(t). Damping and friction are sums over the same
 /// points. Only points with d > 0 count. The weight w of a point is its share of the reference area. Node m has the
 /// basis function φ_m and the position x_m. The sums are factorised on each face. A face is skipped if a bound shows
-/// that its points do not reach the plane. Let Λ be the Lebesgue constant max_q Σ_i |ℓ_i(ξ_q)| of the one-dimensional
-/// nodes at the points ξ_q. With the maximum and minimum of n·x at the nodes of the face, the bound is
+/// that its points do not reach the plane. Let ℓ_i be the Lagrange polynomials of the one-dimensional nodes, and Λ =
+/// max_q Σ_i |ℓ_i(ξ_q)| their Lebesgue constant at the points ξ_q. With the maximum and minimum of n·x at the nodes of
+/// the face, the bound is
 ///
 ///   n·x ≥ (max + min)/2 − Λ² (max − min)/2.
 ///
@@ -33,20 +34,20 @@ class ContactForces {
  public:
   ContactForces(const loads::Planes& planes, const BallSpace& space, int n_points);
 
-  /// f ← f − ∂V/∂x. Returns the power that the planes give by their motion, for the computed sector on all ranks.
+  /// f ← f − ∂V/∂x. Returns the power that moving planes transmit by this force, for the computed sector on all ranks.
   /// Collective.
   double add(double t, const Vector& x, Vector& f) const;
-  /// f ← f + damping force and friction of the planes (loads/plane.h). Returns the powers that these forces dissipate
-  /// and give, for the computed sector on all ranks. Collective.
+  /// f ← f + damping force and friction of the planes (loads/plane.h). Returns the power that these forces dissipate
+  /// and the power that moving planes transmit by them, for the computed sector on all ranks. Collective.
   loads::ContactPower add_dissipation(double t, const Vector& x, const Vector& v, Vector& f) const;
-  /// f ← f − C u. C is the linearisation `kind` of damping and friction at the velocity v (mechanics/core/damping.h).
-  /// Collective.
+  /// f ← f − C u. C is the linearisation `kind` of damping and friction at the position x and the velocity v
+  /// (mechanics/core/damping.h). Collective.
   void add_damping(double t, const Vector& x, const Vector& v, const Vector& u, mechanics::Linearization kind,
                    Vector& f) const;
-  /// f ← f − ∂/∂x of ½k∮|x − x₀|², with k = Planes::stiffness_of_all(). This is the force of springs that pull each
-  /// point of the surface to its position at the nodal positions x₀. Collective.
+  /// f ← f − ∂/∂x of ½k∮|x − x₀|², with k = Planes::stiffness_of_all(). The springs pull each point of the surface to
+  /// the place that it has for the nodal positions x₀. Collective.
   void add_holding(const Vector& x, const Vector& x0, Vector& f) const;
-  /// Contact of the whole ball with the planes at the time t, for the observables. Collective.
+  /// The values of the output columns for the contact of the whole ball at the time t. Collective.
   loads::Contact contact(double t, const Vector& x) const;
 
  private:
@@ -58,8 +59,8 @@ class ContactForces {
   /// n·u − offset at the nodes of a face, with the normal n of the plane. Entry (i, j) belongs to the node with the
   /// index i along the local direction p of the face and j along q (mesh/surface_faces.h).
   Eigen::MatrixXd along(const loads::Plane& plane, double offset, const Face& face, const Vector& u) const;
-  /// Interpolates values at the nodes of a face to its points. Rows are along p and columns along q, for nodes and for
-  /// points.
+  /// Interpolates values at the nodes of a face to its points. In both matrices, the row is the index along p, and the
+  /// column is the index along q.
   Eigen::MatrixXd at_points(const Eigen::MatrixXd& nodal) const {
     const Eigen::MatrixXd half = values_.lazyProduct(nodal);
     return half.lazyProduct(values_.transpose());
@@ -74,8 +75,8 @@ class ContactForces {
   /// points of the face.
   template <class Visit>
   void for_touching_faces(const loads::Plane& plane, const Vector& x, Visit&& visit) const;
-  /// f ← f + damping force at the velocity u, for planes that are evaluated at one time (Planes::at or
-  /// Planes::stopped_at). Returns the powers of this force on this rank.
+  /// f ← f + damping force at the velocity u. `planes` is a result of Planes::at or Planes::stopped_at. Returns the
+  /// powers of this force on this rank.
   loads::ContactPower add_plane_damping(const loads::Planes& planes, const Vector& x, const Vector& u, Vector& f) const;
   /// Adds forces of friction to f. traction_on(plane, face) returns a function for the points of the face. Its
   /// arguments are the index of a point and the product w k d at this point. Its result is the force of the point,

@@ -5,11 +5,11 @@
 ///
 /// with the first Piola–Kirchhoff stress P, the basis functions φ of the displacements in (Q_k)³, J = det F and G = Dg.
 /// The functions ψ_j are an L²-orthonormal basis of the multipliers λ_h = Σ λ_j ψ_j. A multiplier is a polynomial in
-/// P_{k−1} on each cell and may jump between cells. The field λ_h is the Kirchhoff pressure Jp, with the pressure p of
-/// the body. The constraint balances a uniform pressure on the surface, so this load is not a force of the system. The
-/// constraint uses ln J instead of J − 1. Therefore the second variation of the constraint along a displacement u does
-/// not contain the square of div u. The discrete motion also does not change if a multiple of ln J is added to the
-/// stored energy W.
+/// P_{k−1} on each cell and may jump between cells. The field λ_h is the Kirchhoff pressure Jp, with the pressure p
+/// inside the body. The constraint balances a uniform pressure on the surface, so this load is not a force of the
+/// system. The constraint uses ln J instead of J − 1. Therefore the second variation of the constraint along a
+/// displacement u does not contain the square of div u. In addition, a multiple of ln J in the stored energy W changes
+/// only the multiplier and not the discrete motion.
 
 #include <cmath>
 #include <optional>
@@ -26,11 +26,11 @@ class ElasticBall : public BallBody {
   using Multiplier = continuum::Vector;
   struct Workspace {
     GramSolver gram;
-    /// Euclidean norm of the residual that is sufficient for the caller of solve_gram. If 0, only the relative bound of
-    /// GramSolver::solve applies.
+    /// Euclidean norm of the residual that is sufficient for the caller of solve_gram. If it is 0, only the relative
+    /// bound of GramSolver::solve applies.
     double residual_sought = 0;
-    /// If not null, springs replace the contact (BallBody::applied_force), and these are the nodal positions at which
-    /// the springs have no force. Null means contact with the planes.
+    /// Null: contact with the planes. Otherwise springs replace the contact (BallBody::applied_force), and `*held_at`
+    /// has the nodal positions at which the springs exert no force.
     const Vector* held_at = nullptr;
 
     template <class Visit>
@@ -58,13 +58,13 @@ class ElasticBall : public BallBody {
   mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace& workspace, Vector& f) const {
     return applied_force(t, x, v, workspace.held_at, f);
   }
-  /// All forces with the reactions Gᵀλ, at lower cost than the two parts separately. Fails if BallBody::judge fails.
-  /// Collective.
+  /// All forces with the reactions Gᵀλ. The call takes less time than separate calls of `force` and `add_reaction`.
+  /// Fails if BallBody::judge fails. Collective.
   mechanics::Status force_with_reaction(double t, const Vector& x, const Vector& v, const Multiplier& lambda,
                                         Workspace& workspace, Vector& f) const {
     return complete_force(t, x, v, workspace.gram.force_with_reaction(x, lambda, f), workspace.held_at, f);
   }
-  /// Sets g at the position x. Fails if BallBody::judge fails for the least det F. Collective.
+  /// Sets g to the constraint at the position x. Fails if BallBody::judge fails for the least det F. Collective.
   mechanics::Status constraint(const Vector& x, Multiplier& g) const { return judge(kernels().constraint(x, g), x); }
   void constraint_rate(const Vector& x, const Vector& v, Multiplier& r) const { kernels().constraint_rate(x, v, r); }
   void constraint_curvature(const Vector& x, const Vector& v, Multiplier& r) const {
@@ -81,8 +81,8 @@ class ElasticBall : public BallBody {
                                     Multiplier& lambda) const {
     return workspace.gram.solve(x1, x0, r, workspace.residual_sought, lambda);
   }
-  /// |g|_∞ and |Gv|_∞ count as zero up to this value. On the smallest cell, this value of |g|_∞ corresponds to a mean
-  /// of ln J of 1e-13, because the ψ_j are orthonormal in L² on each cell.
+  /// |g|_∞ and |Gv|_∞ count as zero up to this value. With this |g|_∞, the mean of ln J over the smallest cell is at
+  /// most 1e-13, because the ψ_j are orthonormal in L² on each cell.
   double constraint_tolerance() const { return 1e-13 * multiplier_scale(); }
   /// The square root of the volume of the smallest cell. |g|_∞ / multiplier_scale() is a bound for the absolute value
   /// of the mean of ln J over a cell.

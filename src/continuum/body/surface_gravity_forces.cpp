@@ -14,7 +14,7 @@ namespace {
 using Field = SurfaceInterpolation::Field;
 using Entry = std::array<double, 6>;  ///< a point x and its area vector N
 
-/// Component c of w a × b at every point, with a weight w for each point.
+/// Component c of w (a × b) at every point. w has a weight for each point.
 std::vector<double> cross(const Field& a, const Field& b, int c, const std::vector<double>& w) {
   const int d = (c + 1) % 3, e = (c + 2) % 3;
   std::vector<double> product(w.size());

@@ -8,9 +8,9 @@
 ///
 /// with x_p = ∂x/∂ξ_p, x_q = ∂x/∂ξ_q, and the quadrature weights w. Node n has the position x_n and the basis function
 /// φ_n. The sign is chosen such that N points outwards. The force is the exact derivative of the discrete Ê, so the
-/// total force and the total torque are zero. The sources are the Gauss points of all ranks. If only a sector is
-/// computed, the mirror images of these points are also sources. For two points of this rank, the kernel of the
-/// interaction is computed once and used at both points. The density must be uniform, so the ball must be
+/// total force and the total torque are zero. The sources of the gravity at a point are the Gauss points of all ranks.
+/// If only a sector is computed, the mirror images of these points are also sources. For a pair of points of this rank,
+/// the interaction is computed once and used at both points. The density must be uniform, so the ball must be
 /// incompressible.
 
 #include <array>
@@ -43,18 +43,19 @@ class SurfaceGravityForces {
   /// s_c R_c u(X) under each reflection R_c of the sector. It is even under R_c if s_c = 1, and odd if s_c = −1.
   /// Collective.
   void add_rate(const Vector& x, const Vector& u, const std::array<int, 3>& s, Vector& f) const;
-  /// Ê of the computed sector, which is Ê of the ball divided by the number of images. The result is NaN if the volume
-  /// inside the surface is negative. Collective.
+  /// Ê of the computed sector, which is Ê of the ball divided by the number of images. The result is not finite if the
+  /// volume inside the surface is 0 or negative. Collective.
   double energy(const Vector& x) const;
   /// The gravitational potential per mass at points of the computed sector, for the position x of the ball. Each rank
-  /// has its own points. Collective.
+  /// can have other points. Collective.
   std::vector<double> potential(const Vector& x, const std::vector<Eigen::Vector3d>& points) const;
 
  private:
   using Jets = SurfaceInterpolation::Jets;
   using Signs = std::array<int, 3>;  ///< signs s_c under the reflections of the sector; all 1 for positions
 
-  /// Values and derivatives of x at the points of this rank. The ghost nodes of x need not be up to date. Collective.
+  /// Values of x and its derivatives ∂x/∂ξ_p and ∂x/∂ξ_q at the points of this rank. The ghost nodes of x need not be
+  /// up to date. Collective.
   Jets jets_at(const Vector& x) const;
   /// `own_points` computes the points and area vectors of the faces of this rank from the jets of x. `own_rates`
   /// computes the derivatives of these points and area vectors along u, from the jets of x and u.
@@ -70,8 +71,8 @@ class SurfaceGravityForces {
   gravity::PairSums sums_at(const gravity::SurfacePoints& own) const;
   /// Returns the sum of the totals of all ranks. Collective.
   gravity::SurfaceTotals over_ranks(const gravity::SurfaceTotals& own) const;
-  /// f_n ← f_n − ∂E/∂x_n for every node n. `derivative` is the derivative of the function E with respect to points and
-  /// area vectors. x contains the jets of the position.
+  /// f_n ← f_n − ∂E/∂x_n for every node n, for a function E of the points and their area vectors. `derivative` is the
+  /// derivative of E with respect to these. x contains the jets of the position.
   void spread(const Jets& x, const gravity::SurfaceDerivative& derivative, Vector& f) const;
 
   double constant_;

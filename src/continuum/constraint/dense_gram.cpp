@@ -7,7 +7,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// The columns of `rows` that belong to the nodes with the numbers `nodes` in the cell. Each node has three columns.
+/// Returns the columns of `rows` for the given nodes. `nodes` contains their numbers in the cell. Each node has three
+/// columns.
 dealii::LAPACKFullMatrix<double> columns_of(const dealii::LAPACKFullMatrix<double>& rows,
                                             const std::vector<unsigned int>& nodes) {
   dealii::LAPACKFullMatrix<double> columns(rows.m(), 3 * nodes.size());
@@ -76,9 +77,9 @@ mechanics::Status DenseGram::renew(const Vector& x) {
 }
 
 double DenseGram::renewal_cost() const {
-  // For n multipliers, a renewal computes the rows of G and makes about n³ operations. The unit of cost is one
-  // iteration, which takes a time proportional to n. The constants give the shortest run times for n = 80 … 640. Larger
-  // problems were not measured.
+  // For n multipliers, a renewal computes the rows of G and makes about n³ operations. The unit of cost is the time of
+  // one iteration, which is about proportional to n. With these constants, run times were shortest for n = 80 … 640.
+  // Larger problems were not measured.
   const double n = space_->n_cells() * space_->n_pressure();
   return 40 + 6e-4 * n * n;
 }

@@ -13,14 +13,14 @@ class GramPreconditioner {
  public:
   virtual ~GramPreconditioner() = default;
 
-  /// Computes the preconditioner for the positions x, before the first call of `apply`. Fails if a matrix of the
+  /// Computes the preconditioner for the positions x. Must be called before `apply`. Fails if a matrix of the
   /// preconditioner at x cannot be factorised, for example because the Gram operator is singular. After a failure,
   /// `apply` must not be called. Collective.
   virtual mechanics::Status renew(const Vector& x) = 0;
   /// Sets `result` to an approximation of S⁻¹ r. The approximate inverse is symmetric and positive definite.
   /// Collective.
   virtual void apply(Vector& result, const Vector& r) const = 0;
-  /// Estimate of the time of `renew`; the unit is the time of one iteration of a solve with S.
+  /// Estimate of the time of `renew`, in units of the time of one iteration of GramSolver::solve.
   virtual double renewal_cost() const = 0;
   /// Memory on this rank in bytes.
   virtual std::size_t memory() const = 0;

@@ -77,9 +77,8 @@ class GramSolver::Impl {
     history_.stale = !status;
     return status;
   }
-  /// Computes the preconditioner at the positions of the history, unless this process has already computed a
-  /// preconditioner. The computation is necessary after a restart from a checkpoint. Fails if the preconditioner cannot
-  /// be computed.
+  /// If this process has not yet computed a preconditioner, computes it at the positions history_.renewed_at. This is
+  /// necessary after a restart from a checkpoint. Fails if the preconditioner cannot be computed.
   mechanics::Status restore() {
     if (std::exchange(is_made_, true)) return {};
     mechanics::Status status = preconditioner_->renew(history_.renewed_at);
@@ -116,15 +115,17 @@ class GramSolver::Impl {
             n_iterations};
   }
 
-  /// The precision of the tangents of the constraint. For small problems a tangent stays in the cache and also gives
-  /// the reactions, in double precision. For large problems only the iterations use the tangent, and the methods check
-  /// the constraint after each solve. Single precision then halves the memory to read.
+  /// The precision of the tangents of the constraint. For small problems a tangent remains in the cache. It also gives
+  /// the reactions, and therefore needs double precision. For large problems only the iterations use the tangent, and
+  /// the methods check the constraint after each solve. Single precision then halves the memory that an iteration
+  /// reads.
   static Precision precision_of(GramMethod method) {
     return method == GramMethod::dense ? Precision::double_precision : Precision::single_precision;
   }
 
   /// The tangent of the constraint at the positions of the last call of move_to or to_be_set_at. In double precision,
-  /// move_to computes the tangent only if the positions change. In single precision, every call of move_to computes it.
+  /// move_to computes the tangent only if the positions differ from those of the last call. In single precision, every
+  /// call of move_to computes the tangent.
   class TangentAt {
    public:
     TangentAt(const CellKernels& kernels, Precision precision)
@@ -138,8 +139,8 @@ class GramSolver::Impl {
       }
       kernels_->set_tangent(x, *tangent_);
     }
-    /// Returns the tangent to a caller that will set its values at x. Returns null if the tangent has single precision,
-    /// because the caller computes in double precision.
+    /// Returns the tangent, whose values the caller must then set to those at x. Returns null if the tangent has single
+    /// precision, because the caller needs double precision.
     ConstraintTangent* to_be_set_at(const Vector& x) {
       if (tangent_->precision() != Precision::double_precision) return nullptr;
       positions_.assign(x.begin(), x.begin() + x.locally_owned_size());

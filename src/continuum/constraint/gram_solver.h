@@ -4,8 +4,8 @@
 /// positions. The entries of λ are the coefficients of the Kirchhoff pressure in an L²-orthonormal basis
 /// (kernels/cell_kernels.h). The preconditioner approximates the symmetric Gram operator S = G M⁻¹ Gᵀ at earlier
 /// positions. Small problems in one process use the inverse of S (dense_gram.h), and other problems use two levels
-/// (two_level_gram.h). As the positions move away from those of the preconditioner, solves need more iterations. The
-/// preconditioner is renewed when the additional iterations have cost more than a renewal.
+/// (two_level_gram.h). Solves need more iterations if the positions are farther from those of the preconditioner. The
+/// solver renews the preconditioner when the additional iterations have taken more time than a renewal.
 
 #include <memory>
 
@@ -19,7 +19,7 @@ namespace pseudorigid::continuum {
 /// The kind of preconditioner: the inverse of S as a dense matrix, or the preconditioner with two levels.
 enum class GramMethod { dense, two_level };
 
-/// The method for a space: dense for up to GramSolver::n_dense multipliers in one process, otherwise two levels.
+/// Returns `dense` for up to GramSolver::n_dense multipliers in one process, and otherwise `two_level`.
 GramMethod fitting_gram_method(const BallSpace& space);
 
 class GramSolver {
@@ -29,21 +29,21 @@ class GramSolver {
   GramSolver(GramSolver&&) noexcept;
 
   /// Computes λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. If the iteration does
-  /// not converge, it is repeated once with a preconditioner at q₁. Fails if the second iteration does not converge
-  /// either, if the preconditioner cannot be computed, or if r is not finite. Collective.
+  /// not converge, the solver renews the preconditioner at q₁ and repeats the iteration once. Fails if the second
+  /// iteration does not converge either, if the preconditioner cannot be computed, or if r is not finite. Collective.
   mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda);
 
   /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ, with the stored energy W + U of kernels/stored_energy.h and the basis functions φ.
   /// Like CellKernels::force, returns the least of J and of the law's reserve on this rank. If this value is not
-  /// positive, f is not valid. With the dense preconditioner, it also stores the tangent of the constraint at x for a
-  /// later solve at x.
+  /// positive, f is not valid. With the dense preconditioner, the function also stores the tangent of the constraint at
+  /// x for a later solve with q₀ = x. Collective.
   double force_with_reaction(const Vector& x, const Vector& lambda, Vector& f);
-  /// f ← f + G(x)ᵀλ. With the dense preconditioner, the function uses the stored tangent of the constraint if this is
-  /// the tangent at x. Otherwise it computes and stores the tangent at x.
+  /// f ← f + G(x)ᵀλ. With the dense preconditioner, the function uses a stored tangent of the constraint, and computes
+  /// it first if the stored tangent is not that at x. Collective.
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f);
 
-  /// The part of the solver's memory on which later solves depend. The error of a solution depends on the
-  /// preconditioner. Checkpoints therefore contain this memory, so that a resumed run repeats the uninterrupted run.
+  /// The members on which later solves depend. The error of a solution depends on the preconditioner. Checkpoints
+  /// therefore contain these members, so that a resumed run has the same results as an uninterrupted run.
   struct History {
     Vector renewed_at;  ///< positions at which the preconditioner was last computed
     /// `n_iterations_fresh` is the number of iterations of the first solve after a renewal, or −1 before this solve.
@@ -70,9 +70,9 @@ class GramSolver {
   };
   Statistics statistics() const;
 
-  /// One call of `solve` reduces the residual by this factor, or to `enough` if that is larger. The constraint loops of
-  /// the methods repeat the call until their own residual is small. A call therefore need not be more accurate than a
-  /// step of Newton's iteration.
+  /// One call of `solve` reduces the residual to this fraction of |r|, or to `enough` if `enough` is larger. The
+  /// constraint loops of the methods repeat the call until their own residual is small. A call therefore need not be
+  /// more accurate than a step of Newton's iteration.
   static constexpr double reduction = 1e-4;
   /// For at most this number of multipliers in one process, a step with the dense inverse is cheaper than with two
   /// levels.

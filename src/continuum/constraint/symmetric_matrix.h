@@ -1,7 +1,7 @@
 #pragma once
 /// A symmetric matrix in single precision and its product with a vector. A large matrix is stored as its lower triangle
-/// by rows. The triangle halves the memory. The time to read this memory limits the speed of the product. A small
-/// matrix is stored entirely, by columns, because its product then needs no sums across the lanes of a SIMD vector.
+/// by rows, which halves the memory. The time of its product is mainly the time to read this memory. A small matrix is
+/// stored entirely, by columns, because its product then needs no sums across the lanes of a SIMD vector.
 
 #include <cstddef>
 #include <vector>
@@ -19,9 +19,8 @@ class SymmetricMatrix {
   void multiply(const double* x, double* y) const;
   std::size_t memory() const { return entries_.size() * sizeof(float); }
 
-  /// Largest number of rows of a matrix that is stored entirely. Measured with 80 rows, a product takes 0.14 μs if the
-  /// matrix is stored entirely, and 0.75 μs if it is stored as a triangle. With 512 rows, the times are 13 μs and 15
-  /// μs.
+  /// Largest number of rows of a matrix that is stored entirely. In measurements with 80 rows, a product took 0.14 μs
+  /// for an entire matrix, and 0.75 μs for a triangle. With 512 rows, the times were 13 μs and 15 μs.
   static constexpr std::size_t n_whole = 512;
 
  private:

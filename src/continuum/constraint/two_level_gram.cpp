@@ -22,8 +22,9 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Degree m of the coarse functions for elements of degree k = `degree`. A higher m saves iterations, but its matrices
-/// cost more. Measured for k = 6, a step takes the time of 44 force evaluations with m = 2, and of 71 with m = 3.
+/// Degree m of the coarse functions for elements of degree k = `degree`. A higher m needs fewer iterations, but each
+/// iteration takes longer. In measurements with k = 6, a step took the time of 44 force evaluations with m = 2, and of
+/// 71 with m = 3.
 int coarse_degree(int degree) { return degree <= 4 ? 1 : 2; }
 
 /// The quadrature weights of the nodes of one cell. A weight is the Gauss–Lobatto weight of the node times det ∂X/∂ξ.
@@ -39,7 +40,7 @@ Eigen::VectorXd node_weights(const BallSpace& space, unsigned int cell) {
 }
 
 /// Four tables at the nodes of a cell, with entry (node, i): N_i, ∂N_i/∂ξ_1, ∂N_i/∂ξ_2 and ∂N_i/∂ξ_3. The N_i are the
-/// Lagrange polynomials on the tensor grid of the one-dimensional nodes `functions`.
+/// Lagrange polynomials on the tensor grid whose one-dimensional nodes are `functions`.
 std::vector<MatrixXd> tables_at_nodes(const ReferenceCell& ref, const std::vector<double>& functions) {
   const auto n = static_cast<std::size_t>(ref.n), m = functions.size();
   std::vector<MatrixXd> tables(4, MatrixXd(n * n * n, m * m * m));
@@ -164,8 +165,8 @@ void TwoLevelGram::make_coarse_solver() {
   PCSetType(preconditioner, PCGAMG);
   set_default_option("-gram_coarse_pc_gamg_aggressive_coarsening",
                      "0");  // aggressive coarsening needs 1.5 times the iterations
-  // A second sweep of the smoother is not worth its cost. For k = 4 it reduces the iterations by a tenth, but each
-  // iteration costs a fifth more.
+  // One sweep of the smoother is faster than two. For k = 4 a second sweep reduces the number of iterations by a tenth,
+  // but each iteration takes a fifth more time.
   set_default_option("-gram_coarse_mg_levels_ksp_max_it", "1");
   KSPSetFromOptions(coarse_solver_);
   PetscObjectTypeCompare(reinterpret_cast<PetscObject>(coarse_solver_), KSPPREONLY, &applies_preconditioner_);
@@ -231,7 +232,7 @@ mechanics::Status TwoLevelGram::renew(const Vector& x) {
   const bool regular = invert_blocks(x);
   assemble_coarse_matrix(x);
   const Mat matrix = *K_;
-  // Without this reset, the smoothers keep bounds of the spectrum of an earlier matrix. If these bounds are too small,
+  // Without this reset, the smoothers use bounds of the spectrum of an earlier matrix. If these bounds are too small,
   // the V-cycle can be indefinite.
   KSPReset(coarse_solver_);
   const bool set_up = KSPSetOperators(coarse_solver_, matrix, matrix) == 0 && KSPSetUp(coarse_solver_) == 0 &&

@@ -1,17 +1,18 @@
 #pragma once
 /// A preconditioner B ≈ S⁻¹ of the Gram operator S = G M⁻¹Gᵀ for meshes of any size on any number of ranks. G is the
-/// derivative of the constraint, and M is the mass. The number of iterations depends little on mesh size, and grows
-/// slowly with the degree. The preconditioner is
+/// derivative of the constraint, and M is the mass. The number of iterations depends little on the size of the mesh,
+/// and grows slowly with the degree. The preconditioner is
 ///
 ///   B = Σ_cells R_cᵀ S_cc⁻¹ R_c + P K⁻¹ Pᵀ.
 ///
-/// R_c restricts the multipliers to one cell c, and S_cc is the block of S of this cell. The N_i ∈ Q_m are continuous
-/// functions that vanish on the free surface. For elements of degree k, m = 1 if k ≤ 4, and otherwise m = 2. P is the
-/// L²-projection of the N_i onto the multipliers, which have the orthonormal basis ψ_j in each cell. S is the weak form
-/// of −div(ρ⁻¹ grad) in the current coordinates x, with λ = 0 on the free surface. ρ is the density. Therefore K_ij =
-/// ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX with F = ∂x/∂X. The matrices S_cc⁻¹ and P of the cells have single precision. With B, a
-/// decrease of the residual by a factor of 10⁴ takes 7–10 iterations for k = 2. It takes 14–19 iterations for k = 4,
-/// and 16–21 for k = 6. These numbers are for an octant with one to three refinements, at rest and sheared.
+/// R_c restricts the multipliers to one cell c, and S_cc is the block of S of this cell. The coarse functions N_i ∈ Q_m
+/// are continuous and vanish on the free surface. For elements of degree k, m = 1 if k ≤ 4, and otherwise m = 2. P is
+/// the L²-projection of the N_i onto the multipliers, which have the orthonormal basis ψ_j in each cell. S is a
+/// discrete form of −div(ρ⁻¹ grad) in the current coordinates x, with the density ρ and λ = 0 on the free surface.
+/// Therefore K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX with F = ∂x/∂X. The matrices S_cc⁻¹ and P of the cells have single
+/// precision. With B, a decrease of the residual by a factor of 10⁴ takes 7–10 iterations for k = 2. It takes 14–19
+/// iterations for k = 4, and 16–21 for k = 6. These numbers are for an octant with one to three refinements, at rest
+/// and sheared.
 ///
 /// A KSP solver of PETSc with the options' prefix gram_coarse_ applies K⁻¹. By default the solver is one V-cycle of the
 /// algebraic multigrid of PETSc (GAMG).

@@ -1,9 +1,9 @@
 #pragma once
-/// Batches of cells of the ball, with one cell in each lane of a SIMD vector, and the data that the kernels read. These
-/// data are the node numbers, and the weights and positions of the Gauss points for the constraint. For elements of
-/// degree k, the data also contain the basis ψ of P_{k−1}, which is orthonormal in L². With the vector m of the
-/// monomials (pressure_basis.h) and the Cholesky factor L of ∫m ⊗ m = LLᵀ, the basis is ψ = L⁻¹ m. If the last batch
-/// has fewer cells than lanes, its other lanes repeat its first cell. Results of these lanes are not used.
+/// Batches of cells of the ball, with one cell in each lane of a SIMD vector, and the data of the batches that the
+/// kernels read. The data are the node numbers, and the weights and positions of the Gauss points for the constraint.
+/// For elements of degree k, the data also contain the basis ψ of P_{k−1}, which is orthonormal in L². With the vector
+/// m of the monomials (pressure_basis.h) and the Cholesky factor L of ∫m ⊗ m = LLᵀ, the basis is ψ = L⁻¹ m. If the last
+/// batch has fewer cells than lanes, the remaining lanes repeat its first cell, and their results are not used.
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ class CellBatches {
 
   struct Batch {
     unsigned int first_cell;
-    int n_active;        ///< number of lanes with a cell of their own
+    int n_active;        ///< number of lanes that do not repeat the first cell
     L center[3], scale;  ///< X = center + scale · PressurePoint::position
     L cell_volume;
   };
@@ -40,7 +40,7 @@ class CellBatches {
     const auto& w = cells.reference.point_weights;
     for (int q = 0; q < n_points; ++q) unit_weights[q] = w[q % n] * w[q / n % n] * w[q / n / n];
     const std::size_t n_batches = (cells.nodes.size() + n_lanes - 1) / n_lanes;
-    pressure_points_.reserve(n_batches * n_points);  // the exact number, so that no memory is unused
+    pressure_points_.reserve(n_batches * n_points);  // avoids unused memory of a growing vector
     offsets_.reserve(n_batches * n_nodes);
     basis_.reserve(n_batches * n_packed);
     batches.reserve(n_batches);
@@ -56,7 +56,7 @@ class CellBatches {
     for (int i = 0; i < n_nodes; ++i) L::load_triples(x, offsets[i].data(), u[0][i], u[1][i], u[2][i]);
   }
 
-  /// Prefetches the entries of one layer of nodes of the next batch, if there is a next batch.
+  /// Prefetches the entries of x at the nodes of the next batch in one layer, if there is a next batch.
   void prefetch_layer(const double* x, std::size_t batch, int layer) const {
     if (batch + 1 == batches.size()) return;
     const auto* offsets = &offsets_[(batch + 1) * n_nodes + layer * n * n];
@@ -64,14 +64,14 @@ class CellBatches {
       for (int l = 0; l < n_lanes; ++l) __builtin_prefetch(x + offsets[i][l]);
   }
 
-  /// f ← f + u for the nodal values u of the cells of the batch. Lanes without a cell of their own are left out.
+  /// f ← f + u for the nodal values u of the cells of the batch. Lanes that repeat the first cell are skipped.
   void scatter_add(const L (*u)[n_nodes], std::size_t batch, double* f) const {
     const auto* offsets = &offsets_[batch * n_nodes];
     const int n_active = batches[batch].n_active;
     for (int i = 0; i < n_nodes; ++i) L::add_triples(u[0][i], u[1][i], u[2][i], n_active, f, offsets[i].data());
   }
 
-  /// Sets `coefficients` to the coefficients of λ_h = Σ λ_j ψ_j in the monomials.
+  /// Sets `coefficients` to the coefficients of λ_h = Σ λ_j ψ_j with respect to the monomials.
   void monomial_coefficients(const L* lambda, std::size_t batch, L* coefficients) const {
     const L* entry = basis(batch);
     for (int j = 0; j < n_pressure; ++j) coefficients[j] = L(0.0);
@@ -79,8 +79,7 @@ class CellBatches {
       for (int j = 0; j <= i; ++j) coefficients[j] += *entry++ * lambda[i];
   }
 
-  /// Sets `result` to the integrals ∫ψ_j s of a function s. `moments` contains the integrals of the products of s with
-  /// each monomial.
+  /// Sets `result` to the integrals ∫ψ_j s of a function s. `moments` contains the integrals of s times each monomial.
   void from_moments(const L* moments, std::size_t batch, L* result) const {
     const L* entry = basis(batch);
     for (int i = 0; i < n_pressure; ++i) {
@@ -90,8 +89,7 @@ class CellBatches {
     }
   }
 
-  /// Sets `values` to the multipliers of the cells of the batch. Lanes without a cell of their own get the multipliers
-  /// of the first cell.
+  /// Sets `values` to the multipliers of the cells of the batch. Lanes that repeat the first cell get its multipliers.
   void load_multiplier(const double* lambda, std::size_t batch, L* values) const {
     const Batch& b = batches[batch];
     const double* entries = lambda + b.first_cell * n_pressure;
@@ -130,8 +128,8 @@ class CellBatches {
     orthonormalize(index);
   }
 
-  /// Computes weights, volumes, centres and local coordinates of a batch. The scale of a cell is half the edge of the
-  /// cube with the same volume.
+  /// Computes the weights and local coordinates of the points, and the volume, the centre and the scale of each cell of
+  /// a batch. The scale is half the edge of a cube with the volume of the cell.
   void compute_geometry(std::size_t index) {
     auto nodes = std::make_unique<L[][n_nodes]>(3);
     gather(reference_positions, index, nodes.get());

@@ -1,5 +1,5 @@
 #pragma once
-/// The integrals of branch_kernels.h for one degree, plane by plane (cell_planes.h).
+/// The integrals of branch_kernels.h for elements of one degree, computed plane by plane (cell_planes.h).
 
 #include <cstddef>
 
@@ -97,8 +97,8 @@ class CellBranches final : public BranchKernels {
     planes_.load_layers(planes_.batches.reference_positions, b, buffers.X);
   }
 
-  /// Calls use(batch, plane) for each plane of points. Then buffers.H contains F at the position x, buffers.dX contains
-  /// ∂X/∂ξ, and buffers.weights contains w.
+  /// Calls use(batch, plane) for each plane of points. During the call, buffers.H contains F at the position x,
+  /// buffers.dX contains ∂X/∂ξ, and buffers.weights contains the weights w = ŵ det ∂X/∂ξ.
   template <class Use>
   void for_each_plane(const double* x, const Use& use) const {
     auto& buffers = planes_.buffers();
@@ -113,7 +113,7 @@ class CellBranches final : public BranchKernels {
   }
 
   /// Replaces the metrics of all branches at point q by their values after the time h, for the strain Ĉ. Adds the
-  /// energy that each branch loses at this point, including the weight of the point, to `lost`.
+  /// energy that each branch loses at this point, times the weight of the point, to `lost`.
   void relax_point(const Branches& branches, double h, const Metric& strain, const L& weight, std::size_t b, int q,
                    double* metrics, Losses& lost) const {
     for (std::size_t branch = 0; branch < branches.size(); ++branch) {
@@ -125,7 +125,7 @@ class CellBranches final : public BranchKernels {
   }
 
   /// Index of the entry k = 0 of a metric in a list of metrics, for the branch `branch` at point q of the cell in a
-  /// lane of batch b. In the last batch, lanes without a cell use the first cell of the batch.
+  /// lane of batch b. Lanes that repeat the first cell of a batch use the metric of this cell.
   std::size_t place(std::size_t n_branches, std::size_t branch, std::size_t b, int lane, int q) const {
     const auto& batch = planes_.batches.batches[b];
     const std::size_t cell = batch.first_cell + static_cast<std::size_t>(lane < batch.n_active ? lane : 0);

@@ -10,12 +10,13 @@
 ///   reaction        (Gᵀλ)_n = ∫ λ_h F⁻ᵀ ∇φ_n dX
 ///   viscous force   f_n = −∫ 2ηJ d F⁻ᵀ ∇φ_n dX,   d = sym(∇v F⁻¹),   with the power ∫ 2ηJ d:d dX
 ///
-/// Vectors may be distributed over ranks. Each rank integrates over its own cells. The kernels update the ghost entries
-/// that they read, and add contributions to the entries of other ranks. Functions that read positions or velocities, or
-/// that add forces, are therefore collective. Returned sums and minima are over the cells of this rank only.
+/// Vectors may be distributed over ranks. Each rank integrates over its own cells. The functions update the ghost
+/// entries that they read, and add contributions to entries that other ranks own. Functions that read positions or
+/// velocities, or that add forces, are therefore collective. Returned sums and minima are over the cells of this rank
+/// only.
 ///
-/// local_kernels.h computes the integrals, with one implementation per degree (cell_kernels_impl.h). The implementation
-/// calls the law for all points of a batch (point_law.h).
+/// The class LocalKernels computes the integrals of one rank. It has one implementation per degree
+/// (cell_kernels_impl.h), which evaluates the law at several points per call (point_law.h).
 
 #include <memory>
 #include <span>
@@ -32,11 +33,11 @@ class CellKernels {
   /// f = −∫∂(W + U)/∂F ∇φ. Returns the least of J and of the reserve of the law on this rank. The reserve is positive
   /// if the law admits F (materials/law_limits.h). If the returned value is not positive, f is not valid.
   double force(const Vector& x, Vector& f) const;
-  /// Sets f to the result of `force` plus the reaction G(x)ᵀλ, and returns the same value as `force`. The reaction
+  /// Sets f to the force of `force` plus the reaction G(x)ᵀλ, and returns the same value as `force`. Here the reaction
   /// takes a third of the time of a separate call of add_reaction. If `at_x` is not null, it must have double precision
   /// and is set to the tangent at x.
   double force_with_reaction(const Vector& x, const Vector& lambda, ConstraintTangent* at_x, Vector& f) const;
-  /// Computes g and returns the least J. If this value is not positive, g is not valid.
+  /// Computes g and returns the least J on this rank. If this value is not positive, g is not valid.
   double constraint(const Vector& x, Vector& g) const;
   void constraint_rate(const Vector& x, const Vector& v, Vector& r) const;
   void constraint_curvature(const Vector& x, const Vector& v, Vector& r) const;
@@ -54,8 +55,8 @@ class CellKernels {
   void add_branch_force(const materials::MaxwellBranches& branches, const Vector& x, Vector& f) const;
   /// The energy ∫ΣW_b dX that the branches store on this rank, with the stored energies W_b of the branches.
   double branch_energy(const materials::MaxwellBranches& branches, const Vector& x) const;
-  /// Replaces the metrics of x by their values after the time h, at a constant strain: the mean strain of x0 and x.
-  /// Returns the energy that each branch loses on this rank.
+  /// Replaces the metrics of x by their values after the time h. During this time the strain is constant: it is
+  /// materials::mean_strain of the positions x0 and x. Returns the energy that each branch loses on this rank.
   materials::BranchEnergies relax_branches(const materials::MaxwellBranches& branches, double h, const Vector& x0,
                                            Vector& x) const;
   /// Allocates the metrics of x. Sets them to Ĉ = J^{−2/3} FᵀF at x if `relaxed` is true, and to the identity
@@ -82,7 +83,7 @@ class CellKernels {
   /// Calls `use(cell, values)` for each cell. For a cell with n nodes, values[j·n + i] is ψ_j at node i.
   void pressure_basis_at_nodes(const UseRows& use) const;
 
-  /// Volume of the cells of this rank and volume of the smallest of these cells, by the quadrature of the kernels.
+  /// Reference volume of the cells of this rank, and of the smallest of these cells, by the quadrature of the kernels.
   double reference_volume() const { return local_->reference_volume(); }
   double least_cell_volume() const { return local_->least_cell_volume(); }
   /// Memory in bytes for the geometry, the indices of the nodes, and the basis ψ_j on this rank.
@@ -101,8 +102,8 @@ class CellKernels {
 LocalCells local_cells(const BallSpace& space);
 
 /// Kernels for the degree of the space (1 … 8) and the stored energy. Throws std::invalid_argument for another degree,
-/// and mechanics::NoKernels if chosen_kernels() throws it. Degree 1 is for compressible bodies only. The functions that
-/// compute the constraint or its derivative from positions then throw std::invalid_argument.
+/// and mechanics::NoKernels if chosen_kernels() throws it. Degree 1 is for compressible bodies only. With degree 1, the
+/// functions that compute the constraint or its derivative from positions throw std::invalid_argument.
 std::unique_ptr<CellKernels> make_cell_kernels(const BallSpace& space, const StoredEnergy& stored);
 
 }  // namespace pseudorigid::continuum

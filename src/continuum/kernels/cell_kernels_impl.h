@@ -1,8 +1,8 @@
 #pragma once
-/// The kernels of local_kernels.h for one degree. The law is evaluated through point_law.h. The operations at the
-/// points are done plane by plane (sum_factorization.h). Some kernels prefetch the geometry of later points and the
-/// positions of the next batch. Let H = ∂x/∂ξ, and let w be the quadrature weights times det ∂X/∂ξ. In reference
-/// coordinates, with a stress P, a pressure λ, a velocity v and the basis functions φ,
+/// The kernels of local_kernels.h for elements of one degree. point_law.h evaluates the law. The kernels process the
+/// points plane by plane (sum_factorization.h). Some kernels prefetch the geometry of later points and the positions of
+/// the next batch. Let H = ∂x/∂ξ at a point q, and let w be the quadrature weight of the point times det ∂X/∂ξ. In
+/// reference coordinates, with a stress P, a pressure λ, a velocity v and the basis functions φ,
 ///
 ///   F = H (∂X/∂ξ)⁻¹,   ∫ P : ∇φ = Σ_q w P (∂X/∂ξ)⁻ᵀ : ∂φ/∂ξ,
 ///   ∫ λ F⁻ᵀ : ∇φ = Σ_q w λ H⁻ᵀ : ∂φ/∂ξ,   tr(F⁻¹∇v) = H⁻ᵀ : ∂v/∂ξ,   J = det H / det ∂X/∂ξ.
@@ -257,7 +257,7 @@ class DegreeKernels final : public LocalKernels {
   }
 
   /// f ← f − ∫∂(W + U)/∂F : ∇φ. Returns the least of J and of the law's reserve. For every plane of points, the
-  /// function calls at_H(batch, plane) while buffers_.H contains H. It then calls at_T(batch, plane) while buffers_.H
+  /// function calls at_H(batch, plane) when buffers_.H contains H. It then calls at_T(batch, plane) when buffers_.H
   /// contains T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ.
   template <class AtH, class AtT>
   double add_stress(const double* x, double* f, const AtH& at_H, const AtT& at_T) const {
@@ -280,8 +280,8 @@ class DegreeKernels final : public LocalKernels {
     return least;
   }
 
-  /// Sets buffers_.result to ∫λ_h F⁻ᵀ:∇φ for a batch, with the pressure λ_h of the multiplier. Before the call,
-  /// buffers_.x must contain the layers of x, and buffers_.multiplier the multiplier.
+  /// Sets buffers_.result to ∫λ_h F⁻ᵀ:∇φ for a batch. Before the call, buffers_.x must contain the layers of x, and
+  /// buffers_.multiplier the coefficients λ_j of λ_h.
   void reaction_of_batch(std::size_t b) const {
     L coefficients[n_pressure];
     batches_.monomial_coefficients(buffers_.multiplier, b, coefficients);
@@ -347,8 +347,8 @@ class DegreeKernels final : public LocalKernels {
     }
   }
 
-  /// Least of the values at all points of this process, with its reference position. evaluate(F, values) computes the
-  /// values at the points of a plane from F.
+  /// Returns the least of the values at all points of this process, with its reference position. The function
+  /// evaluate(F, values) computes the values at the points of a plane from F at these points.
   template <class Evaluate>
   LeastPlace locate(const double* x, const Evaluate& evaluate) const {
     LeastPlace result;

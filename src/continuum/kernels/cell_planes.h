@@ -1,7 +1,7 @@
 #pragma once
-/// Operations on one batch of cells, for one plane of points after the other (sum_factorization.h). From values at the
-/// nodes, the operations compute H = ∂x/∂ξ at the points. From a tensor T at the points, they compute the sums Σ_q T :
-/// ∂φ/∂ξ for the basis functions φ. The planes of a batch must be processed in ascending order.
+/// Operations on one batch of cells, one plane of points after the other (sum_factorization.h). They compute H = ∂x/∂ξ
+/// at the points from values of x at the nodes. They also compute the sums Σ_q T : ∂φ/∂ξ over the points q for the
+/// basis functions φ, from a tensor T at the points. The planes of a batch must be processed in ascending order.
 
 #include <memory>
 
@@ -22,8 +22,9 @@ class CellPlanes {
   using Nodal = L[3][n_nodes];  ///< a vector at every node of a cell
   using Field = L[9][plane];    ///< a tensor at every point of a plane: [3·row + column][point]
 
-  /// Workspace of one batch. X, x, v and `result` contain layers of nodal values. `values`, dX, H, dv and `weights`
-  /// contain numbers at the points of one plane. `multiplier` contains the multipliers of the cells.
+  /// Workspace of one batch. X, x and v contain nodal values, interpolated to the points in the first two directions
+  /// (load_layers). `result` contains sums for the nodes (integrate_plane). `values`, dX, H, dv and `weights` contain
+  /// numbers at the points of one plane. `multiplier` contains the coefficients λ_j of the cells.
   struct Buffers {
     Nodal X, x, v, result;
     L values[3][plane];
@@ -88,8 +89,8 @@ class CellPlanes {
     for (int c = 0; c < 3; ++c) batches.factorization.distribute_layers(buffers_->result[c]);
   }
 
-  /// Stores the integrals ∫ψ_j s over the cells of the batch in g, computed from the moments ∫(monomial) s of a
-  /// function s.
+  /// Stores the integrals ∫ψ_j s of a function s over the cells of the batch in g. `moments` contains the integrals of
+  /// s times each monomial.
   void store_moments(const L* moments, std::size_t b, double* g) const {
     L values[n_pressure];
     batches.from_moments(moments, b, values);

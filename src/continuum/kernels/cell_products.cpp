@@ -18,8 +18,8 @@ void add_rows(const float* A, std::size_t distance, std::size_t n_columns, const
   for (std::size_t l = 0; l < n; ++l) y[l] = sums[l];
 }
 
-/// Calls add_rows<n_rows> for a number n_rows that is known only at run time. n_rows must be a multiple of
-/// rows_together and at most n.
+/// Calls add_rows<n_rows> for a number n_rows that is known only at run time. The number must be a multiple of
+/// rows_together and at most n. For 0, the function does nothing.
 template <std::size_t n>
 void add_up_to(std::size_t n_rows, const float* A, std::size_t distance, std::size_t n_columns, const float* x,
                float* y) {
@@ -29,7 +29,7 @@ void add_up_to(std::size_t n_rows, const float* A, std::size_t distance, std::si
   }
 }
 
-/// Sets y to the scalar products of x with the first n columns of A.
+/// Sets y to the scalar products of x with the first n columns of A. A column has n_rows numbers.
 template <std::size_t n>
 void multiply_columns(const float* A, std::size_t n_rows, const float* x, float* y) {
   float sums[n][rows_together] = {};

@@ -8,7 +8,7 @@
 
 namespace pseudorigid::continuum {
 
-/// Number of rows that the products treat together, one in each lane of a SIMD vector.
+/// The inner loops of the products treat this number of rows together, one row in each lane of a SIMD vector.
 inline constexpr std::size_t rows_together = 8;
 
 /// y ← y + A x

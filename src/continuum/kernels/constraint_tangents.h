@@ -1,8 +1,8 @@
 #pragma once
-/// The derivative G of the constraint at fixed positions x, for many products. T_q = w H⁻ᵀ is stored at every Gauss
-/// point q, with H = ∂x/∂ξ. w is the quadrature weight times det ∂X/∂ξ. The numbers have double precision or, for
-/// iterations, single precision. The ψ_j are the basis of the multipliers, the φ_n are the basis of the displacements,
-/// and λ_h = Σ λ_j ψ_j. The products with a velocity v and a multiplier λ are
+/// The derivative G of the constraint at fixed positions x, for many products. A tangent stores T_q = w H⁻ᵀ at every
+/// Gauss point q, with H = ∂x/∂ξ. The number w is the quadrature weight times det ∂X/∂ξ. The numbers have double
+/// precision or single precision (constraint/gram_solver.h). The ψ_j are the basis of the multipliers, the φ_n are the
+/// basis of the displacements, and λ_h = Σ λ_j ψ_j. The products with a velocity v and a multiplier λ are
 ///
 ///   (G v)_j = Σ_q ψ_j T_q : ∂v/∂ξ,   (Gᵀλ)_n = Σ_q λ_h T_q : ∂φ_n/∂ξ
 
@@ -44,8 +44,8 @@ class ConstraintTangents {
     of_its_precision(at_x, [&](const auto& stored) { add_reaction_by_planes(stored, lambda, f); });
   }
 
-  /// Calls use(cell, rows) with the rows of G of each cell at x. The entries are ordered by multiplier, node and
-  /// component.
+  /// Calls use(cell, rows) with the entries of G at x for the multipliers of each cell. For n nodes in a cell,
+  /// rows[j·3n + 3i + c] belongs to ψ_j, node i and component c.
   void rows(const double* x, const UseRows& use) const {
     constexpr std::size_t n_nodes = Planes::n_nodes, size = n_pressure * 3 * n_nodes;
     std::vector<double> values(n_lanes * size);
@@ -65,7 +65,7 @@ class ConstraintTangents {
     }
   }
 
-  /// Returns the stored numbers w H⁻ᵀ at the points of the plane q3 of batch b. The tangent must have double precision.
+  /// Returns the stored tensors w H⁻ᵀ at the points of the plane q3 of batch b. The tangent must have double precision.
   Field& plane_of(ConstraintTangent& tangent, std::size_t b, int q3) const {
     return static_cast<Tangent<L>&>(tangent).planes[b * n + static_cast<std::size_t>(q3)].T;
   }
@@ -80,7 +80,8 @@ class ConstraintTangents {
       for (int k = 0; k < 9; ++k) T[k][q] = factor * cof.a[k / 3][k % 3];
     }
   }
-  /// sum ← sum + λ_h T at the points of one plane. `coefficients` are the coefficients of λ_h in the monomials.
+  /// sum ← sum + λ_h T at the points of the plane q3 of batch b. `coefficients` are those of λ_h with respect to the
+  /// monomials.
   void add_pressure(std::size_t b, int q3, const L (&coefficients)[n_pressure], const Field& T, Field& sum) const {
     const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
     for (int q = 0; q < plane; ++q) {
@@ -92,13 +93,13 @@ class ConstraintTangents {
   }
 
  private:
-  /// w H⁻ᵀ at the points of one plane. Number is L or Single.
+  /// w H⁻ᵀ at the points of one plane: [3·row + column][point]. Number is L or Single.
   template <class Number>
   struct PlaneOfPoints {
     Number T[9][plane];
   };
-  /// Prefetches part q of the plane `next`. A part has as many numbers as one point. `next` may point behind the last
-  /// plane.
+  /// Prefetches the q-th part of the plane `next`. A part has as many bytes as the tensor of one point. `next` may
+  /// point behind the last plane, because a prefetch of any address is permitted.
   template <class Number>
   static void prefetch_values(const PlaneOfPoints<Number>* next, int q) {
     constexpr int per_point = 9 * sizeof(Number), cache_line = 64;

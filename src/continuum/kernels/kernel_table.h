@@ -11,11 +11,11 @@
 namespace pseudorigid::continuum {
 
 struct KernelTable {
-  /// Throws std::invalid_argument for a degree that is not compiled.
+  /// Returns the kernels for a degree from 1 to 8. Throws std::invalid_argument for another degree.
   std::unique_ptr<LocalKernels> (*make_local_kernels)(int degree, const LocalCells& cells, const StoredEnergy& stored);
-  /// y ← A x for a symmetric A, given by the rows of its lower triangle (packed_product.h).
+  /// The function multiply_packed of packed_product.h.
   void (*multiply_packed)(const float* entries, std::size_t n, const float* x, float* y);
-  /// `add_product` and `multiply_transposed` are the functions of cell_products.h with these names.
+  /// The functions add_product and multiply_transposed of cell_products.h.
   void (*add_product)(const float* A, std::size_t n_rows, std::size_t n_columns, const float* x, float* y);
   void (*multiply_transposed)(const float* A, std::size_t n_rows, std::size_t n_columns, const float* x, float* y);
 };

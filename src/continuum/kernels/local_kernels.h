@@ -1,8 +1,9 @@
 #pragma once
 /// The integrals of cell_kernels.h over the cells of one process. A vector is a pointer to its entries on this process.
-/// The entries of the own nodes come first, and then those of ghost nodes. The entries of ghost nodes must be up to
-/// date. The owner of a ghost node later adds the contributions of other ranks. This file does not depend on deal.II,
-/// so the kernels compile in a few seconds per degree.
+/// The entries of the own nodes come first, and then those of ghost nodes. In vectors that a function reads, the
+/// entries of ghost nodes must be up to date. In a force, the entries of ghost nodes receive contributions, which the
+/// caller must add to the entries of their owners (add_to_owners). This file does not depend on deal.II, so the kernels
+/// compile in a few seconds per degree.
 
 #include <array>
 #include <functional>
@@ -30,7 +31,7 @@ struct LocalCells {
 struct CellIntegrals {
   using Matrix = std::array<std::array<double, 3>, 3>;
   double elastic = 0;                                      ///< stored energy of the law, ∫W dX
-  double volumetric = 0;                                   ///< stabilising energy, ∫U dX
+  double volumetric = 0;                                   ///< energy of the volumetric stabilisation, ∫U dX
   double volume = 0;                                       ///< current volume, ∫J dX
   Matrix F{};                                              ///< ∫F dX
   Matrix X_pulled_back{};                                  ///< ∫ρ X ⊗ (Fᵀẋ) dX
@@ -47,8 +48,8 @@ using FunctionOfF = std::function<double(const double* F)>;
 
 enum class Precision { single_precision, double_precision };
 
-/// The derivative of the constraint at given positions, for many products. It is stored as w H⁻ᵀ at every Gauss point,
-/// with H = ∂x/∂ξ. w is the quadrature weight times det ∂X/∂ξ.
+/// The derivative of the constraint at given positions, for many products (constraint_tangents.h). `precision` is that
+/// of the stored numbers.
 class ConstraintTangent {
  public:
   explicit ConstraintTangent(Precision precision) : precision_(precision) {}
@@ -93,8 +94,8 @@ class LocalKernels {
   virtual std::size_t memory() const = 0;
 };
 
-/// The kernels of one degree, for few_lanes or native_lanes depending on the number of cells. Each degree has its own
-/// source file.
+/// Makes the kernels of one degree. They use SIMD vectors with few_lanes lanes if there are at most few_lanes cells,
+/// and otherwise with native_lanes lanes. Each degree has its own source file.
 template <int degree>
 std::unique_ptr<LocalKernels> make_local_kernels(const LocalCells& cells, const StoredEnergy& stored);
 

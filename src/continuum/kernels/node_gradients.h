@@ -1,7 +1,7 @@
 #pragma once
-/// Nodal values of one cell and their derivatives at the nodes. Only functions that are called rarely use this file:
-/// the renewal of the preconditioner, the surface stretch, and the pictures. Forces and constraints use the faster
-/// kernels.
+/// Nodal values of one cell and their derivatives at the nodes. Only functions that are called rarely use this file,
+/// such as the renewal of the preconditioner, the surface stretch and the pictures. Forces and constraints use the
+/// faster functions of cell_kernels.h.
 
 #include <Eigen/Core>
 

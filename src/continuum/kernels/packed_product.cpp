@@ -3,8 +3,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Adds Σ_r x_r row_r to y, and sets dots_r to the scalar product of row_r with x. The rows, x and y have n numbers,
-/// and the factors x_r are the numbers `x_of_rows`.
+/// Adds Σ_r x_of_rows[r] rows[r] to y, and sets dots[r] to the scalar product of rows[r] with x. The rows, x and y have
+/// n numbers.
 template <int n_rows>
 void add_rows(const float* const* rows, std::size_t n, const float* x, const float* x_of_rows, float* y, float* dots) {
   for (int r = 0; r < n_rows; ++r) dots[r] = 0;

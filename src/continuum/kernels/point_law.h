@@ -1,9 +1,9 @@
 #pragma once
 /// The part of the kernels that depends on the law: the operations at the quadrature points of a batch of cells. One
-/// source file contains all laws and does not depend on the degree. The source files of the degrees do not depend on
-/// the laws. The class PointLaw stores the geometry that the stress needs (stress_points.h). The points of all batches
-/// are numbered one after the other. W + U is the stored energy (stored_energy.h). The weight w of a point is its
-/// weight on the reference cell times det ∂X/∂ξ.
+/// source file contains all laws, and the source files of the degrees do not depend on the laws. A law is therefore not
+/// compiled again for each degree. The class PointLaw stores the geometry that the stress needs (stress_points.h). The
+/// points of all batches have consecutive numbers. W + U is the stored energy (stored_energy.h). The weight w of a
+/// point is its weight on the reference cell times det ∂X/∂ξ.
 ///
 /// A tensor at n_points points has 9 · n_points numbers, with the entry (i, j) of point q at (3i + j) n_points + q.
 /// SIMD vectors are passed only in memory.
@@ -22,7 +22,7 @@ class PointLaw {
   using L = Lanes<n_lanes>;
   virtual ~PointLaw() = default;
 
-  /// Allocates memory for exactly n_points points, the points of all batches together.
+  /// Allocates memory for n_points points, which is the number of points of all batches together.
   virtual void reserve_points(std::size_t n_points) = 0;
   /// Appends n_points points with the Jacobians ∂X/∂ξ and the weights `unit_weights` on the reference cell.
   virtual void add_points(const L* jacobians, const double* unit_weights, int n_points) = 0;

@@ -1,8 +1,8 @@
 #pragma once
 /// The basis ψ_j of the multiplier at the nodes X_i of the displacements. For displacements of degree k, the ψ_j are
-/// polynomials of total degree k − 1 on each cell. Pictures show λ_h at these nodes, and the tangent of the forces
-/// needs λ_h at the Gauss points. The preconditioner of the Gram operator uses these nodes as quadrature points to
-/// project its coarse functions onto ψ_j:
+/// polynomials of total degree k − 1 on each cell. Pictures show λ_h at these nodes. The tangent of the forces needs
+/// λ_h at the Gauss points. The preconditioner of the Gram operator uses the nodes as quadrature points to project its
+/// coarse functions onto ψ_j:
 ///
 ///   λ_h(X_i) = Σ_j λ_j ψ_j(X_i),   ψ(X) = L⁻¹ monomials((X − X_c)/h_c)
 ///
@@ -31,8 +31,8 @@ auto local_node_positions(const CellBatches<degree, n_lanes>& batches, std::size
   return local;
 }
 
-/// Calls use(coefficients, b, lane) once. b is the batch of the cell, and `lane` is the lane of the cell in this batch.
-/// The coefficients are those of λ_h in the monomials.
+/// Calls use(coefficients, b, lane) once, for the batch b and the lane that contain the cell. The coefficients are
+/// those of λ_h with respect to the monomials, with one cell of the batch in each lane.
 template <int degree, int n_lanes, class Use>
 void with_multiplier_of_cell(const CellBatches<degree, n_lanes>& batches, const double* lambda, unsigned int cell,
                              const Use& use) {

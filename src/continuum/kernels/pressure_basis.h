@@ -30,7 +30,7 @@ struct PressureMonomials {
     return in_x;
   }
 
-  /// Adds weight · monomial at (x, y, z) to the entry of each monomial in `moments`.
+  /// Adds weight · monomial at (x, y, z) to the entry of `moments` for each monomial.
   template <class L>
   static void add_moments(L weight, L x, L y, L z, L* moments) {
     int index = 0;

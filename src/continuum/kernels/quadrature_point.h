@@ -13,9 +13,9 @@ using mechanics::Lanes;
 using mechanics::lesser;
 using mechanics::native_lanes;
 
-/// Number of lanes if a process has at most this number of cells, such as an octant with four cells. In wider vectors
-/// the other lanes would only repeat cells. This constant is not inline, because its value depends on the instruction
-/// set of each source file.
+/// Number of lanes if a process has at most this number of cells, such as an octant with four cells. In wider vectors,
+/// the other lanes would repeat cells. This constant is not inline, because its value depends on the instruction set
+/// for which a source file is compiled.
 constexpr int few_lanes = native_lanes > 4 ? 4 : native_lanes;
 
 /// The geometry of a point that the integrals of the constraint need, such as the nodal forces of the pressure.
@@ -27,8 +27,8 @@ struct PressurePoint {
   L position[3];  ///< local coordinates (X − X_c)/h_c of pressure_basis.h
 };
 
-/// Prefetches the geometry of a point that is used soon. `point` may be behind the last point, because a prefetch of
-/// any address is permitted.
+/// Prefetches the geometry of a point before its use. `point` may be behind the last point, because a prefetch of any
+/// address is permitted.
 template <class Point>
 [[gnu::always_inline]] inline void prefetch(const Point* point) {
   constexpr std::size_t cache_line = 64;

@@ -1,6 +1,6 @@
 #pragma once
-/// SIMD vectors of n_lanes numbers that are stored in single precision. For arithmetic, they are converted to Lanes in
-/// double precision (mechanics/core/lanes.h).
+/// SIMD vectors of n_lanes numbers in single precision, which need half the memory. For arithmetic, they are converted
+/// to Lanes, which have double precision (mechanics/core/lanes.h).
 
 #include "mechanics/core/lanes.h"
 

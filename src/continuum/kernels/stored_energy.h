@@ -4,13 +4,14 @@
 ///
 ///   W(F) + U(J),   U(J) = (κ/8)(J − 1/J)²,   ∂U/∂F = (κ/4)(J − 1/J³) cof F,   J = det F,   U''(1) = κ.
 ///
-/// U grows like 1/J² as J → 0, so it resists the inversion of an element. In two violent releases the least J was 0.28
-/// and 0.32. With the energy (κ/4)(J² − 1 − ln J²) of the same stiffness at J = 1, it was 0.11 and 0.07.
+/// U grows like 1/J² as J → 0, so it resists the inversion of an element. In two test motions with large deformations,
+/// the least J was 0.28 and 0.32. With the energy (κ/4)(J² − 1 − ln J²), which has the same stiffness at J = 1, the
+/// least J was 0.11 and 0.07.
 ///
 /// U and its first derivative are 0 if J = 1, so that U does not change an exact incompressible motion. In discrete
 /// motions, J ≠ 1 at some points. The second variation of the multiplier's term ∫λ_h ln J dX along a displacement u can
-/// then be negative. The second variation of U, about κ (div u)² for J ≈ 1, counteracts it. A body needs U under
-/// self-gravity, in strong motions, and always if it is a fluid (W = 0).
+/// then be negative. The second variation of U, about ∫κ (div u)² dX for J ≈ 1, is positive and counteracts this. A
+/// body needs U under self-gravity, in strong motions, and always if it is a fluid (W = 0).
 
 #include <concepts>
 

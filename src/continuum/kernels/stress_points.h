@@ -27,7 +27,7 @@ template <class L>
   return (0.25 * kappa) * (J - inverse * inverse * inverse);
 }
 
-/// Geometry and stress for any law. The geometry is the ten numbers of (∂X/∂ξ)⁻¹ and w.
+/// Geometry and stress of a point for any law. The geometry consists of the ten numbers of (∂X/∂ξ)⁻¹ and w.
 template <class L>
 struct AnyStressPoint {
   using Tensor = materials::Tensor<L>;
@@ -40,7 +40,8 @@ struct AnyStressPoint {
     weight = unit_weight * det;
   }
 
-  /// Returns T. Lowers `least` to J and to the reserve of the law (materials/law_limits.h) if they are less.
+  /// Returns T for κ = `kappa`. Sets `least` to the minimum of `least`, J and the reserve of the law
+  /// (materials/law_limits.h).
   template <class Law>
   [[gnu::always_inline]] Tensor stress(const Law& law, double kappa, double, const Tensor& H, L& least) const {
     const Tensor F = times_inverse(H);
@@ -77,7 +78,8 @@ struct AnyStressPoint {
   }
 };
 
-/// Geometry and stress for a law with stress coefficients. The geometry is the seven numbers of D and the symmetric G.
+/// Geometry and stress of a point for a law with stress coefficients. The geometry consists of the seven numbers of D
+/// and the symmetric G.
 template <class L>
 struct MetricStressPoint {
   using Tensor = materials::Tensor<L>;

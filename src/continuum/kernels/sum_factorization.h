@@ -8,7 +8,8 @@
 ///   v = (1⊗1⊗I) u,   ∂₁v = (D⊗1) v,   ∂₂v = (1⊗D) v,   ∂₃v = (1⊗1⊗DI) u
 ///
 /// The operations at the points of a plane follow at once, while the plane is in the first-level cache. Nodes and
-/// points are symmetric, so I and D act separately on even and odd parts, which halves the multiplications.
+/// points are symmetric about ½. I and D therefore act separately on the even and the odd part of values, which halves
+/// the number of multiplications.
 
 #include <array>
 
@@ -16,8 +17,8 @@
 
 namespace pseudorigid::continuum {
 
-/// An n×n matrix with M[n−1−q][n−1−i] = ±M[q][i]. It is stored as its action on the sums x_i + x_{n−1−i} and the
-/// differences x_i − x_{n−1−i}.
+/// An n×n matrix with M[n−1−q][n−1−i] = ±M[q][i]. The matrix is stored as its action on the sums x_i + x_{n−1−i} and
+/// the differences x_i − x_{n−1−i} of a vector x.
 template <int n>
 struct EvenOddMatrix {
   static constexpr int half = n / 2, upper = (n + 1) / 2;

@@ -19,12 +19,12 @@ using Corner = std::array<double, 3>;
 using CoarseCell = std::array<Corner, 8>;
 
 /// The nonzero coordinates of the corners of the central block, for corners on an axis, on a diagonal of a coordinate
-/// plane, and on the space diagonal. The values are free parameters of the mesh: the image of the sphere is exact for
-/// all of them.
+/// plane, and on the space diagonal. The values affect only the shapes of the cells: the map X(ξ) of ball_mesh.h gives
+/// an exact sphere for all values.
 constexpr double block_axis = 0.528, block_face = 0.4533, block_corner = 0.3752;
 
-/// A corner of the block (on_sphere = false), or its radial projection onto the sphere. bits[i] is 1 if its coordinate
-/// i is not 0.
+/// Returns a corner of the block, or its radial projection onto the sphere if `on_sphere` is true. bits[i] is 1 if
+/// coordinate i of the corner is not 0.
 Corner corner(const std::array<int, 3>& bits, bool on_sphere) {
   const int n_bits = bits[0] + bits[1] + bits[2];
   const double block[] = {0, block_axis, block_face, block_corner};
@@ -32,8 +32,8 @@ Corner corner(const std::array<int, 3>& bits, bool on_sphere) {
   return {length * bits[0], length * bits[1], length * bits[2]};
 }
 
-/// The coarse cells of the octant x_i ≥ 0: first the block, then the cell between the block and the sphere for each
-/// axis.
+/// The coarse cells of the octant x_i ≥ 0. The first cell is the block. For each axis, the cell between the block and
+/// the sphere follows.
 std::array<CoarseCell, 4> octant() {
   std::array<CoarseCell, 4> cells;
   for (int v = 0; v < 8; ++v) cells[0][v] = corner({v & 1, v >> 1 & 1, v >> 2 & 1}, false);
@@ -120,10 +120,9 @@ dealii::Point<3> trilinear(const std::array<dealii::Point<3>, 8>& vertices, cons
   return X;
 }
 
-/// The end of a local direction of a coarse cell at which a grading makes cells small: 0 or 1. The result is −1 if the
-/// direction is not graded. For an outward direction, the small end is the end on the sphere. For a direction from a
-/// plane x_c = 0 that contains the poles, it is the end on this plane. A direction along the axis of the poles is not
-/// graded.
+/// The end, 0 or 1, of a local direction of a coarse cell at which a grading makes cells small. The result is −1 if the
+/// direction is not graded. In an outward direction, the small cells are at the sphere. In a direction that begins on a
+/// plane x_c = 0 through the poles, they are at this plane. A direction along the axis of the poles is not graded.
 int small_end(const std::array<dealii::Point<3>, 8>& vertices, unsigned int direction, unsigned int axis) {
   const dealii::Point<3>&a = vertices[0], &b = vertices[1U << direction];
   if (is_on_sphere(a) != is_on_sphere(b)) return is_on_sphere(b) ? 1 : 0;
@@ -132,8 +131,8 @@ int small_end(const std::array<dealii::Point<3>, 8>& vertices, unsigned int dire
   return -1;
 }
 
-/// Returns the exponent β of a grading with the factor g = `size`, 0 < g < 1. It satisfies β/(exp β − 1) = g. Bisection
-/// on (0, 100) finds β, because the left side decreases with β.
+/// Returns the exponent β of a grading with the factor g = `size`, 0 < g < 1, which satisfies β/(exp β − 1) = g.
+/// Bisection on (0, 100) finds β, because the left side decreases with β.
 double growth_of(double size) {
   double least = 0, most = 100;
   for (int i = 0; i < 100; ++i) {
@@ -143,8 +142,8 @@ double growth_of(double size) {
   return 0.5 * (least + most);
 }
 
-/// An empty mesh. Several ranks need a distributed mesh of p4est. With one rank, the mesh does not use p4est, which
-/// requires MPI.
+/// Returns an empty mesh. For several ranks it is a mesh of p4est, which is distributed. For one rank the mesh does not
+/// use p4est, because p4est requires MPI.
 std::unique_ptr<dealii::Triangulation<3>> empty_triangulation(MPI_Comm communicator) {
   if (n_ranks(communicator) > 1) return std::make_unique<dealii::parallel::distributed::Triangulation<3>>(communicator);
   return std::make_unique<dealii::Triangulation<3>>();

@@ -9,18 +9,18 @@
 ///   X(ξ) = Σ_{i inside} N_i(ξ) V_i + s(ξ) Y/|Y|,   s = Σ_{i on sphere} N_i(ξ),
 ///   Y_d = tan(π/4 y_d),   y = Σ_{i on sphere} N_i(ξ) V_i/|V_i|_∞ / s     (equiangular coordinates of the sphere)
 ///
-/// If s = 0, the second term is absent. On a face on the sphere s = 1, so that its image is exactly spherical. On a
-/// symmetry plane, the zero coordinates of the vertices give a coordinate that is exactly zero. Other sectors
-/// consist of reflections of the octant, so that all sectors have the same discretisation.
+/// If s = 0, the second term is absent. On a face whose vertices are on the sphere, s = 1 and |X| = 1, so the face is
+/// exactly spherical. If all vertices of a face have x_d = 0, X_d is exactly 0 on the face. Sectors other than the
+/// octant consist of reflections of the octant, so that all sectors have the same discretisation.
 ///
 /// A grading reduces the size of cells at the two poles ±e_p of an axis by a factor g < 1. The grading changes local
-/// coordinates ξ of the coarse cells before the transfinite map. The changed coordinates run outwards to the sphere,
-/// or away from a plane through the poles. A changed coordinate becomes
+/// coordinates ξ of the coarse cells before the transfinite map. These are the coordinates in the direction outwards to
+/// the sphere, and those in the direction away from a plane through the poles:
 ///
 ///   ξ ← (exp(βξ) − 1)/(exp β − 1),   β/(exp β − 1) = g.
 ///
-/// In this formula ξ is 0 at the end with small cells, which is on the sphere or on this plane. The coordinates agree
-/// on the common faces of neighbouring cells. Only the ball and its sectors can have a grading.
+/// In this formula ξ is 0 at the end with small cells, which is on the sphere or on this plane. Neighbouring cells have
+/// the same coordinates on their common face. Only the ball and its sectors can have a grading.
 ///
 /// With several ranks, p4est distributes the cells over the ranks. Every rank then stores the coarse mesh, its own
 /// cells and the neighbours of its own cells.
@@ -33,15 +33,15 @@
 
 namespace pseudorigid::continuum {
 
-/// The coordinate planes that cut the ball. reflect[i] is true if x_i = 0 is a symmetry plane of the computed sector.
-/// The images of the sector, including the sector itself, make up the ball.
+/// The symmetry planes that bound the computed sector of the ball. reflect[i] is true if x_i = 0 is such a plane. The
+/// images of the sector, including the sector itself, make up the ball.
 struct Sector {
   std::array<bool, 3> reflect{false, false, false};
   int n_images() const { return (reflect[0] ? 2 : 1) * (reflect[1] ? 2 : 1) * (reflect[2] ? 2 : 1); }
 };
 
-/// The hexahedra of a whole body. A cell is a list of 8 indices of vertices, with the first local direction as the
-/// fastest index.
+/// The hexahedra of a whole body. A cell is a list of the indices of its 8 vertices, with the first local direction as
+/// the fastest index.
 struct CoarseMesh {
   std::vector<dealii::Point<3>> vertices;
   std::vector<std::array<unsigned int, 8>> cells;

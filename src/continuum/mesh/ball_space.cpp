@@ -11,8 +11,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// The indices of the 3 components of every node in `nodes`. `n_nodes` is the number of nodes on all ranks, including
-/// the additional nodes.
+/// Returns the indices in vectors of the 3 components of every node in `nodes`. `n_nodes` is the number of nodes on all
+/// ranks, including the additional nodes.
 dealii::IndexSet components_of(const dealii::IndexSet& nodes, unsigned int n_nodes) {
   dealii::IndexSet result(3 * n_nodes);
   for (auto interval = nodes.begin_intervals(); interval != nodes.end_intervals(); ++interval)

@@ -1,6 +1,6 @@
 #pragma once
-/// The finite-element spaces of the ball. Positions x_h ∈ (Q_k)³ have Gauss–Lobatto nodes, and the geometry has degree
-/// k on the same nodes. The lumped (diagonal) mass is
+/// The finite-element spaces of the ball. Positions x_h ∈ (Q_k)³ have Gauss–Lobatto nodes. The reference positions X
+/// are interpolated at the same nodes, with the same degree k. The lumped (diagonal) mass is
 ///
 ///   m_n = Σ_cells ρ w_n det(∂X/∂ξ)(ξ_n),   ρ = 1 in internal units.
 ///
@@ -9,8 +9,8 @@
 /// inverse mass is 0.
 ///
 /// Cells, nodes and multipliers are distributed over the ranks of the mesh. `n_cells` and `cell_nodes` refer to the
-/// cells of this rank. The local elements of a vector are the entries of this rank, followed by those of the ghost
-/// nodes of its cells.
+/// cells of this rank. The local elements of a vector are the entries of the nodes that this rank owns, followed by
+/// those of the ghost nodes of its cells.
 
 #include <deal.II/base/partitioner.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -42,8 +42,8 @@ class BallSpace {
   unsigned int nodes_per_cell() const { return static_cast<unsigned int>(reference_.n * reference_.n * reference_.n); }
   /// Number of nodes of the mesh that this rank owns.
   unsigned int n_nodes() const { return partitioner_->locally_owned_size() / 3 - n_additional(); }
-  /// Number of additional nodes of this rank, which follow its nodes of the mesh. One rank has all of them; the number
-  /// is 0 on the other ranks.
+  /// Number of additional nodes that this rank owns, which follow its nodes of the mesh. All additional nodes are on
+  /// one rank. The number is 0 on the other ranks.
   unsigned int n_additional() const { return (account_ ? n_account_nodes() : 0) + (companions_ ? n_companions_ : 0); }
   /// Number of nodes of the mesh on all ranks, without the additional nodes.
   std::size_t n_global_nodes() const { return dof_handler_->n_dofs(); }
@@ -60,13 +60,13 @@ class BallSpace {
   /// 1 if the coordinate is used, and otherwise 0.
   const Vector& inverse_mass() const { return inverse_mass_; }
   const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
-  /// Local index of the coordinate of the dissipated energy. The next index is that of the given energy. The following
-  /// indices belong to the energies that the branches dissipate, one for each branch. The inverse masses of all these
-  /// coordinates are 1. The result is empty if there are no such coordinates, and on ranks that do not own them.
+  /// Local index of the coordinate whose velocity is the dissipated energy. The next index is that of the given energy,
+  /// followed by an index for the energy that each branch dissipates. The inverse masses of these coordinates are 1.
+  /// The result is empty if n_accounts is 0, and on ranks that do not own these coordinates.
   std::optional<unsigned int> account() const { return account_; }
-  /// Local index of the first coordinate of the first companion. The other coordinates of the companions follow, and
-  /// the inverse masses of all are 1. The result is empty without companions, and on ranks that do not own these
-  /// coordinates.
+  /// Local index of the first coordinate of the first companion. The other coordinates of the companions follow. The
+  /// inverse masses of these coordinates are 1. The result is empty without companions, and on ranks that do not own
+  /// these coordinates.
   std::optional<unsigned int> companions() const { return companions_; }
   Vector make_vector() const { return Vector(partitioner_); }
   Vector make_multiplier() const { return Vector(multiplier_partitioner_); }
@@ -75,8 +75,8 @@ class BallSpace {
   unsigned int n_account_nodes() const { return (n_accounts_ + 2) / 3; }
   void number_nodes();
   void number_multipliers();
-  /// Sets X_. Throws std::logic_error if two cells of this rank give a component of a shared node values that differ by
-  /// more than 1e-13.
+  /// Sets X_ to the reference positions of the nodes. Throws std::logic_error if two cells of this rank place a shared
+  /// node at positions that differ by more than 1e-13 in a component.
   void place_nodes();
   void lump_mass();
 

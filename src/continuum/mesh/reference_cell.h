@@ -1,7 +1,7 @@
 #pragma once
 /// One-dimensional tables of the reference cell [0,1]: two quadrature rules and three matrices. The Gauss–Lobatto rule
-/// gives the nodes of the displacements and the lumped mass. The Gauss rule gives the points at which forces and
-/// constraint are integrated. Two of the matrices are
+/// gives the nodes of the displacements and the lumped mass. The Gauss rule gives the points for the integrals of
+/// forces and of the constraint. Two of the matrices are
 ///
 ///   interpolate[q][i] = ℓ_i(ξ_q),   differentiate[q][p] = ℓ̂_p'(ξ_q),
 ///

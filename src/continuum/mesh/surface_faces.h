@@ -1,7 +1,7 @@
 #pragma once
-/// The faces of the finite elements, the nodes of the faces, and Gauss quadrature on the faces. A face is the part
-/// ξ_d = 0 or 1 of a cell. The local directions p = d + 1 and q = d + 2 (mod 3) span the face, so ∂X/∂ξ_p × ∂X/∂ξ_q
-/// points to increasing ξ_d.
+/// The faces of the finite elements, the nodes of the faces, and Gauss quadrature on the faces. A face is the part of a
+/// cell with ξ_d = 0 or ξ_d = 1. The local directions p = d + 1 and q = d + 2 (mod 3) span the face, so ∂X/∂ξ_p ×
+/// ∂X/∂ξ_q points to increasing ξ_d.
 
 #include <Eigen/Core>
 #include <vector>
@@ -43,10 +43,11 @@ std::vector<CellFace> free_surface(const BallSpace& space);
 /// node j along q.
 std::vector<int> nodes_of(const CellFace& face, int n);
 
-/// A Gauss point of a face, with the functions of its nodes.
+/// A Gauss point of a face, with the basis functions of the nodes of the face.
 struct FacePoint {
-  /// The coefficients of one node for a nodal function u, with the number `node` of the node on this rank. At the
-  /// point, the value is Σ value u_node, and the derivatives by ξ_p and ξ_q are Σ by_p u_node and Σ by_q u_node.
+  /// The values at the point of the basis function of the node with the local number `node`, and of its derivatives by
+  /// ξ_p and ξ_q. A nodal function u has the value Σ value u_node and the derivatives Σ by_p u_node and Σ by_q u_node
+  /// at the point.
   struct Node {
     unsigned int node;
     double value, by_p, by_q;

@@ -42,8 +42,8 @@ SurfaceInterpolation::SurfaceInterpolation(const BallSpace& space, int n_points)
   }
 }
 
-// `lazyProduct` avoids Eigen's algorithm for large products. The preparation of this algorithm takes longer than one of
-// these small products.
+// `lazyProduct` avoids Eigen's algorithm for large matrices, whose preparation takes longer than one of these small
+// products.
 SurfaceInterpolation::Jets SurfaceInterpolation::jets(const Vector& u) const {
   const Eigen::Index n = values_.cols(), m = values_.rows();
   Jets jets{field_of(n_points()), field_of(n_points()), field_of(n_points())};

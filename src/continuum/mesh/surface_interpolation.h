@@ -21,8 +21,9 @@ class SurfaceInterpolation {
   /// Three numbers at each point: [component][point]. The points are ordered by face, then by their index along q; the
   /// index along p is the fastest.
   using Field = std::array<std::vector<double>, 3>;
-  /// Values and derivatives of a nodal function u at the points. The struct can also contain the derivatives of a
-  /// function E(u, ∂u/∂ξ_p, ∂u/∂ξ_q) by its three arguments, in the same order.
+  /// The values u of a nodal function at the points, and its derivatives by ξ_p and ξ_q. As an argument of
+  /// subtract_derivative, the struct contains the derivatives of a function E(u, ∂u/∂ξ_p, ∂u/∂ξ_q) by its three
+  /// arguments.
   struct Jets {
     Field u, by_p, by_q;
   };

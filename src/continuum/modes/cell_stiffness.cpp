@@ -15,7 +15,8 @@ Eigen::MatrixXd table(const std::vector<double>& row_major, int n) {
 /// The six pairs (i, k) of components with i ≤ k.
 constexpr int pair_first[] = {0, 0, 0, 1, 1, 2}, pair_second[] = {0, 1, 2, 1, 2, 2};
 
-/// The tangent C as a matrix. For each of the nine unit gradients H, `of(H)` returns the column C(H).
+/// Returns the tangent with the entries C_iJkL = C(H)_iJ for the gradient H whose only nonzero entry is H_kL = 1. The
+/// function `of` returns C(H).
 template <class Of>
 Tangent columns(const Of& of) {
   Tangent tangent;
@@ -126,9 +127,10 @@ CellStiffness::PointCoefficients CellStiffness::coefficients(unsigned int cell, 
 /// the nodes a and b and the point q have the indices a_t, b_t and q_t.
 Eigen::MatrixXd CellStiffness::contract(const std::array<Eigen::VectorXd, 9>& c) const {
   const int n = n_, n2 = n * n;
-  // The index in products_ for one direction: 2 if ∂_d differentiates in this direction, plus 1 if ∂_e does.
+  // Returns the index in products_ for one direction. The index has the summand 2 if ∂_d differentiates in this
+  // direction, and the summand 1 if ∂_e does.
   const auto pattern = [](int de, int direction) { return 2 * (de / 3 == direction) + (de % 3 == direction); };
-  std::array<Eigen::MatrixXd, 4> plane;  // for each pattern in direction 2: (a₀b₀ a₁b₁) × q₂
+  std::array<Eigen::MatrixXd, 4> plane;  // [pattern in direction 2], rows (a₀b₀ a₁b₁), columns q₂
   for (auto& m : plane) m.setZero(n2 * n2, n);
   for (int de = 0; de < 9; ++de) {
     const Eigen::MatrixXd line =  // rows (a₀b₀), columns (q₁ q₂)

@@ -1,7 +1,8 @@
 #pragma once
-/// The stiffness K of the cells at the positions x. It is the second variation of the stored energy and, in a state
-/// with the multiplier λ, of the constraint. The stress is P + ∂U/∂F with the stabilisation U
-/// (kernels/stored_energy.h), and λ_h is the Kirchhoff pressure. For the gradient H of a displacement, the tangent is
+/// The stiffness K of the cells at the positions x. K is the second variation of the stored energy, minus λ times that
+/// of the constraint, with the multiplier λ. The stress is P + ∂U/∂F with the stabilisation U
+/// (kernels/stored_energy.h), and λ_h is the Kirchhoff pressure of λ. For the gradient H of a displacement, the tangent
+/// is
 ///
 ///   C(H) = DP(F)[H] + D(∂U/∂F)[H] + λ_h F⁻ᵀHᵀF⁻ᵀ,   C_iJkL = ∂C(H)_iJ/∂H_kL,
 ///   K_(a,i)(b,k) = ∫ ∂_Jφ_a C_iJkL ∂_Lφ_b dX,
@@ -10,8 +11,8 @@
 /// (materials/rest_moduli.h).
 ///
 /// Let c^ik_de = w det(∂X/∂ξ) (∂ξ_d/∂X_J) C_iJkL (∂ξ_e/∂X_L) at the Gauss points with the weights w. The derivative
-/// ∂_dφ_a is a product of one-dimensional functions. Therefore the sum K^ik_ab = Σ_de Σ_q c^ik_de ∂_dφ_a ∂_eφ_b is
-/// computed one direction after the other. This takes O(n⁷) operations for a cell of n³ nodes.
+/// ∂_dφ_a is a product of one-dimensional functions. Therefore the sum K^ik_ab = Σ_de Σ_q c^ik_de ∂_dφ_a ∂_eφ_b over
+/// the points q is computed one direction after the other. This takes O(n⁷) operations for a cell with n³ nodes.
 
 #include <Eigen/Core>
 #include <array>
@@ -50,7 +51,8 @@ struct RestElasticity {
   materials::RestModuli moduli;
 };
 
-/// Returns the tangent at a Gauss point of a cell. The first local direction is the fastest index of the points.
+/// A function that returns the tangent at a Gauss point of a cell with the deformation gradient F. The first local
+/// direction is the fastest index of the points.
 using TangentOfPoint = std::function<Tangent(int point, const materials::Tensor<double>& F)>;
 
 class CellStiffness {
@@ -70,9 +72,9 @@ class CellStiffness {
   const BallSpace& space_;
   int n_;
   Eigen::MatrixXd values_, derivatives_;  ///< Lagrange polynomials ℓ_i, and ℓ_i': (Gauss point, node)
-  /// Products of two one-dimensional functions at the Gauss points of one direction: [2 s + t](point, pair of nodes).
-  /// The number s is 1 if the first function is a derivative ℓ_i', and 0 if it is ℓ_i. In the same way, t belongs to
-  /// the second function.
+  /// Products of two one-dimensional functions at the Gauss points of one direction: [2 s + t](point, b·n + a). The
+  /// first function belongs to node a. It is the derivative ℓ_a' if s = 1, and ℓ_a if s = 0. The second function
+  /// belongs to node b and is ℓ_b' if t = 1, and ℓ_b if t = 0.
   std::array<Eigen::MatrixXd, 4> products_;
 };
 

@@ -21,8 +21,8 @@ struct Run {
   }
 };
 
-/// The test that SLEPc calls for the end of the iteration. In addition to the usual test, it ends the iteration if a
-/// product has failed.
+/// The stopping test of the iteration, which SLEPc calls. In addition to the usual test, this test ends the iteration
+/// if a product with the operator has failed.
 PetscErrorCode look(EPS solver, PetscInt n_iterations, PetscInt max_iterations, PetscInt n_converged, PetscInt n_wanted,
                     EPSConvergedReason* reason, void* context) {
   PetscCall(EPSStoppingBasic(solver, n_iterations, max_iterations, n_converged, n_wanted, reason, nullptr));

@@ -1,7 +1,7 @@
 #pragma once
-/// The linear equations of small displacements of the ball, cell by cell. The equations and their solution in the
-/// sectors are in parity_sector.h. K is the stiffness, M is the mass, and G is the derivative of the constraint. With a
-/// shift s and a penalty γ, B = K + s M + γGᵀG.
+/// The matrices of the linear equations for small displacements of the ball, cell by cell. parity_sector.h has the
+/// equations and solves them in the parity sectors. K is the stiffness, M is the mass, and G is the derivative of the
+/// constraint. With a shift s and a penalty γ, B = K + s M + γGᵀG.
 
 #include <Eigen/Core>
 #include <functional>
@@ -16,10 +16,10 @@ namespace pseudorigid::continuum {
 
 class ParitySector;
 
-/// The product of a symmetric operator with a vector of the unknowns of a sector.
+/// A function that returns the product of a symmetric operator with a vector u of the unknowns of a sector.
 using SectorOperator = std::function<Eigen::VectorXd(const Eigen::VectorXd& u)>;
 
-/// A spring with the energy ½(row·u)² of the displacements u of a cell.
+/// A spring with the energy ½(row·u)², where u has the displacements of the nodes of a cell (index 3·node + component).
 struct Spring {
   unsigned int cell;
   Eigen::VectorXd row;
@@ -29,18 +29,18 @@ struct Spring {
 /// is Newton's constant.
 inline double weight_of_density(double G) { return 4 * std::numbers::pi / 3 * G; }
 
-/// Data that all sectors share: the space, and the stiffness and the constraint of every cell.
+/// The data that all parity sectors use: the space, and the stiffness and the constraint of every cell.
 struct LinearProblem {
   virtual ~LinearProblem() = default;
   /// The operator E of the forces that couple more unknowns than K (parity_sector.h), in a sector. The result is empty
-  /// if there are no such forces. It may refer to the sector.
+  /// if there are no such forces. The operator may refer to the sector, which must outlive it.
   virtual SectorOperator beyond_cells(const ParitySector&) const { return {}; }
 
   const BallSpace& space;
   bool incompressible;
   double shift;  ///< shift s; may be 0 for a stable ball in a sector without rigid motions
-  /// A stiffness per mass for each component, in addition to the stiffness of the cells. The diagonal of B contains its
-  /// product with the mass.
+  /// A stiffness per mass for each component, in addition to the stiffness of the cells. Its product with the mass is
+  /// added to the diagonal of B.
   Eigen::Vector3d of_mass = Eigen::Vector3d::Zero();
   double penalty;                             ///< penalty γ of the augmented Lagrangian; 0 for a compressible body
   std::vector<Eigen::MatrixXd> stiffness{};   ///< K + γGᵀG of each cell
@@ -49,7 +49,7 @@ struct LinearProblem {
 
  protected:
   /// `space` must be that of an octant in one process. `stiffness_of_body` is the larger of the shear modulus and ρg in
-  /// internal units. The penalty is a multiple of it.
+  /// internal units. The penalty of an incompressible body is 10⁴ times this number.
   LinearProblem(const BallSpace& ball_space, bool is_incompressible, double of_shift, double stiffness_of_body)
       : space(ball_space),
         incompressible(is_incompressible),
@@ -60,9 +60,9 @@ struct LinearProblem {
   void set_constraint(const CellKernels& kernels, const Vector& x);
   /// Sets `stiffness` and `n_cells_at_node`. The function `of_cell` returns K of a cell.
   void set_stiffness(const std::function<Eigen::MatrixXd(unsigned int cell)>& of_cell);
-  /// Adds a spring at each point of the free surface to the stiffness. A spring acts along the vector `along(point)`,
-  /// and its stiffness is the square of the length of this vector. The returned springs include the weights of the
-  /// quadrature.
+  /// Adds a spring at each quadrature point of the free surface to the stiffness. A spring acts along the vector
+  /// `along(point)`, and its stiffness is the square of the length of this vector times the quadrature weight. Returns
+  /// the springs.
   std::vector<Spring> add_springs(const std::function<Eigen::Vector3d(const FacePoint& point)>& along);
 };
 

@@ -24,7 +24,7 @@ struct Range {
   double spread() const { return largest - least; }
 };
 
-/// The sector of the tides of even or of odd degree, with its harmonics.
+/// The parity sector of the tides of even or of odd degree, with the harmonics of this parity.
 struct TidalSector {
   TidalSector(const RestProblem& problem, bool odd, int max_degree)
       : sector(problem, parity_of_sector(odd ? 7 : 0)), harmonics(problem.space, sector.parity(), max_degree) {}

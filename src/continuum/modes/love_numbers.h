@@ -1,17 +1,17 @@
 #pragma once
 /// Love numbers (gravity/love_numbers.h) of the finite-element ball with the density ρ and the gravity g at its
-/// surface. The tide V = Y_nm, an orthonormal spherical harmonic, does the work f·w = ρ∮V (w·e) dS on a displacement w.
-/// The outward normal is e. K is the elastic stiffness, K_g the second variation of self-gravity, G the derivative of
-/// the constraint, and λ its multiplier (parity_sector.h, rest_problem.h). The static response u and the Love numbers
-/// satisfy
+/// surface. The potential V = Y_nm of the tide is an orthonormal spherical harmonic. Its force f does the work f·w =
+/// ρ∮V (w·e) dS on a displacement w, with the outward normal e = X/|X|. K is the elastic stiffness, K_g the second
+/// variation of self-gravity, G the derivative of the constraint, and λ its multiplier (parity_sector.h,
+/// rest_problem.h). The static response u and the Love numbers satisfy
 ///
 ///   (K + K_g) u − Gᵀλ = f,   G u = 0,
-///   h_n = g ∮(u·e) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS,    e = X/|X|.
+///   h_n = g ∮(u·e) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS.
 ///
 /// The computation uses the harmonics Y_nm that are even under all three reflections of the octant if n is even, and
 /// odd under all three if n is odd. No rigid motion has these parities. The mesh breaks the symmetry between the
-/// harmonics of one degree. The result is the mean over the harmonics that are used. The difference between the largest
-/// and the smallest number shows the size of the error of the mesh.
+/// harmonics of one degree. The result is therefore the mean over the computed harmonics. The difference between the
+/// largest and the smallest number is of the size of the error of the mesh.
 
 #include <vector>
 
@@ -20,8 +20,8 @@
 
 namespace pseudorigid::continuum {
 
-/// The mean Love numbers over the harmonics of a degree. The spreads are the differences between the largest and the
-/// smallest number.
+/// The Love numbers of one degree: the means over the computed harmonics. The spreads of h and of l are the differences
+/// between the largest and the smallest number.
 struct BallLoveNumbers {
   gravity::LoveNumbers mean;
   double spread_of_h = 0, spread_of_l = 0;

@@ -18,8 +18,8 @@ constexpr double eigenvector_tolerance = 1e-7;
 /// Relative margin for round-off. The bound complete_below() of a sector is lower by this fraction.
 constexpr double round_off = 1e-9;
 
-/// A sector to solve, as the argument of parity_of_sector. n_sectors is the number of sectors with the same spectrum,
-/// including this sector.
+/// A parity sector to solve. `number` is the argument of parity_of_sector. n_sectors is the number of sectors with the
+/// same spectrum, including this sector.
 struct SectorClass {
   int number, n_sectors;
 };
@@ -62,7 +62,8 @@ struct SectorMode {
   Vector u;
 };
 
-/// Finds the modes of one sector, the lowest first. All modes with frequencies below complete_below() have been found.
+/// Finds the modes of one parity sector, the lowest first. After a call of `extend`, all modes with frequencies below
+/// complete_below() are known.
 class SectorSpectrum {
  public:
   SectorSpectrum(const RestProblem& problem, const SectorClass& sector_class, int max_degree)
@@ -101,7 +102,7 @@ class SectorSpectrum {
   }
 
   double complete_below() const { return complete_below_; }
-  /// True if `extend` has found an eigenpair.
+  /// True if a call of `extend` has found an eigenpair.
   bool asked() const { return !pairs_.empty(); }
 
  private:
@@ -141,7 +142,7 @@ class SectorSpectrum {
 
 double root(double square) { return std::copysign(std::sqrt(std::abs(square)), square); }
 
-/// Groups the modes with ω < `bound` into frequencies, in the order of the lowest modes of the frequencies.
+/// Groups the modes with ω < `bound` into frequencies, which are ordered by their lowest modes. Omits the other modes.
 std::vector<mechanics::ModeGroup> sort_modes(const std::vector<SectorMode>& modes, double bound) {
   std::vector<mechanics::ClassifiedMode> known;
   for (const SectorMode& mode : modes) {

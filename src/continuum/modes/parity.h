@@ -20,8 +20,8 @@ struct Parity {
   }
 };
 
-/// The parity with sign[j] = −1 if bit j of `number` is set, and otherwise 1. Number 0 is the parity of motions that
-/// keep all three planes of symmetry.
+/// The parity with sign[j] = −1 if bit j of `number` is set, and otherwise 1. Number 0 is the parity of motions for
+/// which all three planes are planes of symmetry.
 inline Parity parity_of_sector(int number) {
   Parity parity;
   for (int j = 0; j < 3; ++j) parity.sign[j] = number >> j & 1 ? -1 : 1;

@@ -17,14 +17,14 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Numbers of corrections of the constraint G u (parity_sector.h): first in the operator for the eigenvectors, then for
-/// a mode or a static response.
+/// Numbers of corrections of the constraint G u (parity_sector.h). The first number is for the operator of the
+/// eigenvalue problem, the second for a mode or a static response.
 constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
-/// Relative tolerances of the conjugate gradients in the energy norm: first for eigenvectors and modes, then for a
-/// static response.
+/// Relative tolerances of the conjugate gradients in the energy norm. The first is for eigenvectors and modes, the
+/// second for a static response.
 constexpr double tolerance_of_operator = 1e-9, tolerance_of_response = 1e-13;
-/// The iteration of `solve` also ends if its residual is below this fraction of B⁻¹f, the response with the penalty
-/// alone.
+/// GMRES in `solve` also ends if the norm of its residual is below this fraction of the norm of B⁻¹f, the displacement
+/// without the corrections of the constraint.
 constexpr double balanced = 1e-9;
 /// Largest numbers of iterations of the conjugate gradients and of GMRES.
 constexpr int n_iterations_of_gradients = 100, n_iterations_of_gmres = 120;
@@ -39,11 +39,11 @@ using SparseCholesky = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
 
 }  // namespace
 
-/// The free entries of a cell, which the parity does not set to 0. The own entries of the cell come first, and then the
-/// entries that it shares with other cells. B_own and B_own,shared are blocks of the matrix B of parity_sector.h for
-/// these entries.
+/// The free entries of a cell, which the parity does not set to 0. First are the entries of nodes that belong to no
+/// other cell (`own`), and then those of nodes that other cells share (`shared`). B_own and B_own,shared are the blocks
+/// of the matrix B of parity_sector.h for these entries.
 struct ParitySector::Cell {
-  std::vector<int> own, shared, free;      ///< 3·(node of the cell) + component; `free` has both parts
+  std::vector<int> own, shared, free;      ///< 3·(node of the cell) + component; `free` is `own` followed by `shared`
   std::vector<Eigen::Index> unknown;       ///< index of each entry in the vectors of the sector
   Eigen::LLT<Eigen::MatrixXd> own_factor;  ///< Cholesky factor L of B_own
   Eigen::MatrixXd coupling;                ///< L⁻¹ B_own,shared
@@ -110,8 +110,8 @@ void ParitySector::number_unknowns() {
     diagonal_[static_cast<Eigen::Index>(i)] *= problem_.shift + problem_.of_mass[entry_of_unknown_[i] % 3];
 }
 
-/// Computes the Cholesky factor L of B_own, the part of B = K + s M + γ GᵀG for the cell's own entries. Sets
-/// cell.coupling to L⁻¹B_own,shared, and the lower triangle of `schur` to that of B_shared − couplingᵀ coupling.
+/// Computes the Cholesky factor L of B_own, the block of B = K + s M + γ GᵀG for the own entries of the cell. Sets
+/// cell.coupling to L⁻¹B_own,shared. Sets the lower triangle of `schur` to that of B_shared − couplingᵀ coupling. Here
 /// B_shared does not contain the entries of diagonal_, which `factorize` adds.
 void ParitySector::condense(Cell& cell, unsigned int number, Eigen::MatrixXd& schur) const {
   const Eigen::MatrixXd& B = problem_.stiffness[number];
@@ -306,8 +306,8 @@ mechanics::SolveReport ParitySector::solve(const Eigen::VectorXd& f, const Eigen
   };
   Eigen::VectorXd penalized = f - product(particular);
   const Eigen::VectorXd right = solve_cells(penalized, n_corrections_of_mode);
-  // If the constraint balances the force, T of it is only round-off, and a tolerance relative to this would be too
-  // small. B⁻¹ of the force, the displacement with the penalty alone, is above round-off even then.
+  // If the constraint balances the force f, T f is only round-off, and a tolerance relative to T f would be too small.
+  // The displacement B⁻¹f is above round-off even in this case.
   solve_penalized(penalized);
   const double round_off = balanced * penalized.norm();
   std::vector<double> rest;

@@ -1,27 +1,27 @@
 #pragma once
 /// Small motions u of the ball about rest or another symmetric equilibrium, computed in one octant. Under the
-/// reflection R_j of x_j, a mode is even or odd,
+/// reflection R_j of x_j, a mode can be chosen even or odd,
 ///
 ///   u(R_j X) = s_j R_j u(X),   s_j = ±1.
 ///
-/// On the plane x_j = 0, u_j = 0 if s_j = +1, and the other two components are 0 if s_j = −1. The motion has the plane
-/// as a plane of symmetry if s_j = +1. The eight choices of signs are eight problems on the same octant, the sectors.
-/// Together the sectors have all modes of the ball.
+/// On the plane x_j = 0, u_j = 0 if s_j = +1, and the other two components are 0 if s_j = −1. If s_j = +1, the plane is
+/// a plane of symmetry of the motion. The eight choices of signs are eight problems on the same octant, the parity
+/// sectors. Together the sectors have all modes of the ball.
 ///
 /// In each sector, the modes satisfy
 ///
 ///   −ω² M u = −K u + Gᵀλ,   G u = 0
 ///
-/// with the mass M, the stiffness K, and the constraint with its multiplier λ. This problem is inverted about a shift
-/// −s below all ω²: u = T f solves
+/// with the mass M, the stiffness K, and the constraint with its multiplier λ. For a shift −s below all ω², let T be
+/// the operator for which u = T f solves
 ///
 ///   (K + s M) u − Gᵀλ = f,   G u = 0.
 ///
-/// T acts on u alone and therefore does not have the infinite eigenvalues of the multiplier. The equations are solved
-/// by the augmented Lagrangian method with a penalty γ. B = K + s M + γ GᵀG is positive definite. B couples the same
-/// unknowns as K, because each entry of λ belongs to one cell. A correction u ← u − B⁻¹γGᵀG u reduces G u by a factor
-/// of the order of 1/γ. B is factorised after condensation: first the unknowns of a single cell (dense, cell by cell),
-/// then the unknowns between cells.
+/// T acts only on displacements and therefore does not have the infinite eigenvalues of the multiplier. The equations
+/// are solved by the augmented Lagrangian method with a penalty γ. B = K + s M + γ GᵀG is positive definite. B couples
+/// the same unknowns as K, because each entry of λ belongs to one cell. A correction u ← u − B⁻¹γGᵀG u reduces G u by a
+/// factor of the order of 1/γ. B is factorised by static condensation: first the unknowns that belong to a single cell
+/// (dense, cell by cell), then the unknowns between cells.
 ///
 /// Forces that couple more unknowns than K add a further operator E, which is applied without a matrix. The equation (K
 /// + E + s M) u − Gᵀλ = f is solved by conjugate gradients. The operator T without E is the preconditioner.
@@ -44,7 +44,8 @@ class ParitySector {
   ~ParitySector();
   ParitySector(ParitySector&&) noexcept = delete;  // E may refer to the sector
 
-  /// Factorises B. Call this function before `apply`, `respond` and `mode_of`. Fails if B is not positive definite.
+  /// Factorises B. Call this function before `apply`, `respond`, `solve`, `mode_of` and `without_volume`. Fails if B is
+  /// not positive definite.
   mechanics::Status factorize();
   std::size_t n_unknowns() const { return n_unknowns_; }
   const Parity& parity() const { return parity_; }
@@ -53,26 +54,27 @@ class ParitySector {
   /// Conversions between nodal fields on the octant and vectors of the unknowns. Entries that are not unknowns are 0.
   Vector field_of(const Eigen::VectorXd& u) const;
   Eigen::VectorXd entries_of(const Vector& field) const;
-  const Eigen::VectorXd& mass() const { return mass_; }            ///< M of each unknown
-  Eigen::VectorXd product(const Eigen::VectorXd& u) const;         ///< (K + E + s M) u
-  Eigen::VectorXd without_volume(const Eigen::VectorXd& u) const;  ///< a displacement near u with G u = 0
+  const Eigen::VectorXd& mass() const { return mass_; }     ///< M of each unknown
+  Eigen::VectorXd product(const Eigen::VectorXd& u) const;  ///< (K + E + s M) u
+  /// Returns u minus a displacement with the same G u. The result w therefore has G w = 0.
+  Eigen::VectorXd without_volume(const Eigen::VectorXd& u) const;
 
-  /// Sets z = M^½ T M^½ y. Here and in `respond`, T is the inverse with K + E in place of K. This operator is symmetric
-  /// and has the eigenvalues 1/(ω² + s). `apply`, `respond` and `mode_of` fail if the ball with self-gravity is
-  /// unstable, or if the conjugate-gradient iteration does not converge.
+  /// Sets z = M^½ T M^½ y. Here and in `respond`, T is defined with K + E in place of K. The operator M^½ T M^½ is
+  /// symmetric and has the eigenvalues 1/(ω² + s). `apply`, `respond` and `mode_of` fail if K + E + s M is not positive
+  /// definite, or if the conjugate-gradient iteration does not converge.
   mechanics::Status apply(std::span<const double> y, std::span<double> z) const;
 
   /// Sets u = T f for a force f on the octant. Fails in the same cases as `apply`.
   mechanics::Status respond(const Vector& f, Vector& u) const;
 
-  /// Solves (K + E + s M) u − Gᵀλ = f, G u = h. Unlike `respond`, this function does not need a positive definite
-  /// operator. The equation is solved by GMRES with T as the preconditioner. `tolerance` is relative to the
-  /// preconditioned right-hand side. Fails if GMRES does not converge.
+  /// Solves (K + E + s M) u − Gᵀλ = f, G u = h. Unlike `respond`, this function does not need a positive definite K + E
+  /// + s M. The equation is solved by GMRES. The preconditioner is T without E. `tolerance` is relative to the
+  /// preconditioned right-hand side. `lambda` is empty for a compressible body. Fails if GMRES does not converge.
   mechanics::SolveReport solve(const Eigen::VectorXd& f, const Eigen::VectorXd& h, double tolerance, Eigen::VectorXd& u,
                                Eigen::VectorXd& lambda) const;
 
-  /// A mode with its ω². `mode_of` makes one step of inverse iteration from an approximate eigenvector y of `apply`. It
-  /// then computes ω² = uᵀ(K + E)u / uᵀMu.
+  /// A mode with its ω². `mode_of` makes one step of inverse iteration from an approximate eigenvector y of `apply`,
+  /// which gives u. The result ω² is uᵀ(K + E)u / uᵀMu.
   struct Mode {
     double omega_squared;
     Vector u;
@@ -95,7 +97,7 @@ class ParitySector {
   Eigen::VectorXd solve_cells(Eigen::VectorXd f, int n_corrections) const;
   mechanics::Status solve_definite(const Eigen::VectorXd& f, int n_corrections, double tolerance,
                                    Eigen::VectorXd& u) const;
-  Eigen::VectorXd with_volume(const Eigen::VectorXd& h) const;  ///< a displacement with G u = h
+  Eigen::VectorXd with_volume(const Eigen::VectorXd& h) const;  ///< some u with G u = h; 0 for a compressible body
   /// Returns the λ with Gᵀλ = f. The force f must have this form.
   Eigen::VectorXd multiplier_of(Eigen::VectorXd f) const;
 

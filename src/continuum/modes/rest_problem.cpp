@@ -33,8 +33,8 @@ SectorOperator RestProblem::beyond_cells(const ParitySector& sector) const {
   for (int n = 0; n <= harmonics.max_degree(); ++n)
     for (const std::size_t field : harmonics.radial_fields(n)) {
       const double share = n == 0 ? 1 : 3 / (2.0 * n + 1);
-      // With the integral I over the octant, the integral over the sphere is 8 I. The energy of the octant is an eighth
-      // of the energy of the sphere, and contains (8 I)²/8 = 8 I².
+      // If I is the integral of (u·e) Y_nm over the octant, the integral over the sphere is 8 I. The energy of the
+      // octant is an eighth of the energy of the sphere. Its quadratic term is therefore (8 I)²/8 = 8 I².
       rows.push_back(std::sqrt(8 * share * weight_of_density) * sector.entries_of(harmonics.force(field)));
     }
   Eigen::MatrixXd attraction(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(sector.n_unknowns()));

@@ -5,11 +5,12 @@
 ///   uᵀK_g u = ρg [∮(u·e)² dS − Σ_nm c_n (∮(u·e) Y_nm dS)²],   g = (4/3)πGρr,   c_0 = 1, c_n = 3/(2n + 1) for n > 0.
 ///
 /// e is the outward normal, the Y_nm are the orthonormal spherical harmonics, and G in the formula for g is Newton's
-/// constant. The first term is a spring at each point, and the stiffness of the cells contains these springs. The
-/// second term is the operator E: an attraction of the harmonics that the mesh resolves. Harmonics of higher degree n
-/// would soften the springs of the surface by a fraction of at most 3/(2n + 1). About ten iterations of the conjugate
-/// gradients (parity_sector.h) are sufficient for every mesh and strength of gravity. The surface integrals of a motion
-/// (gravity/surface_gravity.h) have larger errors: 1e-6 to 1e-5 in the Love number l of a tide.
+/// constant. The first term is a spring at each point of the surface, and the stiffness of the cells contains these
+/// springs. The second term, for the harmonics that the mesh resolves, is the operator E. The omitted harmonics of
+/// higher degree n would reduce the stiffness of the springs by a fraction of at most 3/(2n + 1). About ten iterations
+/// of the conjugate gradients (parity_sector.h) are sufficient for every mesh and strength of gravity. Compared with
+/// K_g, the surface integrals of gravity/surface_gravity.h, which motions use, have larger errors: 1e-6 to 1e-5 in the
+/// Love number l of a tide.
 
 #include "continuum/modes/cell_stiffness.h"
 #include "continuum/modes/parity_sector.h"

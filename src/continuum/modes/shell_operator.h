@@ -1,6 +1,6 @@
 #pragma once
-/// A linear operator of one process that PETSc and SLEPc apply through a function, and the solution of linear equations
-/// with it.
+/// A linear operator of one process, given by a function that PETSc and SLEPc call, and the solution of linear
+/// equations with this operator.
 
 #include <functional>
 #include <span>
@@ -36,7 +36,7 @@ class ShellOperator {
 };
 
 /// Solves A x = b by GMRES from x = 0, until |b − A x| is at most `relative` times |b|, or at most `absolute`. Fails if
-/// this is not reached after `max_iterations`, or if a product fails.
+/// the residual is larger after `max_iterations` iterations, if a product fails, or if PETSc reports an error.
 mechanics::SolveReport solve_by_gmres(const LinearOperator& A, const std::vector<double>& b, double relative,
                                       double absolute, int max_iterations, std::vector<double>& x);
 

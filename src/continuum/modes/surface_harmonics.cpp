@@ -11,7 +11,8 @@ namespace {
 
 constexpr double n_octants = 8;
 
-/// The real Y_nm with the factor cos(mφ) or sin(mφ), orthonormal on the sphere, and its gradient on the sphere.
+/// The value and the gradient on the unit sphere of a real spherical harmonic Y_nm at a point. The Y_nm are orthonormal
+/// and have a factor cos(mφ) or sin(mφ).
 struct Harmonic {
   double value;
   Eigen::Vector3d gradient;
@@ -42,7 +43,7 @@ Parity parity_of_harmonic(int n, int m, bool sine) {
   return {{sine ? -even_m : even_m, sine ? -1 : 1, (n + m) % 2 == 0 ? 1 : -1}};
 }
 
-/// True if every sign of a is `sign` times that of b.
+/// True if every sign of a is `sign` times the corresponding sign of b.
 bool same(const Parity& a, const Parity& b, int sign) {
   for (int j = 0; j < 3; ++j)
     if (a.sign[j] != sign * b.sign[j]) return false;

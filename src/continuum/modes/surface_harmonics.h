@@ -1,7 +1,7 @@
 #pragma once
-/// Classification of small motions of the ball. The displacement of the surface shows the kind and the degree of the
-/// mode of a sphere that the motion resembles. Let e = X/|X|, and let ∇ be the gradient on the unit sphere. With real
-/// spherical harmonics Y_nm and N = n(n+1), a field on the sphere is a sum of the orthonormal fields
+/// Classification of small motions of the ball. The displacement of the surface determines the kind and the degree of
+/// the mode of a sphere that is most similar to the motion. Let e = X/|X|, and let ∇ be the gradient on the unit
+/// sphere. With real spherical harmonics Y_nm and N = n(n+1), a field on the sphere is a sum of the orthonormal fields
 ///
 ///   Y e,   ∇Y/√N   (spheroidal),        e×∇Y/√N   (toroidal).
 ///
@@ -28,7 +28,8 @@ struct ModeClass {
   double share = 0;  ///< share of this class in the squared surface displacement
 };
 
-/// The highest degree for which the mesh has a point for every half wave on a great circle, but at most 64.
+/// The highest degree n for which a great circle of the mesh has at least 2n nodes, one for each half wave of a
+/// harmonic. The result is at most 64.
 int largest_resolved_degree(const BallSpace& space);
 
 /// A Gauss rule with more points than the elements have nodes, for products of fields with harmonics.
@@ -36,8 +37,7 @@ std::vector<FacePoint> harmonic_quadrature(const BallSpace& space, const CellFac
 
 class SurfaceHarmonics {
  public:
-  /// `parity` is the parity of the fields on the octant. The degrees are at most `max_degree`. The space must outlive
-  /// this object.
+  /// The fields have the parity `parity` and at most the degree `max_degree`. The space must outlive this object.
   SurfaceHarmonics(const BallSpace& space, const Parity& parity, int max_degree);
 
   int max_degree() const { return max_degree_; }
@@ -46,8 +46,8 @@ class SurfaceHarmonics {
   /// The share is 0 if u is 0 on the surface.
   ModeClass classify(const Vector& u) const;
 
-  /// The indices of the fields Y_nm e of degree n with the parity of the motion. For n > 0, the field ∇Y_nm/√N of the
-  /// same harmonic has the next index.
+  /// The indices of the fields Y_nm e of degree n. For n > 0, the field ∇Y_nm/√N of the same harmonic has the next
+  /// index.
   std::vector<std::size_t> radial_fields(int n) const;
   /// ∮u·field dS over the whole sphere, for the field with this index.
   double integral(std::size_t field, const Vector& u) const;
@@ -73,7 +73,8 @@ class SurfaceHarmonics {
   int max_degree_;
   std::vector<Point> points_;
   std::vector<Row> rows_;
-  std::vector<Eigen::Matrix3Xd> fields_;  ///< field of a row at the points, multiplied by `area`
+  /// Field of each row at the points, multiplied by the `area` of the point: (component, point).
+  std::vector<Eigen::Matrix3Xd> fields_;
 };
 
 }  // namespace pseudorigid::continuum

@@ -23,8 +23,8 @@ std::vector<Metric> at_points(const materials::MaxwellBranches& branches, const 
   return sums;
 }
 
-/// Interpolates values at the Gauss points of a cell along one direction to the nodes. Neighbours in this direction are
-/// `stride` points apart.
+/// Interpolates values at the Gauss points of a cell to the nodes along one direction. The indices of neighbours in
+/// this direction differ by `stride`.
 std::vector<Metric> interpolated(const std::vector<Metric>& values, const ReferenceCell& ref, std::size_t stride) {
   const auto n = static_cast<std::size_t>(ref.n);
   std::vector<Metric> result(values.size(), Metric{});

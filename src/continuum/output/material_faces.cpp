@@ -11,8 +11,9 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// The number 1 to 3 of the coordinate plane that contains these nodes of a cell. The result is empty if there is none,
-/// or if the cell is on the negative side of the plane. Each face in a plane is therefore found once.
+/// Returns the number 1, 2 or 3 of the coordinate plane x_1 = 0, x_2 = 0 or x_3 = 0 that contains the given nodes of a
+/// cell. The result is empty if there is no such plane, or if the cell is on the negative side of the plane. Each face
+/// in a plane is therefore found once.
 std::optional<int> coordinate_plane(const Eigen::Matrix3Xd& X, const std::vector<int>& nodes) {
   constexpr double round_off = 1e-10;
   for (int d = 0; d < 3; ++d) {
@@ -22,8 +23,8 @@ std::optional<int> coordinate_plane(const Eigen::Matrix3Xd& X, const std::vector
   return std::nullopt;
 }
 
-/// The wanted number of squares of all lattices on the whole ball. This number is a compromise: more squares make
-/// outlines smoother, and the report larger. The number m of intervals per direction is between 1 and largest_m.
+/// Approximate number of squares of all lattices on the whole ball. With more squares, outlines are smoother and the
+/// report is larger. The number m of intervals per direction is between 1 and largest_m.
 constexpr double wanted_squares = 1700;
 constexpr int largest_m = 6;
 

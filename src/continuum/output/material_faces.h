@@ -5,7 +5,7 @@
 ///   x(ξ_a, ξ_b) = Σ_ij ℓ_i(ξ_a) ℓ_j(ξ_b) x_ij,   ξ_a = a/m,  a, b = 0 … m
 ///
 /// with the nodal positions x_ij of the face, the Lagrange polynomials ℓ_i of the nodes and m intervals per direction.
-/// The rows have internal units and cover the computed sector only. The rest of the body follows by reflection.
+/// The rows are in internal units, and only for the computed sector. Reflections give the rest of the body.
 
 #include <Eigen/Core>
 #include <array>
@@ -26,8 +26,8 @@ class MaterialFaces {
 
   std::size_t n_points() const { return n_faces_ * (m_ + 1) * (m_ + 1); }  ///< number of lattice points on all ranks
   /// Returns one row with the entries `columns` for each lattice point of the faces of all ranks. `position` has the
-  /// positions of the nodes. The order of the rows does not depend on the number of ranks. The result is complete on
-  /// rank 0 and empty on other ranks. Collective.
+  /// current positions of the nodes. The order of the rows does not depend on the number of ranks. The result is
+  /// complete on rank 0 and empty on other ranks. Collective.
   std::vector<std::vector<double>> rows(const Vector& position) const;
 
  private:

@@ -30,8 +30,9 @@ std::vector<std::array<double, 3>> images(const Sector& sector) {
   return result;
 }
 
-/// Appends the values of the mirror images to `values`, which has n_components values for each point of the sector.
-/// Components of vectors (3) and of matrices (9) change sign with the coordinates.
+/// Appends the values at the mirror images to `values`, which has n_components values for each point of the sector.
+/// n_components is 1 for scalars, 3 for vectors, and 9 for matrices. Components of vectors and matrices change sign
+/// with the coordinates.
 void reflect(std::vector<double>& values, int n_components, const Sector& sector) {
   const std::vector<double> of_sector = std::move(values);
   values.clear();
@@ -58,16 +59,16 @@ std::vector<double> potential_at_nodes(const BallBody& ball, const Vector& posit
   return ball.gravity()->potential(position, points);
 }
 
-/// The constant ρφ̄ = (5/3)Ê/V, with the energy Ê of self-gravity and the volume V. The multiplier exceeds the pressure
-/// by ρ(φ − φ̄), with the potential φ. Collective.
+/// Returns the constant ρφ̄ = (5/3)Ê/V, with the energy Ê of self-gravity and the volume V. The multiplier is larger
+/// than the Kirchhoff pressure by ρ(φ − φ̄), with the potential φ. Collective.
 double mean_potential(const BallBody& ball, const Vector& position) {
   const int n_images = ball.space().mesh().sector().n_images();
   return 5.0 / 3 * n_images * ball.gravity()->energy(position) / ball.volume();
 }
 
-/// Appends the fields at the nodes of a cell to `fields`, except the potential, which must already be set. If
-/// `multiplier` is null, the multiplier counts as 0. `mean_potential` is ρφ̄ of the function above, or 0 without
-/// self-gravity. Fails if det F is not positive and finite at a node.
+/// Appends the fields at the nodes of a cell to `fields`, except the potential, which must already be set. A null
+/// `multiplier` means a multiplier of 0. `mean_potential` is ρφ̄, or 0 without self-gravity. Fails if det F is not
+/// positive and finite at a node.
 mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
                            const Vector* multiplier, double mean_potential, unsigned int cell,
                            mechanics::BodyFields& fields) {
@@ -112,8 +113,8 @@ mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law,
   return {};
 }
 
-/// Appends the numbers of the n³ points of a cell, which start with `first_point`. If `mirrored` is true, the cell is
-/// an image after an odd number of reflections. The order of its layers is then reversed, so that the cell is
+/// Appends the numbers of the n³ points of a cell, which are consecutive from `first_point`. `mirrored` is true for an
+/// image after an odd number of reflections. The order of its layers is then reversed, so that the cell is
 /// right-handed.
 void add_block(int n, std::int64_t first_point, bool mirrored, std::vector<std::int64_t>& points) {
   for (int k = 0; k < n; ++k)
@@ -121,7 +122,7 @@ void add_block(int n, std::int64_t first_point, bool mirrored, std::vector<std::
 }
 
 /// Interpolates values at the nodes of a cell to equidistant points along one direction. Three calls, one for each
-/// direction, interpolate the cell. Neighbours in the direction are `stride` points apart.
+/// direction, interpolate the cell. The indices of neighbours in the direction differ by `stride`.
 void interpolate_along(const std::vector<double>& to_equidistant, int n, std::size_t stride, int n_components,
                        std::span<double> cell) {
   std::vector<double> line(n);

@@ -7,8 +7,9 @@
 /// F is the deformation gradient, and σ is the Cauchy stress. P is the stress of the law and of the viscoelastic
 /// branches, without volumetric stabilisation and viscosity. λ_h is the multiplier of the motion, or 0 without
 /// constraint. With self-gravity, φ is the potential. The constant φ̄ follows from ρφ̄V = (5/3)Ê with the volume V and
-/// the energy Ê of self-gravity. The term with φ removes the gauge of Ê from the pressure (gravity/surface_gravity.h),
-/// and is 0 without self-gravity. All fields have internal units (entries/units.h).
+/// the energy Ê of self-gravity (gravity/surface_gravity.h). The force of Ê has no component that a pressure could
+/// balance, so λ_h is not the Kirchhoff pressure. The term with φ corrects the difference, and is 0 without
+/// self-gravity. All fields have internal units (entries/units.h).
 
 #include <vector>
 
@@ -18,11 +19,11 @@
 
 namespace pseudorigid::continuum {
 
-/// A block of points for each cell of this rank and for each mirror image of such a cell. The degree of the blocks is
-/// the degree of the elements.
+/// Returns a block of points for each cell of this rank and for each mirror image of such a cell. The degree of the
+/// blocks is the degree of the elements.
 mechanics::PointBlocks nodal_blocks(const BallSpace& space);
 
-/// X at the points of the blocks, three numbers per point.
+/// The reference positions X at the points of the blocks, with three numbers per point.
 std::vector<double> nodal_positions(const BallSpace& space);
 
 /// Sets `fields` at the points of `nodal_blocks`. `law` must be the law of the ball. Fails if the multiplier of the
@@ -35,7 +36,7 @@ mechanics::Status nodal_fields(const CompressibleBall& ball, const materials::An
                                mechanics::BodyFields& fields);
 
 /// Interpolates values from the Gauss–Lobatto nodes of each cell to the same number of equidistant points. The first
-/// function is for vectors, with three numbers for each node. The second is for all fields.
+/// function is for a list with three numbers for each node. The second function is for all fields.
 void make_equidistant(const BallSpace& space, std::vector<double>& values);
 void make_equidistant(const BallSpace& space, mechanics::BodyFields& fields);
 

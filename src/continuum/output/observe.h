@@ -19,18 +19,18 @@ mechanics::Status observe(const ElasticBall& ball, const BallState& state, Elast
 mechanics::Status observe(const CompressibleBall& ball, const BallState& state, CompressibleBall::Workspace& workspace,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& observables);
 
-/// Sets the requested observables of either ball except the multiplier. Fails if the deformation is not admissible.
-/// Collective.
+/// Sets the requested observables of an incompressible or a compressible ball, except the multiplier. Fails if the
+/// deformation is not admissible. Collective.
 mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
                                  const mechanics::ObservableRequest& request,
                                  mechanics::ContinuumObservables& observables);
 
-/// (1/m̄)∫Jp dX for the pressure p of an incompressible ball, with m̄ = ⅓ tr E₀ and the inertia E₀. λ is the multiplier.
-/// Collective.
+/// Returns (1/m̄)∫Jp dX over the whole ball for the pressure p of an incompressible ball, with m̄ = ⅓ tr E₀ and the
+/// inertia E₀. `lambda` is the multiplier of the motion at the position x. Collective.
 double mean_multiplier(const BallBody& ball, const Vector& x, const Vector& lambda);
 
-/// Returns the kinetic energy of the ball and of the companions, and the rest of the total energy. The rest is the
-/// potential energy plus the dissipated energy, minus the energy given by loads. Both are NaN if the deformation is not
+/// Returns two numbers. The first is the kinetic energy of the ball and of the companions. The second is the potential
+/// energy plus the dissipated energy, minus the energy given by loads. Both numbers are NaN if the deformation is not
 /// admissible. Collective.
 Eigen::Vector2d energies(const BallBody& ball, const BallState& state);
 

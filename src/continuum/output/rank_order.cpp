@@ -57,7 +57,8 @@ RankOrder::Order RankOrder::make_order(const std::vector<std::size_t>& keys, std
   return order;
 }
 
-/// The order of the internal metrics of x: the cells in their order, with all metrics of a cell as a block.
+/// Returns the order of the internal metrics of x. All metrics of a cell form a block, and the blocks have the order of
+/// the cells. Collective.
 RankOrder::Order RankOrder::order_of_metrics(const Vector& x) const {
   Order order = multipliers_;
   const std::size_t n_own_cells = order.own.size(), n_cells = multipliers_.n_entries / multipliers_.block;

@@ -13,7 +13,7 @@ namespace {
 
 using Tangents = Eigen::Matrix<double, 3, 2>;
 
-/// The two columns of `gradient`, such as ∂x/∂ξ, that are tangent to a face ξ_d = const.
+/// Returns the two columns of a gradient such as ∂x/∂ξ that are tangent to a face ξ_d = const.
 Tangents tangents(const Eigen::Matrix3d& gradient, int d) {
   Tangents t;
   t << gradient.col((d + 1) % 3), gradient.col((d + 2) % 3);

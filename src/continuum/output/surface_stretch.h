@@ -1,7 +1,7 @@
 #pragma once
-/// A measure of how close an incompressible ball is to wrinkling of its surface. Let λ₁ ≤ λ₂ be the stretches within
-/// the surface. These stretches follow from the metrics of the tangents ∂X/∂ξ_α before and ∂x/∂ξ_α after the
-/// deformation,
+/// A measure of the distance of an incompressible ball from wrinkling of its surface. Let λ₁ ≤ λ₂ be the principal
+/// stretches within the surface. These stretches follow from the metrics of the tangents ∂X/∂ξ_α before and ∂x/∂ξ_α
+/// after the deformation,
 ///
 ///   det(c − λ² C₀) = 0,   C₀_αβ = ∂_αX·∂_βX,   c_αβ = ∂_αx·∂_βx.
 ///
@@ -10,8 +10,8 @@
 ///
 ///   λ₁/λ_n = λ₁²λ₂.
 ///
-/// A half-space becomes unstable if the ratio falls to the surface limit of its law (materials/law_limits.h). Waves of
-/// every length then grow, and the shortest waves grow fastest.
+/// A half-space becomes unstable if the ratio falls to the surface limit of its law (materials/law_limits.h).
+/// Perturbations of every wavelength then grow, and the shortest waves grow fastest.
 
 #include "continuum/mesh/ball_space.h"
 #include "continuum/parallel/least_place.h"

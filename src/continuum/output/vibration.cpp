@@ -9,8 +9,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// In each direction, a cell has this number of quadrature points in addition to the number of its nodes. In a mesh
-/// without refinement, the modes have a higher degree than the elements and need these points.
+/// The number of quadrature points of a cell in each direction, minus the number of its nodes. The modes vary faster
+/// than the basis functions if the mesh is not refined, so their integrals need more points.
 constexpr int n_more_points = 4;
 
 /// Number of local nodes, including the additional nodes and the ghost nodes.
@@ -19,7 +19,7 @@ Eigen::Index n_local_nodes(const Vector& u) {
   return (partitioner.locally_owned_size() + partitioner.n_ghost_indices()) / 3;
 }
 
-/// The values of u at all local nodes, one column for each. The ghost values of u must be up to date.
+/// The values of u at all local nodes, with one column for each node. The ghost values of u must be up to date.
 Eigen::Matrix3Xd at_nodes(const Vector& u) {
   Eigen::Matrix3Xd values(3, n_local_nodes(u));
   for (Eigen::Index i = 0; i < values.size(); ++i) values(i) = u.local_element(static_cast<unsigned int>(i));
@@ -27,7 +27,7 @@ Eigen::Matrix3Xd at_nodes(const Vector& u) {
 }
 
 /// The values and derivatives of the basis functions of a cell at Gauss points, and the weights of the points. A row
-/// belongs to a function, and a column to a point. In both, the first direction is the fastest index.
+/// belongs to a function, and a column to a point. For functions and points, the first direction is the fastest index.
 struct CellRule {
   explicit CellRule(const ReferenceCell& ref) {
     const dealii::QGauss<1> rule(static_cast<unsigned int>(ref.n + n_more_points));

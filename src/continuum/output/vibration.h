@@ -7,12 +7,12 @@
 
 namespace pseudorigid::continuum {
 
-/// The modes, and the integrals of the product of each modal displacement with each nodal basis function. The integrals
-/// are over the cells of this rank.
+/// Returns the modes, and the integrals over the cells of this rank of each modal displacement times each nodal basis
+/// function.
 mechanics::Vibration vibration_of(const BallBody& ball);
 
-/// The energy of vibration and its parts at a state. `known` must contain the centre of mass, its velocity, Q_M, the
-/// time derivative of Q_M, and the elastic energy. Collective.
+/// The energy of vibration of the whole ball at a state, and its parts by degree. `known` must contain the centre of
+/// mass, its velocity, Q_M, the time derivative of Q_M, and the elastic energy. Collective.
 mechanics::VibrationObservables observe_vibration(const BallBody& ball, const mechanics::Vibration& vibration,
                                                   const BallState& state, const mechanics::ContinuumObservables& known);
 

@@ -1,8 +1,8 @@
 #pragma once
-/// Functions that gather vectors of all ranks, or scatter them. If there are several ranks and their vectors have more
-/// entries together than an int can count, each function throws std::length_error on every rank. The functions use MPI
-/// directly. The corresponding functions of deal.II would include Boost's serialization and compression in every file
-/// that uses them.
+/// Functions that gather the vectors of all ranks, or distribute vectors to the ranks. If there are several ranks and
+/// their vectors together have more entries than an int can count, each function throws std::length_error on every
+/// rank. The functions use MPI directly. The corresponding functions of deal.II would include Boost's serialization and
+/// compression in every file that uses them.
 
 #include <cstddef>
 #include <limits>
@@ -33,9 +33,9 @@ class MpiType {
   MPI_Datatype type_;
 };
 
-/// The numbers of entries of all ranks as MPI counts, and the offset of the first entry of each rank. The additional
-/// last offset is the total number. Throws std::length_error if the total exceeds the largest int, which is the type of
-/// MPI counts. Every rank then throws, because all ranks have the same numbers.
+/// The numbers of entries of all ranks as MPI counts, and the offset of the first entry of each rank. A last offset
+/// follows, which is the total number. Throws std::length_error if the total exceeds the largest int, which is the type
+/// of MPI counts. Every rank then throws, because all ranks have the same numbers.
 struct Counts {
   explicit Counts(const std::vector<long>& n_entries) {
     long end = 0;

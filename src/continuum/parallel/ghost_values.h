@@ -7,7 +7,8 @@
 namespace pseudorigid::continuum {
 
 /// While this object exists, the ghost entries of x have the values that their owners had at its construction. The
-/// constructor is collective. The destructor makes x writable again, if x was writable before.
+/// constructor is collective. If x had no ghost values before, the destructor sets the ghost entries to 0, so that x
+/// can be changed again.
 class GhostValues {
  public:
   explicit GhostValues(const Vector& x)

@@ -9,14 +9,14 @@ namespace {
 
 MessageCounts counts;
 
-/// Persistent requests to send, with the size of the message of each request in bytes. The size is −1 if the message
-/// does not go to another process.
+/// Persistent requests to send, with the size in bytes of the message of each request. The size is −1 if the message is
+/// not for another process.
 std::map<MPI_Request, double>& persistent_sends() {
   static std::map<MPI_Request, double> sends;
   return sends;
 }
 
-/// Size of a message in bytes. The result is −1 if the message does not go to another process.
+/// Returns the size of a message in bytes, or −1 if the message is not for another process.
 double bytes_to(int destination, int n, MPI_Datatype type, MPI_Comm communicator) {
   int own = 0, size = 0;
   PMPI_Comm_rank(communicator, &own);

@@ -41,8 +41,8 @@ inline double dot(const double* x, const double* y, std::size_t n) {
   return sum;
 }
 
-/// x_i ← d_i x_i for the entries of this rank. This is a plain loop, because the threads of deal.II are slower for a
-/// small vector.
+/// x_i ← d_i x_i for the entries of this rank. The function uses a loop of its own, because the threads of deal.II are
+/// slower for a small vector.
 inline void scale_by(const Vector& d, Vector& x) {
   const double* factors = d.begin();
   double* values = x.begin();
@@ -55,8 +55,8 @@ template <>
 struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
   using Vector = pseudorigid::continuum::Vector;
   static constexpr bool dense = false;
-  /// The integrators do not use compensated sums for this type. Such sums would cost more than they gain, because runs
-  /// of the ball are short.
+  /// The integrators do not use compensated sums for this type. Runs of the ball have too few steps for such sums to be
+  /// useful.
   static constexpr bool compensated = false;
   static void axpy(double a, const Vector& x, Vector& y) {
     const double* from = x.begin();

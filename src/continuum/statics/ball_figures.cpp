@@ -12,7 +12,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Relative tolerance of GMRES. Newton's iteration corrects the remaining error.
+/// Relative tolerance of GMRES. Later steps of Newton's iteration correct the remaining error.
 constexpr double tolerance_of_gmres = 1e-8;
 
 constexpr std::array<bool, 3> octant{true, true, true};
@@ -228,8 +228,8 @@ mechanics::Status BallFigures::step(const Condition& condition, const Figure& fi
 
 mechanics::Status BallFigures::newton(const Condition& condition, Figure& figure) const {
   constexpr int max_iterations = 30, max_halvings = 12;
-  // The round-off of the forces grows with γ, the weight over the shear modulus: at γ = 1000 the residual ends near
-  // 1.5e-11. The error bars of figures contain 1e-11 (1 + γ).
+  // The round-off of the forces grows with γ = ρgr/μ: at γ = 1000 the residual does not fall below about 1.5e-11. The
+  // error bars of figures contain the larger bound 1e-11 (1 + γ).
   const double gamma =
       weight_of_density(forcing_.gravity_constant) / materials::moduli_at_rest(stored_.law, incompressible_).shear;
   const double accepted = 1e-11 * std::min(10.0, 1 + gamma);
@@ -277,8 +277,8 @@ BallFigures::Figure BallFigures::tangent(const Condition& condition, const Figur
     found[0].drive = 1;
     return found[0];
   }
-  // With respect to the value v, the derivative of the condition a_k − exp(v) a₁ = 0 is w·u = exp(v) a₁, with the rate
-  // u of x.
+  // The derivative of the condition a_k − exp(v) a₁ = 0 with respect to its value v is w·u = exp(v) a₁. Here u is the
+  // derivative of x.
   const double c = std::exp(condition.value) * body_->mass_moment(positions(figure))(0, 0);
   Figure along;
   if (!solve_with_condition(condition, figure, body_->make_vector(), no_constraint, now.drive, c, along)) return none;

@@ -4,21 +4,23 @@
 ///
 ///   r = f(x) + ν h(x) + Gᵀλ = 0,   g(x) = 0,
 ///
-/// without λ and g for a compressible ball. f contains the elastic force, the volumetric stabilisation and
-/// self-gravity. For a rotation with the spin Ω, ν = Ω² and h_n = m_n P x_n. Here m_n is the mass and x_n the position
-/// of node n, and P is the projection onto the plane normal to axis 3. For the ball at rest, ν is the factor of the
-/// loads h. The planes of the octant exclude rotations of space and of the ball.
+/// without λ and g for a compressible ball. G is the derivative of the constraint g. f contains the elastic force, the
+/// volumetric stabilisation and self-gravity. For a rotation with the spin Ω, ν = Ω² and h_n = m_n P x_n. Here m_n is
+/// the mass and x_n the position of node n, and P is the projection onto the plane normal to axis 3. For the ball at
+/// rest, ν is the factor of the loads h. The planes of the octant exclude rotations of space and of the undeformed
+/// ball. These rotations therefore do not make K singular.
 ///
 /// The equations are solved by Newton's iteration. Each step solves K δx − Gᵀδλ = r, Gδx = −g with the tangent K
-/// (tangent_problem.h), by GMRES with a factorisation of the cells as the preconditioner (modes/parity_sector.h). A
-/// condition on the ratio of two axes has the form w·δx = c with a vector w. K is singular at a fold, so δx is then the
-/// sum of two solutions with K + σwwᵀ in place of K and a number σ > 0:
+/// (tangent_problem.h), by GMRES with a factorisation of the cells as the preconditioner (modes/parity_sector.h). If
+/// the condition of the figure is a ratio of two axes, δν is also unknown, and the condition is w·δx = c with a vector
+/// w. K is singular if the family has a fold. Therefore δx is then the sum of two solutions with K + σwwᵀ in place of K
+/// and a number σ > 0:
 ///
 ///   δx = u₀ + δν u₁,   (K + σwwᵀ)u₀ − Gᵀδλ₀ = r + σcw,   (K + σwwᵀ)u₁ − Gᵀδλ₁ = h,   w·δx = c.
 ///
-/// At a bifurcation to figures that are not symmetric about axis 3, K is singular. Therefore a spheroid is sought among
-/// positions that are symmetric under the exchange of the axes 1 and 2. These positions exclude the figures that
-/// bifurcate with the azimuthal number 2, such as Jacobi's ellipsoids.
+/// K is also singular at a bifurcation to figures that are not symmetric about axis 3. The search for a spheroid is
+/// therefore restricted to positions that are symmetric under the exchange of the axes 1 and 2. These positions exclude
+/// the figures that bifurcate with the azimuthal number 2, such as Jacobi's ellipsoids.
 
 #include <memory>
 #include <utility>
@@ -35,11 +37,11 @@ namespace pseudorigid::continuum {
 /// The ball whose figures are sought.
 struct FigureSetup {
   int degree;         ///< degree k of the elements
-  int n_refinements;  ///< number of refinements of the four cells of an octant
+  int n_refinements;  ///< number of uniform refinements of the four coarse cells of an octant
   StoredEnergy stored;
   loads::Loads loads;
   bool incompressible;
-  Drive drive;  ///< for a rotation, the only loads are self-gravity and the pressure on a compressible body
+  Drive drive;  ///< a rotation uses only self-gravity and, for a compressible body, the pressure
   mechanics::Figure figure;
 };
 
@@ -65,14 +67,14 @@ class BallFigures final : public mechanics::FigureEquations {
   const loads::Forcing& forcing() const { return forcing_; }  ///< the sum of the loads
   double typical_stiffness() const { return continuum::typical_stiffness(stored_, incompressible_, forcing_); }
   /// `permits_rotation_of_space` is true if rotations of space about the axis do not change the energy.
-  /// `permits_rotation_of_ball` is true if rotations of the undeformed ball do not change it.
+  /// `permits_rotation_of_ball` is true if rotations of the undeformed ball about the axis do not change the energy.
   bool permits_rotation_of_space(int axis) const;
   bool permits_rotation_of_ball(int axis) const;
-  /// True if the figure with this drive has rotational symmetry about an axis. A rotation of the ball about this axis
+  /// True if the figure with this drive ν has rotational symmetry about an axis. A rotation of the ball about this axis
   /// then has the same effect as a rotation of space.
   bool is_symmetric_about(int axis, double drive) const;
 
-  /// The nodal positions of a figure, and its multiplier.
+  /// The nodal positions and the multiplier of a figure. The multiplier of a compressible ball is 0.
   Vector positions(const Figure& figure) const { return field(figure.x); }
   Vector multiplier(const Figure& figure) const;
   /// The state of a figure with the positions x, the multiplier `lambda` and the drive ν. x and `lambda` must outlive
@@ -109,16 +111,16 @@ class BallFigures final : public mechanics::FigureEquations {
                                          const Vector& minus_g, const Vector& drive, double c, Figure& change) const;
   /// Sets `step` to the step of Newton's iteration from `figure`, whose terms are `now`.
   mechanics::Status step(const Condition& condition, const Figure& figure, const Terms& now, Figure& step) const;
-  /// The vector w for which w·x = a_k − b a₁ for a field x with the affine part A = diag(a). The condition has the axis
-  /// k and the ratio b. The result also has the number σ of the opening comment.
+  /// Returns the vector w with w·x = a_k − b a₁ for each field x, whose affine part is A = diag(a). The axis k and the
+  /// ratio b = exp(value) are those of the condition. The result also contains σ (`stiffness`).
   HeldDirection axis_direction(const Condition& condition) const;
-  /// The largest entry of the terms, or a typical elastic force on a node if that is larger.
+  /// The largest entry of the terms f, ν h and Gᵀλ, or a typical elastic force on a node if this force is larger.
   double scale_of(const Figure& figure, const Terms& terms) const;
-  /// Sets to 0 the components that a plane of the octant fixes.
+  /// Sets the components of f that a plane of the octant fixes to 0.
   void clear_fixed(Vector& f) const;
   Vector field(const Eigen::VectorXd& x) const;
-  /// If a spheroid is sought, replaces the displacement u by the mean of u and its image under the exchange of the axes
-  /// 1 and 2.
+  /// For a spheroid, replaces the displacement u by the mean of u and its image under the exchange of the axes 1 and 2.
+  /// For an ellipsoid, does nothing.
   void symmetrize(Eigen::VectorXd& u) const;
   void find_exchanged_nodes();
 

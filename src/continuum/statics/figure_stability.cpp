@@ -13,14 +13,14 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Relative residual of eigenvectors. The projection onto the basis corrects the errors of the eigenvectors.
+/// Relative residual of eigenvectors. The eigenvalues of the projected problem have errors of the order of its square.
 constexpr double eigenvector_tolerance = 1e-6;
-/// A direction is not added to a basis if its part that is orthogonal to the basis is below this fraction of its
-/// length.
+/// A vector is not added to a basis if the part of the vector that is orthogonal to the basis is shorter than this
+/// fraction of the vector.
 constexpr double dependent = 1e-8;
 
-/// The displacement F(ê×X) due to a rotation of the undeformed ball about the axis ê. At each node, it is the mean over
-/// the cells of the node, because F has jumps between cells.
+/// The displacement F(ê×X) due to a rotation of the undeformed ball about the axis ê. At each node the result is the
+/// mean over the cells of the node, because F has jumps between cells.
 Vector turned_within(const BallSpace& space, int axis, const Vector& x) {
   const Vector turned_X = turned(space, axis, space.reference_positions());
   Vector result = space.make_vector(), n_cells = space.make_vector();
@@ -43,13 +43,13 @@ Vector turned_within(const BallSpace& space, int axis, const Vector& x) {
   return result;
 }
 
-/// A basis of motions of one parity. The vectors of the basis satisfy G u = 0, and are orthonormal in the inner product
-/// of the mass.
+/// A basis of displacements u of one parity. The vectors of the basis satisfy G u = 0, and are orthonormal in the inner
+/// product of the mass.
 class SectorBasis {
  public:
   SectorBasis(const TangentProblem& problem, int number) : sector_(problem, parity_of_sector(number)) {}
 
-  /// Appends the n lowest eigenvectors of K, without uniform motions.
+  /// Appends the eigenvectors of K for the n lowest eigenvalues, without uniform translations.
   mechanics::Status add_eigenvectors(int n) {
     if (auto status = sector_.factorize(); !status) return status;
     std::vector<EigenPair> known = uniform_motions();
@@ -92,8 +92,8 @@ class SectorBasis {
     for (Eigen::Index i = 0; i < size(); ++i) result[i] = M_u.dot((*this)[i]);
     return result;
   }
-  /// The matrix with the entries bᵀK b' for the vectors b and b' of the basis. `shift` is the shift s of the problem,
-  /// which is subtracted.
+  /// The matrix with the entries bᵀK b' for the vectors b and b' of the basis. `shift` is the shift s of the problem.
+  /// The operator of the sector is K + s M, so the function subtracts s from the diagonal.
   Eigen::MatrixXd stiffness(double shift) const {
     Eigen::MatrixXd K(size(), size());
     for (Eigen::Index j = 0; j < size(); ++j) {
@@ -126,8 +126,8 @@ class SectorBasis {
   std::vector<Eigen::VectorXd> basis_;
 };
 
-/// The largest negative stiffness of a uniform motion per mass, due to the rotation or to a quadratic potential. The
-/// shift must exceed it, although uniform motions are left out.
+/// The absolute value of the largest negative stiffness per mass of a uniform translation, due to the rotation or to a
+/// quadratic potential. The shift must be larger than this value, although the basis does not contain translations.
 double softening(const BallFigures& figures, double drive) {
   if (figures.drive() == Drive::rotation) return std::max(drive, 0.0);
   return std::max(0.0, -drive * figures.forcing().quadratic.diagonal().minCoeff());
@@ -248,8 +248,9 @@ class StabilityProblem {
     return coriolis;
   }
 
-  /// Directions and rates of the rotations of space and of the ball in the class. A rotation of space about a
-  /// coordinate axis ζ has the direction ζ×x and the rate −Ω(ê₃×ζ)×x. The rotations of the ball have the rate 0.
+  /// Directions and rates of the rotations of space and of the ball that belong to the class and do not change the
+  /// energy. A rotation of space about a coordinate axis ζ has the direction ζ×x and the rate −Ω(ê₃×ζ)×x. The rotations
+  /// of the ball have the rate 0.
   mechanics::SymmetryDirections symmetries(const ClassBasis& basis) const {
     mechanics::SymmetryDirections N;
     const auto append = [&](const Eigen::VectorXd& y, const Eigen::VectorXd& rate) {

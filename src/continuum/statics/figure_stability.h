@@ -8,11 +8,12 @@
 /// ball at rest, Ω = 0. The force of Coriolis couples two parities of modes/parity.h, so there are four classes. A
 /// class is even or odd under the reflection of axis 3, and even or odd under the half turn about axis 3.
 ///
-/// In each class the equations are projected on a basis (Galerkin). The basis contains the lowest eigenvectors of K u −
-/// Gᵀμ = κ M u of both parities, and the static responses to their forces of Coriolis. It also contains the rotations
+/// In each class the equations are projected onto a basis (Galerkin). The basis contains the lowest eigenvectors of K u
+/// − Gᵀμ = κ M u of both parities, and the static responses to their forces of Coriolis. It also contains the rotations
 /// of space and of the ball. The dense problem is solved by mechanics/equilibria/linear_stability.h, which removes
-/// rotations together with their momenta. Without rotation the rates are exact for the mesh. Otherwise the projection
-/// causes an error that falls with the number of eigenvectors. Uniform motions are left out.
+/// rotations together with their momenta. Without rotation the rates are exact for the mesh. With rotation the
+/// projection causes an error that falls as the number of eigenvectors increases. Uniform translations are not
+/// included.
 ///
 /// The mesh is not symmetric under rotations of the ball. Their removal therefore has the error of the mesh.
 
@@ -30,7 +31,8 @@ namespace pseudorigid::continuum {
 /// Sets `classes` to the stability in the four classes. `n_eigenvectors` is the number of eigenvectors of each parity.
 /// The azimuthal number m of a class is 0 if its motions are even under the half turn, and otherwise 1. Fails if an
 /// eigenvalue problem does not converge, or if the figure is unstable with a rate above about 8√k in internal units.
-/// Here k is typical_stiffness() plus the square of the spin.
+/// For a rotation, k is typical_stiffness() plus Ω². For a ball at rest, k is typical_stiffness(), plus the largest
+/// stiffness per mass with which a quadratic potential repels the ball from the centre.
 mechanics::Status stability_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
                                int n_eigenvectors, std::vector<mechanics::ClassStability>& classes);
 

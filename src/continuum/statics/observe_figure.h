@@ -8,8 +8,8 @@
 namespace pseudorigid::continuum {
 
 /// Sets the observables of the whole ball in internal units: positions, energies, the multiplier, the axes, the
-/// non-affine quantities, and component 3 of angular momentum and circulation. Sets `surface` to the points at which
-/// the surface cuts the three axes. Fails if the deformation is not admissible.
+/// non-affine quantities, and component 3 of angular momentum and circulation. Sets `surface` to the distances from the
+/// centre at which the surface cuts the three axes. Fails if the deformation is not admissible.
 mechanics::Status observe_figure(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
                                  mechanics::ContinuumObservables& observables, Eigen::Vector3d& surface);
 

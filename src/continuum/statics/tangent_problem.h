@@ -5,13 +5,14 @@
 ///
 ///   K = −D(f + ν h + Gᵀλ)(x).
 ///
-/// The cells have the tangent of the stored energy, of the pressure and of the constraint (modes/cell_stiffness.h). The
-/// operator E has the other terms. They are the second variation of self-gravity (body/surface_gravity_forces.h) and
-/// the rates of the centrifugal force and of a quadratic potential. Per mass, these rates are Ω²P u and −T u. P is the
-/// projection onto the plane normal to axis 3. With self-gravity, the multiplier also balances the gravity at the
-/// surface. The preconditioner then has the mean stress of the law instead of the multiplier, and springs along the
-/// normals of the surface instead of gravity. E has the differences. Otherwise the preconditioner would not be positive
-/// definite under strong gravity.
+/// The matrices of the cells have the tangent of the stored energy, of the pressure and of the constraint
+/// (modes/cell_stiffness.h). The operator E has the other terms of K. They are the second variation of self-gravity
+/// (body/surface_gravity_forces.h), and the derivatives along u of the centrifugal force and of the force of a
+/// quadratic potential. Per mass, these derivatives are Ω²P u and −T u, with the spin Ω, the projection P onto the
+/// plane normal to axis 3, and the matrix T of the potential. With self-gravity, the multiplier also balances the
+/// gravity at the surface. The matrices of the cells then have the mean stress of the law instead of the multiplier,
+/// and springs along the normals of the surface instead of gravity. E has the differences. Without this change, the
+/// preconditioner would not be positive definite under strong gravity.
 
 #include <Eigen/Core>
 #include <vector>
@@ -24,7 +25,7 @@ namespace pseudorigid::continuum {
 /// The force h that the drive multiplies: the centrifugal force of a rotation about axis 3, or all loads.
 enum class Drive { rotation, loads };
 
-/// The forces and the state about which displacements are small.
+/// The body, the forces on it, and the figure about which displacements are small.
 struct FigureState {
   const BallBody& body;
   const StoredEnergy& stored;
@@ -48,15 +49,15 @@ struct HeldDirection {
 
 class TangentProblem final : public LinearProblem {
  public:
-  /// The objects to which `state` refers must outlive this object. `shift` is s of parity_sector.h. If it is positive,
-  /// K + s M must be positive definite. The rate of the drive is then a part of the preconditioner, and not of E. If
-  /// `held` is not null, K contains its term.
+  /// The objects to which `state` refers must outlive this object. `shift` is s of parity_sector.h. If the shift is
+  /// positive, K + s M must be positive definite. The terms of rate_of_drive are then a part of the preconditioner, and
+  /// not of E. If `held` is not null, K contains the term σwwᵀ of `held`.
   TangentProblem(const FigureState& state, double shift, const HeldDirection* held = nullptr);
   SectorOperator beyond_cells(const ParitySector& sector) const override;
 
  private:
-  /// The products of u with two parts of E. `rate_at_surface` has gravity and the springs, which couple the unknowns of
-  /// the surface. `rate_within` has the other terms.
+  /// The products of u with two parts of E. `rate_at_surface` computes the terms of gravity and of the springs, which
+  /// couple the unknowns of the surface. `rate_within` computes the other terms.
   Vector rate_at_surface(const Vector& u, const Parity& parity) const;
   Vector rate_within(const Vector& u) const;
   std::vector<Eigen::Index> unknowns_at_surface(const ParitySector& sector) const;
@@ -64,8 +65,8 @@ class TangentProblem final : public LinearProblem {
   Eigen::VectorXd of_cell(unsigned int cell, const Vector& u) const;
   void add_of_cell(unsigned int cell, const Eigen::VectorXd& local, Vector& f) const;
 
-  /// The rates of the centrifugal force or of the quadratic potential per mass and displacement, with the sign of K.
-  /// The planes of the octant are planes of symmetry, so the matrix of the potential is diagonal.
+  /// The diagonal of −Ω²P for a rotation, or of νT for a ball at rest: the stiffness per mass of the centrifugal force
+  /// or of the quadratic potential. The planes of the octant are planes of symmetry, so T is diagonal.
   Eigen::Vector3d rate_of_drive() const;
 
   FigureState state_;
