@@ -8,7 +8,8 @@ namespace {
 
 using mechanics::constant;
 
-/// Jacobi's polynomials P_s^{(0,b)}(t) for s = 0 … n, with their gradients. t is a function of ξ with its gradient.
+/// Jacobi's polynomials P_s^{(0,b)}(t) for s = 0 … n. Their gradients are with respect to the coordinates of the
+/// gradient of t.
 std::vector<Jet> jacobi_polynomials(int n, double b, const Jet& t) {
   std::vector<Jet> P{constant(1)};
   if (n > 0) P.push_back(0.5 * ((b + 2) * t + constant(-b)));

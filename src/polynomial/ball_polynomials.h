@@ -9,7 +9,8 @@
 /// number of the basis is 1 at any degree. The space P_N of polynomials of degree at most N has the first C(N+3, 3) of
 /// these functions as its basis. The basis of P_{N−1} is therefore the beginning of the basis of P_N.
 ///
-/// Each polynomial is even or odd in each coordinate, and is a product R_nl(r) Y_lm of a radial and an angular factor.
+/// Each polynomial is even or odd in each coordinate. With r = |ξ|, it is the product R_nl(r) Y_lm of a radial and an
+/// angular factor.
 
 #include <array>
 #include <vector>
@@ -18,9 +19,10 @@
 
 namespace pseudorigid::polynomial {
 
-/// Bit i is set if a function is odd in ξ_i.
+/// The parity of a function: bit i is set if the function is odd in ξ_i, and not set if it is even in ξ_i.
 using Parity = unsigned int;
 
+/// The indices of a polynomial φ_nlm.
 struct BallPolynomial {
   int n, l, m;
 

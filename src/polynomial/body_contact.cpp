@@ -88,16 +88,16 @@ loads::Contact BodyContact::contact(double t, const Eigen::VectorXd& q) const {
   return summary(planes, contacts);
 }
 
-/// Adds the generalised force of the forces `by_point` at the points to f. The tables have the functions of the whole
-/// body, and the points are in the computed sector. Therefore the function multiplies `by_point` by the number of
-/// copies of the sector. After the call, the values in `by_point` are not defined.
+/// Adds the generalised force of the forces `by_point` to f. `by_point` has a force at each point of the computed
+/// sector. The coefficients q of f describe the whole body. Therefore the forces are multiplied by the number of copies
+/// of the sector. After the call, the values in `by_point` are not defined.
 void BodyContact::spread(Field& by_point, Eigen::VectorXd& f) const {
   for (double& value : by_point) value *= space_->n_mirrors();
   tables_.add_transposed(space_->blocks(), 3, by_point.data(), f.data());
 }
 
-/// Adds the generalised force of an affine force to f. The coefficients of x = c + A X are c √Vol and A_ij √E₀_j, with
-/// the volume Vol and the diagonal entries E₀_j of the inertia.
+/// Adds the generalised force of an affine force to f. It follows from the coefficients of x = c + A X, which are c
+/// √Vol and A_ij √E₀_j. Vol is the volume, and the E₀_j are the diagonal entries of the inertia ∫ρXXᵀ dX.
 void BodyContact::spread(const loads::AffineForce& force, Eigen::VectorXd& f) const {
   Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(space_->n_unknowns());
   space_->set_affine(force.on_Q * space_->inertia().cwiseInverse().asDiagonal(), force.on_center / space_->volume(),

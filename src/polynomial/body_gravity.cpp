@@ -105,8 +105,8 @@ gravity::SurfacePoints BodyGravity::with_images(const gravity::SurfacePoints& po
   return all;
 }
 
-/// f ← f − factor · ∂E/∂q, for a function E of the points and area vectors. `derivative` is the derivative of E with
-/// respect to the points and area vectors. x contains the jets of the position with the coefficients q.
+/// f ← f − factor · ∂E/∂q, for a function E of the points and area vectors. `derivative` has the derivatives of E with
+/// respect to the points and area vectors. x has the positions and their derivatives for the coefficients q.
 void BodyGravity::spread(double factor, const SurfaceJets& x, const gravity::SurfaceDerivative& derivative,
                          Eigen::VectorXd& f) const {
   const auto& [by_x, by_N] = derivative;
@@ -145,7 +145,7 @@ void BodyGravity::add_surface_force_rate(double sign, const Eigen::VectorXd& q, 
   spread(factor, at, surface_derivative_rate(own, sums, of_all, constant_, rest_volume_), f);
   gravity::SurfaceDerivative of_areas = surface_derivative(own.at, sums.at, of_all.at, constant_, rest_volume_);
   for (auto& component : of_areas.by_point) std::ranges::fill(component, 0.0);
-  spread(factor, rate, of_areas, f);  // the area vectors also depend on x; they are bilinear in ∂x/∂e_θ and ∂x/∂e_φ
+  spread(factor, rate, of_areas, f);  // adds the change of ∂N/∂q along u, because N is bilinear in ∂x/∂e_θ and ∂x/∂e_φ
 }
 
 Eigen::VectorXd BodyGravity::affine_coefficients(const Eigen::VectorXd& q) const {

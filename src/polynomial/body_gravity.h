@@ -1,16 +1,16 @@
 #pragma once
 /// Self-gravity of an incompressible polynomial body, computed from its surface (gravity/surface_gravity.h). The
 /// quadrature points are on the unit sphere, with weights w and tangents e_θ, e_φ. At these points, the position is x =
-/// Σ q_a φ_a with the coefficients q_a of the basis functions φ_a. The area vector is N = w ∂x/∂e_θ × ∂x/∂e_φ. The
-/// energy Ê_h of the discrete surface has only the error of the quadrature. Most of the motion is affine, and the
-/// energy V_g of an ellipsoid is known (gravity/ellipsoid_gravity.h). Therefore the error of the affine part is
-/// subtracted:
+/// Σ q_a φ_a with the coefficients q_a of the basis functions φ_a. The area vector is N = w ∂x/∂e_θ × ∂x/∂e_φ. The sums
+/// over the points give the energy Ê_h, in which only the quadrature causes an error. The largest part of a motion is
+/// affine, and the energy V_g of an ellipsoid is known (gravity/ellipsoid_gravity.h). Therefore the error of the affine
+/// part is subtracted:
 ///
 ///   Ê(q) = Ê_h(x) + E_A(A) − Ê_h(A X),   E_A(A) = V_g(A S) (det A)^{1/3},
 ///
-/// with the affine part A of x and the diagonal matrix S of the semi-axes of the reference body. Like Ê, E_A does not
-/// change under dilations of x. For degree 1, only E_A remains, and no sums are computed. The force is the exact
-/// derivative of Ê(q).
+/// with the affine part A of x, the reference position X, and the diagonal matrix S of the semi-axes of the reference
+/// body. Like Ê, E_A does not change under dilations of x. For degree 1, Ê is E_A, and energies and forces need no
+/// sums. The force is the exact derivative of Ê(q).
 
 #include <Eigen/Core>
 #include <array>
@@ -26,8 +26,8 @@ namespace pseudorigid::polynomial {
 
 class BodyGravity {
  public:
-  /// Default number of points in each direction of an octant. The relative error of the force is then 1e-6 to 1e-7, as
-  /// measured.
+  /// Default number of points in each direction of an octant. Measurements gave relative errors of the force from 1e-7
+  /// to 1e-6 with this number.
   static int usual_points(int degree) { return degree + 4; }
 
   /// `gravity_constant` is G in internal units, in which ρ = 1. `n_points` is the number of points in each direction of
@@ -40,7 +40,8 @@ class BodyGravity {
   void add_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
   /// f ← f − D²Ê(q)[u]
   void add_force_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
-  /// The gravitational potential per mass at points on the surface or in the interior.
+  /// The gravitational potential per mass at positions `points` in space, on the surface of the deformed body or inside
+  /// it.
   std::vector<double> potential(const Eigen::VectorXd& q, const std::vector<Eigen::Vector3d>& points) const;
 
  private:
@@ -52,7 +53,8 @@ class BodyGravity {
   bool is_affine() const { return space_->degree() == 1; }
   SurfaceJets jets(const Eigen::VectorXd& q) const;
   /// `points` computes the points and area vectors of the computed sector from the jets of x. `rates` computes the
-  /// derivatives of these points and area vectors along u. `with_images` adds their mirror images.
+  /// derivatives of these points and area vectors along u. `with_images` returns its argument together with the mirror
+  /// images in the rest of the body.
   gravity::SurfacePoints points(const SurfaceJets& x) const;
   gravity::SurfacePoints rates(const SurfaceJets& x, const SurfaceJets& u) const;
   gravity::SurfacePoints with_images(const gravity::SurfacePoints& points) const;
@@ -71,7 +73,7 @@ class BodyGravity {
   gravity::EllipsoidGravity ellipsoid_;
   PointTables tables_;
   std::vector<std::size_t> places_;  ///< indices of the points in the tables, which also have padding
-  std::vector<double> weights_;      ///< quadrature weights w, multiplied by the orientation ±1 of each image
+  std::vector<double> weights_;      ///< weights w; −w at the images of an odd number of reflections
   double rest_volume_;               ///< volume of the undeformed computed sector, from the points of the surface
 };
 

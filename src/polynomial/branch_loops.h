@@ -1,7 +1,7 @@
 #pragma once
 /// Loops over the quadrature points for viscoelastic branches (materials/maxwell_branch.h), for the table of
-/// dense_kernels.h. The internal metric is symmetric and has six entries. The entry k of the metric of branch b at
-/// point p of n points is stored at (6b + k) n + p.
+/// dense_kernels.h. A branch has an internal metric at each point, a symmetric matrix with six entries. With n points,
+/// the entry k of the metric of branch b at point p is stored at (6b + k) n + p.
 
 #include "materials/maxwell_branch.h"
 #include "polynomial/point_lanes.h"

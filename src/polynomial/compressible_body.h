@@ -1,6 +1,6 @@
 #pragma once
-/// The compressible polynomial body, q̈ = f without a constraint. The body of degree 1 is the compressible pseudo-rigid
-/// body.
+/// The compressible polynomial body. The coefficients q of its position satisfy q̈ = f with the forces f, without a
+/// constraint. The body of degree 1 is the compressible pseudo-rigid body.
 
 #include "mechanics/core/unconstrained.h"
 #include "polynomial/polynomial_body.h"
@@ -10,8 +10,9 @@ namespace pseudorigid::polynomial {
 class CompressibleBody : public PolynomialBody, public mechanics::Unconstrained {
  public:
   struct Workspace : mechanics::Unconstrained::Workspace {
-    /// If not null, springs replace the contact (PolynomialBody::applied_force), and these are the coefficients of the
-    /// position at which the springs have no force. Null means contact with the planes.
+    /// If null, the contact with the planes acts. Otherwise springs replace the contact
+    /// (PolynomialBody::applied_force), and `held_at` has the coefficients of the position at which the springs have no
+    /// force.
     const Vector* held_at = nullptr;
   };
   using PolynomialBody::PolynomialBody;

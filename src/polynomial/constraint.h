@@ -1,7 +1,7 @@
 #pragma once
 /// The constraint of incompressible polynomial bodies and its derivatives. The pressures have the L²-orthonormal basis
-/// ψ_b, and the positions have the basis φ_a (polynomial_space.h). With the velocity v, the multiplier λ = Σλ_bψ_b, the
-/// unit vectors e_i, the deformation gradient F and J = det F, the formulas are
+/// ψ_b. The positions have the basis φ_a and the coefficients q (polynomial_space.h). With the velocity v, the
+/// multiplier λ = Σλ_bψ_b, the unit vectors e_i, the deformation gradient F and J = det F, the formulas are
 ///
 ///   g_b(q) = ∫ψ_b ln J dX,   (G v)_b = ∫ψ_b F⁻ᵀ:∇v dX,   D²g_b(v, v) = −∫ψ_b tr((F⁻¹∇v)²) dX,
 ///   (Gᵀλ)_ia = ∫λ F⁻ᵀ:∇(φ_a e_i) dX,   rate of Gᵀλ along v: −∫λ F⁻ᵀ∇vᵀF⁻ᵀ:∇(φ_a e_i) dX.
@@ -15,10 +15,13 @@
 
 namespace pseudorigid::polynomial {
 
-/// Computes g and returns the least det F at the quadrature points. If the least det F is not positive, g is not valid.
+/// Sets g to the constraint at q. Returns the least det F at the quadrature points. If it is not positive, g is not
+/// valid.
 double constraint(const PolynomialSpace& space, const Eigen::VectorXd& q, Eigen::VectorXd& g);
+/// r ← G(q) v
 void constraint_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                      Eigen::VectorXd& r);
+/// r ← D²g(q)(v, v)
 void constraint_curvature(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                           Eigen::VectorXd& r);
 /// f ← f + Gᵀλ
@@ -28,7 +31,7 @@ void add_reaction(const PolynomialSpace& space, const Eigen::VectorXd& q, const 
 void add_reaction_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                        const Eigen::VectorXd& lambda, Eigen::VectorXd& f);
 
-/// Products with S = G(q₁) G(q₀)ᵀ, computed without the matrix S. `multiply` sets `product` to Sλ.
+/// Products with the matrix S = G(q₁) G(q₀)ᵀ, without computing S. `multiply` sets `product` to Sλ.
 class ReactionsBetween {
  public:
   ReactionsBetween(const PolynomialSpace& space, const Eigen::VectorXd& q1, const Eigen::VectorXd& q0);
@@ -36,7 +39,7 @@ class ReactionsBetween {
 
  private:
   const PolynomialSpace& space_;
-  bool same_;             ///< true if q₁ and q₀ are the same object
+  bool same_;             ///< true if q₁ and q₀ are the same vector in memory
   ScratchArray A1_, A0_;  ///< F⁻ᵀ at the quadrature points, for q₁ and q₀
 };
 

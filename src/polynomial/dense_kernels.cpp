@@ -86,7 +86,8 @@ void multiply_rows(const Product& of, int row) {
 /// with AVX-512, and otherwise 16.
 constexpr int max_rows = n_lanes == 8 ? 8 : 4;
 
-/// Calls multiply_rows<n>(of, row) for a number n of rows that is known only at run time. n must be at most n_rows.
+/// Calls multiply_rows<n>(of, row) for a number n of rows that is known only at run time. n must be between 1 and
+/// n_rows.
 template <int n_rows = max_rows>
 void multiply_some_rows(const Product& of, int row, int n) {
   if (n == n_rows)
@@ -95,7 +96,7 @@ void multiply_some_rows(const Product& of, int row, int n) {
     multiply_some_rows<n_rows - 1>(of, row, n);
 }
 
-/// Calls visitor(law, p) for the first point p of every SIMD vector of the n points.
+/// Calls visitor(law, p) for the first point p of every SIMD vector of the n points. The type of `law` is then known.
 template <class Visitor>
 void for_each_vector(const materials::AnyLaw& law, int n, Visitor&& visitor) {
   std::visit(

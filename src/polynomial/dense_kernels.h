@@ -9,8 +9,8 @@
 
 namespace pseudorigid::polynomial {
 
-/// Number of points in a block. The last block is filled up with points of weight 0. `filled_up` rounds n up to whole
-/// blocks.
+/// Number of points in a block. It is a multiple of the number of lanes of every SIMD vector. The last block is padded
+/// with points of weight 0. `filled_up` rounds n up to whole blocks.
 inline constexpr int point_block = 8;
 constexpr int filled_up(int n) { return (n + point_block - 1) / point_block * point_block; }
 
@@ -29,15 +29,15 @@ struct DenseKernels {
 
   /// Sums over radial functions A_kjg with level k and radius j, for n groups g at once. A group is a pair (l, m) of
   /// spherical harmonics, and level k has the functions of degree l + 2k (point_tables.h). A_kjg is stored at (k
-  /// n_radii + j) n + g. n is a multiple of `point_block`.
+  /// n_radii + j) n + g, c_kg at k n + g, and u_jg at j n + g. n is a multiple of `point_block`.
 
   /// u_jg = Σ_k A_kjg c_kg
   void (*combine_radially)(const double* A, int n_levels, int n_radii, int n, const double* c, double* u);
   /// c_kg ← c_kg + Σ_j A_kjg u_jg
   void (*contract_radially)(const double* A, int n_levels, int n_radii, int n, const double* u, double* c);
 
-  /// Computes the fields y_f at the points with radius j and direction s. The terms z_t are the derivatives along e_r,
-  /// e_θ and e_φ:
+  /// Computes the fields y_f, f = 0, 1, 2, at the points with radius j and direction s. The terms z_t, t = 0, 1, 2, are
+  /// the derivatives along e_r, e_θ and e_φ. Each term has n_radii · width numbers:
   ///   y_f[j n_directions + s] = Σ_t D_ft(s) z_t[j width + s].
   /// Each direction s has a 3 × 3 matrix, whose entries D_ft(s) are stored at (3f + t) width + s.
   void (*fields_of_terms)(const double* D, int n_radii, int n_directions, int width, const double* z, double* const* y);
@@ -48,8 +48,8 @@ struct DenseKernels {
   /// C ← A R, or C ← C + A R if `add` is true. The matrices are row-major: A (m × n_points, with rows of `stride`
   /// numbers), R (n_points × width) and C (m × width). `width` is a multiple of `point_block`.
   void (*multiply)(const double* A, int stride, int m, const double* R, int n_points, int width, double* C, bool add);
-  /// R_pa = Σ_k A_kp T_kpa. T (3 × n_points × width) is row-major, so that the functions a of a point p are contiguous.
-  /// Each A_k has n_points numbers.
+  /// R_pa = Σ_k A_kp T_kpa with k = 0, 1, 2. T (3 × n_points × width) is row-major, so the functions a of a point p are
+  /// contiguous. Each A_k has n_points numbers.
   void (*combine_at_points)(const double* A0, const double* A1, const double* A2, const double* T, int n_points,
                             int width, double* R);
 
@@ -75,9 +75,9 @@ struct DenseKernels {
   void (*add_multiple)(int n, const double* s, const double* A, double* T);
   /// y ← w A : B at every point.
   void (*weighted_product)(int n, const double* w, const double* A, const double* B, double* y);
-  /// y ← −w tr((AᵀB)²) with A = F⁻ᵀ, the second variation of ln det F along B.
+  /// y ← −w tr((AᵀB)²) with A = F⁻ᵀ. Without w, y is the second variation of ln det F along B.
   void (*weighted_curvature)(int n, const double* w, const double* A, const double* B, double* y);
-  /// T ← T − s A Bᵀ A with A = F⁻ᵀ, the rate of s A along B.
+  /// T ← T − s A Bᵀ A with A = F⁻ᵀ. This adds the rate of s A for the rate B of F and constant s.
   void (*add_rate_of_inverse)(int n, const double* s, const double* A, const double* B, double* T);
   /// Adds the viscous stress: T ← T + w 2η J d A with A = F⁻ᵀ, J = det F and d = sym(B Aᵀ). B is the gradient of the
   /// velocity with respect to X. Returns the power Σ w 2ηJ d:d.
@@ -94,14 +94,15 @@ struct DenseKernels {
   /// Returns the sum of w W_b over the points and the branches.
   double (*branch_energy)(const materials::MaxwellBranches& branches, int n, const double* w, const double* metrics,
                           const double* F);
-  /// Replaces the metrics by their values after the time h, for the mean strain of F0 and F1. Returns the energy that
-  /// each branch has lost, summed over the points with the weights w.
+  /// Replaces the metrics by their values after a step of the length h. The strain during the step is the mean of the
+  /// strains of F0 and F1. Returns the energy that each branch has lost, summed over the points with the weights w.
   materials::BranchEnergies (*relax_branches)(const materials::MaxwellBranches& branches, double h, int n,
                                               const double* w, const double* F0, const double* F1, double* metrics);
 
   /// A Walsh–Hadamard transform over the mirror images of points. `slots` has a slot of `length` numbers for each of
-  /// the n_images sets of reflections. The bits of the index of a slot are the reflections of the set. The slot y_m
-  /// becomes the sum Σ_c (−1)^{|m & c|} x_c of the old slots x_c, with the number |m & c| of common bits.
+  /// the n_images sets of reflections, and n_images is a power of 2. The bits of the index of a slot are the
+  /// reflections of the set. Slot m becomes the sum Σ_c (−1)^{|m & c|} x_c of the old slots x_c, with the number |m &
+  /// c| of common bits.
   void (*transform_images)(double* slots, int n_images, int length);
 };
 

@@ -8,8 +8,8 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// The multiplier λ at a point. `functions` has the values of the functions at this point, and `lambda` the
-/// coefficients.
+/// The multiplier λ at a point. `functions` has the values of the basis functions at this point, and `lambda` has the
+/// coefficients of λ.
 double multiplier_at(const PolynomialSpace& space, const std::vector<Jet>& functions, const Eigen::VectorXd& lambda) {
   double value = 0;
   for (std::size_t b = 0; b < functions.size(); ++b)
@@ -17,9 +17,10 @@ double multiplier_at(const PolynomialSpace& space, const std::vector<Jet>& funct
   return value;
 }
 
-/// The least-squares approximation of Σ μ_b C_b⁻¹ by the functions φ_a of the space: a row of coefficients for each
-/// φ_a. Branch b has the modulus μ_b and the internal metric C_b. If the motion has symmetry planes, the entry (i, j)
-/// has the parity of x_i x_j under their reflections. Coefficients of functions with another parity are then set to 0.
+/// The least-squares approximation of Σ μ_b C_b⁻¹ by the functions φ_a of the space. Row a has the six coefficients of
+/// φ_a, one for each entry (i, j) with i ≤ j. Branch b has the modulus μ_b and the internal metric C_b. If the motion
+/// has symmetry planes, the entry (i, j) has the parity of x_i x_j under their reflections. Coefficients of functions
+/// with another parity are then set to 0.
 Eigen::MatrixXd coefficients_of_branches(const PolynomialBody& body, const Eigen::VectorXd& q) {
   const PolynomialSpace& space = body.space();
   constexpr std::array<std::array<int, 2>, 6> axes{{{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};

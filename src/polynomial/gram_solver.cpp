@@ -12,11 +12,11 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// −1 if the number of common bits of a and b is odd, otherwise 1.
+/// Returns −1 if a and b have an odd number of common bits, otherwise 1.
 double sign(unsigned int a, unsigned int b) { return std::popcount(a & b) % 2 == 0 ? 1.0 : -1.0; }
 
-/// The pressure functions ψ_b at all points of the computed sector, one row for each function. `factor` has a number
-/// for each point, by which the values are multiplied.
+/// The pressure functions ψ_b at all points of the computed sector, one row for each function. The values at a point
+/// are multiplied by the entry of `factor` for this point.
 std::vector<double> pressure_rows(const PolynomialSpace& space, const std::vector<double>& factor) {
   const PointTables& tables = space.pressures();
   const int stride = tables.stride(), n_points = tables.n_points();
@@ -34,7 +34,7 @@ std::vector<double> pressure_rows(const PolynomialSpace& space, const std::vecto
   return rows;
 }
 
-/// The derivatives ∂/∂X_k of the functions of a block, at [k][point of the octant][function].
+/// The derivatives ∂/∂X_k of the functions of a block: [k][point of the octant][function].
 std::vector<double> gradients_by_point(const PolynomialSpace& space, const Block& block) {
   const PointTables& tables = space.gradients();
   const int stride = tables.stride(), width = filled_up(block.n());
@@ -47,7 +47,8 @@ std::vector<double> gradients_by_point(const PolynomialSpace& space, const Block
   return by_point;
 }
 
-/// R ← F⁻ᵀ:∇(φ_a e_i) at all points, for the functions φ_a and the component i of a block: [point][function]. A is F⁻ᵀ.
+/// R ← F⁻ᵀ:∇(φ_a e_i) at all points, with the entries [point][function]. The φ_a are the functions and i is the
+/// component of the block. `gradients` is the result of gradients_by_point for the block, and A has the entries of F⁻ᵀ.
 void reactions_at_points(const PolynomialSpace& space, const Block& block, const std::vector<double>& gradients,
                          const double* A, double* R) {
   const int stride = space.gradients().stride(), n_points = space.n_points(), width = filled_up(block.n());
@@ -135,8 +136,8 @@ bool GramSolver::ensure_factor(const Eigen::VectorXd& q0) {
   return factor(position_);
 }
 
-/// Number of operations of one iteration, which has a product with S and a solution with the factor. Each point counts
-/// as 60 operations in addition to the sums with tables.
+/// Number of operations of one iteration. An iteration has a product with S and a solution with the factor. Operations
+/// at a quadrature point are estimated as 60, in addition to the sums with tables.
 double GramSolver::iteration_cost() const {
   const double n = space_->n_pressures();
   double of_tables = 0;

@@ -8,10 +8,10 @@
 /// (mechanics/core/conjugate_residuals.h). The preconditioner is the Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an
 /// earlier position q_f. Products with S are computed without a matrix.
 ///
-/// The first call computes and factors S_f at its position q₀, or at the position in the memory of a checkpoint. Later
-/// calls do this again at their q₀ in two cases. In the first case, an iteration does not converge. In the second case,
-/// the iterations that a new factor could have saved have cost more than a factorisation. Therefore the cost is at most
-/// about twice the optimum.
+/// The first call computes and factors S_f at its position q₀, or at a position that was restored from a checkpoint.
+/// The solver computes a new factor at the present q₀ in two cases. In the first case, an iteration does not converge.
+/// In the second case, the iterations that a new factor could have saved have cost more than a factorisation. Therefore
+/// the cost is at most about twice the optimum.
 
 #include <Eigen/Cholesky>
 #include <array>
@@ -47,15 +47,15 @@ class GramSolver {
  public:
   explicit GramSolver(const PolynomialSpace& space);
 
-  /// Computes λ with |r − Sλ| ≤ max(10⁻⁴ |r|, `enough`) in the Euclidean norm. Fails if the matrix cannot be factored,
-  /// or if the iteration does not converge with a factor at q₀. In both cases S is almost singular, or S or r is not
-  /// finite.
+  /// Computes λ with |r − Sλ| ≤ max(10⁻⁴ |r|, `enough`) in the Euclidean norm. The result has the number of iterations.
+  /// Fails if the matrix cannot be factored, or if the iteration does not converge with a factor at q₀. In both cases S
+  /// is almost singular, or S or r is not finite.
   mechanics::SolveReport solve(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0, const Eigen::VectorXd& r,
                                double enough, Eigen::VectorXd& lambda);
 
   long n_factorizations() const { return n_factorizations_; }
 
-  /// Visits the memory on which later solves depend, for checkpoints: the position of the factor, and the cost of the
+  /// Visits the members on which later solves depend, for checkpoints: the position of the factor, and the cost of the
   /// iterations since the factorisation.
   template <class Visit>
   void visit_memory(Visit&& visit) {
@@ -67,20 +67,23 @@ class GramSolver {
  private:
   /// Computes the factor at q. Returns false if the matrix is not positive definite.
   bool factor(const Eigen::VectorXd& q);
-  /// Ensures that factor_ is the factor at position_. Moves position_ to q₀ if position_ is not set, or if iterations
-  /// have cost more than a factorisation. Returns false if the matrix is not positive definite.
+  /// Ensures that factor_ is the factor at position_. Sets position_ to q₀ before, if position_ is not set, or if the
+  /// iterations since the factorisation have cost more than a factorisation. Returns false if the matrix is not
+  /// positive definite.
   bool ensure_factor(const Eigen::VectorXd& q0);
-  /// Solves S λ = r with the present factor. Returns false if the iteration does not converge.
+  /// Solves S λ = r with the present factor, up to the residual of `solve`. Adds the iterations to n_iterations.
+  /// Returns false if the iteration does not converge.
   bool iterate(ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,
                int& n_iterations);
+  /// Costs as numbers of operations.
   double iteration_cost() const;
   double factorization_cost() const;
 
   const PolynomialSpace* space_;
   GramMatrix matrix_;
-  Eigen::VectorXd position_;     ///< position at which S_f is, or will be, factored
-  bool is_known_ = false;        ///< true if position_ is set
-  double spent_ = 0;             ///< cost of the iterations since the factorisation, without the first of each solve
+  Eigen::VectorXd position_;  ///< position at which S_f is factored, now or in the next solve
+  bool is_known_ = false;     ///< true if position_ is set
+  double spent_ = 0;          ///< operations of the iterations since the factorisation, without the first of each solve
   Eigen::VectorXd factored_at_;  ///< position at which factor_ was computed; empty if there is no factor
   Eigen::MatrixXd S_;
   Eigen::LLT<Eigen::MatrixXd> factor_;

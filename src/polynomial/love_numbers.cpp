@@ -10,12 +10,12 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// The parity of the displacement u under the tide V = Y_nm (parity_parts.h). Bit i is set if V is odd in x_i, because
-/// u_i is then even in x_i.
+/// The parity of the displacement u under the tide V = Y_nm (parity_parts.h). Like ∂V/∂x_i, u_i is even in x_i if V is
+/// odd in x_i. Therefore bit i is set if V is odd in x_i.
 Parity parity_of_tide(int n, int m) { return BallPolynomial{n, n, m}.parity(); }
 
-/// Static responses u = B (BᵀKB)⁻¹ Bᵀ f to a force f. K is the stiffness, and the columns of B are the motions of a
-/// parity. The responses are valid only if is_stable() is true.
+/// Static responses u = B (BᵀKB)⁻¹ Bᵀ f to forces f. K is the stiffness, and the columns of B are a basis of the
+/// motions of one parity. The responses are valid only if is_stable() is true. `problem` must outlive this object.
 class RestResponse {
  public:
   RestResponse(const RestProblem& problem, Parity parity)
@@ -24,8 +24,8 @@ class RestResponse {
         factor_(motions_.transpose() * problem.stiffness_of(parity) * motions_) {}
 
   bool is_stable() const { return factor_.info() == Eigen::Success; }
-  /// `radial` and `tangential` are the rows of one harmonic Y_nm in SurfaceRows. Returns the integrals ∮(u·e) Y_nm dS
-  /// and ∮u·∇Y_nm dS of the response u to f = radialᵀ.
+  /// Returns the integrals ∮(u·e) Y_nm dS and ∮u·∇Y_nm dS of the response u to the force f = radialᵀ. `radial` and
+  /// `tangential` are the rows of the harmonic Y_nm in SurfaceRows.
   Eigen::Vector2d operator()(const Eigen::RowVectorXd& radial, const Eigen::RowVectorXd& tangential) const {
     const Eigen::VectorXd f = radial(unknowns_).transpose();
     const Eigen::VectorXd u = motions_ * factor_.solve(motions_.transpose() * f);
@@ -54,7 +54,7 @@ mechanics::Status love_numbers(BodySetup setup, const std::vector<int>& degrees,
   std::map<Parity, RestResponse> responses;
   numbers.clear();
   for (const int n : degrees) {
-    if (n > setup.degree + 1) {  // the space has no such displacement of the surface
+    if (n > setup.degree + 1) {  // radial displacements of the surface in P_N have at most the degree N + 1
       numbers.push_back({n, 0, 0});
       continue;
     }

@@ -44,7 +44,8 @@ void MaterialFaces::add_octant(const Eigen::Vector3d& signs) {
       p[axis] = 1, p[next] = std::tan(pi / 4 * s), p[last] = std::tan(pi / 4 * t);
       return Eigen::Vector3d(p.normalized());
     });
-    // Two octants share a quarter of a plane. The octant on the positive side of the plane adds its patches.
+    // Two octants share a quarter of a plane. The octant on the positive side of the plane adds the patches of the
+    // quarter.
     if (signs[axis] < 0) continue;
     for (const double inner : {0.0, 0.5})
       add_patch(axis + 1, signs, [&](double s, double t) {

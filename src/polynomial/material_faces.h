@@ -1,12 +1,13 @@
 #pragma once
 /// Positions of material surfaces for pictures: the surface of the undeformed body and its coordinate planes. Each
-/// patch is a lattice of (m + 1)² points X = S ξ:
+/// patch is a lattice of (m + 1)² points X = S ξ with m = 6:
 ///
 ///   surface, three patches per octant: ξ = p/|p|,  p = (1, tan πs/4, tan πt/4) and its cyclic permutations
 ///   plane, an inner and an outer patch per quarter: ξ = r (cos πs/2, sin πs/2),  r = t/2 and (1 + t)/2
 ///
-/// with s, t = 0, 1/m, …, 1 and the matrix S of the semi-axes. Only the patches in the computed sector are used, and
-/// each of their points has one row. The rest of the body follows by reflection. All positions are in internal units.
+/// with s, t = 0, 1/m, …, 1 and the matrix S of the semi-axes. In a coordinate plane, ξ has two components. Only the
+/// patches in the computed sector are used, and the rest of the body follows by reflection. All positions are in
+/// internal units.
 
 #include <Eigen/Core>
 #include <array>
@@ -24,7 +25,7 @@ class MaterialFaces {
   static constexpr auto columns = mechanics::shape_columns;
   static constexpr std::size_t first_length = mechanics::first_length_of_shapes;
 
-  /// A row with the entries `columns` for each point of each patch, at the position with the coefficients q.
+  /// One row with the entries `columns` for each point of each patch. q has the coefficients of the position.
   std::vector<std::vector<double>> rows(const Eigen::VectorXd& q) const;
 
  private:
@@ -33,10 +34,10 @@ class MaterialFaces {
     Eigen::Vector3d X;
     std::vector<Jet> functions;
   };
-  /// Adds the patches in the octant whose coordinates have the signs `signs`, each 1 or −1.
+  /// Adds the patches in the octant in which the coordinates have the signs `signs`, each 1 or −1.
   void add_octant(const Eigen::Vector3d& signs);
-  /// Adds a patch of the plane with the number `plane`, 1 to 3, or of the surface, 0. `at` is a function of s and t
-  /// that returns the point ξ in the octant of positive coordinates.
+  /// Adds a patch in the octant with these signs. `plane` is k = 1, 2 or 3 for the plane ξ_k = 0, and 0 for the
+  /// surface. at(s, t) returns the point ξ in the octant of positive coordinates.
   template <class Place>
   void add_patch(int plane, const Eigen::Vector3d& signs, const Place& at);
 

@@ -13,7 +13,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Integrals of F, J, (ln J)² and ρ X ⊗ Fᵀẋ over the body, and the largest |ln J|.
+/// Integrals of F, J, (ln J)² and ρ X ⊗ Fᵀẋ over the whole body, and the largest |ln J| at the quadrature points.
 struct Integrals {
   Eigen::Matrix3d F = Eigen::Matrix3d::Zero(), X_pulled_back = Eigen::Matrix3d::Zero();
   double volume = 0, squared_log_J = 0, largest_log_J = 0;
@@ -45,7 +45,7 @@ Integrals integrals(const PolynomialSpace& space, const Eigen::VectorXd& q, cons
   return sums;
 }
 
-/// Squared L² norms of a vector field relative to its mean, and of the non-affine part of this field.
+/// Squared L² norms of a vector field minus its mean, and of the non-affine part of this field.
 struct Parts {
   double whole, nonaffine;
 };
@@ -63,8 +63,8 @@ Eigen::VectorXd relative(const PolynomialSpace& space, const Eigen::VectorXd& x)
   return result;
 }
 
-/// Sets the energies in `o`. The energy given by loads is subtracted from `external`, so that their change in time does
-/// not change the total.
+/// Sets the energies in `o`. The energy that loads have given by their change in time is subtracted from `external`. A
+/// load that depends on time then does not change the total energy.
 void observe_energies(const PolynomialBody& body, const BodyState& state, mechanics::ContinuumObservables& o) {
   const PotentialEnergies V = body.potential_energies(state.t, state.q);
   o.kinetic = body.kinetic_energy(state.v);

@@ -1,7 +1,8 @@
 #pragma once
 /// Observables of polynomial bodies at one state. The finite-element ball has the same observables
-/// (continuum/output/observe.h). The observables are for the whole body, in internal units. The mass moment Q_M, the
-/// angular momentum J, the circulation Z and the non-affine quantities are relative to the centre of mass.
+/// (continuum/output/observe.h). The observables are for the whole body, in internal units. The angular momentum, the
+/// circulation and the non-affine quantities are relative to the centre of mass x_c. The mass moment is Q_M = (∫ρ (x −
+/// x_c) Xᵀ dX) E₀⁻¹ with E₀ = ∫ρXXᵀ dX.
 
 #include "observables/body_observables.h"
 #include "polynomial/compressible_body.h"

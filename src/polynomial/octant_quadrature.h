@@ -1,14 +1,15 @@
 #pragma once
 /// Quadrature on the octant ξ_i > 0 of the unit ball and of its surface. The integral over the ball of a function that
-/// is even in every coordinate is 8 times the integral over the octant. In r = |ξ| and in z = cos θ, the quadrature
-/// uses the positive half of the Gauss rule with 2q points on [−1, 1]. The nodes are r_i and z_j, with the weights w_i
-/// and w_j. In the longitude φ, the quadrature uses midpoints,
+/// is even in every coordinate is 8 times the integral over the octant. For r = |ξ| and for z = cos θ, the quadrature
+/// uses the positive half of the Gauss rule with 2q points on [−1, 1]. The nodes r_i and z_j have the weights w_i and
+/// w_j. For the longitude φ, the quadrature uses midpoints:
 ///
 ///   ∫f dξ = 8 Σ_ijk w_i r_i² w_j (π/2q) f(r_i, z_j, φ_k),   φ_k = (k + ½) π/2q.
 ///
-/// The quadrature with q³ points is exact for polynomials of degree 4q − 3 (4q − 1 in cos θ and φ). A body of degree N
-/// uses q = ⌈(N + 3)/2⌉ points in each direction by default. The quadrature is then exact for degree 2N + 3 at least.
-/// The mass matrix, the linear problem about rest and the second moments ∫ρ x xᵀ dX are therefore exact.
+/// For polynomials that are even in every coordinate, the quadrature with q³ points is exact up to the degree 4q − 3.
+/// In cos θ and φ alone, it is exact up to the degree 4q − 1. A body of degree N uses q = ⌈(N + 3)/2⌉ points in each
+/// direction by default. The quadrature is then exact at least up to the degree 2N + 3. The mass matrix, the linear
+/// problem about rest and the second moments ∫ρ x xᵀ dX are therefore exact.
 
 #include <array>
 #include <vector>
@@ -27,7 +28,7 @@ struct WeightedPoint {
   double weight;  ///< quadrature weight for integrals over the octant
 };
 
-/// The q³ points of the octant, ordered by radius. The points of each radius are in the directions of
+/// The q³ points of the octant, ordered by radius. For each radius, the points are in the directions of
 /// octant_surface_points, in the same order.
 std::vector<WeightedPoint> octant_points(int q);
 

@@ -1,9 +1,10 @@
 #pragma once
-/// The parity of a motion u of the whole ball. With the reflection R_i of axis i, bit i of the parity is set if the
-/// motion is odd: u(R_i X) = −R_i u(X). Otherwise u(R_i X) = R_i u(X). The component u_j of a motion therefore has the
-/// parity of the motion with bit j changed. A constraint acts only on motions with the parity of its pressure function,
-/// because the divergence of a motion has the parity of the motion. At a state with the symmetry of an octant, the
-/// stiffness maps motions of each of the eight parities to motions of the same parity.
+/// The parity of a motion u of the whole ball. With the reflection R_i of the coordinate i, bit i of the parity is set
+/// if the motion is odd: u(R_i X) = −R_i u(X). The bit is not set if u(R_i X) = R_i u(X). The component u_j of a motion
+/// therefore has the parity of the motion with bit j changed. A constraint acts only on motions with the parity of its
+/// pressure function, because the divergence of a motion has the parity of the motion. At a state with the symmetry of
+/// an octant, the stiffness maps motions of each of the eight parities to motions of the same parity. The spaces in
+/// this file must not have symmetry planes.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -32,9 +33,9 @@ inline std::array<std::vector<int>, n_parities> pressures_by_parity(const Polyno
   return places;
 }
 
-/// The matrix K with K u = −`force_rate(u)` on the whole ball, symmetrised. Each call of force_rate is for a sum of
-/// motions, one of each parity. The rate of force of each motion has the parity of the motion. One call therefore gives
-/// a column of K for each parity.
+/// The matrix K with K u = −force_rate(u) on the whole ball, symmetrised. The function calls force_rate for a sum of
+/// motions, one of each parity. The part of the result that belongs to a parity is due to the motion of this parity.
+/// One call therefore gives a column of K for each parity.
 template <class ForceRate>
 Eigen::MatrixXd stiffness_by_parity(const PolynomialSpace& space, const ForceRate& force_rate) {
   const auto places = unknowns_by_parity(space);

@@ -12,16 +12,16 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Direct sums are used up to this product of the number of functions and the number of points of an octant, for one
-/// parity. Measured with vectors of 8 numbers: for degree 5 (product 640), direct sums take 0.6 times the time of the
-/// factored sums. For degree 7 (2560), both take the same time.
+/// Direct sums are used for a parity if the number of its functions times the number of points of an octant is at most
+/// this number. In measurements with vectors of 8 numbers, direct sums took 0.6 times the time of the factored sums for
+/// degree 5 (product 640). For degree 7 (product 2560), both took the same time.
 constexpr double cheap_directly = 1500;
 
 double along(const Jet& jet, const std::array<double, 3>& direction) {
   return jet.gradient[0] * direction[0] + jet.gradient[1] * direction[1] + jet.gradient[2] * direction[2];
 }
 
-/// Returns a harmonic Y and its derivatives along e_θ and e_φ on the unit sphere. `jet` contains Y with its gradient.
+/// Returns a harmonic Y and its derivatives along e_θ and e_φ on the unit sphere. `jet` has Y and its gradient.
 std::array<double, 3> angular_terms(const Jet& jet, const SurfacePoint& direction) {
   return {jet.value, along(jet, direction.e_theta), along(jet, direction.e_phi)};
 }

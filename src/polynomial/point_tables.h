@@ -16,16 +16,16 @@
 ///   u_lm(r) = Σ_n c_nlm R_nl(r),   x = Σ_lm u_lm Y_lm,
 ///   ∇_ξ x = Σ_lm u′_lm Y_lm e_r + (u_lm/r)(∂_θY_lm e_θ + ∂_φY_lm e_φ/sin θ),   ∂x/∂X_k = ∂x/∂ξ_k / s_k.
 ///
-/// For few functions at few points, direct sums with tables of the functions at the points are cheaper.
+/// For few functions at few points, direct sums with tables of the functions at the points take less time.
 ///
-/// The sums for gradients omit the linear functions, because their gradients are constant. The affine part is the
-/// largest part of F, so F then has fewer rounding errors. For a body of degree 1, each entry of F has only the
-/// rounding error of one product.
+/// The sums for gradients omit the linear functions, whose gradients are constant. The gradient of the affine part is
+/// added afterwards. It is the largest part of F, so the rounding errors of the sums are small compared with F. For a
+/// body of degree 1, each entry of F has only the rounding error of one product.
 ///
-/// The fields of a table are functions or their derivatives. A derivative along e_r, e_θ or e_φ has the same signs at
-/// the images as the function, because these directions are reflected with the point. The derivative ∂/∂ξ_k has an
+/// The fields of a table are functions or their derivatives. A derivative along e_r, e_θ or e_φ has the same sign at an
+/// image as the function, because these directions are reflected with the point. The derivative ∂/∂ξ_k has an
 /// additional change of sign at an image under a reflection of ξ_k. The signs of ∂/∂ξ_k at the images are therefore the
-/// signs of another parity, which differs in the bits of `shift`.
+/// signs of another parity. The bits of `shift` are the bits in which the two parities differ.
 
 #include <Eigen/Core>
 #include <array>
@@ -43,7 +43,7 @@ namespace pseudorigid::polynomial {
 struct Block {
   int component;
   Parity parity;
-  int slot;                    ///< parity in the free coordinates only: bit b is that of the b-th free axis
+  int slot;                    ///< parity in the free coordinates only: bit b is the bit of the b-th free axis
   int offset;                  ///< index of the first coefficient
   std::vector<int> functions;  ///< indices in ball_polynomials(N)
 
@@ -66,29 +66,30 @@ struct PointGrid {
 
 class PointTables {
  public:
-  /// Tables of the functions of `blocks`, scaled to an ellipsoid (polynomial_space.h). `free_axes` are the axes without
-  /// a symmetry plane.
+  /// Tables of the functions of `blocks` at the points of `grid` and their images. The functions are scaled to an
+  /// ellipsoid (polynomial_space.h). `free_axes` are the axes without a symmetry plane.
   PointTables(int degree, Fields fields, const Eigen::Vector3d& semi_axes, const PointGrid& grid,
               const std::vector<int>& free_axes, const std::vector<Block>& blocks);
 
   /// Number of points of the octant, including padding.
   int stride() const { return stride_; }
+  /// Bits by which the sign of a field at the images differs from the parity of the function (head of this file).
   int shift(int field) const { return shift_[field]; }
   int n_fields() const { return static_cast<int>(shift_.size()); }
   /// Number of points of all images, including padding.
   int n_points() const { return n_images_ * stride_; }
-  /// Number of entries of y in `evaluate`, for a field with n_components components.
+  /// Number of entries of y in `evaluate`, for a vector field with n_components components.
   std::size_t size(int n_components) const { return static_cast<std::size_t>(n_components) * n_fields() * n_points(); }
-  /// Number of multiplications for one evaluation of a block.
+  /// Number of multiplications in the sums of `evaluate` for a block.
   double n_multiplications(const Block& block) const;
 
   /// Computes the fields y at all points from the coefficients c of the blocks. Field f of component i is stored from
   /// y[(i n_fields + f) n_points] on.
   void evaluate(const std::vector<Block>& blocks, int n_components, const double* c, double* y) const;
-  /// c ← c + the result of the transposed map for y. Overwrites y.
+  /// Adds the result of the transposed map for y to c. y has the order of `evaluate` and is overwritten.
   void add_transposed(const std::vector<Block>& blocks, int n_components, double* y, double* c) const;
-  /// The field with the number `field` of one function of a block, at the points of the octant. `function` is the index
-  /// in the block. The result has stride() entries.
+  /// The field `field` of one function of a block at the points of the octant, with stride() entries. `function` is the
+  /// index of the function in the block.
   std::vector<double> row(const Block& block, int function, int field) const;
 
  private:
@@ -97,7 +98,7 @@ class PointTables {
     std::vector<int> places;                     ///< [coefficient of a block]: its index in [level][group]
     std::array<std::vector<double>, 2> radial;   ///< R′ and R/r for gradients, otherwise R: [level][radius][group]
     std::array<std::vector<double>, 3> angular;  ///< Y_lm and derivatives: [group][direction], padded
-    std::array<std::vector<double>, 3> from_directions;  ///< the numbers of `angular` as [direction][group]
+    std::array<std::vector<double>, 3> from_directions;  ///< the entries of `angular` as [direction][group]
     /// Numbers of groups, of groups with padding up to a multiple of `point_block`, and of levels.
     int n_groups = 0, n_filled = 0, n_levels = 0;
     std::array<std::vector<double>, 3> rows;  ///< [field]: [function][point], for direct sums; empty with factored sums
@@ -125,13 +126,13 @@ class PointTables {
   void add_transposed_sums(const Factors& factors, const double* const* y, double* c) const;
   void add_transposed_octant(const Factors& factors, const double* const* y, double* c) const;
 
-  /// Index in y of the first value of a field, for the component and the parity of a block.
+  /// Index in y of the first value of `field`, for the component and the parity of a block.
   std::size_t place(const Block& block, int field) const {
     return (static_cast<std::size_t>(block.component) * n_fields() + field) * n_points() +
            static_cast<std::size_t>(block.slot ^ shift_[field]) * stride_;
   }
-  /// Transforms the sums of each parity in y into the values at each image, or applies the transposed map. Without
-  /// images it does nothing.
+  /// Transforms the sums of each parity in y into the values at each image. The transform is symmetric, so the function
+  /// also applies the transposed map. Without images it does nothing.
   void transform(int n_components, double* y) const;
 
   Fields fields_;

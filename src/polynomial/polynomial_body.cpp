@@ -11,7 +11,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// The matrix F = ∂x/∂X at point p of a field with n points.
+/// The matrix of a tensor field with n points, such as F = ∂x/∂X, at point p.
 Eigen::Matrix3d tensor_at(const double* field, int n, int p) {
   Eigen::Matrix3d F;
   for (int i = 0; i < 3; ++i)
@@ -19,7 +19,7 @@ Eigen::Matrix3d tensor_at(const double* field, int n, int p) {
   return F;
 }
 
-/// The axes about which rotations of space keep the symmetry planes.
+/// The axes about which rotations of space map the symmetry planes to themselves.
 std::vector<int> free_turns(const std::array<bool, 3>& reflect) {
   std::vector<int> axes;
   for (int i = 0; i < 3; ++i) {
@@ -142,7 +142,8 @@ Eigen::Matrix3d PolynomialBody::second_moment(const Vector& q) const {
   return space_->moment(x, x) - space_->volume() * center * center.transpose();
 }
 
-/// Adds the forces of the companions on the body, which have no resultant, and sets the forces on the companions.
+/// Adds the forces of the companions to the forces on the body, and sets the forces on the companions. The forces on
+/// the body have no resultant.
 void PolynomialBody::add_companions(const Vector& q, Vector& f) const {
   const mechanics::Orbit::Columns s = companions(q);
   loads::Forcing tide;

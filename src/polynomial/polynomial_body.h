@@ -7,12 +7,13 @@
 /// This is the generalized Newton law (Oliva 5.3–5.4) for the coefficients q_ia of an orthonormal basis φ_a, with the
 /// unit vectors e_i. The mass is therefore the identity (polynomial_space.h). The body of degree N = 1 is the
 /// pseudo-rigid body, and the limit N → ∞ is the continuum. W is the stored energy, J = det F, and Ê is the energy of
-/// self-gravity (body_gravity.h). U is the volumetric stabilisation (κ/8)(J − 1/J)², by default 0. The loads have
-/// the following energies V_e or forces, in the notation of loads/forcing.h:
+/// self-gravity (body_gravity.h). U is the volumetric stabilisation (κ/8)(J − 1/J)² with the stiffness κ, by default 0.
+/// The loads (loads/forcing.h) have the following energies V_e or forces. d is the rate of deformation, and P_b is the
+/// stress of branch b:
 ///
-///   quadratic potential      V = ½ T:∫ρ x xᵀ            uniform acceleration     V = −b·∫ρ x
-///   nominal traction         V = −P̄:∫F                  pressure                 V = p ∫J
-///   viscosity                −∫2ηJ d F⁻ᵀ:∇φ             drag                     −c q̇
+///   quadratic potential T    V = ½ T:∫ρ x xᵀ            uniform acceleration b   V = −b·∫ρ x
+///   nominal traction P̄       V = −P̄:∫F                  pressure p               V = p ∫J
+///   viscosity η              −∫2ηJ d F⁻ᵀ:∇φ             drag coefficient c       −c q̇
 ///   viscoelastic branches    −∫ΣP_b:∇φ, with an internal metric C_b at each point (materials/maxwell_branch.h)
 ///   rigid planes             body_contact.h
 ///   companions               the quadratic potential T about the centre of mass (mechanics/core/orbit.h)
@@ -57,8 +58,9 @@ struct BodySetup {
   std::optional<int> n_contact_points{};
 };
 
-/// Parts of the potential energy of the whole body. `elastic` contains `volumetric` and `viscoelastic`. `interaction`
-/// is the energy of the gravity between the body and its companions.
+/// Parts of the potential energy of the whole body. `external` is the energy of the quadratic potential, the
+/// acceleration, the nominal traction and the pressure. `interaction` is the energy of the gravity between the body and
+/// its companions.
 struct PotentialEnergies {
   double elastic = 0;  ///< stored energy, including the volumetric part and that of the branches
   double volumetric = 0, viscoelastic = 0, gravitational = 0, external = 0, contact = 0, interaction = 0;
@@ -79,12 +81,13 @@ class PolynomialBody {
   bool dissipative() const { return constant_.dissipative(); }
   bool has_contact() const { return !constant_.planes.empty(); }
   bool damping_is_linear() const { return !constant_.planes.rough(); }
-  /// Number of coefficients q_ia, if viscosity acts on them. It is 0 without viscosity. A preconditioner needs this
-  /// number (mechanics/core/damping_preconditioner.h).
+  /// The number of coefficients q_ia if the body has viscosity, otherwise 0. A preconditioner needs this number
+  /// (mechanics/core/damping_preconditioner.h).
   int n_damped_entries() const { return constant_.viscosity > 0 ? space_->n_unknowns() : 0; }
   bool relaxes() const { return !constant_.branches.empty(); }
-  /// Replaces the internal metrics in q by their values after the time h, for the mean strain of `before` and q. Adds
-  /// the energy that the branches dissipate to the dissipated energies in v, in total and for each branch.
+  /// Replaces the internal metrics in q by their values at the end of a step of length h. `before` and q are the
+  /// positions at the begin and end of the step, and the metrics follow the mean of their strains. Adds the energy that
+  /// the branches dissipate to the dissipated energies in v, in total and for each branch.
   void relax(double h, const Vector& before, Vector& q, Vector& v) const;
   /// The sums Σ μ_b C_b⁻¹ and Σ μ_b over the branches at a quadrature point. Branch b has the modulus μ_b and the
   /// internal metric C_b.
@@ -92,8 +95,8 @@ class PolynomialBody {
   /// Sets the internal metrics in q. If `relaxed` is true, they become Ĉ = J^{−2/3} FᵀF at q and the branches have no
   /// stress. Otherwise they become the identity, which belongs to the undeformed body.
   void start_branches(bool relaxed, Vector& q) const;
-  /// Converts the state of a body that differs from this one only in its quadrature points. If the numbers of metrics
-  /// differ, start_branches sets new metrics at this state.
+  /// Returns `state` with the number of metrics of this body. The body of `state` may differ from this body only in its
+  /// quadrature points. If the numbers of metrics differ, start_branches sets new metrics.
   mechanics::VectorState<Vector> with_points_of_body(mechanics::VectorState<Vector> state) const;
   Vector make_vector() const { return Vector::Zero(first_metric() + n_metric_entries()); }
 
@@ -102,19 +105,20 @@ class PolynomialBody {
   double potential_energy(const Vector& q) const;
   /// The parts of the potential energy at the time t. The deformation q must be admissible.
   PotentialEnergies potential_energies(double t, const Vector& q) const;
-  /// Number of axes about which rotations of space are symmetries. The rotations must keep the symmetry planes of the
-  /// sector. The number is 0 with planes or companions, or if a load depends on direction or time.
+  /// Number of coordinate axes about which rotations of space are symmetries. Such a rotation maps the symmetry planes
+  /// of the sector to themselves. The number is 0 with rigid planes or companions, or if a load depends on direction or
+  /// time.
   int n_symmetries() const { return static_cast<int>(turns_.size()); }
-  /// Sets dq = ê×x and dv = ê×ẋ as coefficients, for the axis ê of symmetry i.
+  /// Sets dq = ê×x and dv = ê×ẋ as coefficients, with the unit vector ê of the axis of symmetry i.
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
 
   /// f ← f − C u for viscosity, drag, and the damping and friction of contacts. C is the linearisation `kind` of the
   /// damping force at `state` (mechanics/core/damping.h).
   void add_damping(const mechanics::VectorState<Vector>& state, const Vector& u, mechanics::Linearization kind,
                    Vector& f) const;
-  /// f ← f + rate of the conservative forces along u at the time 0. The result includes stress, constant loads,
-  /// self-gravity and planes. It does not include companions, branches, and loads that depend on time other than
-  /// planes.
+  /// f ← f + rate of the conservative forces along u at the time 0. The forces are those of the stress, the constant
+  /// loads, self-gravity and the rigid planes. Companions, branches and other loads that depend on time are not
+  /// included.
   void add_force_rate(const Vector& q, const Vector& u, Vector& f) const;
 
   const PolynomialSpace& space() const { return *space_; }
@@ -155,6 +159,7 @@ class PolynomialBody {
       energies[b] = v[first_branch_account() + static_cast<int>(b)];
     return energies;
   }
+  /// The energy that loads have given by their change in time, from the velocity v.
   double given(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns() + 1] : 0; }
 
   /// Fails if q is not an admissible deformation of this body. If the law has a limit and det F is positive at all
@@ -170,8 +175,10 @@ class PolynomialBody {
   /// Sets f to all forces without the reactions. If `held_at` is not null and there are planes, springs on the whole
   /// surface replace the contact. The springs pull each point of the surface towards its position for the coefficients
   /// `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the
-  /// stiffness with contact, which the search for a stable step needs. Fails if q is not an admissible deformation.
+  /// stiffness with contact. The search for a stable step needs this bound. Fails if q is not an admissible
+  /// deformation.
   mechanics::Status applied_force(double t, const Vector& q, const Vector& v, const Vector* held_at, Vector& f) const;
+  /// The failure that `admissible` returns, for a deformation that is not admissible.
   [[gnu::cold, gnu::noinline]] mechanics::Status inadmissible(const Vector& q) const;
 
  private:
@@ -191,7 +198,7 @@ class PolynomialBody {
   void add_companions(const Vector& q, Vector& f) const;
   void add_loads(const loads::Forcing& forcing, const Vector& q, Vector& f) const;
   double external_energy(const loads::Forcing& forcing, const Vector& q, const double* F) const;
-  /// Adds the viscous stress at the velocity v, times the weights of the points, to T. Returns the dissipated power.
+  /// Adds the viscous stress at the velocity v, times the quadrature weights, to T. Returns the dissipated power.
   double add_dissipation(const Vector& v, const double* F, double* T) const;
 
   std::shared_ptr<const PolynomialSpace> space_;
@@ -200,7 +207,7 @@ class PolynomialBody {
   loads::Loads loads_;
   loads::Forcing constant_;  ///< loads that do not depend on time, with all planes
   bool driven_;              ///< true if a load depends on time or a plane moves
-  std::vector<int> turns_;   ///< axes of the symmetries
+  std::vector<int> turns_;   ///< axes of the rotations of space that are symmetries
   std::shared_ptr<const BodyGravity> gravity_;
   std::shared_ptr<const BodyContact> contact_;  ///< null without planes
   mechanics::Orbit orbit_;

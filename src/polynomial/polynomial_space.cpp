@@ -11,7 +11,8 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// The image of ξ under the reflections of the free axes whose bits are set in `slot`.
+/// The image of ξ under the reflections of the free axes whose bits are set in `slot`. Free axes are those without a
+/// symmetry plane.
 std::array<double, 3> image(std::array<double, 3> xi, int slot, const std::vector<int>& free_axes) {
   for (std::size_t b = 0; b < free_axes.size(); ++b)
     if (slot >> b & 1) xi[free_axes[b]] = -xi[free_axes[b]];
@@ -118,7 +119,6 @@ double PolynomialSpace::orientation(int image) const {
   return std::popcount(static_cast<unsigned int>(image)) % 2 == 0 ? 1.0 : -1.0;
 }
 
-/// Index of the function that is a multiple of ξ_axis.
 int PolynomialSpace::linear_function(int axis) const {
   int a = 1;
   while (functions_[a].parity() != 1U << axis) ++a;

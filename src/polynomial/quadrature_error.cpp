@@ -15,10 +15,11 @@ namespace {
 
 using mechanics::detail::PilotRun;
 
-/// Least window in units r/c, with the radius r and the speed c of shear waves, and least window as a fraction of the
-/// run. In units r/c, the lowest mode of the incompressible ball has the period 2.36.
+/// The window is at least the time `least_window`, in units r/c with the radius r and the speed c of shear waves. It is
+/// also at least the fraction `part_of_run` of the run. In units r/c, the lowest mode of the incompressible ball has
+/// the period 2.36.
 constexpr double least_window = 3, part_of_run = 1.0 / 16;
-constexpr double caution = 6;             ///< factor in the estimate e (quadrature_error.h)
+constexpr double caution = 6;             ///< factor in the estimate e (head of quadrature_error.h)
 constexpr double caution_of_volume = 60;  ///< factor in e for the volume if points are added
 /// Largest number of points in each direction that the search adds.
 constexpr int most_points_more = 8;
@@ -89,7 +90,7 @@ class QuadratureSearch {
     return factor * mechanics::detail::largest_difference(a, b) * std::pow(request_.end / window_, quadrature_growth);
   }
 
-  /// Chooses the number of steps from the stability limit, and makes the pilot run own_. If this run fails, the motion
+  /// Computes the number of steps from the stability limit, and makes the pilot run own_. If this run fails, the motion
   /// may have become stiffer, and the step is halved. If all halvings fail, the window is shortened. Returns false if
   /// no pilot run succeeds or if the stability limit cannot be computed.
   bool find_step(const Body& body) {
@@ -122,8 +123,8 @@ class QuadratureSearch {
     return std::min(mechanics::rattle_step_limit(frequency.omega, rate, 1), window_);
   }
 
-  /// A pilot run over the window with n_steps_ steps or slightly more. Its constraint tolerance is a fraction of the
-  /// tolerance of Q, so that the iterations cost less.
+  /// Makes a pilot run over the window with n_steps_ steps, or with slightly more for equidistant samples. The
+  /// constraint tolerance of the run is a fraction of the tolerance of Q, so that the iterations cost less.
   PilotRun pilot(const Body& body) {
     const mechanics::StepRequest request{.give_up = request_.give_up};
     constexpr long most = mechanics::detail::max_pilot_samples;

@@ -1,10 +1,11 @@
 #pragma once
 /// Error of the affine part Q of a motion due to the quadrature of a polynomial body. The functions also find the
 /// number of points that a tolerance requires. The motion of a body depends on the quadrature rule. Two pilot runs with
-/// different rules cover a window w of a run of length T. The pilot runs use RATTLE with the same long steps, so that
-/// the errors of the steps cancel. One estimate is for the rule in the volume. With self-gravity, a second estimate is
-/// for the rule on the surface, and the estimated error is the sum of both. With the results Q and Q' of the two runs
-/// at the times t_k, and the largest absolute value |…| of the entries, an estimate is
+/// different rules cover the first part of a run, its window. The window has the length w, and the run has the length
+/// T. The pilot runs use RATTLE with the same long steps, so that the errors of the steps cancel. One estimate is for
+/// the rule in the volume. With self-gravity, a second estimate is for the rule on the surface, and the estimated error
+/// is the sum of both. Let Q and Q' be the results of the two runs at the times t_k, and let |…| be the largest
+/// absolute value of the entries. An estimate is
 ///
 ///   e = 6 max_k |Q(t_k) − Q'(t_k)| (T/w)^(3/2).
 ///
@@ -12,19 +13,19 @@
 /// which is more than a period of the lowest mode. Here r is the radius, and c is the speed of shear waves. The window
 /// is also at least a sixteenth of the run. Shorter runs are covered completely. If the pilot run fails for every step,
 /// the window becomes half of the time that the last attempt reached. After the window, the errors of the phases grow
-/// as t, but inside the window this growth has only begun. Therefore the power is 3/2, as in the pilot runs that choose
-/// a step (mechanics/steps/step_search.h). If points are added, w = T. The factor for the volume is then 60 instead of
-/// 6, because the long steps hide more of the difference. The error was at most 0.75 e in the motions from which the
-/// factors were chosen. docs/theory.md has the motions that test the factors.
+/// in proportion to the time, but inside the window this growth has only begun. Therefore the power is 3/2, as in the
+/// pilot runs that choose a step (mechanics/steps/step_search.h). If points are added, w = T. The factor for the volume
+/// is then 60 instead of 6, because the errors of the long steps hide more of the difference. The error was at most
+/// 0.75 e in the motions from which the factors were chosen. docs/theory.md has the motions that test the factors.
 ///
 /// For the volume, the rule of Q' has one point more in each direction of an octant. For self-gravity, the rule of Q'
-/// has two points less in each direction of an octant of the surface. The sums of this smaller rule take about a
-/// quarter of the time. If the rule of Q has fewer than 4 points in each direction, the rule of Q' has two points more.
-/// If the error decreases at least with the fourth power of the number of points, the difference is at least as large
-/// as the error.
+/// has two points less in each direction of an octant of the surface. The sums of this smaller rule take less time. If
+/// the rule of Q has fewer than 4 points in each direction, the rule of Q' has two points more. Let the error of the
+/// gravity decrease at least with the fourth power of the number of points. For the default rules, the difference is
+/// then at least 0.6 times the error.
 ///
-/// The estimate does not include instability. If the motion magnifies errors after the window, the error is larger than
-/// e.
+/// The estimate does not include instability. If the motion amplifies errors after the window, the error can be larger
+/// than e.
 
 #include <functional>
 #include <optional>
@@ -39,11 +40,11 @@ namespace pseudorigid::polynomial {
 inline constexpr double quadrature_growth = 1.5;
 
 struct QuadratureRequest {
-  double end = 0;                   ///< end T of the run, measured from the time of the state
+  double end = 0;                   ///< length T of the run
   double stable_step = 0;           ///< stability limit of RATTLE; 0 if it is not known
-  double tolerance = 1e-6;          ///< tolerance of Q
-  bool adds_points = false;         ///< true if points are added to make e at most half of the tolerance
-  std::function<bool()> give_up{};  ///< called after every step of a pilot run; true ends the pilot run
+  double tolerance = 1e-6;          ///< largest permitted error of an entry of Q
+  bool adds_points = false;         ///< true if points are added until e is at most half of the tolerance
+  std::function<bool()> give_up{};  ///< called after every step of a pilot run; if it returns true, the pilot run ends
 };
 
 struct QuadratureChoice {
@@ -53,9 +54,10 @@ struct QuadratureChoice {
   long n_force = 0;               ///< number of force evaluations in all pilot runs
 };
 
-/// Estimates the error of the quadrature of `body`, and adds points in the volume if this is requested. The function
-/// adds at most 8 points in each direction, and stops if the last point did not halve e. For degree 1 the error is 0,
-/// because the motion remains affine. `setup` must be the setup of `body`.
+/// Estimates the error of the quadrature of `body`, and adds points in the volume if request.adds_points is true. The
+/// function adds at most 8 points in each direction. It also stops if the last point did not halve e. For degree 1 the
+/// error is 0, because the motion remains affine. `setup` must be the setup of `body`, and `state` is the state at the
+/// start of the run.
 template <class Body>
 QuadratureChoice choose_quadrature(const BodySetup& setup, const Body& body, const BodyState& state,
                                    const QuadratureRequest& request);

@@ -26,7 +26,7 @@ class ModesOfParity {
       : turns_(turns), unknowns_(unknowns), n_odd_(std::popcount(parity)) {}
 
   /// Appends the eigenmodes of the stiffness K to `modes`. The columns of `basis` are an orthonormal basis of the
-  /// motions.
+  /// motions of the parity, and K is the stiffness for this parity.
   void add(const Eigen::MatrixXd& K, const Eigen::MatrixXd& basis, std::vector<Mode>& modes) const {
     if (basis.cols() == 0) return;
     const mechanics::SymmetricSpectrum degrees = mechanics::symmetric_spectrum(basis.transpose() * square(basis));
@@ -50,8 +50,8 @@ class ModesOfParity {
     return squares;
   }
 
-  /// Finds the kind and the degree n of a mode. `parts` are the coefficients of the mode in the eigenvectors of −Σ_e
-  /// J_e², and `squares` are the eigenvalues n(n + 1) of this operator.
+  /// Finds the kind and the degree n of a mode with the coefficients `shape`. `parts` are the components of the mode
+  /// along the eigenvectors of −Σ_e J_e², and `squares` are the eigenvalues n(n + 1) of this operator.
   Mode classified(double omega_squared, const Eigen::VectorXd& shape, const Eigen::VectorXd& parts,
                   const Eigen::VectorXd& squares) const {
     std::vector<double> shares;

@@ -2,16 +2,15 @@
 /// Small motions u of a polynomial ball of degree N about rest. With the stiffness K and the derivative G of the
 /// constraint, the squares of the frequencies ω are the eigenvalues of
 ///
-///   K u = ω² u on ker G     (rest_problem.h).
-///
-/// Each of the eight parities has such a problem. The problem is solved on an orthonormal basis of the motions in ker G
-/// that are orthogonal to the six rigid motions. The result therefore has all frequencies except those of rigid
-/// motions, and includes unstable motions.
+/// Motions of different parity are not coupled, so each of the eight parities (parity_parts.h) has such a problem. The
+/// problem is solved on an orthonormal basis of the motions in ker G that are orthogonal to the six rigid motions. The
+/// result therefore has all frequencies except those of rigid motions, and includes unstable motions.
 ///
 /// The kind and the degree n of a mode are computed from its shape. The polynomials of degree at most N are invariant
 /// under rotations. With the joint rotations J_e of space and ball about the axes e (turns.h), the operator −Σ_e J_e²
-/// has the eigenvalues n(n + 1). Its eigenvectors divide the motions of a parity by degree. The degree of a mode is the
-/// degree with the largest share in the mode. A mode is spheroidal if u(−X) = (−1)^(n+1) u(X), and otherwise toroidal.
+/// has the eigenvalues n(n + 1). The motions of a parity are sums of eigenvectors of this operator. The degree of a
+/// mode is the degree n with the largest share of |u|² in such a sum. A mode is spheroidal if u(−X) = (−1)^(n+1) u(X),
+/// and otherwise toroidal.
 
 #include <vector>
 
@@ -27,13 +26,13 @@ struct RestFrequency {
   bool spheroidal;
   int degree;
   int overtone;           ///< 0 for the lowest frequency of this kind and degree
-  double share;           ///< share of the degree n in a mode, the least over the 2n + 1 modes
-  Eigen::VectorXd shape;  ///< coefficients of one of the modes on the whole body, of norm 1
+  double share;           ///< share of the degree n in |u|², the least over the 2n + 1 modes
+  Eigen::VectorXd shape;  ///< coefficients of one of the modes on the whole body, with the norm 1
 };
 
-/// Computes the lowest `number` frequencies in ascending order, or all frequencies if there are fewer. `setup.reflect`
-/// is not used. Fails if make_rest_problem (rest_problem.h) fails, or if the modes cannot be grouped into complete
-/// frequencies.
+/// Sets `frequencies` to the lowest `number` frequencies in ascending order, or to all if there are fewer.
+/// `setup.reflect` is not used. Fails if make_rest_problem (rest_problem.h) fails, or if the modes cannot be grouped
+/// into complete frequencies.
 mechanics::Status rest_frequencies(BodySetup setup, bool incompressible, std::size_t number,
                                    std::vector<RestFrequency>& frequencies);
 

@@ -10,8 +10,8 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// The rows ∮(u·e) Y_nm dS of the self-gravity (rest_problem.h), each multiplied by the square root of its stiffness ρg
-/// (1 − 3/(2n + 1)). The rows of n ≤ 1 are 0.
+/// The rows ∮(u·e) Y_nm dS of the self-gravity (rest_problem.h) in units with ρ = r = 1. Each row is multiplied by the
+/// square root of its stiffness ρg (1 − 3/(2n + 1)). The rows with n ≤ 1 are 0.
 Eigen::MatrixXd gravity_rows(const PolynomialSpace& space, double gravity_constant) {
   const int max_degree = space.degree() + 1;
   const double weight_of_density = 4 * std::numbers::pi / 3 * gravity_constant;
@@ -21,7 +21,7 @@ Eigen::MatrixXd gravity_rows(const PolynomialSpace& space, double gravity_consta
   return rows;
 }
 
-/// The rigid motions of norm 1, one in each row. Each of these motions has a parity.
+/// Coefficients of the six rigid motions, with norm 1, one motion in each row. Each of these motions has a parity.
 Eigen::MatrixXd rigid_motions(const PolynomialSpace& space, const Turns& turns, const Eigen::VectorXd& X) {
   Eigen::MatrixXd rigid = Eigen::MatrixXd::Zero(6, space.n_unknowns());
   for (int i = 0; i < 3; ++i) {
@@ -92,7 +92,7 @@ mechanics::Status make(const Body& body, const Turns& turns, double gravity_cons
 Eigen::MatrixXd RestProblem::motions_of(Parity parity) const {
   const auto n = static_cast<Eigen::Index>(unknowns[parity].size());
   if (rows[parity].empty()) return Eigen::MatrixXd::Identity(n, n);
-  constexpr double dependent = 1e-8;  // measured: the least singular value of G is 3.14 at every degree
+  constexpr double dependent = 1e-8;  // measurements give 3.14 for the least singular value of G at every degree
   return mechanics::null_space(excluded(rows[parity], unknowns[parity]), dependent);
 }
 

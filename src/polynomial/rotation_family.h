@@ -1,6 +1,6 @@
 #pragma once
 /// A family of steady rotations (steady_rotation.h) of a polynomial body with the stability of its members
-/// (rotation_spectrum.h), found by mechanics/equilibria/figure_family.h.
+/// (rotation_spectrum.h). mechanics/equilibria/figure_family.h finds the members.
 
 #include <functional>
 #include <vector>

@@ -16,10 +16,10 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-constexpr Parity half_turn = 3;  // the bits of x and y, in which the two parities of a class differ
+constexpr Parity half_turn = 3;  // the bits of x and y, in which the two parities of the motions of a class differ
 
-/// A singular value of the constraint matrix G or of the symmetries counts as zero if it is less than this fraction of
-/// the largest one.
+/// A singular value of the constraint matrix G, or of the matrix of the symmetries, counts as zero if it is less than
+/// this fraction of the largest singular value.
 constexpr double dependent = 1e-8;
 
 /// Indices of the coefficients of each parity, without uniform motions.
@@ -32,8 +32,8 @@ std::array<std::vector<int>, n_parities> coefficients_by_parity(const Polynomial
 
 Eigen::MatrixXd columns(const Eigen::MatrixXd& A, const std::vector<Eigen::Index>& kept) { return A(Eigen::all, kept); }
 
-/// The rows of A whose norm exceeds `round_off`. If a constraint does not have the symmetry of a class, its row has
-/// only round-off.
+/// The rows of A with a norm greater than `round_off`. The row of a constraint that does not have the symmetry of a
+/// class has only round-off.
 Eigen::MatrixXd rows_beyond(double round_off, const Eigen::MatrixXd& A) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < A.rows(); ++i)
@@ -54,8 +54,9 @@ RotationSpectrum::RotationSpectrum(const BodySetup& setup, bool incompressible, 
     for (const bool odd_under_half_turn : {false, true}) add_parts(odd_in_z, odd_under_half_turn, figure);
 }
 
-/// Adds the class with these symmetries to parts_. On a spheroid, the class is divided into parts with one azimuthal
-/// number m each. The joint rotation of a field about axis 3, u ↦ ê₃×u − ∂_φ u, has the square −m² on such a part.
+/// Adds the class with these symmetries to parts_. On a spheroid, the function divides the class into parts, one for
+/// each azimuthal number m. The joint rotation of a field about axis 3, u ↦ ê₃×u − ∂_φ u, has the square −m² on such a
+/// part.
 void RotationSpectrum::add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure) {
   const auto by_parity = coefficients_by_parity(space());
   const Parity first = (odd_in_z ? 4U : 0U) | (odd_under_half_turn ? 1U : 0U);
@@ -83,8 +84,8 @@ void RotationSpectrum::add_parts(bool odd_in_z, bool odd_under_half_turn, Figure
   }
 }
 
-/// A basis of the fields w of a class that have no divergence in the ball and no normal component on its surface. Each
-/// column is a field. For a solid the basis is empty.
+/// A basis of the fields w in the span of `fields` that have no divergence in the ball and no normal component on its
+/// surface. Each column has the coefficients of a field. For a solid, the result has no columns.
 Eigen::MatrixXd RotationSpectrum::exchanges(const Eigen::MatrixXd& fields) const {
   if (!is_fluid_) return Eigen::MatrixXd(fields.rows(), 0);
   const Eigen::VectorXd X = body_->affine(Eigen::Matrix3d::Identity());
@@ -122,8 +123,9 @@ Eigen::VectorXd RotationSpectrum::whole_multiplier(const Eigen::VectorXd& lambda
   return all;
 }
 
-/// Directions and rates of the rotations of space and of the ball. A rotation of space about a coordinate axis ζ has
-/// the direction ζ×x and the rate −(ω×ζ)×x with ω = Ω ê₃ and the spin Ω. The rotations of the ball have the rate 0.
+/// Directions and rates of the rotations of space and of the ball about the three axes. A rotation of space about a
+/// coordinate axis ζ has the direction ζ×x and the rate −(ω×ζ)×x with ω = Ω ê₃ and the spin Ω. The rotations of the
+/// ball have the rate 0.
 mechanics::SymmetryDirections RotationSpectrum::turns(const Eigen::VectorXd& x, double spin) const {
   mechanics::SymmetryDirections N{Eigen::MatrixXd(x.size(), 6), Eigen::MatrixXd::Zero(x.size(), 6)};
   for (int axis = 0; axis < 3; ++axis) {
@@ -146,8 +148,8 @@ Eigen::MatrixXd RotationSpectrum::stiffness(const EquilibriumFigure& rotation) c
 }
 
 /// The symmetries of a class: the rotations that have a component in the class, and the motions A w of a fluid
-/// (rotation_spectrum.h). The result has the directions and rates of these motions in the basis T of the motions of the
-/// class.
+/// (rotation_spectrum.h). The columns of T are a basis of the motions of the class. The result has the directions and
+/// rates of the symmetries in this basis. `turns` has the directions and rates of the rotations for the whole body.
 mechanics::SymmetryDirections RotationSpectrum::symmetries(const Part& part, const Eigen::MatrixXd& T,
                                                            const Eigen::Matrix3d& A,
                                                            const mechanics::SymmetryDirections& turns) const {

@@ -1,22 +1,22 @@
 #pragma once
-/// Small motions about a figure that rotates steadily about axis 3 (steady_rotation.h), in the frame that rotates with
-/// the figure:
+/// Small motions u about a figure that rotates steadily about axis 3 (steady_rotation.h). In the frame that rotates
+/// with the figure, they satisfy
 ///
 ///   ü + 2Ω ê₃×u̇ + Ku = 0 on ker G,   K = D²V − Ω²P − Σ_b λ_b D²g_b
 ///
 /// with the potential V, the constraints g_b, their multipliers λ_b, G = Dg, the spin Ω, and the projection P onto the
-/// plane normal to axis 3. The rates are computed by mechanics/equilibria/linear_stability.h. The motions are those of
-/// the whole body, without symmetry. The motions belong to classes that are not coupled. A class is even or odd under
-/// the reflection of axis 3, and even or odd under the half turn about axis 3. On a spheroid, the classes also have an
-/// azimuthal number m, with cylindrical components u ~ e^{imφ}. Each class is a dense eigenvalue problem. Together the
-/// classes give the rates of all motions except the following.
+/// plane normal to axis 3. The growth rates are computed by mechanics/equilibria/linear_stability.h. The motions are
+/// those of the whole body, without symmetry. The motions belong to classes that are not coupled. A class is even or
+/// odd under the reflection of axis 3, and even or odd under the half turn about axis 3. On a spheroid, the classes
+/// also have an azimuthal number m, with cylindrical components u ~ e^{imφ}. Each class is a dense eigenvalue problem.
+/// Together the classes give the growth rates of all motions except the following.
 ///
-/// Some motions are removed together with their momenta, because they give no information on the figure. These are
-/// uniform motions, the rotations of space, and the rotations of the reference ball. The momenta of the rotations are
-/// the angular momentum J and the circulation Z. Rotations of the ball do not change exact integrals, but change
-/// quadrature sums by the error of the quadrature. For a fluid, all motions A w(X) that only exchange matter within the
-/// figure are also removed. Here A is the affine part of the figure, div w = 0 in the ball, and w·X = 0 on its surface.
-/// The momenta of these motions are the circulations (Kelvin), so the remaining motions have fixed circulations.
+/// The analysis removes motions that give no information on the figure, together with their momenta. These are uniform
+/// motions, the rotations of space, and the rotations of the reference ball. The momenta of the rotations are the
+/// angular momentum J and the circulation Z. Rotations of the ball do not change exact integrals, but change quadrature
+/// sums by the error of the quadrature. For a fluid, all motions A w(X) that only exchange matter within the figure are
+/// also removed. Here A is the affine part of the figure, div w = 0 in the ball, and w·X = 0 on its surface. The
+/// momenta of these motions are the circulations (Kelvin), so the remaining motions have fixed circulations.
 ///
 /// K maps motions of each of the eight parities to the same parity. Therefore one call of the force rate gives a column
 /// for each parity.
@@ -41,11 +41,11 @@ class RotationSpectrum {
   RotationSpectrum(const BodySetup& setup, bool incompressible, Figure figure);
 
   const PolynomialSpace& space() const { return body_->space(); }
-  /// Coefficients of x for the whole body. The argument x contains the coefficients for the octant.
+  /// The coefficients of a position for the whole body. x has the coefficients for the octant.
   Eigen::VectorXd whole(const Eigen::VectorXd& x) const;
 
-  /// Computes the stability of all classes, in the same order for every figure. Fails if a matrix of a class is not
-  /// finite, or if its eigenvalues do not converge.
+  /// Sets `classes` to the stability of all classes, in the same order for every figure. Fails if a matrix of a class
+  /// is not finite, or if its eigenvalues do not converge.
   mechanics::Status analyse(const EquilibriumFigure& rotation, std::vector<ClassStability>& classes) const;
   /// Sets `motion` to the small motion whose rate is nearest to `rate`. Its shape has the coefficients of the whole
   /// body. `of_class` is the index of its class in the result of `analyse`. Fails if the iteration for the motion does
@@ -58,7 +58,8 @@ class RotationSpectrum {
   struct Part {
     MotionClass motions;
     Eigen::MatrixXd fields;
-    Eigen::MatrixXd exchanges;  ///< a basis of the motions w in the class; empty for a solid
+    /// A basis of the motions w in the class (head of this file), one in each column. For a solid, it has no columns.
+    Eigen::MatrixXd exchanges;
   };
   /// The linear equation of a class in the coordinates z of a basis T of its motions, u = T z. The columns of T satisfy
   /// the constraint.

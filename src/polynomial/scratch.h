@@ -1,6 +1,6 @@
 #pragma once
-/// Arrays for the duration of a function. Later arrays of the same thread use the memory again. A step of a small body
-/// therefore does not allocate memory.
+/// Temporary arrays of functions. The memory of destroyed arrays is used again for later arrays of the same thread, so
+/// a step of a small body does not allocate memory.
 
 #include <cstddef>
 #include <new>
@@ -9,8 +9,8 @@
 
 namespace pseudorigid::polynomial {
 
-/// An array of n numbers with undefined values. If arrays are destroyed in the reverse order of their construction, the
-/// same function finds arrays of the right size at the next call.
+/// An array of n numbers with undefined values. If a function destroys its arrays in the reverse order of their
+/// construction, the next call of the function finds arrays of the right size.
 class ScratchArray {
  public:
   explicit ScratchArray(std::size_t n) {

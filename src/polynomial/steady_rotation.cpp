@@ -15,13 +15,14 @@ namespace {
 
 constexpr std::array<bool, 3> octant{true, true, true};
 
+/// Index of φ_nlm in `functions`.
 int number_of(const std::vector<BallPolynomial>& functions, int n, int l, int m) {
   const auto found =
       std::ranges::find_if(functions, [&](const BallPolynomial& f) { return f.n == n && f.l == l && f.m == m; });
   return static_cast<int>(found - functions.begin());
 }
 
-/// The matrix U (steady_rotation.h). Its columns are a basis of the permitted positions, up to `degree`.
+/// The matrix U (steady_rotation.h). Its columns are an orthonormal basis of the permitted positions up to `degree`.
 Eigen::MatrixXd figure_fields(const PolynomialSpace& space, Figure figure, int degree) {
   const std::vector<BallPolynomial> functions = ball_polynomials(space.degree());
   std::vector<Eigen::VectorXd> fields;
@@ -47,8 +48,8 @@ Eigen::MatrixXd figure_fields(const PolynomialSpace& space, Figure figure, int d
   return U;
 }
 
-/// The matrix V (steady_rotation.h). Its columns are the pressure functions with the symmetry of the figures, up to
-/// `degree`.
+/// The matrix V (steady_rotation.h). Its columns are the permitted pressure functions up to `degree`, or none if
+/// `degree` is −1.
 Eigen::MatrixXd figure_pressures(const PolynomialSpace& space, Figure figure, int degree) {
   const std::vector<BallPolynomial> functions = ball_polynomials(space.degree());
   std::vector<int> places;
@@ -101,7 +102,7 @@ mechanics::Status SteadyRotations::terms(const EquilibriumFigure& rotation, Eige
   return {};
 }
 
-/// Derivative of the residual r = f + Ω²Px + Gᵀλ (steady_rotation.h) along the columns of U, one column for each.
+/// Derivatives of the residual r = f + Ω²Px + Gᵀλ (steady_rotation.h) along the columns of U, one in each column.
 Eigen::MatrixXd SteadyRotations::tangent_matrix(const EquilibriumFigure& rotation) const {
   Eigen::MatrixXd D(U_.rows(), U_.cols());
   for (Eigen::Index j = 0; j < U_.cols(); ++j) {
@@ -138,8 +139,8 @@ mechanics::Status SteadyRotations::equations(const FigureCondition& condition, c
   return {};
 }
 
-/// Sets the last of the equations, the condition with the value v: Ω² − v = 0, or a_k − exp(v) a₁ = 0 with the
-/// semi-axes a of the affine part.
+/// Sets the last equation, the condition with the value v. It is Ω² − v = 0 for the parameter Ω². For a ratio of axes,
+/// it is a_k − exp(v) a₁ = 0 with the diagonal entries a of the affine part of x.
 void SteadyRotations::add_condition(const FigureCondition& condition, const EquilibriumFigure& rotation,
                                     Equations& result) const {
   const Eigen::Index last = result.values.size() - 1;
@@ -203,7 +204,7 @@ mechanics::Status SteadyRotations::complete(EquilibriumFigure& rotation) const {
   }
   if (auto status = terms(rotation, f, centrifugal, reaction); !status) return status;
   const double scale = std::max({largest(f), largest(centrifugal), largest(reaction)});
-  constexpr double round_off = 1e-13;  // if all terms are smaller, they count as 0
+  constexpr double round_off = 1e-13;  // if no term is larger than this bound, the residual counts as 0
   rotation.residual = scale > round_off ? largest(f + centrifugal + reaction) / scale : 0;
   return {};
 }

@@ -1,22 +1,22 @@
 #pragma once
 /// Figures of a polynomial ball that rotate uniformly about axis 3 with the spin Ω. In the rotating frame, the position
-/// x of the figure satisfies
+/// x of a figure satisfies
 ///
 ///   r = f(x) + Ω²Px + Gᵀλ = 0,   g(x) = 0,      P the projection onto the plane normal to axis 3
 ///
 /// without λ and g for a compressible body. f contains all forces without the reactions, g is the constraint with the
-/// multiplier λ, and G = Dg. The equations are solved in the octant, whose symmetry planes exclude rotations of space
-/// and of the ball. A spheroid is sought among motions with rotational symmetry about axis 3,
+/// multiplier λ, and G = Dg. The residual is r. The equations are solved in the octant, whose symmetry planes exclude
+/// rotations of space and of the ball. A spheroid is sought among motions with rotational symmetry about axis 3,
 ///
 ///   x = Σ u_nl (φ_nl1 e₁ + φ_nl,−1 e₂) + Σ w_nl φ_nl0 e₃.
 ///
 /// The φ_nlm are the functions of ball_polynomials.h, the e_i are the unit vectors, and u_nl and w_nl are coefficients.
-/// Within these motions the equations are not singular at a bifurcation to figures without this symmetry. Quadrature by
-/// midpoints in the longitude keeps the symmetry, so a solution satisfies all equations. A figure of the family is
-/// determined by its spin Ω, or by the ratio of two axes of its mass moment. In the second case Ω² is an unknown. The
-/// equations are solved by Newton's iteration with dense matrices and exact derivatives. The columns of a matrix U are
-/// a basis of the permitted positions, and the columns of V are a basis of the permitted pressures. With the unknowns
-/// y, μ and Ω², x = U y and λ = V μ.
+/// Within these motions the equations are not singular at a bifurcation to figures without this symmetry. The
+/// quadrature by midpoints in the longitude does not break the symmetry. Therefore a solution within these motions
+/// satisfies all equations. A figure of the family is determined by its spin Ω, or by the ratio of two axes of its mass
+/// moment. In the second case Ω² is an unknown. The equations are solved by Newton's iteration with dense matrices and
+/// exact derivatives. The columns of a matrix U are a basis of the permitted positions, and the columns of V are a
+/// basis of the permitted pressures. With the unknowns y, μ and Ω², x = U y and λ = V μ.
 ///
 /// The equations of a fluid do not determine x, because a fluid does not resist motions that only exchange matter
 /// within its surface. However, a fluid ellipsoid is an exact figure for every degree N (Dirichlet, Riemann). Therefore
@@ -39,10 +39,11 @@ namespace pseudorigid::polynomial {
 using mechanics::EquilibriumFigure, mechanics::Figure, mechanics::FigureCondition, mechanics::FigureParameter;
 
 /// The equations of these figures. The vectors of EquilibriumFigure are coefficients of the octant, and its drive is
-/// Ω². At a figure of a fluid, the residual contains the error of the quadrature of gravity.
+/// Ω². For a fluid, the residual of a figure contains the error of the quadrature of gravity.
 class SteadyRotations final : public mechanics::FigureEquations {
  public:
-  /// `setup.reflect` is not used. Loads other than gravity and pressure are not used.
+  /// `setup.reflect` is not used. The only loads that are used are self-gravity and, for a compressible body, the
+  /// pressure.
   SteadyRotations(const BodySetup& setup, bool incompressible, Figure figure);
 
   EquilibriumFigure affine(const Eigen::Vector3d& a, double spin_squared) const override;
@@ -54,7 +55,7 @@ class SteadyRotations final : public mechanics::FigureEquations {
     Eigen::MatrixXd derivative;
     double scale;  ///< 1 plus the largest entry of the terms of r, for comparison with `values`
   };
-  /// Sets the three terms f, Ω²Px and Gᵀλ of r. Fails if the force cannot be computed.
+  /// Sets the three terms f, Ω²Px and Gᵀλ of the residual r. Fails if the force cannot be computed.
   mechanics::Status terms(const EquilibriumFigure& rotation, Eigen::VectorXd& f, Eigen::VectorXd& centrifugal,
                           Eigen::VectorXd& reaction) const;
   /// Sets `result` to the equations at `rotation`, with their derivative. Fails if the force cannot be computed.
@@ -70,14 +71,16 @@ class SteadyRotations final : public mechanics::FigureEquations {
   EquilibriumFigure change(const Eigen::VectorXd& step) const;
 
   bool incompressible_, is_fluid_;
-  std::shared_ptr<const CompressibleBody> body_;  ///< all forces without reactions, in the octant
+  std::shared_ptr<const CompressibleBody> body_;  ///< the body in the octant; its force has no reactions
   Eigen::MatrixXd U_, V_;                         ///< matrices U and V; V has no columns if λ is not an unknown
 };
 
-/// `setup` with only the loads that a steady rotation can have: gravity, and the pressure on a compressible body.
+/// Returns `setup` with only the loads that a steady rotation can have: self-gravity, and the pressure on a
+/// compressible body.
 BodySetup conservative_setup(BodySetup setup, bool incompressible);
 
-/// The coefficients of Px, the position x with its third component set to 0. The space may have any symmetry planes.
+/// The coefficients of Px, which is the position x with the third component set to 0. The space may have any symmetry
+/// planes.
 Eigen::VectorXd across_axis_3(const PolynomialSpace& space, Eigen::VectorXd x);
 
 }  // namespace pseudorigid::polynomial

@@ -1,11 +1,11 @@
 #pragma once
-/// Infinitesimal rotations of a polynomial ball, which act on coefficients of the whole body. Let ê be the unit vector
-/// of an axis e. The rotations of space are x ↦ ê×x, and the rotations of the reference ball are x ↦ ∂x/∂X (ê×X). Both
-/// rotations map polynomials of degree at most N to such polynomials. The rotations of the reference ball map R_nl Y_lm
-/// (ball_polynomials.h) to functions with the same n and l.
+/// Infinitesimal rotations of a polynomial ball of degree N, which act on coefficients of the whole body. Let ê be the
+/// unit vector of an axis e. The rotations of space are x ↦ ê×x, and the rotations of the reference ball are x ↦ ∂x/∂X
+/// (ê×X). Both rotations map polynomials of degree at most N to polynomials of degree at most N. The rotations of the
+/// reference ball map R_nl Y_lm (ball_polynomials.h) to sums of functions with the same n and l.
 ///
-/// The joint rotation of a field u is J_e u = ê×u − ∂u/∂X (ê×X). The joint rotations determine the degree n of a
-/// toroidal or spheroidal motion by −Σ_e J_e² u = n(n + 1) u.
+/// The joint rotation of a field u is J_e u = ê×u − ∂u/∂X (ê×X). A toroidal or spheroidal motion u of degree n
+/// satisfies −Σ_e J_e² u = n(n + 1) u.
 
 #include <Eigen/Core>
 #include <array>
@@ -17,15 +17,15 @@ namespace pseudorigid::polynomial {
 
 class Turns {
  public:
-  /// The ball must not have symmetry planes. The space must outlive this object.
+  /// `space` must not have symmetry planes, and must outlive this object.
   explicit Turns(const PolynomialSpace& space);
 
   Eigen::Index n_unknowns() const { return space_.n_unknowns(); }
-  /// Coefficients of ê×x.
+  /// Coefficients of ê×x for the unit vector ê of the axis 0, 1 or 2.
   Eigen::VectorXd of_space(int axis, const Eigen::VectorXd& x) const;
   /// Coefficients of ∂x/∂X (ê×X).
   Eigen::VectorXd of_ball(int axis, const Eigen::VectorXd& x) const;
-  /// Coefficients of −Σ_e J_e² u, with the joint rotations J_e about the three axes.
+  /// Coefficients of −Σ_e J_e² u, with the joint rotations J_e about the three axes e.
   Eigen::VectorXd square(const Eigen::VectorXd& u) const;
 
  private:

@@ -7,7 +7,7 @@ namespace {
 
 /// The number of quadrature points in each direction for products of polynomials of degree N with the motions of the
 /// modes. Let d be the largest degree of these products. The points of a space of degree M are exact up to the degree
-/// 2M + 3. M is the least number with 2M + 3 ≥ d. The result is at least the number of points for degree N.
+/// 2M + 3, and M is the least number with 2M + 3 ≥ d. The result is at least the number of points for degree N.
 int n_points(int N) {
   const int degree_of_products = N + mechanics::SpheroidalMotions::largest_power;
   const int M = (degree_of_products - 2) / 2;

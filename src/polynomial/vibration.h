@@ -1,6 +1,6 @@
 #pragma once
-/// The energy of vibration of a polynomial body (observables/vibration.h). The products of the motion with the modes
-/// are sums over quadrature points, and these sums are exact.
+/// The energy of vibration of a polynomial body (observables/vibration.h). The scalar products of the motion with the
+/// modes of the ball are sums over quadrature points. These sums are exact.
 
 #include "observables/vibration.h"
 #include "polynomial/observe.h"
@@ -11,8 +11,8 @@ class BodyVibration {
  public:
   explicit BodyVibration(const PolynomialSpace& space);
 
-  /// The energy of vibration and its parts at a state. `known` must contain the centre of mass, its velocity, Q_M, the
-  /// time derivative of Q_M, and the elastic energy.
+  /// The energy of vibration and its parts at a state. `known` must contain the centre of mass, the mass moment Q_M
+  /// (observe.h), the time derivatives of both, and the elastic energy.
   mechanics::VibrationObservables observe(const BodyState& state, const mechanics::ContinuumObservables& known) const;
 
  private:

@@ -12,11 +12,11 @@ void solve_stages_of_body(const BodyOfStages& body, BodyEntries entries, const A
 }
 
 double cost_of_iteration(const BodyOfStages& body, BodyEntries entries) {
-  // The costs are about measured quotients: the time of an iteration divided by the time of a stage of the method
-  // rattle-8, both in nanoseconds. On SL(3) the quotients are 142/250, with gravity 490/565, and with loads or another
-  // inertia 220/285. For the diagonal form they are 143/182, and with gravity 436/289. On GL⁺(3) they are 94/62, and
-  // with gravity 401/367. With dissipation, a stage of rattle replaces that of rattle-8, and the quotient is 297/1774.
-  // There is no measurement for the two costs 2.
+  // The costs are approximately measured quotients: the time of an iteration divided by the time of a stage of the
+  // method rattle-8, both in nanoseconds. On SL(3) the quotients are 142/250, with gravity 490/565, and with loads or
+  // another inertia 220/285. For the diagonal form they are 143/182, and with gravity 436/289. On GL⁺(3) they are
+  // 94/62, and with gravity 401/367. With dissipation, the quotient 297/1774 has the time of a stage of the method
+  // rattle. There is no measurement for the two costs 2.
   const bool heavy = body.gravity_strength != 0, general = body.loaded || !body.isotropic;
   if (entries == BodyEntries::with_accounts) return 0.2;
   if (entries == BodyEntries::diagonal) return heavy ? 1.5 : body.incompressible ? 0.8 : 2;

@@ -25,7 +25,7 @@ struct BodyOfStages {
   double volume = 1, inverse_m_bar = 1;  ///< volume Vol, and 1/m̄ with m̄ = ⅓ tr E₀
   Numbers9 E0{}, E0_inverse{};
 
-  bool loaded = false;          ///< true if one of the following loads is not 0
+  bool loaded = false;          ///< true if gravity, quadratic potential, traction or pressure is not 0
   double gravity_strength = 0;  ///< (3/5) G M², with the gravitational constant G and the mass M
   Numbers9 shape{};             ///< matrix S of the shape (reference_body.h)
   Numbers9 quadratic{};         ///< quadratic potential T per mass (external_potential.h)
@@ -33,7 +33,7 @@ struct BodyOfStages {
   double pressure = 0;
 };
 
-/// Further parameters of a body whose energy is not constant (dissipative_body.h).
+/// Further parameters of a body that dissipates energy or has loads that depend on time (dissipative_body.h).
 struct AccountsOfStages {
   double viscosity = 0, drag = 0;
   bool driven = false;  ///< true if a load depends on time
@@ -45,23 +45,24 @@ struct AccountsOfStages {
   } driving, driving_rate;
 };
 
-/// Coordinates of the body in a Gauss step: Q, the diagonal of Q, or Q with the dissipated energy and the energy given
-/// by loads.
+/// The coordinates of the body in a Gauss step: the entries of Q, the diagonal of Q, or the entries of Q and the
+/// further coordinates of dissipative_body.h.
 enum class BodyEntries { matrix, diagonal, with_accounts };
 
 /// Solves for the stages of a Gauss step of the body, and sets stages.converged. `accounts` is required for
-/// BodyEntries::with_accounts, and otherwise may be null.
+/// BodyEntries::with_accounts, and otherwise may be null. Throws NoKernels if no build of the kernels can be chosen
+/// (mechanics/core/kernel_builds.h).
 void solve_stages_of_body(const BodyOfStages& body, BodyEntries entries, const AccountsOfStages* accounts,
                           mechanics::GaussStages& stages);
 
 /// Cost of an iteration on the eight stages in units of one force evaluation (mechanics/core/stage_by_stage.h).
 double cost_of_iteration(const BodyOfStages& body, BodyEntries entries);
 
-/// True if the lanes can compute the self-gravity of the body in the deformation Q accurately, or if it is 0. For very
-/// flat or long bodies, only the computation in principal axes is accurate.
+/// True if the body has no self-gravity, or if the kernels can compute the self-gravity accurately for the deformation
+/// Q. For very flat or long bodies, only the computation in principal axes is accurate.
 bool takes_gravity_in_lanes(const BodyOfStages& body, const Eigen::Matrix3d& Q);
 
-/// The entries of M by columns.
+/// The entries of the matrix M by columns.
 Numbers9 numbers(const Eigen::Matrix3d& M);
 /// Returns the parameters of a body as numbers. `isotropic` is true if E₀ ∝ Id.
 BodyOfStages body_of_stages(const materials::AnyLaw& law, const ReferenceBody& body, bool incompressible,

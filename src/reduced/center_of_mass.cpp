@@ -29,7 +29,7 @@ double potential_of(const loads::Forcing& forcing, const Eigen::Vector3d& x) {
   return 0.5 * x.dot(forcing.quadratic * x) - forcing.acceleration.dot(x);
 }
 
-/// True if the centre stays at the origin: it starts there at rest, and no load is a uniform acceleration.
+/// True if the centre stays at the origin, because it starts there at rest and no load is a uniform acceleration.
 bool rests(const CenterOfMass& c) {
   const bool driven =
       loads::depend_on_time(c.driving, [](const loads::Forcing& f) { return !f.acceleration.isZero(0); });
@@ -42,9 +42,9 @@ double CenterOfMass::driven(const Motion& m, double t) const {
   return potential_of(loads::driving(driving, t), m.x) - m.work;
 }
 
-/// Integrates the position x of the centre, and the work w per mass of the loads that depend on time. The vectors are q
-/// = (x, s) and v = (ẋ, w). The work is the velocity of the further coordinate s, with ẇ = ∂φ/∂t and the potential φ of
-/// these loads.
+/// Integrates the position x of the centre, and the energy w per mass that the loads depending on time have given. The
+/// vectors are q = (x, s) and v = (ẋ, w). The energy w is the velocity of the further coordinate s, with ẇ = ∂φ/∂t and
+/// the potential φ of these loads.
 struct CenterPath::Integration {
   struct Field {
     using Vector = Eigen::Vector4d;
@@ -66,8 +66,8 @@ struct CenterPath::Integration {
   using State = mechanics::State<Field>;
   /// Tolerance of local errors. A tolerance smaller by a factor of 10 is below round-off.
   static constexpr double tolerance = 1e-15;
-  /// Bound of the length of a step. With this large bound, only the tolerance limits the steps. The steps therefore do
-  /// not depend on the sampling times.
+  /// Bound of the length of a step. This bound is so large that only the tolerance limits the steps. The steps
+  /// therefore do not depend on the sampling times.
   static constexpr double far = 1e3;
 
   explicit Integration(const CenterOfMass& center) : field{&center} { begin(); }

@@ -1,6 +1,6 @@
 #pragma once
 /// The pseudo-rigid body x = QX without rotation and circulation. If the initial Q and Q̇, the inertia E₀ and the loads
-/// are diagonal, then Q = diag(a) for all times. V is the potential energy, and Λ is the multiplier. The equation of
+/// are diagonal, then Q = diag(a) for all times. V(a) is the potential energy, and Λ is the multiplier. The equation of
 /// motion (5.120) of pseudo_rigid_body.h is then
 ///
 ///   e_i ä_i = −∂V/∂a_i + Λ/a_i,   ln a₁a₂a₃ = 0,   E₀ = diag(e),
@@ -10,7 +10,8 @@
 /// On GL⁺(3) there is no constraint, and Λ = 0. Each load must be diagonal by itself. If only the sum of the loads is
 /// diagonal at the start, the loads may rotate the body later. The caller checks this condition (scene/sector.h).
 ///
-/// This form has three coordinates instead of nine, and self-gravity needs no eigenvalue problem for the axes.
+/// This form has three coordinates instead of nine. Its self-gravity does not need an eigenvalue problem, because the
+/// axes are known.
 
 #include <cassert>
 #include <cmath>
@@ -35,7 +36,7 @@ class DiagonalBody {
   bool time_dependent() const { return mechanics::time_dependent(body_); }
   bool velocity_dependent() const { return mechanics::velocity_dependent(body_); }
 
-  /// Sets f to the force −∂V/∂a. Fails if the force of the body fails.
+  /// Sets f to the force −∂V/∂a. Fails if the force of the body fails. The force of the body must be diagonal.
   mechanics::Status force(double t, const Vector& a, const Vector& adot, Workspace& w, Vector& f) const {
     Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
     if (mechanics::Status status = body_.force(t, a.asDiagonal(), adot.asDiagonal(), w, F); !status) return status;
@@ -85,7 +86,7 @@ class DiagonalBody {
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.cwiseAbs2().dot(e_); }
   double potential_energy(const Vector& a) const { return body_.potential_energy(a.asDiagonal()); }
-  /// There are no symmetries, because rotations of space and of the reference ball do not keep Q diagonal. The angular
+  /// There are no symmetries, because after rotations of space or of the reference ball, Q is not diagonal. The angular
   /// momentum J and the circulation Z are 0.
   int n_symmetries() const { return 0; }
   void symmetry(int, const Vector&, const Vector&, Vector& da, Vector& dv) const {

@@ -1,9 +1,9 @@
 #pragma once
-/// Dissipative forces on the pseudo-rigid body, from Rayleigh's function R(Q, Q̇) (docs/physics.md, section 0; Oliva
-/// 5.8). E₀ and Vol are the inertia and the volume of the reference body, and ρ is its density:
+/// Dissipative forces on the pseudo-rigid body x = QX, from Rayleigh's function R(Q, Q̇) (docs/physics.md, section 0;
+/// Oliva 5.8). E₀ and Vol are the inertia and the volume of the reference body, and ρ is its density. The forces are
 ///
 ///   objective viscosity (Kelvin–Voigt, σ = 2ηd):  R = η Vol det Q tr d²,   d = sym(Q̇Q⁻¹)
-///       −∂R/∂Q̇ = −2η Vol det Q d Q⁻ᵀ;  it vanishes on rigid motions and keeps the angular momentum J
+///       −∂R/∂Q̇ = −2η Vol det Q d Q⁻ᵀ;  it vanishes on rigid motions and does not change the angular momentum J
 ///   linear drag (force density −cρẋ):             R = ½ c tr(Q̇ E₀ Q̇ᵀ)
 ///       −∂R/∂Q̇ = −c Q̇ E₀;  it damps every motion, also a rigid rotation
 ///

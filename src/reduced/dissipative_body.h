@@ -1,8 +1,8 @@
 #pragma once
-/// The pseudo-rigid body whose energy is not constant: M Q̈ = f − ∂R/∂Q̇ − ∂V_t/∂Q + Gᵀλ. Here f + Gᵀλ are the force
-/// and the reaction of the conservative body, and R is Rayleigh's function (dissipation.h). V_t(Q, t) is the energy of
-/// the loads that depend on time. The dissipated energy D and the energy W that these loads have given are integrated
-/// with the motion:
+/// The pseudo-rigid body whose energy is not constant: M Q̈ = f − ∂R/∂Q̇ − ∂V_t/∂Q + Gᵀλ, with the mass M Q̈ = Q̈ E₀.
+/// Here f + Gᵀλ are the force and the reaction of the conservative body, and R is Rayleigh's function (dissipation.h).
+/// V_t(Q, t) is the energy of the loads that depend on time. The dissipated energy D and the energy W that these loads
+/// have given are integrated with the motion:
 ///
 ///   Ḋ = 2R(Q, Q̇),   Ẇ = ∂V_t/∂t.
 ///
@@ -36,8 +36,8 @@ class DissipativeBody {
   bool velocity_dependent() const { return dissipation_.present(); }
   bool dissipative() const { return dissipation_.present(); }
 
-  /// Sets f to all forces without the reaction, and to the accelerations of s and s'. Fails if the force of the body
-  /// fails.
+  /// Sets the first three columns of f to all forces on Q without the reaction, and the last column to (s̈, s̈', 0)ᵀ.
+  /// Fails if the force of the body fails.
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& w, Vector& f) const {
     const Eigen::Matrix3d Q = matrix(q), Qdot = matrix(v);
     Eigen::Matrix3d F = Eigen::Matrix3d::Zero();

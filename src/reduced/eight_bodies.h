@@ -1,8 +1,8 @@
 #pragma once
 /// Eight incompressible pseudo-rigid bodies as one system, one body in each lane of a SIMD vector. The equations of
 /// motion of the bodies (pseudo_rigid_body.h) are independent. A vector of the system contains the entries of Q for all
-/// eight bodies, and a multiplier contains eight numbers. Methods with a fixed step can integrate this system without
-/// changes. All bodies have the same step, and an iteration ends when the largest of the eight residuals is small
+/// eight bodies, and a multiplier contains eight numbers. Methods with a fixed step can integrate this system like a
+/// single body. All bodies have the same step, and an iteration ends when the largest of the eight residuals is small
 /// enough.
 ///
 /// The bodies have one material law, and each body has its own inertia.
@@ -58,7 +58,7 @@ struct EightMatrices {
   }
 };
 
-/// The largest lane of `a`, or NaN if a lane is NaN.
+/// The largest number of the eight lanes of `a`, or NaN if a lane is NaN.
 [[gnu::always_inline]] inline double greatest(BodyLanes a) {
   const auto of_two = [](auto u, auto v) { return (u > v) | (u != u) ? u : v; };
   const auto four =
@@ -69,7 +69,8 @@ struct EightMatrices {
 
 [[gnu::always_inline]] inline BodyLanes absolute(BodyLanes a) { return a.v < 0.0 ? -a.v : a.v; }
 
-/// Returns ln J for J > 0, as materials::log_near_one does. The series is used if |J − 1| ≤ 2⁻¹¹ in all lanes.
+/// Returns ln J in each lane, for J > 0. The result uses the series of materials::log_near_one if |J − 1| ≤ 2⁻¹¹ in all
+/// lanes.
 [[gnu::always_inline]] inline BodyLanes log_near_one(BodyLanes J) {
   const BodyLanes delta = J - 1.0;
   if (!(greatest(absolute(delta)) <= 0x1p-11)) return log(J);
@@ -139,8 +140,8 @@ class EightBodies {
     stress_ = std::visit([]<class Law>(const Law&) { return &stress_of<Law>; }, law_);
   }
 
-  /// f = −∂V/∂Q of each body, with the elastic energy V. Fails if the law does not admit the deformation of one of the
-  /// bodies.
+  /// Sets f to −∂V/∂Q of each body, with the elastic energy V. Fails if the law does not admit the deformation of one
+  /// of the bodies.
   mechanics::Status force(double, const Vector& Q, const Vector&, Workspace&, Vector& f) const {
     Tensor P;
     if (!stress_(law_, tensor(Q), P)) return beyond_limit();
@@ -220,7 +221,7 @@ class EightBodies {
   Stress stress_;
   BodyLanes volume_;
   Tensor E0_inverse_;
-  bool isotropic_;  // true if E₀ ∝ Id for all bodies
+  bool isotropic_;  // true if E₀ is a multiple of Id for all bodies
 };
 
 }  // namespace pseudorigid::reduced

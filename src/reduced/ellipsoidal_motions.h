@@ -1,16 +1,15 @@
 #pragma once
 /// Steady motions of a body with given semi-axes a₁, a₂, a₃, in closed form for every isotropic potential V on SL(3).
-/// The angular velocity ω of the axes, the internal rotation Λ, the multiplier λ and the residual R are defined in
-/// steady_motion.h. The body has the inertia m̄ Id.
+/// steady_motion.h defines the angular velocity ω of the axes, the internal rotation Λ, the multiplier λ per m̄ and the
+/// residual R. The body has the inertia m̄ Id.
 ///
 /// The entries of R off the diagonal do not contain the potential. They vanish if
 /// ω_iω_ja_j − 2a_kω_jΛ_i + a_iΛ_iΛ_j = 0 for i ≠ j, with the third index k. If the axes are different, ω and Λ
 /// therefore lie along one axis or in one principal plane (Riemann).
 ///
-/// Type S: ω and Λ lie along axis 3. Let V_i = ∂V/∂a_i per m̄, ∂²V[·] the second derivative per m̄, and E_ij the matrix
-/// with 1 at ij. Because rotations do not change V, (a₁V₁ − a₂V₂)/(a₁² − a₂²) = E₂₁:∂²V[E₂₁] and
-/// (a₂V₁ − a₁V₂)/(a₁² − a₂²) = E₁₂:∂²V[E₂₁]. The components along axis 3 satisfy
-///
+/// Type S: ω and Λ lie along axis 3, and the equations contain their components. Let V_i = ∂V/∂a_i per m̄, ∂²V[·] the
+/// second derivative per m̄, and E_ij the matrix with 1 at ij and 0 elsewhere. Because rotations do not change V, (a₁V₁
+/// − a₂V₂)/(a₁² − a₂²) = E₂₁:∂²V[E₂₁] and (a₂V₁ − a₁V₂)/(a₁² − a₂²) = E₁₂:∂²V[E₂₁]. The equations R = 0 are then
 ///   ω² + Λ² = E₂₁:∂²V[E₂₁],   2ωΛ = E₁₂:∂²V[E₂₁] + λ/(a₁a₂),   λ = a₃V₃.
 ///
 /// These equations do not divide by a difference of axes. For the neo-Hookean law with the shear modulus μ, the two
@@ -28,10 +27,10 @@
 ///
 ///   a₂a₃(p² + 1) + (a₂² + a₃² − 4a₁²)p = 0,   β = (a₃ + a₂p)/(2a₁),   γ = (a₂ + a₃p)/(2a₁).
 ///
-/// The roots p and 1/p belong to dual motions. They are real for 2a₁ ≥ a₂ + a₃ (type I) and for 2a₁ ≤ |a₂ − a₃| (types
-/// II, III: Chandrasekhar §51). The equations R_ii = 0 are then linear in ω₂², ω₃², λ.
+/// The roots p and 1/p belong to dual motions (Dedekind). The roots are real for 2a₁ ≥ a₂ + a₃ (type I) and for 2a₁ ≤
+/// |a₂ − a₃| (types II, III: Chandrasekhar §51). The equations R_ii = 0 are then linear in ω₂², ω₃² and λ.
 ///
-/// On GL⁺(3), λ = 0. The same formulas hold for the size of the body at which they give λ = 0.
+/// On GL⁺(3), λ = 0. The same formulas hold for a body of given axis ratios, if its size is such that they give λ = 0.
 
 #include <string>
 
@@ -50,7 +49,7 @@ inline Eigen::Matrix3d unit_matrix(int i, int j) {
   return E;
 }
 
-/// Semi-axes with these ratios and with the product 1, so that det A = 1.
+/// Semi-axes with these ratios to a₁ and with the product 1, so that det diag(a) = 1.
 inline Eigen::Vector3d axes_of_ratios(double a2_to_a1, double a3_to_a1) {
   return Eigen::Vector3d(1, a2_to_a1, a3_to_a1) / std::cbrt(a2_to_a1 * a3_to_a1);
 }
@@ -82,12 +81,12 @@ mechanics::Status motion_of_shape(const IsotropicBody<V>& body, const Eigen::Vec
   return mechanics::Status::failure("a free body has no steady motion of this shape at any size");
 }
 
-/// The numbers ω² + Λ² and 2ωΛ and the multiplier per m̄ of a body with ω and Λ along axis 3.
+/// ω² + Λ², 2ωΛ and the multiplier per m̄ of a body with ω and Λ along axis 3.
 struct TypeSSquares {
   double sum, twice_product, lambda;
 };
 
-/// The right-hand sides for type S in the head of this file, for the semi-axes a.
+/// The right-hand sides of the equations for type S in the head of this file, for the semi-axes a.
 template <SmoothPotential V>
 TypeSSquares type_s_squares(const IsotropicBody<V>& body, const Eigen::Vector3d& a) {
   const Eigen::Matrix3d A = a.asDiagonal(), D = body.second_derivative(A, unit_matrix(1, 0));
@@ -95,8 +94,8 @@ TypeSSquares type_s_squares(const IsotropicBody<V>& body, const Eigen::Vector3d&
   return {D(1, 0), D(0, 1) + lambda / (a[0] * a[1]), lambda};
 }
 
-/// Sets m to the motion of type S with ω ≥ |Λ|. Fails if (ω + Λ)² or (ω − Λ)² is negative beyond round-off. In the dual
-/// motion ω and Λ are exchanged.
+/// Sets m to the motion of type S with the semi-axes a and ω ≥ |Λ|. Fails if (ω + Λ)² or (ω − Λ)² is negative beyond
+/// round-off; m.A and m.lambda are then also set. In the dual motion ω and Λ are exchanged.
 template <SmoothPotential V>
 mechanics::Status type_s_motion(const IsotropicBody<V>& body, const Eigen::Vector3d& a, SteadyMotion& m) {
   const auto [sum, product, lambda] = type_s_squares(body, a);
@@ -114,8 +113,8 @@ mechanics::Status type_s_motion(const IsotropicBody<V>& body, const Eigen::Vecto
   return {};
 }
 
-/// Sets m to the motion of the spheroid a = (a₁, a₁, a₃) that rotates about axis 3 without circulation. Fails if Ω² is
-/// negative.
+/// Sets m to the motion of the spheroid a = (a₁, a₁, a₃) that rotates about axis 3 with Λ = 0. Fails if Ω² is negative.
+/// m.A and m.lambda are then also set.
 template <SmoothPotential V>
 mechanics::Status spheroid_motion(const IsotropicBody<V>& body, double a1, double a3, SteadyMotion& m) {
   m.A = Eigen::Vector3d(a1, a1, a3).asDiagonal();
@@ -130,9 +129,9 @@ mechanics::Status spheroid_motion(const IsotropicBody<V>& body, double a1, doubl
   return {};
 }
 
-/// Sets m to the motion of types I–III with ω and Λ in the plane of axes 2 and 3. The function uses the root p with |p|
-/// ≤ 1, and ω₂, ω₃ ≥ 0. Fails if p is not real, or if ω₂² or ω₃² is negative beyond round-off. The dual motion belongs
-/// to the other root.
+/// Sets m to the motion of types I–III with the semi-axes a, and with ω and Λ in the plane of axes 2 and 3. The
+/// function uses the root p with |p| ≤ 1, and ω₂, ω₃ ≥ 0. Fails if p is not real, or if ω₂² or ω₃² is negative beyond
+/// round-off. The dual motion belongs to the other root.
 template <SmoothPotential V>
 mechanics::Status planar_motion(const IsotropicBody<V>& body, const Eigen::Vector3d& a, SteadyMotion& m) {
   const double half = (4 * a[0] * a[0] - a[1] * a[1] - a[2] * a[2]) / (2 * a[1] * a[2]);  // p + 1/p = 2 half
@@ -161,9 +160,9 @@ mechanics::Status planar_motion(const IsotropicBody<V>& body, const Eigen::Vecto
   return {};
 }
 
-/// Sets m to the motion of the body with the ratio a₂/a₁ that rotates about axis 3 without circulation (Jacobi's
-/// ellipsoid for a fluid). The ratio a₃/a₁ is the largest one between 10⁻⁴ and 1 with 2ωΛ = 0 and ω² ≥ 0. Fails if
-/// there is no such ratio. The dual motion is Dedekind's ellipsoid.
+/// Sets m to the motion of the body with the ratio a₂/a₁ that rotates about axis 3 with Λ = 0 (Jacobi's ellipsoid for a
+/// fluid). The ratio a₃/a₁ is the largest ratio between 10⁻⁴ and 1 with 2ωΛ = 0 and ω² ≥ 0. Fails if there is no such
+/// ratio. The dual motion is Dedekind's ellipsoid.
 template <SmoothPotential V>
 mechanics::Status jacobi_motion(const IsotropicBody<V>& body, double a2_to_a1, SteadyMotion& m) {
   constexpr double factor = 1.1, least_ratio = 1e-4;

@@ -1,12 +1,12 @@
 #pragma once
 /// Families of steady motions over a range of a parameter, with stability and special points. The semi-axes of the body
-/// are a₁, a₂, a₃. A spheroid has the eccentricity e = √(1 − a₃²/a₁²) and, scaled to det A = 1, the polar axis ℓ = a₃.
-/// Its spin is Ω = ω − Λ, with the angular velocity ω and the internal rotation Λ of steady_motion.h. The functions,
-/// their parameters and their motions are
+/// are a₁, a₂, a₃. A spheroid has the eccentricity e = √(1 − a₃²/a₁²). If its semi-axes are scaled to the product 1,
+/// its polar axis is ℓ = a₃. Its spin is Ω = ω − Λ, with the angular velocity ω and the internal rotation Λ of
+/// steady_motion.h. The functions, their parameters and their motions are
 ///
 ///   spheroids            e or ℓ                    spheroids: fluid (Maclaurin), elastic, elastic with gravity
 ///   spheroids_of_spin    Ω                         the same motions, found by Newton's iteration from the sphere
-///   jacobi, dedekind     a₂/a₁                     figures without circulation, and their dual motions
+///   jacobi, dedekind     a₂/a₁                     figures with Λ = 0, and their dual motions with ω = 0
 ///   type_s               a₂/a₁ at fixed a₃/a₁      Riemann S; triaxial elastic figures
 ///   planar               a₂/a₁ at fixed a₃/a₁      Riemann types I–III, ω and Λ in the plane of axes 2 and 3
 ///
@@ -25,11 +25,11 @@ namespace pseudorigid::reduced {
 
 using mechanics::SpecialKind, mechanics::SpecialPoint, mechanics::StabilityAlong;
 
-/// n values from first to last, both included. For n = 1 the only value is `first`.
+/// The n values from first to last, both included, with equal distances. For n = 1 the only value is `first`.
 struct ParameterRange {
   double first, last;
   int n;
-  std::function<bool()> give_up{};  ///< called before each value, if set; true ends the family
+  std::function<bool()> give_up{};  ///< called before each value, if set; if it returns true, the family ends
   double value(int k) const { return k == 0 ? first : k == n - 1 ? last : first + (last - first) * k / (n - 1); }
 };
 
@@ -45,6 +45,8 @@ struct NoEquilibrium {
   std::string reason;
 };
 
+/// The steady motions that were found, in the order of the parameters, and the special points between them. `missing`
+/// has the parameters without a motion.
 struct EquilibriumFamily {
   std::vector<EquilibriumPoint> points;
   std::vector<SpecialEquilibrium> special;
@@ -60,7 +62,8 @@ struct FamilyCurve {
 namespace detail {
 
 /// Appends the folds and changes of stability between the parameters a and b to result.special. The function motion(p,
-/// m) sets m to the motion with parameter p and returns a Status.
+/// m) sets m to the motion with the parameter p and returns a Status. Points whose motion cannot be computed are left
+/// out.
 template <SmoothPotential V, class MotionOfParameter>
 void locate_special_equilibria(const IsotropicBody<V>& body, const MotionOfParameter& motion, const FamilyCurve& family,
                                double a, double b, EquilibriumFamily& result) {
@@ -124,7 +127,7 @@ EquilibriumFamily equilibrium_family(const IsotropicBody<V>& body, const Paramet
   return result;
 }
 
-/// The parameter of a spheroid: the eccentricity e, or the polar axis ℓ.
+/// The parameter of a spheroid: the eccentricity e, or the polar axis ℓ after scaling to det A = 1.
 enum class SpheroidParameter { eccentricity, polar_axis };
 
 template <SmoothPotential V>
@@ -185,9 +188,9 @@ EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_
   return equilibrium_family(body, a2_to_a1, {{quantities::axis_ratio_31, a3_to_a1}, quantities::omega_3}, motion);
 }
 
-/// Spheroids with given angular velocities (spins). The first motion is found from the sphere at rest, and each other
-/// motion from the last motion found. Between two motions the spin changes in eight steps. If the spin has a maximum in
-/// the family, this is a fold, and larger spins are missing.
+/// Spheroids with given spins Ω. The first motion is found from the sphere at rest, and each other motion from the last
+/// motion found. Between two motions the spin changes in eight steps. If the spin has a maximum in the family, this
+/// maximum is a fold, and larger spins are missing.
 template <SmoothPotential V>
 EquilibriumFamily spheroids_of_spin(const IsotropicBody<V>& body, const ParameterRange& Omega) {
   constexpr int n_steps = 8;  // for small steps, Newton's iteration does not change to another branch

@@ -4,8 +4,8 @@
 ///
 ///   K = (m̄/2)|Q̇|²,   J_i = m̄ ε_ijk Q_jA Q̇_kA,   Z_A = m̄ ε_ABC (QᵀQ̇)_CB,   at t = 0,
 ///
-/// The vorticity of the circulation, relative to the rotating axes, is ζ_k = −Λ_k (a_i² + a_j²)/(a_i a_j). Here Λ is
-/// the internal rotation, the a_i are the semi-axes, and the indices i, j, k are different.
+/// The circulation has the vorticity ζ_k = −Λ_k (a_i² + a_j²)/(a_i a_j) relative to the rotating axes. Here Λ is the
+/// internal rotation, the a_i are the semi-axes, and the indices i, j, k are different.
 
 #include "reduced/linear_stability.h"
 
@@ -14,21 +14,20 @@ namespace pseudorigid::reduced {
 struct EquilibriumPoint {
   double parameter = 0;       ///< parameter of the family
   SteadyMotion motion;        ///< the motion, with A = diag(a₁, a₂, a₃)
-  Eigen::Vector3d semi_axes;  ///< a₁, a₂, a₃ along the axes 1, 2, 3 of ω and Λ, not sorted
+  Eigen::Vector3d semi_axes;  ///< semi-axes a₁, a₂, a₃ of A, in this order and not sorted by size
   double kinetic = 0, potential = 0;
   Eigen::Vector3d angular_momentum, circulation;  ///< angular momentum J and circulation Z
   Eigen::Vector3d vorticity;                      ///< vorticity ζ of the circulation
-  double residual = 0;  ///< norm of R in steady_motion.h, divided by the largest norm of its terms; 0 if all are 0
+  double residual = 0;  ///< |R| of steady_motion.h, divided by the largest norm of a term of R; 0 if all terms are 0
   LinearStability stability;
 
   double energy() const { return kinetic + potential; }
-  /// Riemann's f = ζ/Ω along axis 3. The ratio is 0 without circulation, and infinite if the body has circulation but
-  /// does not rotate.
+  /// Riemann's f = ζ₃/ω₃. The ratio is 0 without vorticity, and infinite if ζ₃ is not 0 but ω₃ is 0.
   double vorticity_ratio() const { return vorticity[2] == 0 ? 0 : vorticity[2] / motion.omega[2]; }
 };
 
-/// Sets `point` to the quantities of the steady motion m. Fails if the linear stability cannot be computed
-/// (analyse_stability).
+/// Sets `point` to the quantities of the steady motion m, with the parameter of the family. A must be diagonal. Fails
+/// if the linear stability cannot be computed (analyse_stability).
 template <SmoothPotential V>
 mechanics::Status describe_equilibrium(const IsotropicBody<V>& body, const SteadyMotion& m, double parameter,
                                        EquilibriumPoint& point) {

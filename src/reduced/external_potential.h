@@ -1,11 +1,11 @@
 #pragma once
-/// The energy of a forcing on the motions x = QX, without self-gravity. The forcing has the quadratic potential T per
-/// mass, the nominal traction P̄ and the pressure p (loads/forcing.h). E₀ and Vol are the inertia and the volume of the
-/// reference body:
+/// The energy of loads on the motions x = QX, without self-gravity. The loads have the quadratic potential T per mass,
+/// the nominal traction P̄ and the pressure p (loads/forcing.h). With the inertia E₀ and the volume Vol of the
+/// reference body, the energy and its derivative are
 ///
 ///   V(Q) = ½ tr(T Q E₀ Qᵀ) − Vol P̄:Q + p Vol det Q
 ///
-///   ∂V/∂Q = T Q E₀ − Vol P̄ + p Vol cof Q      (∮P̄N·QX dA = Vol P̄:Q by the divergence theorem)
+///   ∂V/∂Q = T Q E₀ − Vol P̄ + p Vol cof Q      (∮P̄N·QX dA = Vol P̄:Q by the divergence theorem, with the normal N)
 ///
 /// Loads that are 0 are skipped.
 
@@ -50,8 +50,8 @@ class ExternalPotential {
                              Eigen::Matrix3d& D) const {
     if (quadratic_) D += *quadratic_ * H * body.E0;
     if (pressure_ == 0) return;
-    // cof is quadratic, so that its derivative is D cof(Q)[H] = cof(Q + H) − cof Q − cof H. Only the products that do
-    // not cancel in this difference are computed.
+    // cof is quadratic. Its derivative is therefore D cof(Q)[H] = cof(Q + H) − cof Q − cof H. The code computes only
+    // the products that do not cancel in this difference.
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;

@@ -15,7 +15,7 @@ using mechanics::detail::in_all_lanes;
 using mechanics::detail::load_lanes;
 using mechanics::detail::root_of_lanes;
 
-/// Returns the matrix with the nine entries p[0], …, p[8], which are ordered by columns.
+/// Returns the matrix with the nine entries p[0], …, p[8], which are stored by columns.
 [[gnu::always_inline]] inline Tensor matrix(const StageLanes* p) {
   return {{{p[0], p[3], p[6]}, {p[1], p[4], p[7]}, {p[2], p[5], p[8]}}};
 }
@@ -23,7 +23,7 @@ using mechanics::detail::root_of_lanes;
 #pragma GCC unroll 9
   for (int k = 0; k < 9; ++k) p[k] = A(k % 3, k / 3);
 }
-/// Returns a matrix that is the same in all lanes.
+/// Returns a matrix that is the same in all lanes. The numbers are stored by columns.
 [[gnu::always_inline]] inline Tensor matrix(const Numbers9& x) {
   StageLanes p[9];
 #pragma GCC unroll 9
@@ -51,7 +51,7 @@ template <class Function>
   return entry_by_entry([&](StageLanes a, StageLanes b) { return a + s * b; }, A, B);
 }
 
-/// Returns numbers that are positive in the lanes in which J > 0 and the law admits Q.
+/// Returns numbers that are positive exactly in the lanes in which J > 0 and the law admits Q.
 template <class Law>
 [[gnu::always_inline]] inline StageLanes reserve_of(const Law& law, const Tensor& Q, StageLanes J) {
   if constexpr (materials::is_limited<Law>)
@@ -62,7 +62,7 @@ template <class Law>
 
 /// The field Q̈ = −(Vol/m̄) P + Λ Q⁻ᵀ/m̄ of a body without loads and with the inertia E₀ = m̄ Id. P is the stress, Vol
 /// is the volume, and Λ is the multiplier, which is 0 on GL⁺(3). Some laws have a stress of the form αQ + β cof Q. Then
-/// β has no effect on SL(3), and with C = cof Q
+/// β has no effect on SL(3), because Λ compensates it. With C = cof Q and J = det Q,
 ///
 ///   Q̈ = sC − (Vol/m̄) αQ,   s = [tr((CᵀQ̇)²) + 3 (Vol/m̄) α J²] / (J C:C).
 template <class Law, bool incompressible>
@@ -94,8 +94,8 @@ struct ElasticField {
   }
 };
 
-/// Pointer to a function that sets P to the stress of a law and returns reserve_of. With such a function, each law is
-/// compiled once, and not once for each field.
+/// Pointer to a function that sets P to the stress of a law and returns reserve_of. Because of this pointer, each law
+/// is compiled once, and not once for each field.
 using Stress = StageLanes (*)(const materials::AnyLaw& law, const Tensor& Q, StageLanes J, Tensor& P);
 template <class Law>
 StageLanes stress_of(const materials::AnyLaw& any, const Tensor& Q, StageLanes J, Tensor& P) {
@@ -104,8 +104,7 @@ StageLanes stress_of(const materials::AnyLaw& any, const Tensor& Q, StageLanes J
   return reserve_of(law, Q, J);
 }
 
-/// Adds −∂V/∂Q to f, with the energy V of the quadratic potential, the traction and the pressure (external_energy). C
-/// is cof Q.
+/// Adds −∂V/∂Q to f, with the energy V of external_energy. C is cof Q.
 [[gnu::always_inline]] inline void add_external(const Tensor& Q, const Tensor& C, const Tensor& E0, double volume,
                                                 const Tensor& quadratic, const Tensor& traction, StageLanes pressure,
                                                 Tensor& f) {
@@ -113,7 +112,7 @@ StageLanes stress_of(const materials::AnyLaw& any, const Tensor& Q, StageLanes J
   f = plus(f, in_all_lanes(volume), traction);
   f = plus(f, -(volume * pressure), C);
 }
-/// The energy V of the quadratic potential, the traction and the pressure.
+/// The energy of the quadratic potential, the traction and the pressure (external_potential.h), with J = det Q.
 [[gnu::always_inline]] inline StageLanes external_energy(const Tensor& Q, StageLanes J, const Tensor& E0, double volume,
                                                          const Tensor& quadratic, const Tensor& traction,
                                                          StageLanes pressure) {
@@ -121,8 +120,9 @@ StageLanes stress_of(const materials::AnyLaw& any, const Tensor& Q, StageLanes J
          volume * (pressure * J - materials::dot(traction, Q));
 }
 
-/// Derivative of the energy of gravity with respect to Q. The ellipsoid is QS B, with the matrix S of the shape and the
-/// unit ball B. The function is not inlined, so that it does not take registers from the remaining code.
+/// Derivative of the energy of self-gravity with respect to Q. The ellipsoid is the image of the unit ball under QS,
+/// with the matrix S of the shape. The function is not inlined, because it would use registers that the remaining code
+/// needs.
 [[gnu::noinline]] Tensor gravity_of(const BodyOfStages& body, const Tensor& Q) {
   const Tensor S = matrix(body.shape);
   const Tensor S_transposed{{{S(0, 0), S(1, 0), S(2, 0)}, {S(0, 1), S(1, 1), S(2, 1)}, {S(0, 2), S(1, 2), S(2, 2)}}};
@@ -132,8 +132,8 @@ StageLanes stress_of(const materials::AnyLaw& any, const Tensor& Q, StageLanes J
   return materials::product(force, S_transposed);
 }
 
-/// The field of a body with any inertia and any loads, and with dissipation and loads that depend on time if `entries`
-/// is with_accounts.
+/// The field of a body with any inertia and any loads that do not depend on time. If `entries` is with_accounts,
+/// dissipation and loads that depend on time are added. Returns reserve_of.
 template <BodyEntries entries, bool incompressible>
 struct GeneralField {
   static constexpr int n = entries == BodyEntries::diagonal ? 3 : entries == BodyEntries::matrix ? 9 : 12;
@@ -184,8 +184,8 @@ struct GeneralField {
       store(A, p);
   }
 
-  /// Adds the forces of dissipation and of loads that depend on time to f. Sets the accelerations of the accounts to
-  /// the powers (dissipative_body.h).
+  /// Adds the forces of dissipation and of loads that depend on time to f. Sets the accelerations of the further
+  /// coordinates s and s' to the dissipated and the given power (dissipative_body.h).
   template <class T>
   [[gnu::always_inline]] void add_accounts(int first_lane, const Tensor& Q, const Tensor& V, const Tensor& C, T J,
                                            const Tensor& E0, Tensor& f, T* a) const {

@@ -1,6 +1,6 @@
 #pragma once
-/// Solves for the stages of a Gauss step of a pseudo-rigid body in lanes. The table of motion_kernels.h has a pointer
-/// to this function.
+/// Solves for the stages of a Gauss step of a pseudo-rigid body in SIMD lanes, with one stage in each lane. The
+/// arguments are those of solve_stages_of_body. The table of motion_kernels.h has a pointer to this function.
 
 #include "reduced/body_of_stages.h"
 

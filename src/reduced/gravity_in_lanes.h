@@ -1,13 +1,13 @@
 #pragma once
-/// Self-gravity of the homogeneous ellipsoid F B (B the unit ball) over any scalar type, in particular SIMD lanes. All
-/// lanes must take the same branch. The algorithm therefore uses neither principal axes nor branches for a single lane.
-/// The corresponding algorithm for a single body is in gravity/ellipsoid_gravity.h. With the potential V(F), the mass
-/// M, the gravitational constant G and k = (3/5) G M²,
+/// Self-gravity of the homogeneous ellipsoid F B, with the unit ball B, over any scalar type, in particular SIMD lanes.
+/// All lanes must take the same branch. The algorithm therefore uses neither principal axes nor branches for a single
+/// lane. The corresponding algorithm for a single body is in gravity/ellipsoid_gravity.h. With the potential energy
+/// V(F), the mass M, the gravitational constant G and k = (3/5) G M²,
 ///
 ///   ∂V/∂F = (k/3) D F,   D = (3/2) ∫₀^∞ (C + s)⁻¹ det(C + s)^(−1/2) ds,   C = FFᵀ.
 ///
-/// Carlson's duplication is applied to matrices. Let r₁, r₂, r₃ be the elementary symmetric functions of the
-/// eigenvalues of R = √C. R³ − r₁R² + r₂R − r₃ = 0 gives R(C + r₂) = r₁C + r₃, and so
+/// The integral is computed by Carlson's duplication for matrices. Let r₁, r₂, r₃ be the elementary symmetric functions
+/// of the eigenvalues of R = √C. R³ − r₁R² + r₂R − r₃ = 0 gives R(C + r₂) = r₁C + r₃, and so
 ///
 ///   D(C) = 3 (r₁C + r₃)⁻¹ + 2 D(C'),   C' = C + r₂,   r₃' = r₁r₂ − r₃.
 ///
@@ -15,8 +15,8 @@
 /// − 2r₁r₃ − tr cof C. Each duplication makes r₁ about twice as large. Let A = ⅓ tr C and Z = Id − C/A. If Z is small,
 /// the series of ellipsoid_integrals.h give D = A^(−3/2) (h₀ Id + h₁ Z + h₂ cof Z).
 ///
-/// All terms of the sum for D are positive definite. For a flat body, D F has relative errors of cond(F) ε, with the
-/// round-off ε.
+/// All terms of the sum for D are positive definite, so there is no cancellation. For a flat body, D F has relative
+/// errors of cond(F) ε, with the round-off ε and the condition number cond(F).
 
 #include <cmath>
 #include <type_traits>
@@ -66,14 +66,16 @@ template <class T>
   }
 }
 
+/// The elementary symmetric functions r₁ and r₂ of the eigenvalues of √C.
 template <class T>
 struct RootInvariants {
   T r1, r2;
 };
 
-/// Computes r₁ and r₂ from 2r₂ = r₁² − I and r₂² = II + 2r₁r₃, with I = tr C and II = tr cof C. The map
-/// r₁ ↦ √(I + 2√(II + 2r₁r₃)) converges from any start, without cancellation. Near the solution, the map contracts by
-/// r₃/(r₁r₂) ≤ 1/9. Most digits come from three Newton steps between the maps.
+/// Computes r₁ and r₂ from 2r₂ = r₁² − I and r₂² = II + 2r₁r₃, with I = tr C and II = tr cof C. The iteration r₁ ↦ √(I
+/// + 2√(II + 2r₁r₃)) converges from any start, without cancellation. Near the solution, it reduces the error by the
+/// factor r₃/(r₁r₂) ≤ 1/9. Three Newton steps after n_maps iterations give most digits. A last iteration removes the
+/// round-off of the Newton steps.
 template <class T, class Root>
 [[gnu::always_inline]] inline RootInvariants<T> invariants_of_root(T r1, int n_maps, const T& I, const T& II,
                                                                    const T& r3, const Root& root) {
@@ -114,15 +116,15 @@ template <int l, class T>
 
 }  // namespace gravity_in_lanes
 
-/// Returns the derivative ∂V/∂F of the potential energy for the strength k. `root(x)` is √x, and `largest(x)` is the
-/// largest lane of x as a number. The norm of F must be between 10⁻²⁰ and 10²⁰. A singular F gives numbers that are not
-/// finite.
+/// Returns the derivative ∂V/∂F of the potential energy for the constant k = `strength`. `root(x)` is √x in each lane,
+/// and `largest(x)` is the largest lane of x as a number. The norm of F must be between 10⁻²⁰ and 10²⁰. For a singular
+/// F, the result is not finite.
 template <class T, class Root, class Largest>
 materials::Tensor<T> ellipsoid_force(double strength, const materials::Tensor<T>& F, const Root& root,
                                      const Largest& largest) {
   using namespace gravity_in_lanes;
   constexpr int max_duplications = 20;
-  /// Bound of tr Z² below which the series is accurate to round-off.
+  // Bound of tr Z² below which the series is accurate to round-off.
   constexpr double close = 0.5 * (3 * gravity::detail::series_spread) * (3 * gravity::detail::series_spread);
   const materials::Tensor<T> cof_F = materials::cofactor(F);
   const auto row = [&](int i, int j) { return F(i, 0) * F(j, 0) + F(i, 1) * F(j, 1) + F(i, 2) * F(j, 2); };

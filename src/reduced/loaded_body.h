@@ -1,7 +1,7 @@
 #pragma once
 /// The pseudo-rigid body with every load and every further coordinate. The body has the mass M, the volume Vol, the
 /// inertia E₀ and the multiplier Λ. Viscoelastic branches have the internal metrics C_b and the relaxation times τ_b,
-/// and companions have the coordinates s_k:
+/// and companions have the coordinates s_k (mechanics/core/orbit.h). The equations of motion are
 ///
 ///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ − ∂V_t/∂Q − T_s Q E₀ − Vol Σ P_b(Q, C_b) + Λ Q⁻ᵀ,
 ///   M c̈  = M (b − T c) − ∂V_c/∂c − ∂R/∂ċ − ∂V_t/∂c,      if there are planes,
@@ -12,19 +12,20 @@
 ///
 ///   V_c(Q, c, t)   the energy of contact with rigid planes, which couples the centre of mass c to Q (plane_forces.h)
 ///   R              Rayleigh's function of viscosity, drag (dissipation.h), damping of planes and friction
-///   b, T           the acceleration and the quadratic potential on c; c without planes: center_of_mass.h
+///   b, T           the acceleration and the quadratic potential on c (without planes, center_of_mass.h computes c)
 ///   V_t(Q, c, t)   the energy of the loads that depend on time
 ///   U, T_s         the interaction with companions and its quadratic potential (mechanics/core/orbit.h)
 ///   P_b            the stress of a branch (materials/maxwell_branch.h)
 ///
-/// As in dissipative_body.h, some velocities are energies. D is the dissipated energy, and D_b is the part of it that a
-/// branch has dissipated. W is the energy that loads and moving planes have given. The columns of the vectors are
+/// As in dissipative_body.h, some velocities are energies. D is the dissipated energy, and D_b is the energy that
+/// branch b has dissipated, which is a part of D. W is the energy that loads and moving planes have given. The columns
+/// of the vectors are
 ///
 ///   q = [Q | c | e_1 e_2 | s_1 s_2 | C_1 … C_4],   v = [Q̇ | ċ | (D, W, D_1) (D_2, D_3, D_4) | ṡ_1 ṡ_2 | 0].
 ///
-/// The columns e_1 and e_2 contain the integrals of the energies over time, which are not used. A metric has the two
-/// columns (C₀₀, C₀₁, C₀₂) and (C₁₁, C₁₂, C₂₂). Columns that a body does not need are 0. Metrics have no mass and no
-/// velocity (mechanics/core/relaxation.h).
+/// The columns e_1 and e_2 contain the integrals of the energies over time, which are not used. A metric C_b has two
+/// columns, with the entries 00, 01, 02 and 11, 12, 22. Columns that a body does not need are 0. Metrics have no mass
+/// and no velocity (mechanics/core/relaxation.h).
 
 #include <utility>
 
@@ -47,7 +48,7 @@ class LoadedBody {
   using Metric = materials::Symmetric<double>;
   static constexpr int n_companions = mechanics::Orbit::most_companions,
                        n_branches = static_cast<int>(loads::Viscoelasticity::most_branches);
-  /// The first columns of the parts of a vector.
+  /// Index of the first column of each part of a vector.
   static constexpr int at_center = 3, at_energies = 4, at_companions = 6, at_metrics = at_companions + n_companions,
                        n_columns = at_metrics + 2 * n_branches;
 
@@ -59,7 +60,7 @@ class LoadedBody {
     /// If this pointer is not null and there are planes, springs on the whole surface replace the pressure, the damping
     /// and the friction of contact. The springs pull each point of the surface towards its position for the coordinates
     /// `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then an upper bound for the
-    /// stiffness with contact, which the search for a stable step needs.
+    /// stiffness with contact. The search for a stable step needs this bound.
     const Vector* held_at = nullptr;
   };
   static constexpr int n_constraints = Body::n_constraints;
@@ -80,7 +81,8 @@ class LoadedBody {
   bool has_contact() const { return !constant_.planes.empty(); }
   bool relaxes() const { return !branches().empty(); }
 
-  /// Sets f to all forces on all coordinates, without the reaction. Fails if the force of the body fails.
+  /// Sets f to all forces on all coordinates, without the reaction, and to the powers of D and W. Fails if the force of
+  /// the body fails.
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& w, Vector& f) const {
     const Eigen::Matrix3d Q = matrix(q);
     loads::AffineForce F;
@@ -102,8 +104,9 @@ class LoadedBody {
     f(1, at_energies) = power.given;
     return {};
   }
-  /// Replaces the metrics in q by their values after the time h, for the mean strain of `before` and q. Adds the energy
-  /// that the branches dissipate to D and to the D_b in v.
+  /// Replaces the metrics in q by their values at the end of a step of length h. `before` and q are the positions at
+  /// the begin and end of the step, and the metrics follow the mean of their strains. Adds the energy that the branches
+  /// dissipate to D and to the D_b in v.
   void relax(double h, const Vector& before, Vector& q, Vector& v) const {
     const Metric strain = materials::mean_strain(materials::to_tensor(matrix(before)), materials::to_tensor(matrix(q)));
     for (std::size_t b = 0; b < branches().size(); ++b) {
@@ -168,7 +171,7 @@ class LoadedBody {
   const mechanics::Orbit& orbit() const { return orbit_; }
   static Eigen::Matrix3d matrix(const Vector& q) { return q.template leftCols<3>(); }
   static Eigen::Vector3d center(const Vector& q) { return q.col(at_center); }
-  /// The coordinates s_k, or their rates.
+  /// The coordinates s_k of the companions in a position q, or their rates in a velocity.
   mechanics::Orbit::Columns companions(const Vector& q) const { return q.middleCols(at_companions, orbit_.n()); }
   void set_companions(const mechanics::Orbit::Columns& s, Vector& q) const {
     q.middleCols(at_companions, orbit_.n()) = s;
@@ -184,24 +187,25 @@ class LoadedBody {
     return Eigen::Vector4d::Map(state.v.col(at_energies).data() + 2);
   }
   /// V_t − W: the energy of the loads that depend on time, minus the energy that these loads and moving planes have
-  /// given. The result is 0 without such loads and planes.
+  /// given. The result is 0 if no load depends on time and no plane moves.
   double driven_energy(const mechanics::VectorState<Vector>& state) const {
     if (!driven_) return 0;
     return energy_of(loads::driving(loads_, state.t), matrix(state.q), center(state.q)) - state.v(1, at_energies);
   }
   /// Summary of the contacts with all planes at the time t and the position q.
   loads::Contact contact(double t, const Vector& q) const { return planes_.contact(t, matrix(q), center(q)); }
-  /// The energy that the branches store.
+  /// The energy that the branches store in the whole body.
   double energy_of_branches(const Vector& q) const {
     return body_.reference().volume * materials::energy_of_branches(materials::to_tensor(matrix(q)), inverse_sum(q),
                                                                     materials::sum_of_moduli(branches()));
   }
-  /// Σ P_b, the stress of all branches per reference volume.
+  /// The stress Σ P_b of all branches, a first Piola–Kirchhoff stress.
   Eigen::Matrix3d stress_of_branches(const Vector& q) const {
     return materials::to_matrix(materials::stress_of_branches(materials::to_tensor(matrix(q)), inverse_sum(q)));
   }
 
-  /// The state with the same time, Q and Q̇ as `motion` and with this position and velocity of the centre of mass.
+  /// The state with the same time, Q and Q̇ as `motion`, with this position and velocity of the centre of mass, and
+  /// with 0 elsewhere.
   static mechanics::VectorState<Vector> state_of(const mechanics::VectorState<Eigen::Matrix3d>& motion,
                                                  const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {
     mechanics::VectorState<Vector> state{motion.t, Vector::Zero(), Vector::Zero()};
@@ -209,8 +213,9 @@ class LoadedBody {
     state.v.template leftCols<4>() << motion.v, velocity;
     return state;
   }
-  /// The state at the start, with this motion of the body and with the companions and the branches at their start.
-  /// Without planes, c is not a coordinate, and `position` and `velocity` are not used.
+  /// The state at the start, with this motion of the body and the companions at their start. The internal metrics are
+  /// those of relaxed branches if Branches::relaxed is true, and otherwise those of the undeformed body. Without
+  /// planes, c is not a coordinate, and `position` and `velocity` are not used.
   mechanics::VectorState<Vector> start(const mechanics::VectorState<Eigen::Matrix3d>& motion,
                                        const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) const {
     const Eigen::Vector3d none = Eigen::Vector3d::Zero();
@@ -245,8 +250,8 @@ class LoadedBody {
       materials::add_branch(branches()[b].modulus, metric_of(q, b), A);
     return A;
   }
-  /// Sets the force on c to that of the loads that do not depend on time. Then adds the pressure of contact, or the
-  /// springs that replace it. Returns the power that moving planes give, or 0 with springs.
+  /// Sets the force on c to the force of the loads that do not depend on time. Then adds the pressure of contact, or
+  /// the springs that replace the contact. Returns the power that moving planes give, or 0 with springs.
   loads::ContactPower add_contact(double t, const Vector& q, const Workspace& w, loads::AffineForce& F) const {
     const Eigen::Vector3d c = center(q);
     F.on_center = body_.reference().mass * (constant_.acceleration - constant_.quadratic * c);
@@ -254,8 +259,8 @@ class LoadedBody {
     planes_.add_springs(matrix(q) - matrix(*w.held_at), c - center(*w.held_at), F);
     return {};
   }
-  /// Adds viscosity and drag. Without springs, also adds the damping of planes and friction. Returns the dissipated and
-  /// the given power.
+  /// Adds viscosity and drag. Without springs, also adds the damping of planes and friction. Returns the power that
+  /// these forces dissipate, and the power that moving planes give through the damping.
   loads::ContactPower add_dissipation(double t, const Vector& q, const Vector& v, const Workspace& w,
                                       loads::AffineForce& F) const {
     const Eigen::Matrix3d Q = matrix(q), Qdot = matrix(v);

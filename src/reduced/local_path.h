@@ -1,7 +1,7 @@
 #pragma once
 /// Nine states of a motion at the times t + jh, j = −4 … 4, around a given state, for differences along the path. The
-/// given state is the one with j = 0. Each other state is computed from its neighbour by short steps of the classical
-/// Runge–Kutta method.
+/// given state is the state with j = 0. Each other state is computed from the neighbour that is closer to the given
+/// state, by short steps of the classical Runge–Kutta method.
 
 #include <array>
 
@@ -12,7 +12,7 @@ namespace pseudorigid::reduced {
 template <class System>
 using LocalPath = std::array<mechanics::State<System>, 9>;
 
-/// Sets `path` to the nine states around `state`. Fails if an acceleration cannot be computed.
+/// Sets `path` to the nine states around `state`, in the order of time. Fails if an acceleration cannot be computed.
 template <class System>
 mechanics::Status local_path(const System& system, const mechanics::State<System>& state, double h,
                              LocalPath<System>& path) {

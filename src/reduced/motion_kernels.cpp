@@ -18,7 +18,7 @@ concept Multistep = requires {
   Method::formula;
 };
 
-/// Hooks that the time loop calls. They keep q and v at the samples, and set n_steps steps between two samples.
+/// Hooks for the time loop: they store q and v at the samples, and set n_steps steps between two samples.
 struct KeepSamples {
   MotionsInLanes& motions;
   long n_steps;

@@ -1,6 +1,6 @@
 #pragma once
-/// The functions that are compiled once for each instruction set. They compute motions of eight bodies
-/// (motions_in_lanes.h), and the eight stages of a Gauss step of one body (body_of_stages.h).
+/// The functions of the pseudo-rigid model that are compiled once for each instruction set. They compute motions of
+/// eight bodies (motions_in_lanes.h), and the eight stages of a Gauss step of one body (body_of_stages.h).
 
 #include "mechanics/core/kernel_builds.h"
 #include "reduced/body_of_stages.h"

@@ -18,7 +18,7 @@ inline constexpr int n_body_lanes = 8;
 /// [entry][body].
 using MatricesInLanes = std::array<double, 9 * n_body_lanes>;
 
-/// Volume and inverse inertia of each body.
+/// Volume and inverse inertia E₀⁻¹ of each body.
 struct InertiaInLanes {
   std::array<double, n_body_lanes> volume;
   MatricesInLanes E0_inverse;
@@ -33,12 +33,12 @@ struct MotionsInLanes {
   mechanics::Counters counters{};
 };
 
-/// True for the methods that can integrate bodies in lanes: the symmetric multistep methods.
+/// Returns true if motions_in_lanes can use the method. This is the case for the symmetric multistep methods.
 bool moves_in_lanes(mechanics::MethodId method);
 
-/// Integrates the motions of eight bodies from q and v at the time 0, with n_steps steps between two samples. If one
-/// body fails, all motions end, and the result has the samples before the failure. If moves_in_lanes(method) is false,
-/// the result has no samples and no failure.
+/// Integrates the motions of eight bodies from the deformations q and the velocities v at the time 0, with n_steps
+/// steps between two samples. If one body fails, all motions end, and the result has the samples before the failure. If
+/// moves_in_lanes(method) is false, the result has no samples and no failure.
 MotionsInLanes motions_in_lanes(const materials::AnyLaw& law, const InertiaInLanes& inertia, const MatricesInLanes& q,
                                 const MatricesInLanes& v, mechanics::MethodId method,
                                 const mechanics::SampleTimes& times, long n_steps);

@@ -1,8 +1,10 @@
 #pragma once
-/// Observables of the pseudo-rigid body at one state (the columns of reduced.csv), in internal units. With the inertia
-/// E₀ of the reference body, angular momentum and circulation are
+/// Observables of the pseudo-rigid body at one state (the columns of reduced.csv), in internal units. The angular
+/// momentum J and the circulation Z are
 ///
 ///   J_i = ε_ijk (Q E₀ Q̇ᵀ)_jk,   Z_A = ε_ABC (E₀ Q̇ᵀQ)_BC   (docs/oliva.md, section 1, with general E₀)
+///
+/// with the inertia E₀ of the reference body.
 
 #include <algorithm>
 #include <array>
@@ -20,9 +22,9 @@
 
 namespace pseudorigid::reduced {
 
-/// Sets Q, Q̇, det Q, and the quantities of `o` that `request` contains. Also sets the contact if there are planes, and
-/// the orbit if there are companions. The bipolar observables are set by observe_bipolar. On GL⁺(3), the multiplier and
-/// the pressure are always set to 0. `System` is a PseudoRigidBody or one of its other forms. Fails if `request`
+/// Sets Q, Q̇, det Q, and the quantities of `o` that `request` contains, except the bipolar observables. Also sets the
+/// contact if there are planes, and the orbit if there are companions. On GL⁺(3), the multiplier and the pressure are
+/// always set to 0. `System` is PseudoRigidBody, DiagonalBody, DissipativeBody or LoadedBody. Fails if `request`
 /// contains the multiplier, the pressure or bipolar observables, and the multiplier cannot be computed.
 template <class System>
 mechanics::Status observe(const System& system, const mechanics::State<System>& state,
@@ -84,9 +86,9 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
   return {};
 }
 
-/// Sets the bipolar observables of `o`. o.multiplier must contain the result of `observe`. `before` is the
-/// decomposition at the previous sample, if there is one. The function replaces `before` by the decomposition at this
-/// sample. Fails if the force or the motion near the state cannot be computed.
+/// Sets the bipolar observables of `o`. o.multiplier must contain the result of `observe`. `before` has the
+/// decomposition at the previous sample, or is empty at the first sample. The function sets `before` to the
+/// decomposition at this sample. Fails if the force or the motion near the state cannot be computed.
 template <class System>
 mechanics::Status observe_bipolar(const System& system, const mechanics::State<System>& state,
                                   typename System::Workspace& workspace, std::optional<Bipolar>& before,
@@ -104,7 +106,7 @@ mechanics::Status observe_bipolar(const System& system, const mechanics::State<S
 
   LocalPath<System> path;
   // If two axes are close, the frames may rotate at a rate up to |u| divided by the distance of the axes. The step h is
-  // small compared with the inverse of this rate. A distance below 1e-4 counts as 1e-4, so that h does not vanish.
+  // small compared with the inverse of this rate. A distance below 1e-4 counts as 1e-4, because h must not vanish.
   const double gap = std::min({std::abs(b.a[0] - b.a[1]), std::abs(b.a[1] - b.a[2]), std::abs(b.a[2] - b.a[0])});
   const double rate = r.u.norm(), h = 0.02 / (1 + rate + rate / std::max(gap, 1e-4));
   auto force = system.make_vector();

@@ -1,6 +1,7 @@
 #pragma once
-/// Forces of rigid planes on a body x = c + Q X with the ellipsoidal shape S (loads/ellipsoid_contact.h). The forces
-/// act on Q and on the centre of mass c. The planes may move along their normals.
+/// Forces of rigid planes on a body x = c + Q X with the ellipsoidal reference shape X = S ξ, |ξ| ≤ 1
+/// (loads/ellipsoid_contact.h). The forces F act on Q and on the centre of mass c. The planes may move along their
+/// normals.
 
 #include <numbers>
 #include <utility>
@@ -27,7 +28,7 @@ class PlaneForces {
     for (const loads::Plane& plane : now) contacts.push_back(contact_with(plane, Q, c).contact());
     return loads::summary(now, contacts);
   }
-  /// Adds the pressure of contact to F. Returns the power that planes in motion give.
+  /// Adds the pressure of contact to F. Returns the power that moving planes give through this pressure.
   double add_pressure(double t, const Matrix& Q, const Vector& c, loads::AffineForce& F) const {
     double given = 0;
     for (const loads::Plane& plane : planes_) {
@@ -37,14 +38,15 @@ class PlaneForces {
     }
     return given;
   }
-  /// Adds the damping of contact to F. Returns the power that it dissipates and the power that the planes give.
+  /// Adds the damping of contact to F. Returns the power that the damping dissipates, and the power that moving planes
+  /// give through the damping.
   loads::ContactPower add_damping(double t, const Matrix& Q, const Vector& c, const Matrix& Qdot, const Vector& cdot,
                                   loads::AffineForce& F) const {
     loads::ContactPower power;
     for (const loads::Plane& plane : planes_) power += contact_with(plane.at(t), Q, c).add_damping(Qdot, cdot, F);
     return power;
   }
-  /// Adds the friction to F. Returns the power that it dissipates.
+  /// Adds the friction to F. Returns the power that the friction dissipates.
   double add_friction(double t, const Matrix& Q, const Vector& c, const Matrix& Qdot, const Vector& cdot,
                       loads::AffineForce& F) const {
     double taken = 0;
@@ -55,8 +57,8 @@ class PlaneForces {
     }
     return taken;
   }
-  /// Adds the change of the damping and the friction if the velocities (Q̇, ċ) change by (U, u). The speed of planes
-  /// does not change. `kind` is the linearisation of the friction.
+  /// Adds the linearised change of the damping and the friction for changes U of Q̇ and u of ċ to F. The speeds of the
+  /// planes do not change. `kind` is the linearisation of the friction (loads/friction.h).
   void add_damping_change(double t, const Matrix& Q, const Vector& c, const Matrix& Qdot, const Vector& cdot,
                           const Matrix& U, const Vector& u, mechanics::Linearization kind,
                           loads::AffineForce& F) const {

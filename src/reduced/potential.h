@@ -1,5 +1,5 @@
 #pragma once
-/// The potential energy of the pseudo-rigid body (Oliva 5.7.8–5.7.9). It is a sum with the terms that the scene has:
+/// The potential energy of the pseudo-rigid body (Oliva 5.7.8–5.7.9), a sum of the following terms:
 ///
 ///   V(Q) = Vol·W(Q) − k R_F(a₁², a₂², a₃²) + V_e(Q)
 ///          stored      self-gravity          of the loads, external_potential.h
@@ -7,10 +7,10 @@
 /// with the stored energy W per reference volume Vol, Carlson's integral R_F, and k = (3/5) G M² for the gravitational
 /// constant G and the mass M. The reference body is the image of the unit ball under the linear map S
 /// (reference_body.h). The deformed body is then an ellipsoid, and its semi-axes a_i are the singular values of F = QS.
-/// A term that the scene does not have is skipped.
+/// Terms that the scene does not contain are skipped.
 ///
-/// The functions `energy` and `stress` of a Tensor give V and ∂V/∂Q per reference volume, like a material law. With the
-/// stress P = ∂W/∂Q of the law, and with the self-gravity V_g as a function of F, the derivative is
+/// The functions `energy` and `stress` of a Tensor return V and ∂V/∂Q per reference volume, like a material law. With
+/// the stress P = ∂W/∂Q of the law, and with the self-gravity V_g as a function of F, the derivative is
 ///
 ///   (1/Vol) ∂V/∂Q = P(Q) + (1/Vol) [(∂V_g/∂F) Sᵀ + ∂V_e/∂Q],   ∂V_g/∂F at F = QS
 
@@ -38,7 +38,7 @@ class Potential {
   using Tensor = materials::Tensor<double>;
 
  public:
-  /// Uses those loads of `forcing` that have a potential in Q.
+  /// `forcing` may contain loads without a potential in Q. These loads are not used.
   Potential(const materials::AnyLaw& law, const ReferenceBody& body, const loads::Forcing& forcing = {})
       : law_(law),
         limited_(!materials::limit_of(law).empty()),
@@ -101,7 +101,8 @@ class Potential {
   }
 
  private:
-  /// Derivative of V − Vol·W with respect to Q: the terms other than the stored energy.
+  /// Derivative of V − Vol·W with respect to Q, which is the force of the loads and of self-gravity with the opposite
+  /// sign.
   Eigen::Matrix3d loads(const Eigen::Matrix3d& Q) const {
     Eigen::Matrix3d f = Eigen::Matrix3d::Zero();
     if (gravity_ && spherical_) f = gravity_->gradient(Q);

@@ -1,15 +1,15 @@
 #pragma once
 /// Steady motions as zeros of a function of eight numbers. A steady motion has the deformation A, the angular velocity
-/// ω, the internal rotation Λ and the multiplier λ (steady_motion.h). By Riemann's theorem (ellipsoidal_motions.h),
-/// rotations can make A diagonal in every steady motion, with ω and Λ in the plane of axes 2 and 3. With A = diag(a)
-/// and the residual R of the equation of motion, the unknowns u and the function F are
+/// ω, the internal rotation Λ and the multiplier λ per m̄ (steady_motion.h). By Riemann's theorem
+/// (ellipsoidal_motions.h), rotations can make A diagonal in every steady motion, with ω and Λ in the plane of axes 2
+/// and 3. With A = diag(a) and the residual R of the equation of motion, the unknowns u and the function F are
 ///
 ///   u = (ln a₁, ln a₂, ln a₃, ω₂, ω₃, Λ₂, Λ₃, λ),
 ///   F = ((RA)₁₁, (RA)₂₂, (RA)₃₃, (RA)₂₃, (RA)₃₂, ln a₁a₂a₃)      (on GL⁺(3): λ in the last place).
 ///
-/// The other entries of R vanish for an isotropic potential. The derivatives of the six equations are exact. Because
-/// there are eight unknowns, the motions form a surface, and two quantities (axis ratios, spin, momenta, …) select one
-/// motion.
+/// The other entries of R vanish for an isotropic potential. The derivatives of these six equations are exact. There
+/// are eight unknowns, so the motions form a surface. Two further equations, the values of two quantities (axis ratios,
+/// spin, momenta, …), select one motion.
 
 #include <array>
 #include <limits>
@@ -44,7 +44,8 @@ inline SteadyMotion motion_of(const PlaneVector& u) {
 /// with such A and ω₁ = Λ₁ = 0 is not changed. Requires det A > 0.
 SteadyMotion to_principal_plane(const SteadyMotion& m);
 
-/// A quantity of the motion as a function of u. PlaneDual is a number with its derivatives by the eight entries of u.
+/// A quantity of the motion as a function of u. PlaneDual is a number with its derivatives with respect to the eight
+/// entries of u.
 using PlaneDual = mechanics::Dual<double, 8>;
 using PlaneDuals = mechanics::Coordinates<PlaneDual, 8>;
 using Quantity = PlaneDual (*)(const PlaneDuals&);
@@ -63,7 +64,7 @@ inline PlaneDual angular_momentum_3(const PlaneDuals& u) {
   const PlaneDual a1 = exp(u[0]), a2 = exp(u[1]);
   return (a1 * a1 + a2 * a2) * u[4] - 2.0 * a1 * a2 * u[6];
 }
-/// The circulation about axis 3, divided by m̄ of the inertia E₀ = m̄ Id: Z₃/m̄ = 2a₁a₂ω₃ − (a₁² + a₂²)Λ₃.
+/// The circulation about axis 3 divided by m̄, Z₃/m̄ = 2a₁a₂ω₃ − (a₁² + a₂²)Λ₃.
 inline PlaneDual circulation_3(const PlaneDuals& u) {
   const PlaneDual a1 = exp(u[0]), a2 = exp(u[1]);
   return 2.0 * a1 * a2 * u[4] - (a1 * a1 + a2 * a2) * u[6];
@@ -72,7 +73,8 @@ inline PlaneDual circulation_3(const PlaneDuals& u) {
 
 inline double value_of(Quantity q, const PlaneVector& u) { return q(mechanics::independent<double, 8>(u)).value(); }
 
-/// Sets rows 0–5 of F to the six equations, and rows 0–5 of DF to their derivatives with respect to u.
+/// Sets rows 0–5 of F to the six equations in the head of this file, and rows 0–5 of DF to their derivatives with
+/// respect to u.
 template <SmoothPotential V>
 void steady_equations(const IsotropicBody<V>& body, const PlaneVector& u, PlaneVector& F, PlaneMatrix& DF) {
   const SteadyMotion m = motion_of(u);
@@ -106,8 +108,8 @@ PlaneVector newton_step(const PlaneMatrix& DF, const PlaneVector& F, double roun
 
 /// Newton's iteration for F = 0. equations(u, F, DF) sets F and its derivative DF. The iteration ends if |F| is small
 /// and no longer halves, if a step is 0, if a number is not finite, or after 60 steps. Then u is set to the iterate
-/// with the least |F|. The iteration fails if this |F| is not at the round-off of terms of size `scale`. The length of
-/// a step is limited, so that the axes cannot overflow.
+/// with the least |F|. The function fails if this |F| is larger than the round-off of terms of size `scale`. The length
+/// of a step is limited, so that the axes cannot overflow.
 template <class Equations>
 mechanics::Status plane_newton(const Equations& equations, double scale, PlaneVector& u) {
   constexpr int max_iterations = 60;
@@ -147,9 +149,9 @@ struct Target {
   double value;
 };
 
-/// Finds the steady motion near `motion` with the two values of `targets`. Fails if det A is not positive or if
-/// Newton's iteration does not converge. At a fold or a bifurcation, the two values may not determine one motion. The
-/// iteration then fails or finds a neighbouring motion.
+/// Replaces `motion` by a steady motion near it with the two values of `targets`. Fails if det A is not positive or if
+/// Newton's iteration does not converge; `motion` then does not change. At a fold or a bifurcation, the two values may
+/// not determine one motion. The iteration then fails or finds a neighbouring motion.
 template <SmoothPotential V>
 mechanics::Status find_steady_motion(const IsotropicBody<V>& body, const std::array<Target, 2>& targets,
                                      SteadyMotion& motion) {

@@ -5,10 +5,10 @@
 ///   K = ½ tr(Q̇ E₀ Q̇ᵀ),   V(Q) = Vol · W(Q), or V of potential.h with gravity and loads,
 ///   Q̈ E₀ = −∂V/∂Q + Λ Q⁻ᵀ,   ln det Q = 0                                                   (5.120)
 ///
-/// E₀ and Vol are the inertia and the volume of reference_body.h, and W is the stored energy. On SL(3) the constraint g
-/// = ln det Q has G(Q)Q̇ = tr(Q⁻¹Q̇), GᵀΛ = ΛQ⁻ᵀ and D²g(Q̇,Q̇) = −tr((Q⁻¹Q̇)²). The equation G(Q₁) M⁻¹ G(Q₀)ᵀ Λ = r is
-/// therefore tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r. Its solution is a division. The multiplier of Oliva is λ = Λ/m̄ with m̄ = ⅓ tr
-/// E₀. On GL⁺(3) there is no constraint and no multiplier.
+/// E₀ and Vol are the inertia and the volume of reference_body.h, and W is the stored energy per reference volume. On
+/// SL(3) the constraint g = ln det Q has G(Q)Q̇ = tr(Q⁻¹Q̇), GᵀΛ = ΛQ⁻ᵀ and D²g(Q̇,Q̇) = −tr((Q⁻¹Q̇)²). With the mass M
+/// Q̈ = Q̈ E₀, the equation G(Q₁) M⁻¹ G(Q₀)ᵀ Λ = r is therefore tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r. Its solution is a division.
+/// The multiplier of Oliva is λ = Λ/m̄ with m̄ = ⅓ tr E₀. On GL⁺(3) there is no constraint and no multiplier.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -98,15 +98,15 @@ class PseudoRigidBody {
   }
   void apply_mass(const Vector& v, Vector& f) const { f = v * E0_; }
 
-  /// Sets g = ln det Q; on GL⁺(3) there is no g. Fails if det Q is not positive and finite.
+  /// Sets g to ln det Q, or nothing on GL⁺(3). Fails if det Q is not positive and finite.
   mechanics::Status constraint(const Vector& Q, Multiplier& g) const {
     const double J = materials::determinant(materials::to_tensor(Q));
     if (!has_volume(J)) return without_volume(J);
     if constexpr (incompressible) g = materials::log_near_one(J);
     return {};
   }
-  /// Sets g to ln det(Q + Q_rounding) with an error of about 1e-19. Fails if the determinant is not positive and
-  /// finite.
+  /// Sets g to ln det(Q + Q_rounding) with an error of about 1e-19, for a Q with the rounding error Q_rounding. Fails
+  /// if the determinant is not positive and finite.
   mechanics::Status constraint(const Vector& Q, const Vector& Q_rounding, Multiplier& g) const requires incompressible {
     materials::Tensor<long double> q;
     for (int i = 0; i < 3; ++i)
@@ -140,7 +140,7 @@ class PseudoRigidBody {
     const Tensor q = materials::to_tensor(Q), cof = materials::cofactor(q);
     materials::to_matrix((1 / materials::settled_at_one(materials::determinant(q, cof))) * cof, f);
   }
-  /// Adds the time derivative of the reaction Gᵀλ along Q̇ = v to f. The derivative of Q⁻ᵀ is −Q⁻ᵀ vᵀ Q⁻ᵀ.
+  /// Adds the time derivative of the reaction Gᵀλ for Q̇ = v to f. The derivative of Q⁻ᵀ is −Q⁻ᵀ vᵀ Q⁻ᵀ.
   void add_reaction_rate(const Vector& Q, const Vector& v, const Multiplier& lambda, Vector& f) const {
     if constexpr (incompressible) {
       const Eigen::Matrix3d inverse_transposed = Q.inverse().transpose();
@@ -160,8 +160,8 @@ class PseudoRigidBody {
     }
     return {};
   }
-  /// The constraint g and its rate GQ̇ count as zero up to this absolute value, the round-off of ln det Q. For large
-  /// axis ratios the round-off is larger, and iterations detect it with ConvergenceMonitor
+  /// Largest absolute values of the constraint g and of its rate GQ̇ that count as zero, the round-off of ln det Q. For
+  /// large axis ratios the round-off is larger, and iterations detect it with ConvergenceMonitor
   /// (mechanics/core/constraint_newton.h).
   double constraint_tolerance() const { return 4e-16; }
 
@@ -178,10 +178,11 @@ class PseudoRigidBody {
   }
   double potential_energy(const Vector& Q) const { return potential_energies(Q).total(); }
 
-  /// Rotations of space, Q ↦ Q + ε ê_i Q, with the momentum J_i, and of the reference ball, Q ↦ Q − ε Q ê_i, with the
-  /// momentum −Z_i. J is the angular momentum, Z the circulation, and ê_i the matrix of e_i×. The rotations of the
-  /// reference ball are symmetries if E₀ ∝ Id and the law is isotropic. If a load depends on direction, n_symmetries is
-  /// 0. Some rotations may still be symmetries, but methods do not need these symmetries.
+  /// Number of symmetries. Symmetries 0 to 2 are the rotations of space, Q ↦ Q + ε ê_i Q, with the momentum J_i.
+  /// Symmetries 3 to 5 are the rotations of the reference ball, Q ↦ Q − ε Q ê_i, with the momentum −Z_i. J is the
+  /// angular momentum, Z the circulation, and ê_i the matrix of e_i×. The rotations of the reference ball are
+  /// symmetries if E₀ ∝ Id and the law is isotropic. If a load depends on direction, the number is 0. Some rotations
+  /// may still be symmetries, but methods do not need these symmetries.
   int n_symmetries() const { return depends_on_direction() ? 0 : isotropic_ ? 6 : 3; }
   void symmetry(int i, const Vector& Q, const Vector& v, Vector& dQ, Vector& dv) const {
     const Eigen::Matrix3d turn = mechanics::cross_matrix(Eigen::Vector3d::Unit(i % 3));
@@ -199,7 +200,8 @@ class PseudoRigidBody {
   double m_bar() const { return m_bar_; }
   const Eigen::Matrix3d& E0() const { return E0_; }
 
-  /// Cauchy stress of the homogeneous state, σ = (P − (Λ/Vol) Q⁻ᵀ) Qᵀ / det Q. `lambda` is the multiplier per m̄.
+  /// Cauchy stress σ = (P − (Λ/Vol) Q⁻ᵀ) Qᵀ / det Q of the homogeneous state, with the stress P of the material without
+  /// loads. `lambda` is the multiplier Λ per m̄.
   Eigen::Matrix3d cauchy_stress(const Vector& Q, double lambda) const {
     Eigen::Matrix3d P;
     if constexpr (has_parts)
@@ -216,8 +218,8 @@ class PseudoRigidBody {
     return admissible(q, J) ? mechanics::Status() : inadmissible(J);
   }
 
-  /// Functions that all forms of the body have (diagonal_body.h, dissipative_body.h). They return the body, the matrix
-  /// Q, the state as (Q, Q̇), and the dissipated energy, which is 0 here.
+  /// Functions that all forms of the body have (diagonal_body.h, dissipative_body.h, loaded_body.h). They return the
+  /// body, the matrix Q, the state as (Q, Q̇), and the dissipated energy, which is 0 for this form.
   const PseudoRigidBody& body() const { return *this; }
   static const Eigen::Matrix3d& matrix(const Vector& q) { return q; }
   const mechanics::VectorState<Vector>& motion(const mechanics::VectorState<Vector>& state) const { return state; }
@@ -254,7 +256,7 @@ class PseudoRigidBody {
 
   static bool has_volume(double J) { return J > 0 && std::isfinite(J); }
   bool admissible(const Tensor& Q, double J) const { return has_volume(J) && materials::admits(density_, Q); }
-  /// This is a separate function, because the code that makes the message would slow down the evaluation of the force.
+  /// The message is made in a separate function, because its code would slow down the evaluation of the force.
   [[gnu::cold, gnu::noinline]] static mechanics::Status without_volume(double J) {
     return mechanics::Status::failure("the body has been turned inside out or is not finite: det Q = " +
                                       mechanics::six_digits(J));

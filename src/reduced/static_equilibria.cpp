@@ -38,7 +38,7 @@ std::vector<Eigen::Matrix3d> critical_rotations(const Eigen::Matrix3d& P) {
   return rotations;
 }
 
-/// The norm |ln S| of the three logarithms of the singular values S of Q.
+/// The Euclidean norm |ln S| of the three logarithms of the singular values S of Q.
 double log_stretch(const Eigen::Matrix3d& Q) { return mechanics::singular_values(Q).array().log().matrix().norm(); }
 
 }  // namespace

@@ -8,9 +8,9 @@
 
 namespace pseudorigid::reduced {
 
-/// `first` is the null direction of the first seven rows of DF. `second` is the right singular vector of the smallest
-/// singular value of these rows. `second_singular_value` is this value divided by the largest singular value. At a
-/// crossing with another curve, both directions are null.
+/// Directions in the kernel of the first seven rows of DF. `first` is a null direction of these rows. `second` is the
+/// right singular vector of their smallest singular value. `second_singular_value` is this singular value divided by
+/// the largest singular value. At a crossing with another curve, both directions are null.
 struct NullDirections {
   PlaneVector first, second;
   double second_singular_value;
@@ -33,7 +33,7 @@ class SteadyCurve {
     DF.row(6) = c.derivatives().transpose();
   }
 
-  /// The unit tangent of the curve at u, with a positive component along `along`.
+  /// The unit tangent of the curve at u, with a component along `along` that is not negative.
   PlaneVector tangent_at(const PlaneVector& u, const PlaneVector& along) const {
     PlaneVector F;
     PlaneMatrix DF;
@@ -42,7 +42,7 @@ class SteadyCurve {
   }
 
   /// The unit tangent for a given derivative DF, with a positive component along `along`. At a crossing with another
-  /// curve, the tangent is the null direction nearest to `along`.
+  /// curve, the tangent is the normalized projection of `along` onto the two null directions.
   static PlaneVector tangent(const PlaneMatrix& DF, const PlaneVector& along) {
     constexpr double crossing = 1e-6;
     const NullDirections null = null_directions(DF);

@@ -1,13 +1,14 @@
 #pragma once
-/// Steady motions (relative equilibria) of the pseudo-rigid body with E₀ = m̄ Id. The potential is isotropic,
-/// V(UQW) = V(Q) for rotations U, W. A steady motion (Riemann 1861; Chandrasekhar, Ellipsoidal Figures of Equilibrium,
-/// ch. 7, and Oliva 5.7.8) is
+/// Steady motions (relative equilibria) of the pseudo-rigid body with the inertia E₀ = m̄ Id. The potential is
+/// isotropic, V(UQW) = V(Q) for rotations U, W. A steady motion (Riemann 1861; Chandrasekhar, Ellipsoidal Figures of
+/// Equilibrium, ch. 7, and Oliva 5.7.8) is
 ///
 ///   Q(t) = exp(tω̂) A exp(−tΛ̂),   A, ω, Λ constant.
 ///
-/// Here ω̂ is the matrix of the cross product, ω̂x = ω×x. B is the reference ball. The ellipsoid AB rotates with the
-/// angular velocity ω in space, and matter circulates in the ellipsoid with the angular velocity −Λ. The equation of
-/// motion (5.120) of pseudo_rigid_body.h requires that the residual R is zero:
+/// Here ω̂ is the matrix of the cross product, ω̂x = ω×x. The ellipsoid AB is the image of the reference ball B. The
+/// ellipsoid rotates with the angular velocity ω in space, and matter circulates in the ellipsoid with the angular
+/// velocity −Λ. The multiplier per m̄ is λ. The equation of motion (5.120) of pseudo_rigid_body.h requires that the
+/// residual R is zero:
 ///
 ///   R = ω̂²A − 2ω̂AΛ̂ + AΛ̂² + ∂V(A)/m̄ − λA⁻ᵀ = 0,   ln det A = 0     (on GL⁺(3), λ = 0 replaces the second equation)
 ///
@@ -42,7 +43,7 @@ struct IsotropicBody {
   double m_bar;
   bool incompressible = true;
 
-  /// The gradient ∂V(A) of the potential, and its derivative D(∂V)(A)[H] along H. Both are divided by m̄.
+  /// The gradient ∂V(A) of the potential, and its derivative D(∂V)(A)[H] along H, both divided by m̄.
   Eigen::Matrix3d gradient(const Eigen::Matrix3d& A) const { return potential.gradient(A) / m_bar; }
   Eigen::Matrix3d second_derivative(const Eigen::Matrix3d& A, const Eigen::Matrix3d& H) const {
     return potential.second_derivative(A, H) / m_bar;
@@ -86,8 +87,7 @@ struct SteadyMotion {
 
 namespace detail {
 
-/// Returns ω̂²X − 2ω̂XΛ̂ + XΛ̂². This is the acceleration of exp(tω̂) X exp(−tΛ̂) in the co-moving frame, for a
-/// constant X.
+/// Returns ω̂²X − 2ω̂XΛ̂ + XΛ̂². For a constant X, this is the acceleration of exp(tω̂) X exp(−tΛ̂) at t = 0.
 inline Eigen::Matrix3d steady_acceleration(const Eigen::Vector3d& omega, const Eigen::Vector3d& Lambda,
                                            const Eigen::Matrix3d& X) {
   const Eigen::Matrix3d w = mechanics::cross_matrix(omega), l = mechanics::cross_matrix(Lambda);
@@ -103,7 +103,7 @@ Eigen::Matrix3d steady_residual(const IsotropicBody<V>& body, const SteadyMotion
          m.lambda * m.A.inverse().transpose();
 }
 
-/// Size of the largest term of R, with which |R| is compared.
+/// Returns the norm of the largest term of R, for comparison with |R|.
 template <SmoothPotential V>
 double steady_residual_scale(const IsotropicBody<V>& body, const SteadyMotion& m) {
   return std::max({(m.omega.squaredNorm() + m.Lambda.squaredNorm()) * m.A.norm(), body.gradient(m.A).norm(),

@@ -8,11 +8,11 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// The least degree of a search and of companion runs. With degree 1, the surface is a polyhedron, and there is no
-/// pressure space for these elements.
+/// The least degree of a search if the scene does not set the degree. A companion run never decreases the degree below
+/// this number. With degree 1, the surface is a polyhedron, and there is no pressure space for these elements.
 constexpr int least_degree = 2;
-/// The base 1.6 of the resolution N = k · 1.6^r for degree k and r refinements, and the least ratio of the resolutions
-/// of successive discretisations in a ladder.
+/// The base 1.6 of the resolution N = k · 1.6^r for degree k and r refinements. The least ratio of the resolutions of
+/// successive discretisations in the list of a search.
 constexpr double resolution_of_a_refinement = 1.6, least_gain = 1.1;
 
 }  // namespace

@@ -13,7 +13,7 @@
 
 namespace pseudorigid::scene {
 
-/// The catalogue of the scene. If it is not set, the result is the empty catalogue.
+/// The catalogue of the scene, or the empty catalogue if the scene has none.
 inline const Catalogue& catalogue_of(const Scene& scene) {
   return scene.catalogue ? *scene.catalogue : empty_catalogue;
 }
@@ -333,7 +333,7 @@ void visit_sweep(S& scene, Visit& visit) {
 }
 
 /// Visits the entries of all systems of the catalogue. Their values are texts. In a scene that is not const, missing
-/// values are first set to their defaults. In a const scene, the default is visited in place of a missing value.
+/// values are first set to their defaults. In a const scene, a missing value is visited as its default.
 template <SceneOrConst S, class Visit>
 void visit_systems(S& scene, Visit& visit) {
   for (const SystemDescription& system : catalogue_of(scene).systems)

@@ -18,8 +18,8 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// End of the message for an unknown name. The text proposes a parameter with a similar name, if there is one, and
-/// lists all parameters. If the sweep does not declare parameters, the text states this instead.
+/// End of the message for an unknown name. If there are parameters, the text proposes a parameter with a similar name
+/// and lists all parameters. Otherwise the text states that the sweep does not declare parameters.
 std::string what_is_known(std::string_view name, const ParameterValues& parameters) {
   std::vector<std::string_view> names;
   for (const auto& [parameter, value] : parameters) names.push_back(parameter);
@@ -77,8 +77,8 @@ std::string printed(double value, Rounding rounding) {
                                                                               : print_number(value);
 }
 
-/// The position of the parenthesis that closes a parenthesis opened before `from`. If there is none, the result is the
-/// length of the text.
+/// The position of the parenthesis that closes a parenthesis before the position `from`. If there is none, the result
+/// is the length of the text.
 std::size_t closing_parenthesis(std::string_view text, std::size_t from) {
   int depth = 1;
   for (; from < text.size(); ++from) {
@@ -88,8 +88,8 @@ std::size_t closing_parenthesis(std::string_view text, std::size_t from) {
   return from;
 }
 
-/// Calls use(expression) for each `$(…)` of the text, and keep(text) for the text around them. Throws UserError if a
-/// closing parenthesis is missing.
+/// Calls use(expression) for each `$(…)` of the text, and keep(part) for the parts of the text between the expressions.
+/// Throws UserError if a closing parenthesis is missing.
 template <class Keep, class Use>
 void visit_expressions(std::string_view text, const Keep& keep, const Use& use) {
   for (std::size_t at = 0; at < text.size();) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Expressions in the values of a parameter file. The library muParser evaluates `$(…)` to a number:
+/// Expressions in the values of a parameter file. The library muParser evaluates each `$(…)` to a number:
 ///
 ///     set Deformation = $(1/sqrt(l)), 0, 0; 0, $(1/sqrt(l)), 0; 0, 0, $(l)
 ///
@@ -28,7 +28,7 @@ enum class Rounding {
 /// not finite, or has no closing parenthesis. The caller adds the origin of the text to the message.
 std::string evaluated(std::string_view text, const ParameterValues& parameters, Rounding rounding = Rounding::none);
 
-/// The names of the parameters in the expressions of a text. Unknown names, which `evaluated` refuses, are included.
+/// The names of the parameters in the expressions of `text`. Names that `parameters` does not contain are included.
 /// Throws UserError for an error of syntax.
 std::set<std::string> names_used(std::string_view text, const Sweep& parameters);
 

@@ -19,8 +19,8 @@ constexpr double isochoric_tolerance = 1e-8;
 constexpr const char* deformation_path = "Initial state/Deformation";
 constexpr const char* velocity_path = "Initial state/Velocity";
 
-/// The trace tr(Q⁻¹Q̇) = Q⁻ᵀ : Q̇ for the initial deformation Q and velocity Q̇, and a bound of the round-off of this
-/// trace.
+/// The trace tr(Q⁻¹Q̇) = Q⁻ᵀ : Q̇ for the initial deformation Q and the initial velocity Q̇, and a bound of its
+/// round-off.
 struct Divergence {
   double value, round_off_bound;
 };

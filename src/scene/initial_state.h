@@ -14,8 +14,8 @@
 
 namespace pseudorigid::scene {
 
-/// Refuses det Q0 <= 0 and a condition number of Q0 above 1e12. Also refuses a largest entry of Q0 outside [1e-12,
-/// 1e12], and entries of Qdot0 above 1e12/t. The bounds keep products of such numbers finite and accurate.
+/// Refuses det Q0 <= 0 and a condition number of Q0 above 1e12. Also refuses a Q0 whose largest entry is outside
+/// [1e-12, 1e12], and entries of Qdot0 above 1e12/t. The bounds keep products of such numbers finite and accurate.
 std::optional<Refusal> refuses_initial_state(const Scene& scene);
 
 /// Refuses an own figure or a small motion without a relative equilibrium. A small motion has a number that depends on
@@ -23,8 +23,8 @@ std::optional<Refusal> refuses_initial_state(const Scene& scene);
 /// discretisation, and if a model with motions that are not affine does not start from its own figure.
 std::optional<Refusal> refuses_starting_figure(const Scene& scene);
 
-/// Projects the initial state of the scene, whose body is incompressible. If a condition above is violated, returns the
-/// reason; the scene is then not usable.
+/// Projects the initial state of the scene, whose body must be incompressible. If a condition in the head of this file
+/// is violated, returns the reason; the scene is then not usable.
 std::optional<Refusal> make_isochoric(Scene& scene);
 
 /// Returns Q0 (det Q0)^(-1/3). Zero entries remain zero, so that symmetries remain. If det Q0 is 1 up to round-off,

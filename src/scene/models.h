@@ -15,12 +15,12 @@
 
 namespace pseudorigid::scene {
 
-/// Whether the entry Models of the scene contains the model.
+/// Returns true if the entry Models of the scene contains the model.
 inline bool names(const Scene& scene, const ModelDescription& model) {
   return std::ranges::find(scene.models, model.name) != scene.models.end();
 }
 
-/// Whether the model offers the analysis. Only systems other than the ball offer manifolds and sections.
+/// Returns true if the model offers the analysis. Only systems other than the ball offer manifolds and sections.
 inline bool offers(const ModelDescription& model, Analysis analysis) {
   switch (analysis) {
     case Analysis::motion:
@@ -38,7 +38,7 @@ inline bool offers(const ModelDescription& model, Analysis analysis) {
   return false;
 }
 
-/// The models that the scene names, by increasing number of degrees of freedom.
+/// The models that the scene names, in the order of the catalogue, which is by increasing number of degrees of freedom.
 inline std::vector<const ModelDescription*> models_of(const Scene& scene) {
   std::vector<const ModelDescription*> models;
   for (const ModelDescription& model : catalogue_of(scene).models)
@@ -46,7 +46,7 @@ inline std::vector<const ModelDescription*> models_of(const Scene& scene) {
   return models;
 }
 
-/// Whether a model of the scene has finite elements, and therefore a mesh.
+/// Returns true if a model of the scene has finite elements, and therefore a mesh.
 inline bool is_discretized(const Scene& scene) {
   return std::ranges::any_of(models_of(scene), &ModelDescription::discretized);
 }
@@ -57,8 +57,8 @@ inline int resolved_degree(const Scene& scene) {
   return scene.continuum.degree.value_or(1) << scene.continuum.refinements.value_or(0);
 }
 
-/// The degrees of the tides for which Analysis = love numbers writes Love numbers. If the scene does not list them,
-/// they are 2 to 8. In a scene with finite elements, the last degree is at most resolved_degree, but at least 2.
+/// The degrees of the tides for which Analysis = love numbers writes Love numbers. If the scene does not list degrees,
+/// the result is 2 to 8. In a scene with finite elements, its last degree is at most resolved_degree, but at least 2.
 inline std::vector<int> love_degrees(const Scene& scene) {
   if (!scene.love.degrees.empty()) return scene.love.degrees;
   constexpr int last = 8;
@@ -68,12 +68,12 @@ inline std::vector<int> love_degrees(const Scene& scene) {
   return degrees;
 }
 
-/// Whether a model of the scene has motions that are not affine (ModelDescription::has_nonaffine).
+/// Returns true if a model of the scene has motions that are not affine (ModelDescription::has_nonaffine).
 inline bool has_nonaffine(const Scene& scene) {
   return std::ranges::any_of(models_of(scene), &ModelDescription::has_nonaffine);
 }
 
-/// The names of the models of the catalogue, not only of the scene, for which `holds(model)` is true.
+/// The names of all models in the catalogue of the scene for which `holds(model)` is true.
 template <class Predicate>
 std::vector<std::string_view> names_where(const Scene& scene, Predicate&& holds) {
   std::vector<std::string_view> found;

@@ -16,8 +16,8 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Adds the line `needed` to the needed parts if `wanted` is true. Otherwise adds the line `skipped` to the skipped
-/// parts.
+/// Adds the line `needed` to the list of needed parts if `wanted` is true. Otherwise adds the line `skipped` to the
+/// list of skipped parts.
 void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped) {
   if (wanted)
     needs.needed.push_back(std::move(needed));
@@ -25,10 +25,10 @@ void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped
     needs.skipped.push_back(std::move(skipped));
 }
 
-/// Adds a line about the estimate of the discretisation error of the reference, which is the last model, and sets
-/// `needs.companion`. If a search chooses the discretisation, the search estimates this error. Otherwise a companion
-/// run estimates it if there is a comparison. For finite elements, Continuum/Error estimate must also be auto. Does
-/// nothing if the reference has no such error or the analysis is not a motion.
+/// Adds a line about the estimate of the discretisation error, and sets `needs.companion`. The estimate is for the
+/// reference, which is the last model. If a search chooses the discretisation, the search estimates this error.
+/// Otherwise a companion run estimates the error if there is a comparison. For finite elements, Continuum/Error
+/// estimate must also be auto. Does nothing if the reference has no such error or the analysis is not a motion.
 void describe_error_estimate(const Scene& scene, Needs& needs) {
   const ModelDescription& richest = *needs.models.back();
   if (!richest.companion || scene.analysis != Analysis::motion) return;
@@ -42,8 +42,8 @@ void describe_error_estimate(const Scene& scene, Needs& needs) {
 }
 
 /// Adds a line about the volumetric stabilisation. Requests the column `volumetric` if the stiffness is positive and
-/// the scene writes energies. Modes and Love numbers do not write energies. Does nothing if no model of the scene has a
-/// pressure space, which is a part of non-affine motions at constant volume.
+/// the scene writes energies. Modes and Love numbers do not write energies. Does nothing if the body is compressible or
+/// if all models have only affine motions.
 void describe_stabilization(const Scene& scene, Needs& needs) {
   if (!needs.pressure_space) return;
   const bool has_elements =
@@ -65,9 +65,9 @@ std::size_t n_runs_of_models(const Scene& scene, const Needs& needs) {
   return n;
 }
 
-/// Facts of the body for the lines of the loads. For an ellipsoid with the density ρ, the volume V and the semi-axes
-/// a_i in radii r, tr E₀ = ρVr²(a₁² + a₂² + a₃²)/5. Here E₀ = ∫ρXXᵀ dV is the second moment. If the scene sets
-/// Body/Inertia, E₀ is this matrix.
+/// Properties of the body that the descriptions of the loads use. For an ellipsoid with the density ρ, the volume V and
+/// the semi-axes a_i in radii r, tr E₀ = ρVr²(a₁² + a₂² + a₃²)/5. Here E₀ = ∫ρXXᵀ dV is the second moment. If the scene
+/// sets Body/Inertia, E₀ is this matrix.
 loads::BodyFacts facts_of_body(const Scene& scene) {
   const auto& [radius, density, incompressible, a, inertia] = scene.body;
   const double volume = 4 * std::numbers::pi / 3 * radius * radius * radius * a[0] * a[1] * a[2];
@@ -140,7 +140,7 @@ void describe_output(const Scene& scene, Needs& needs) {
            "graphics: Output/Graphics is none; no folder is made");
 }
 
-/// The warning about the law, or nothing if the law has none for this body.
+/// The warning about the law for a compressible or an incompressible body, or nothing if the law does not have one.
 std::optional<std::string> warning_of_law(const Scene& scene) {
   const materials::NamedLaw& law = materials::find_law(scene.material.law);
   const std::string_view warning = scene.body.incompressible ? law.warning_incompressible : law.warning_compressible;
@@ -246,8 +246,8 @@ Needs needs(const Scene& scene) {
 }
 
 namespace {
-/// The clause about the least and the largest ratio γ of self-gravity to elasticity. The text is empty without
-/// self-gravity.
+/// The part of the summary about the least and the largest ratio γ of self-gravity to elasticity. The text is empty
+/// without self-gravity.
 std::string gravity_in_words(const std::pair<double, double>& gammas) {
   const auto [least, largest] = gammas;
   if (largest == 0) return {};

@@ -1,5 +1,5 @@
 #pragma once
-/// The parts of the program that a scene needs. The program does not build, compute or write the other parts.
+/// The parts of the program that a scene needs. Parts that a scene does not need are not built, computed or written.
 
 #include <optional>
 #include <string>
@@ -34,7 +34,7 @@ struct Needs {
   std::vector<std::string> needed, skipped;  ///< lines about needed and skipped parts, for the user
   std::vector<std::string> expected;         ///< lines about errors that are known before the run
   std::vector<std::string> warnings;         ///< sentences about valid input that is seldom intended
-  /// Least and largest ratio γ of self-gravity to elasticity (scene/scale_numbers.h) in a sweep; empty: one run.
+  /// Least and largest ratio γ (scene/scale_numbers.h) in the runs of a sweep; empty if there is only one run.
   std::optional<std::pair<double, double>> gammas;
 };
 

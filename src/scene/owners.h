@@ -24,7 +24,7 @@ inline std::string_view owner_of(const Catalogue& catalogue, std::string_view pa
   return "";
 }
 
-/// Whether the entry has an effect for the system of the scene.
+/// Returns true if the entry has an effect for the system of the scene.
 inline bool concerns(const Scene& scene, std::string_view path) {
   const std::string_view owner = owner_of(catalogue_of(scene), path);
   return owner.empty() || owner == scene.system;

@@ -23,8 +23,8 @@ Name split(std::string_view path) {
   return {path.substr(0, slash), path.substr(slash + 1)};
 }
 
-/// Writes `set` lines. Closes and opens subsections if the section of an entry differs from the section before. Muted
-/// entries are written as comments. They are the entries without effect for the system of the scene.
+/// Writes `set` lines. If the section of an entry differs from the section before, closes this section and opens the
+/// new section. Muted entries have no effect for the system of the scene, and are written as comments.
 class PrmWriter {
  public:
   void comment(std::string_view text) { text_ += fmt::format("{}# {}\n", indent(), text); }
@@ -93,7 +93,7 @@ std::string as_prm(const Scene& scene) {
   return writer.finish();
 }
 
-/// The text with `|` escaped, because `|` would end a cell of the table.
+/// The text with `\|` in place of `|`, because `|` would end a cell of the table.
 std::string cell(std::string_view text) {
   std::string escaped;
   for (const char c : text) escaped.append(c == '|' ? "\\" : "").push_back(c);
@@ -191,7 +191,7 @@ std::string as_json(const Scene& scene) {
   return entries.dump(2) + "\n";
 }
 
-/// The scene as its author wrote it. A constant of gravity that follows from Gravity/Gamma is not written.
+/// The scene as its author wrote it: a constant of gravity that follows from Gravity/Gamma is set to 0.
 Scene as_written(Scene scene) {
   if (scene.gamma != 0) scene.loads.get<loads::SelfGravity>().constant = 0;
   return scene;

@@ -19,14 +19,15 @@ struct UsedValue {
   std::string path, value;
 };
 
-/// All entries that concern the system of the scene, including those with default values. If the value varies in a
-/// sweep, its expression replaces the value.
+/// All entries that concern the system of the scene, including those with default values. In a sweep, the value of an
+/// entry with an expression is the text of the expression.
 std::vector<UsedValue> used_values(const Scene& scene);
 
 enum class Format { prm, markdown, json };
 
-/// A list of all entries with default, range, unit and documentation. In the format prm, the list is a parameter file
-/// with the default values. In the format markdown, tables of the models, the methods and the columns follow.
+/// A list of all entries of the catalogue with default, range, unit and documentation. In the format prm, the list is a
+/// parameter file with the default values. In the format markdown, tables of the models, the methods and the columns
+/// follow.
 std::string parameters(Format format, const Catalogue& catalogue);
 
 }  // namespace pseudorigid::scene

@@ -18,14 +18,14 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_file = 1 << 20;
 constexpr int most_includes = 100;
 
-/// True for control characters other than white space, which occur in binary files.
+/// Returns true for control characters other than white space, which occur in binary files.
 bool is_binary(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return std::iscntrl(byte) && !std::isspace(byte);
 }
 
-/// Returns `; did you mean "…"?` with a similar name among the .prm files in the folder of the missing file. If the
-/// file exists or no name is similar, the result is empty.
+/// Returns `; did you mean "…"?` with a similar name among the .prm files in the folder of the missing file `file`. If
+/// `file` exists or no name is similar, the result is empty.
 std::string scene_meant(const fs::path& file) {
   std::error_code ignored;
   const fs::path folder = file.parent_path();
@@ -63,7 +63,7 @@ bool take_keyword(std::string_view& line, std::string_view small, std::string_vi
   return true;
 }
 
-/// Whether the line by itself, not joined to another line, is a statement.
+/// Returns true if the line is a statement, if it is not joined to another line.
 bool is_statement(std::string_view line) {
   std::string text(trimmed(line.substr(0, line.find('#'))));
   std::replace(text.begin(), text.end(), '\t', ' ');
@@ -78,7 +78,7 @@ class PrmReader {
   explicit PrmReader(const StatementHandler& handle) : handle_(handle) {}
 
   /// Joins continued lines and handles each statement. Throws UserError for errors of syntax, or if an included file
-  /// cannot be read. Also throws it if the text does not close a subsection that it opens, or closes another one.
+  /// cannot be read. Also throws UserError if the subsections that the text opens and closes do not match.
   void read_text(std::string_view text, const fs::path& file) {
     std::error_code ignored;
     files_.push_back({file, fs::weakly_canonical(file, ignored), 0});

@@ -10,8 +10,9 @@
 /// compares the reader with the installed ParameterHandler. The reader differs from ParameterHandler on purpose in the
 /// following points.
 ///
-/// Several blanks inside a name count as one. The documentation of deal.II states the same, but its parser keeps them.
-/// The file of `include` is searched in the folder of the including file, not in the working directory.
+/// Several blanks inside a name count as one blank. The documentation of deal.II states the same, but its parser
+/// preserves several blanks. The file of `include` is searched in the folder of the including file, not in the working
+/// directory.
 ///
 /// The reader refuses control characters, which occur in binary files, and a file above 1 MiB. It refuses a file that
 /// includes itself, more than 100 included files, and a name that contains `/`. The character `/` joins subsection and
@@ -49,7 +50,7 @@ std::string text_of_prm(const std::filesystem::path& file);
 /// message begins with "file:line", or with "file" if an included file closes a subsection that it did not open.
 void read_prm_text(std::string_view text, const std::filesystem::path& name, const StatementHandler& handle);
 
-/// The form of a name that is used for comparisons: trimmed, and with one blank for each sequence of blanks and tabs.
+/// The form of a name for comparisons: trimmed, and with one blank for each sequence of blanks and tabs.
 std::string normalised_name(std::string_view name);
 
 }  // namespace pseudorigid::scene

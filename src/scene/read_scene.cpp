@@ -30,8 +30,8 @@ std::vector<std::string_view> known_paths(const Scene& scene, bool sections) {
   return paths;
 }
 
-/// Throws UserError if no subsection of this name is known. The message mentions a missing `end` if a known subsection
-/// begins inside another one.
+/// Throws UserError if no subsection of this name is known. If a known subsection begins inside another subsection, the
+/// message asks for a missing `end`.
 void check_subsection(const Statement& statement, const Scene& scene) {
   const std::vector<std::string_view> sections = known_paths(scene, true);
   if (std::find(sections.begin(), sections.end(), statement.path) != sections.end()) return;
@@ -46,8 +46,8 @@ void check_subsection(const Statement& statement, const Scene& scene) {
                               did_you_mean(statement.path, sections)));
 }
 
-/// The absolute path of a mesh file, or `builtin`. A name in a parameter file is relative to the folder of this file. A
-/// name in an override is relative to the working directory. Throws UserError if the path contains `#`.
+/// The absolute path of the mesh file `name`, or `builtin`. A name in a parameter file is relative to the folder of
+/// this file. A name in an override is relative to the working directory. Throws UserError if the path contains `#`.
 std::string located(const Statement& statement, const BuiltinOrMeshFile& kind, const std::string& name) {
   const bool in_file = statement.line > 0;
   std::string path =
@@ -96,7 +96,7 @@ void set_entry(const Statement& statement, ReadScene& read) {
                                 did_you_mean(statement.path, known_paths(std::as_const(read.scene), false))));
 }
 
-/// Throws UserError unless the value fits on one line of a parameter file, because used.prm contains the value.
+/// Throws UserError if the value does not fit on one line of a parameter file, because used.prm contains the value.
 void check_fits_file(const Statement& statement) {
   const bool control = std::any_of(statement.value->begin(), statement.value->end(),
                                    [](unsigned char c) { return std::iscntrl(c) != 0; });

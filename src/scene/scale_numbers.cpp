@@ -15,12 +15,12 @@ namespace {
 
 /// The numbers of a scene. The head of scale_numbers.h defines the symbols.
 struct ScaleNumbers {
-  bool is_fluid = false, moves = false;  ///< whether the body is a fluid; whether the analysis is a motion
+  bool is_fluid = false, moves = false;  ///< true if the body is a fluid; true if the analysis is a motion
   double c = 1, time = 1;                ///< √(μ/ρ) and r/c; for a fluid r/t and t
   double duration = 0, gamma = 0, spin = 0, speed = 0;  ///< Time/End in the unit `time`, γ, ω²r²/c², v/c
 };
 
-/// The dimensionless numbers of a scene. For a fluid, γ is infinite, and the member `gamma` is 0.
+/// Computes the dimensionless numbers of a scene. For a fluid, γ is infinite, and the member `gamma` is 0.
 ScaleNumbers scale_numbers(const Scene& scene) {
   const auto& [radius, density, incompressible, semi_axes, inertia] = scene.body;
   ScaleNumbers n{.is_fluid = is_fluid(scene), .moves = scene.analysis == Analysis::motion};

@@ -15,11 +15,11 @@
 
 namespace pseudorigid::scene {
 
-/// γ of a scene of the ball. It is 0 without self-gravity, and for a fluid.
+/// The number γ of a scene of the ball, which is 0 without self-gravity and for a fluid.
 double gamma_of(const Scene& scene);
 
-/// Lines of text about the scales and numbers. The first line contains c and r/c, or the unit of time of a fluid. A
-/// line follows for each number that applies to the scene and is not zero.
+/// Lines of text about the numbers in the head of this file. The first line contains c and r/c, or the unit of time of
+/// a fluid. A line follows for each number that applies to the scene and is not zero.
 std::vector<std::string> scale_lines(const Scene& scene);
 
 /// One sentence for each number that is so large or so small that a unit is probably wrong. The checked numbers are

@@ -17,11 +17,11 @@
 namespace pseudorigid::scene {
 
 enum class Analysis { motion, modes, love_numbers, equilibrium, manifolds, section };
-/// The crossings that Analysis = section records. The column that Section/Column names increases at a crossing `up` and
-/// decreases at a crossing `down`. With `both`, the section has all crossings.
+/// The crossings of the value Section/Value that Analysis = section records. The column that Section/Column names
+/// increases at a crossing `up` and decreases at a crossing `down`. With `both`, all crossings are recorded.
 enum class Crossings { up, down, both };
 /// Families of relative equilibria (reduced/equilibrium_families.h). The value `at_rest` selects the equilibria at
-/// rest, which do not form a family. With `none`, the initial state is not a member of a family.
+/// rest, which do not form a family. With `none`, an initial state does not use an equilibrium.
 enum class Family {
   none,
   maclaurin,
@@ -47,10 +47,11 @@ enum class Cells { linear, lagrange };
 enum class ErrorEstimate { none, automatic };
 
 /// The symmetry planes that bound the computed sector. With `automatic`, the program derives them from the scene. The
-/// letters x, y, z are the normals of the planes. The value `octant` has all three planes, and `none` is the full ball.
+/// letters x, y, z are the normals of the planes. The sector `octant` has all three planes, and `none` is the full
+/// ball.
 enum class Symmetry { automatic, none, x, y, z, xy, xz, yz, octant };
 
-/// Selected groups of columns of the CSV files of a motion. Every such file also has the column `time`.
+/// Selected groups of columns of the CSV files of a motion. The column `time` does not belong to a group.
 using mechanics::Quantities;
 
 /// Selected groups of fields of a picture. io/body_picture.h defines the fields.
@@ -172,14 +173,14 @@ struct Scene {
   SweepPart sweep_part;              ///< the part of the runs to make
   std::optional<int> sweep_threads;  ///< number of runs at the same time; empty: number of cores
   bool sweep_lanes = true;           ///< true if similar runs are integrated together in SIMD lanes
-  bool sweep_trajectories = false;   ///< true if the samples of all runs are kept (app/commands/kept_trajectories.h)
+  bool sweep_trajectories = false;   ///< true if trajectories.csv is written, with the samples of all runs
   /// Values that contain expressions, path → text. The members of these entries have the values of the first run.
   std::map<std::string, std::string, std::less<>> expressions;
   /// Values of the entries of systems, path → canonical text. An entry without a value here has its default.
   std::map<std::string, std::string, std::less<>> system_values;
 };
 
-/// True if the scene computes the equilibria at rest instead of a family of relative equilibria.
+/// Returns true if the scene computes the equilibria at rest instead of a family of relative equilibria.
 inline bool finds_static_equilibria(const Scene& scene) {
   return scene.analysis == Analysis::equilibrium && scene.equilibria.family == Family::at_rest;
 }
@@ -187,7 +188,7 @@ inline bool finds_static_equilibria(const Scene& scene) {
 /// The largest degree of a tide that Love numbers/Degrees accepts.
 inline constexpr int largest_love_degree = 24;
 
-/// True if the analysis computes small displacements about rest: modes and Love numbers.
+/// Returns true if the analysis computes small displacements about rest: modes and Love numbers.
 inline bool is_linear(Analysis analysis) { return analysis == Analysis::modes || analysis == Analysis::love_numbers; }
 
 inline bool has_mesh_file(const Scene& scene) { return scene.continuum.mesh != builtin_mesh; }

@@ -21,7 +21,7 @@ std::string planes_in_words(const std::array<bool, 3>& reflect) {
   return names;
 }
 
-/// Whether a load has a function `breaks_plane`, which replaces the check of the entries of the load.
+/// True if a load has a function `breaks_plane`, which replaces the check of the entries of the load.
 template <class Load>
 inline constexpr bool judges_planes = requires(const Load& load) {
   load.breaks_plane(0);
@@ -40,9 +40,10 @@ std::vector<std::pair<std::string_view, const Value*>> of_loads(const Scene& sce
   return found;
 }
 
-/// Describes the first matrix entry that breaks the symmetry about the plane with the normal x, y or z for i = 0, 1, 2.
-/// The result is empty if there is none. The function does not check vectors, which affect the centre of mass but not
-/// the deformation. It does not check loads with a function `breaks_plane` either.
+/// Describes the first entry of a matrix that breaks the symmetry about the plane with the normal x, y or z for i = 0,
+/// 1,
+/// 2. The result is empty if there is none. The function does not check vectors, which affect the centre of mass but
+/// not the deformation. It also does not check loads with a function `breaks_plane`.
 std::optional<std::string> matrix_breaks_plane(const Scene& scene, int i) {
   std::vector<std::pair<std::string_view, const Matrix3*>> matrices{
       {"Initial state/Deformation", &scene.initial_state.deformation},

@@ -15,26 +15,27 @@
 ///   e = [W(Q₀) − W(Id)]/μ + ρ r² |D Q₀|²/(10 μ).
 ///
 /// The start is violent if e > 0.06, and then κ_v = 3μ; otherwise κ_v = 0. The release with the velocity diag(a, a,
-/// −2a)x, a = 0.3 c/r and the speed of shear waves c has e = 0.054. The threshold is just above this value, so that the
-/// release does not become more expensive.
+/// −2a)x, a = 0.3 c/r and the speed of shear waves c has e = 0.054. The threshold is slightly above this value, so the
+/// cost of this release does not increase.
 ///
 /// The value κ_v = 3μ was measured for a neo-Hookean ball and unrefined elements, with κ/μ = 0, 1, 3, 10 and 30. The
-/// error of the deformation Q is the difference from elements of degree 8 with κ = 0. Releases from the stretches 1.2
-/// and 1.35 were computed, and the pairs of numbers below are for these two. For degree 4, κ = 3μ divides the error by
-/// 2.2 and 3.2 until the time 5 r/c. Until 10 r/c it divides the error by 1.7 and 1.4. For degree 5, the divisors are
-/// 1.2 and 1.2 until 5 r/c, and 1.5 and 0.9 until 10 r/c. No other κ is better for all of these. The least det F of
-/// degree 4 rises from 0.80 and 0.68 to 0.92 and 0.77. The number of evaluations of the force, including pilot runs,
-/// changes by −17 to +3 %.
+/// error of the deformation Q is the difference from elements of degree 8 with κ = 0. The ball was released from the
+/// stretches 1.2 and 1.35, and the pairs of numbers below are for these two stretches. For degree 4, κ = 3μ divides the
+/// error by 2.2 and 3.2 until the time 5 r/c. Until 10 r/c it divides the error by 1.7 and 1.4. For degree 5, the
+/// divisors are 1.2 and 1.2 until 5 r/c, and 1.5 and 0.9 until 10 r/c. No other κ is better for all of these. The least
+/// det F of degree 4 rises from 0.80 and 0.68 to 0.92 and 0.77. The number of evaluations of the force, including pilot
+/// runs, changes by −17 to +3 %.
 
 #include "scene/scene.h"
 
 namespace pseudorigid::scene {
 
-/// Whether all eigenvalues of the tidal matrix are positive. The tidal load alone then keeps the body together.
+/// Returns true if all eigenvalues of the tidal matrix are positive. The tidal load alone then keeps the body together.
 bool is_confined(const Scene& scene);
 
-/// The stiffness κ that the scene sets, or else κ without κ_v; 0 for a compressible body. Models other than finite
-/// elements use this value. If it is 0, the stored energy has no volumetric term.
+/// The stiffness κ that the scene sets. If the scene does not set κ, the result is κ without κ_v. For a compressible
+/// body it is 0. Models other than finite elements use this value. If it is 0, the stored energy has no volumetric
+/// term.
 double volumetric_stiffness(const Scene& scene);
 
 /// The energy density e of the deformation at the start, in units of μ; 0 for a fluid.

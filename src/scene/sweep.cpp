@@ -14,14 +14,14 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// True if the text is not empty, consists of letters, digits and underscores, and does not begin with a digit.
+/// Returns true if the text is not empty, consists of letters, digits and underscores, and does not begin with a digit.
 bool is_name(std::string_view text) {
   return !text.empty() && !std::isdigit(static_cast<unsigned char>(text.front())) &&
          std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
 }
 
-/// Reads the words after "in", such as "5", "5 logarithmic", "5 latin 7" or "5 logarithmic latin 7". Returns the error,
-/// or nothing.
+/// Reads the words after "in", such as "5", "5 logarithmic", "5 latin 7" or "5 logarithmic latin 7", into `parameter`.
+/// Returns the error, or nothing.
 Problem read_number_of_values(std::string_view text, SweepParameter& parameter) {
   std::vector<std::string_view> words;
   for (const std::string_view word : parts_of(text, ' '))
@@ -46,7 +46,7 @@ Problem read_number_of_values(std::string_view text, SweepParameter& parameter) 
   return std::nullopt;
 }
 
-/// Reads "first .. last in n …" or "value, value". Returns the error, or nothing.
+/// Reads "first .. last in n …" or "value, value" into `parameter`. Returns the error, or nothing.
 Problem read_values(std::string_view text, SweepParameter& parameter) {
   const auto dots = text.find("..");
   if (dots == std::string_view::npos) return Numbers{}.read(text, parameter.values);
@@ -90,8 +90,8 @@ int permuted(int j, int n, std::uint64_t key) {
   return static_cast<int>(x);
 }
 
-/// The interpolated value of a range: its first value for `part` = 0 and its last value for `part` = 1. In a
-/// logarithmic range, the logarithm is linear in `part`.
+/// A value of a range. `part` = 0 gives its first value, and `part` = 1 its last value. Between them, the value is
+/// linear in `part`. In a logarithmic range, the logarithm of the value is linear in `part`.
 double at(const SweepParameter& p, double part) {
   const double first = p.values[0], last = p.values[1];
   return p.logarithmic ? first * std::pow(last / first, part) : first + (last - first) * part;

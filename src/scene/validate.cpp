@@ -29,9 +29,9 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Largest semi-axis in radii. The least semi-axis is its reciprocal. For an ellipsoid, the second moment E₀ divided by
-/// the mass has entries that are proportional to squares of semi-axes. These entries are therefore at most 10¹² times
-/// those of the ball.
+/// Largest semi-axis in radii. The least semi-axis is the reciprocal of this number. For an ellipsoid, the second
+/// moment E₀ divided by the mass has entries that are proportional to squares of semi-axes. These entries are therefore
+/// at most 10¹² times those of the ball.
 constexpr double largest_axis = 1e6;
 
 /// Largest inertia, stiffness and unit of time in the units of the scene. The least values are the reciprocal of this
@@ -42,8 +42,8 @@ constexpr double largest_unit = 1e100;
 /// number is far below 2⁵², the number of steps whose times a double can distinguish.
 constexpr double most_steps = 1e12;
 
-/// The purpose of a check: to judge the scene, or to try a recommendation. A trial does not compute recommendations of
-/// its own, because each of them would need further trials.
+/// The purpose of a check: to judge the scene, or to try a recommendation. A trial does not compute recommendations,
+/// because each recommendation would need further trials.
 enum class Purpose { judge, try_advice };
 
 class Validator {
@@ -85,9 +85,9 @@ class Validator {
     check_models();
   }
 
-  /// Sets the constant of gravity G if the scene gives γ = ρgr/μ, with the density ρ, the radius r, the shear modulus μ
-  /// and g = (4/3)πGρr. Then G = 3γμ/(4πρ²r²). Refuses γ of a fluid. Refuses a scene that also gives another G. A trial
-  /// does not refuse it, because the scene may have G from a value of γ or μ before the change.
+  /// If the scene gives γ = ρgr/μ, sets the constant of gravity to G = 3γμ/(4πρ²r²). Here ρ is the density, r the
+  /// radius, μ the shear modulus, and g = (4/3)πGρr. Refuses γ of a fluid, and a scene that also gives another G. A
+  /// trial does not refuse another G, because it may follow from γ or μ before the recommended change.
   void set_constant_of_gravity() {
     if (scene_.gamma == 0) return;
     if (is_fluid(scene_))
@@ -106,14 +106,14 @@ class Validator {
     throw UserError(fmt::format("{}: {}: {}", origins_.of(path), path, sentence));
   }
   /// Throws UserError with the recommendations of the refusal. In a trial the sentence is empty, because is_accepted
-  /// ignores it.
+  /// ignores the sentence.
   [[noreturn]] void refuse(const Refusal& refusal) const {
     const auto accepts = [&](Scene trial) { return is_accepted(std::move(trial), origins_); };
     refuse(refusal.path, purpose_ == Purpose::judge ? sentence_with_advice(refusal, scene_, accepts) : "");
   }
 
-  /// The systems that offer `analysis`, which is manifolds or section. All systems offer sections. Manifolds need
-  /// critical points.
+  /// The systems that offer `analysis`, which must be manifolds or section. All systems offer sections. Only systems
+  /// with critical points offer manifolds.
   std::vector<std::string_view> systems_for(Analysis analysis) const {
     std::vector<std::string_view> names;
     for (const SystemDescription& system : catalogue_of(scene_).systems)
@@ -148,7 +148,7 @@ class Validator {
       refuse({"Output/Graphics", "a sweep writes no pictures", {{{"Output/Graphics", "none"}}}});
   }
 
-  /// Refuses a sweep of equilibria whose runs do not have exactly one figure each.
+  /// Refuses a sweep of equilibria if its runs do not have exactly one figure each.
   void check_sweep_of_equilibria() const {
     if (finds_static_equilibria(scene_))
       refuse({"Equilibrium/Family",
@@ -219,7 +219,7 @@ class Validator {
             names_where(scene_, [&](const auto& model) { return takes_method(model, method); })});
   }
 
-  /// Checks that the units give moderate numbers. Let ρ be the density, r the radius and μ the shear modulus. The
+  /// Refuses units that do not give moderate numbers. Let ρ be the density, r the radius and μ the shear modulus. The
   /// kinetic energy of the body is proportional to ρr⁵, and the elastic energy to μr³. These two numbers and the unit
   /// of time must be between 1/largest_unit and largest_unit.
   void check_units() const {
@@ -239,8 +239,8 @@ class Validator {
                print_number(radius), print_number(density), print_number(modulus), 1 / largest_unit, largest_unit));
   }
 
-  /// Refuses parameters of the law that double precision cannot handle. They are a Lamé λ above 10¹² μ in a law that
-  /// uses λ, and a limit of Gent's law below 10⁻¹².
+  /// Refuses parameters of the law that double precision cannot handle: a Lamé λ above 10¹² μ in a law that uses λ, and
+  /// a limit of Gent's law below 10⁻¹².
   void check_law() const {
     const materials::AnyLaw law = law_of(scene_);
     const double mu = scene_.material.shear_modulus, lambda = scene_.material.lame_lambda;
@@ -258,8 +258,8 @@ class Validator {
                          print_number(1 / largest_condition), print_number(gent_limit)));
   }
 
-  /// Throws UserError if a model of the scene refuses it (ModelDescription::refuses). These functions of the models
-  /// assume that the other checks have accepted the scene.
+  /// Throws UserError if a model of the scene refuses the scene (ModelDescription::refuses). These functions of the
+  /// models assume that the other checks have accepted the scene.
   void check_models() const {
     for (const ModelDescription* model : models_of(scene_))
       if (const auto refusal = model->refuses ? model->refuses(scene_) : std::nullopt) refuse(*refusal);

@@ -1,8 +1,8 @@
 #pragma once
-/// The model of any system (system_scene.h) as one type, so that methods and outputs are compiled once for all systems.
-/// It contains the initial state, and the equations of motion as an unconstrained system, a constrained system or a
-/// second-order field. Its functions compute the columns, the rate of change and the coordinates of states. All numbers
-/// are in the scales of the scene.
+/// The model of any system (system_scene.h) as one type. Methods and outputs are therefore compiled once for all
+/// systems. AnyModel contains the initial state, and the equations of motion as an unconstrained system, a constrained
+/// system or a second-order field. Its functions compute the columns of the output, the rate of change and the
+/// coordinates of states. All numbers are in the scales of the scene.
 
 #include <memory>
 #include <stdexcept>
@@ -35,18 +35,18 @@ class AnyModel {
 
   const Form& form() const { return form_; }
   const State& start() const { return start_; }
-  /// Appends the values of the columns, without the time. Fails if the model cannot compute them for this state.
+  /// Appends the values of the columns for `state`, without the time, to `row`. Fails if the model cannot compute them.
   mechanics::Status row(const State& state, Workspace& workspace, std::vector<double>& row) {
     if (reversed_)
       return held_->row({-state.t, state.q, -state.v},
                         workspace.as<mechanics::ReversedField<mechanics::AnyField>::Workspace>().field, row);
     return held_->row(state, workspace, row);
   }
-  /// The rate of change of the state per unit of time, which limits the step of methods. It is the member `rate` of the
-  /// model, or else |v|/(1 + |q|) with the maximum norm.
+  /// The rate of change of the state per unit of time, which limits the step of methods. The result is that of the
+  /// member `rate` of the model. Without this member, it is |v|/(1 + |q|) with the maximum norm.
   double rate(const State& state) const { return held_->rate(state); }
-  /// The potential landscape, which keeps a reference to this model. Throws std::logic_error if the system does not
-  /// have a landscape.
+  /// The potential landscape of the system. It may refer to this model, which must then exist as long as the landscape.
+  /// Throws std::logic_error if the system does not have a landscape.
   mechanics::AnyLandscape landscape() const { return held_->landscape(); }
   /// Names and units of the coordinates of the landscape. The list is empty if the system does not have a landscape.
   std::vector<scene::Column> coordinates() const { return held_->coordinates(); }

@@ -12,11 +12,11 @@
 namespace pseudorigid::systems {
 
 struct AnySystemScene {
-  /// The description of the system for parameter files. Its function `refuses` returns the error of a scene, if there
-  /// is one.
+  /// The description of the system for parameter files. Its function `refuses` returns the error of a scene, or an
+  /// empty result for a valid scene.
   scene::SystemDescription description;
-  /// The function `scales` returns the units of a scene, and `model` returns the model of the scene in these units. The
-  /// scene must be valid.
+  /// The function `scales` returns the units of a valid scene, expressed in the units of the user. The function `model`
+  /// returns the model of a valid scene in these units.
   Scales (*scales)(const scene::Scene& scene);
   AnyModel (*model)(const scene::Scene& scene);
 };
@@ -38,8 +38,8 @@ AnyModel model_of(const SystemScene& in_own_scales) {
   });
 }
 
-/// The error in a scene: that of the system itself, or that of refuses_sizes (sizes.h), which checks the sizes of
-/// numbers and the initial state. The result is empty if the scene is valid.
+/// The error in a scene. The function checks the conditions of the system itself, and then the sizes of the numbers and
+/// the initial state (refuses_sizes in sizes.h). The result is empty if the scene is valid.
 template <class SystemScene>
 std::optional<Refusal> refuses(const scene::Scene& scene) {
   const auto system = system_scene<SystemScene>(scene);
@@ -52,7 +52,7 @@ std::optional<Refusal> refuses(const scene::Scene& scene) {
 
 }  // namespace detail
 
-/// Makes the description and the functions from the members of SystemScene (system_scene.h).
+/// Makes the description and the functions of the system from the members of SystemScene (system_scene.h).
 template <class SystemScene>
 AnySystemScene any_system_scene() {
   scene::SystemDescription description{

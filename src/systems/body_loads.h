@@ -1,7 +1,7 @@
 #pragma once
 /// External forces on a rigid body as a vector measure df on its points (Oliva, Geometric Mechanics, 5.89, 5.92). The
-/// weight mg acts at the centre of mass G. Springs with stiffness k and rest length l connect body points ξ with fixed
-/// points c of space. The forces have the potential
+/// body has the mass m. Its weight mg acts at the centre of mass G. Springs with stiffness k and rest length l connect
+/// body points ξ with fixed points c of space. The forces have the potential
 ///
 ///   V = −m⟨g, x(G)⟩ + Σ ½k(|x(ξ) − c| − l)²,   x(ξ) the position of the body point ξ.
 ///
@@ -29,8 +29,8 @@ struct BodyLoads {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // acceleration of gravity g in space
   std::vector<BodySpring> springs{};
 
-  /// Calls act(ξ, f) for every force f on a body point ξ. The function place(ξ) returns x(ξ). Fails if the length of a
-  /// spring with a rest length l > 0 is 0 or NaN.
+  /// Calls act(ξ, f) for every force f on a body point ξ. The function place(ξ) returns the position x(ξ) in space.
+  /// Fails if the length of a spring with a rest length l > 0 is 0 or NaN.
   template <class Place, class Act>
   mechanics::Status apply(const Place& place, const Act& act) const {
     if (!gravity.isZero(0)) act(center, Eigen::Vector3d(mass * gravity));

@@ -1,6 +1,6 @@
 #pragma once
-/// One-parameter groups of symmetries of a rigid body under loads. They do not change the kinetic and the potential
-/// energy, and therefore give conserved momenta (Noether's theorem):
+/// One-parameter groups of symmetries of a rigid body under loads. The groups do not change the kinetic and the
+/// potential energy, and therefore give conserved momenta (Noether's theorem):
 ///
 ///   translations of space    perpendicular to the weight, if there are no springs and no fixed point
 ///   rotations of space       about an axis through the origin that is parallel to the weight and contains every

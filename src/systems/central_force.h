@@ -34,9 +34,9 @@ struct AttractionLaw {
   }
 };
 
-/// Adds −(V′(r)/r) d to f, for any scalar type. Returns 1 if V′(r)/r is finite, otherwise NaN. At r = 0 it is finite
-/// only for a spring with rest length 0. The caller multiplies the results of several calls, because a product
-/// preserves a NaN, while std::min may lose it.
+/// Adds −(V′(r)/r) d to f, for any scalar type. Returns 1 if V′(r)/r is finite, otherwise NaN. At r = 0, V′(r)/r is
+/// finite only for a spring with rest length 0. To combine several calls, multiply their results, because a product
+/// preserves a NaN and std::min may lose it.
 template <class Law, class T>
 T add_central_force(const Law& law, const Eigen::Matrix<T, 3, 1>& d, Eigen::Matrix<T, 3, 1>& f) {
   using std::sqrt;

@@ -35,8 +35,8 @@ class DoublePendulum {
     f << 0, p_.m1 * p_.g, 0, p_.m2 * p_.g;
     return {};
   }
-  /// Solves for the stages of a Gauss step in SIMD lanes. Returns false if they must be evaluated one by one
-  /// (mechanics/core/stage_by_stage.h).
+  /// Solves for the stages of a Gauss step in SIMD lanes. If the result is false, the stages must be evaluated one by
+  /// one (mechanics/core/stage_by_stage.h).
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
     return solve_stages_in_lanes_of(PendulumOfStages{p_.m1, p_.m2, p_.l1, p_.l2, p_.g}, stages);
   }
@@ -62,8 +62,8 @@ class DoublePendulum {
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
-  /// Solves G(q)M⁻¹G(p)ᵀλ = r for the configurations q = `q1` and p = `q0` in R⁴. M is the mass operator. Fails if λ is
-  /// not finite, for example because the matrix is singular.
+  /// Solves G(q)M⁻¹G(p)ᵀλ = r for the configurations q = `q1` and p = `q0`. G is the derivative of the constraints, and
+  /// M is the mass operator. Fails if λ is not finite, for example because the matrix is singular.
   mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     const Eigen::Vector2d a1 = q1.head<2>() / square(p_.l1), a0 = q0.head<2>() / square(p_.l1);
@@ -85,8 +85,8 @@ class DoublePendulum {
   }
   double potential_energy(const Vector& q) const { return -p_.g * (p_.m1 * q(1) + p_.m2 * q(3)); }
 
-  /// The number of symmetries. It is 1 without gravity, because rotations of the plane about the suspension point are
-  /// then symmetries, and otherwise 0.
+  /// The number of symmetries. Without gravity it is 1, because rotations of the plane about the suspension point are
+  /// then symmetries. With gravity it is 0.
   int n_symmetries() const { return p_.g == 0 ? 1 : 0; }
   void symmetry(int, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
     dq << -q(1), q(0), -q(3), q(2);
@@ -101,7 +101,7 @@ class DoublePendulum {
     q.tail<2>() += q.head<2>();
     v.tail<2>() += v.head<2>();
   }
-  /// Computes the angles, from −π to π, and their rates.
+  /// Computes the angles (θ, φ), from −π to π, and their rates from positions and velocities.
   void to_angles(const Vector& q, const Vector& v, Eigen::Vector2d& angles, Eigen::Vector2d& rates) const {
     const Eigen::Vector2d d = rod(q), d_rate = rod(v);
     angles << std::atan2(q(0), q(1)), std::atan2(d(0), d(1));

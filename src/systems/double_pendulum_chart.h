@@ -8,8 +8,8 @@
 ///          [ m₂l₁l₂ cos(θ−φ)         m₂ l₂²          ]
 ///
 /// with the metric g_ij of the kinetic energy, the potential U and the acceleration of gravity g. The motions (5.20)
-/// satisfy the two equations below. The book writes (5.44) with two terms in φ̇θ̇ sin(θ−φ), which cancel. In
-/// the book, one of them has the wrong sign.
+/// satisfy the two equations below. In the book, (5.44) has two additional terms in φ̇θ̇ sin(θ−φ). One of these terms
+/// has the wrong sign. If the sign is corrected, the two terms cancel each other.
 ///
 ///   (m₁+m₂) l₁² θ̈ + m₂l₁l₂ [φ̈ cos(θ−φ) + φ̇² sin(θ−φ)] + (m₁+m₂) g l₁ sin θ = 0                  (5.44), corrected
 ///   m₂ l₂² φ̈ + m₂l₁l₂ [θ̈ cos(θ−φ) − θ̇² sin(θ−φ)] + m₂ g l₂ sin φ = 0                             (5.45)

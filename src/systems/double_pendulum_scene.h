@@ -1,6 +1,6 @@
 #pragma once
 /// The planar double pendulum in parameter files. The multiplier form (double_pendulum.h) and the Lagrange form
-/// (double_pendulum_chart.h) give the same motion. The columns contain the tensions T_k = −λ_k / l_k of the rods with
+/// (double_pendulum_chart.h) give the same motion. The columns contain the tensions T_k = −λ_k / l_k of the rods, with
 /// the lengths l_k and the multipliers λ_k. They also contain the reactions R₁ and R₂ of the rods on the points (5.43).
 /// The reactions are computed from the second fundamental form, without multipliers.
 
@@ -84,7 +84,7 @@ struct DoublePendulumScene {
 
   DoublePendulum::Parameters parameters() const { return {m1, m2, l1, l2, gravity}; }
 
-  /// Computes the values of the columns from a state in multiplier form. Fails if the multipliers cannot be computed.
+  /// Appends the values of the columns for a state in multiplier form. Fails if the multipliers cannot be computed.
   struct Observer {
     DoublePendulum pendulum;
 

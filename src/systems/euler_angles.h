@@ -38,8 +38,8 @@ inline EulerAngles rates_of(const EulerAngles& a, const Eigen::Vector3d& Omega) 
           Omega.z() - phi_rate * std::cos(a.theta)};
 }
 
-/// The angles of R with θ ∈ [0, π] and φ, ψ from −π to π. If sin θ is 0 up to round-off, only φ + ψ or φ − ψ is
-/// defined. The result then has ψ = 0, and φ is this sum or difference.
+/// The angles of R, with θ from 0 to π and with φ and ψ from −π to π. If sin θ is 0 up to round-off, only φ + ψ or φ −
+/// ψ is defined. The result then has ψ = 0, and φ is this sum or difference.
 inline EulerAngles euler_angles_of(const Eigen::Matrix3d& R) {
   const double sin_theta = std::hypot(R(2, 0), R(2, 1));
   // φ and ψ have the round-off ε/sin θ with the machine precision ε. If sin θ is below this constant, φ and ψ have less

@@ -22,8 +22,8 @@
 
 namespace pseudorigid::systems {
 
-/// A function that computes the torque N in the axes of the body from the time, the rotation R and the angular velocity
-/// Ω.
+/// A function torque(t, R, Ω, N) that sets N to the torque in the axes of the body. The arguments are the time t, the
+/// rotation R and the angular velocity Ω in the body.
 template <class T>
 concept BodyTorque = requires(const T torque, double t, const Eigen::Matrix3d R, const Eigen::Vector3d Omega,
                               Eigen::Vector3d N) {
@@ -69,8 +69,8 @@ class EulerTop {
     a = 0.5 * (product(v, Omega) + product(q, Omega_rate));
     return {};
   }
-  /// The templates of mechanics/core/stage_by_stage.h call the next members for the stages of a Gauss step in SIMD
-  /// lanes. Only the two torques of this header have kernels.
+  /// Members that the templates of mechanics/core/stage_by_stage.h call for the stages of a Gauss step in SIMD lanes.
+  /// Only the two torques of this header have kernels.
   bool has_stages_in_lanes() const { return std::is_same_v<Torque, LoadTorque> || std::is_same_v<Torque, NoTorque>; }
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
     if (!has_stages_in_lanes()) return false;
@@ -117,7 +117,7 @@ class EulerTop {
   const Parameters& parameters() const { return p_; }
 
  private:
-  /// The product of the quaternion q and the pure quaternion with the vector part w.
+  /// The product of the quaternion q and the quaternion with the vector part w and the scalar part 0.
   static Vector product(const Vector& q, const Eigen::Vector3d& w) {
     Vector r;
     r << q(3) * w + Eigen::Vector3d(q.head<3>()).cross(w), -q.head<3>().dot(w);

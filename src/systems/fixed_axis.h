@@ -1,7 +1,8 @@
 #pragma once
 /// A rigid body that rotates about a fixed axis (Oliva, Geometric Mechanics, 5.6.10). The axis has the unit vector e
 /// and passes through the origin of the body; ê is the matrix of e×. The body has the mass m, the centre of mass G and
-/// the inertia operator A about the origin. Under gravity g and the friction torque −cθ̇, the angle θ satisfies
+/// the inertia operator A about the origin. Gravity has the acceleration g, and the bearings exert the friction torque
+/// −cθ̇. The angle θ satisfies
 ///
 ///   I_e θ̈ = m⟨e, G × R⁻¹g⟩ − cθ̇,   R = exp(θê),   I_e = ⟨Ae, e⟩,   V = −m⟨g, RG⟩
 ///
@@ -30,7 +31,7 @@
 
 namespace pseudorigid::systems {
 
-/// The chart with the angle θ as its only coordinate, for the equation above.
+/// The equation above in the chart with the angle θ as its only coordinate.
 struct FixedAxis {
   static constexpr int dimension = 1;
   MassDistribution body;

@@ -64,8 +64,8 @@ struct FixedAxisScene {
     visit(s.angle, scene::Number{}, About{"Fixed axis/Angle", "", "Initial angle about the axis, in radians."});
     visit(s.rate, scene::Number{}, About{"Fixed axis/Rate", "1/time", "Initial rate of the angle."});
   }
-  /// Converts the rows of weights to the given scales. Their columns have several units, so in_scales does not convert
-  /// them.
+  /// Converts the rows of weights to the given scales. The columns of a row have several units. Therefore in_scales
+  /// does not convert the rows.
   void rescale(const Scales& scales) {
     for (std::size_t k = 0; k < weights.size(); k += n_weight_columns) {
       for (std::size_t j : {0, 1, 2}) weights[k + j] /= scales("length");
@@ -163,7 +163,7 @@ struct FixedAxisScene {
     return {body, vector(axis).stableNormalized(), vector(gravity), friction};
   }
   /// Refuses an inertia that is not symmetric, and an inertia that no body with this mass and centre of mass has. Also
-  /// refuses a moment of inertia about the axis that is not above round-off.
+  /// refuses a moment of inertia about the axis that is zero up to round-off.
   std::optional<Refusal> refuses_inertia() const {
     constexpr const char* path = "Fixed axis/Inertia";
     constexpr double round_off = 1e-12;

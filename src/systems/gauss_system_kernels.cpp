@@ -67,6 +67,7 @@ struct TopField {
     }
   };
 
+  /// Returns Ω̇. Afterwards, `reserve` is positive only if it was positive before and if all forces are defined.
   template <class T>
   [[gnu::always_inline]] Vector3<T> rate_of(const Vector3<T>& Omega, const Turn<T>& turn, T& reserve) const {
     if constexpr (principal_and_free) {
@@ -78,9 +79,9 @@ struct TopField {
       return top.A_inverse.cast<T>() * torque;
     }
   }
-  /// Adds the torque mG × R⁻¹g + Σ ξ × R⁻¹f to N. The weight mg acts at the centre of mass G, and a spring acts on the
-  /// body point ξ with the force f. Returns 1 if the forces of all springs are defined (central_force.h), otherwise
-  /// NaN.
+  /// Adds the torque mG × R⁻¹g + Σ ξ × R⁻¹f in the axes of the body to N. The weight mg acts at the centre of mass G,
+  /// and a spring acts on the body point ξ with the force f. Returns 1 if the forces of all springs are defined
+  /// (central_force.h), otherwise NaN.
   template <class T>
   [[gnu::always_inline]] static T add_torque(const BodyLoads& loads, const Turn<T>& turn, Vector3<T>& N) {
     const Vector3<T> moment = (loads.mass * loads.center).cast<T>();
@@ -100,7 +101,7 @@ struct TopField {
   }
 };
 
-/// Whether the torque N is zero.
+/// Returns true if the torque N is zero for every rotation.
 bool is_free(const TopOfStages& top) {
   return !top.loads || (top.loads->gravity.isZero(0) && top.loads->springs.empty());
 }
@@ -205,7 +206,7 @@ struct FieldOfChart {
   }
 };
 
-/// The field of a point in a moving frame or in space (moving_frame.h), with known poses of the frame at the stages.
+/// The field of a point in a moving frame or in space (moving_frame.h), for given poses of the frame at the stages.
 struct FrameField {
   static constexpr int n = 3;
   const FrameOfStages& frame;
@@ -261,8 +262,8 @@ struct FieldOfPoints final : mechanics::GaussField {
   }
 };
 
-// The solvers return true, except the template for charts. The template returns false if a coordinate is too large or
-// NaN. DoublePendulumChart has an overload of its own, which returns true.
+// The solvers return true, except the template for charts. This template returns false if a coordinate is too large or
+// NaN. DoublePendulumChart has its own overload, which returns true.
 bool solve(const TopOfStages& top, mechanics::GaussStages& stages) {
   if (is_free(top) && top.A.isDiagonal(0))
     mechanics::detail::iterate_in_lanes(TopField<true>{top}, stages);
@@ -292,8 +293,8 @@ bool solve(const DoublePendulumChart& pendulum, mechanics::GaussStages& stages) 
 }
 template <mechanics::Chart Chart>
 bool solve(const Chart& chart, mechanics::GaussStages& stages) {
-  // The fast sines and cosines require moderate angles. For larger coordinates, the result false makes the caller
-  // evaluate the stages one by one.
+  // The fast sines and cosines require moderate angles. For larger coordinates the result is false, and the caller
+  // evaluates the stages one by one.
   for (int k = 0; k < stages.n; ++k)
     if (!(std::abs(stages.q[k]) < 0.5 * mechanics::most_of_moderate)) return false;
   mechanics::detail::iterate_in_lanes(FieldOfChart<Chart>{chart}, stages);

@@ -67,9 +67,9 @@ struct GeodesicScene {
           About{"Geodesic/Velocity", "1/time", "Initial rates of the coordinates, on the paraboloid length/time."});
   }
 
-  /// The unit of length is the size of the surface. The unit of time is the reciprocal of the larger absolute value of
-  /// the two initial rates of the coordinates. On the paraboloid, the rates are first divided by the unit of length. If
-  /// the point is at rest, the unit of time is 1.
+  /// The unit of length is size(). The unit of time is the reciprocal of the larger absolute value of the two initial
+  /// rates of the coordinates. On the paraboloid, the rates are first divided by the unit of length. If the point is at
+  /// rest, the unit of time is 1.
   Scales scales() const {
     const double rate = std::max(std::abs(velocity[0]), std::abs(velocity[1])) / coordinate_unit(size());
     return {size(), 1, rate > 0 ? 1 / rate : 1};
@@ -113,8 +113,8 @@ struct GeodesicScene {
     return columns;
   }
 
-  /// The geodesic flow in a chart. If the chart has a function `reserve` (surfaces.h), the acceleration fails if
-  /// `reserve` is not positive. The point is then outside the chart, or its angle from a pole is at most √ε with the
+  /// The geodesic flow in a chart. The acceleration fails if the chart has a function `reserve` (surfaces.h) and its
+  /// value is not positive. The point is then outside the chart, or its angle from a pole is at most √ε with the
   /// machine precision ε.
   template <class Chart>
   class Field : public mechanics::ChartField<Chart> {
@@ -134,7 +134,8 @@ struct GeodesicScene {
     using System = Field<Chart>;
     System system;
     mechanics::State<System> initial;
-    /// The angle w₀ of a torus (surfaces.h), 0 for other surfaces. The output adds w₀ to the first coordinate.
+    /// The angle w₀ of a torus (surfaces.h), or 0 for other surfaces. The output adds w₀ to the first coordinate of the
+    /// chart.
     double origin = 0;
 
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
@@ -177,8 +178,8 @@ struct GeodesicScene {
   }
 
  private:
-  /// The unit of length: the radius, the tube radius, the largest semi-axis or the radius of curvature at the vertex.
-  /// It is 1 for the half-plane.
+  /// The unit of length. It is the radius of the sphere, the tube radius of the torus, or the largest semi-axis of the
+  /// ellipsoid. For the paraboloid, it is the radius of curvature at the vertex. For the half-plane, it is 1.
   double size() const {
     switch (surface) {
       case Surface::torus:
@@ -194,7 +195,8 @@ struct GeodesicScene {
     }
     return R;
   }
-  /// The unit of the coordinates: that of length on the paraboloid, and 1 for angles and on the half-plane.
+  /// The unit of the coordinates: the unit of length `length` on the paraboloid, and 1 for angles and on the
+  /// half-plane.
   double coordinate_unit(double length) const { return surface == Surface::paraboloid ? length : 1; }
 
   /// Fails if the function `reserve` of the chart (surfaces.h) is not positive at q. Never fails for a chart without
@@ -209,7 +211,7 @@ struct GeodesicScene {
     return {};
   }
 
-  /// The vector field X of the column `clairaut` at the point q.
+  /// The vector field X of the column `clairaut` (head of this file) at the point q.
   template <class Chart>
   static Eigen::Vector2d symmetry(const Chart&, const Eigen::Vector2d& q) {
     if constexpr (std::is_same_v<Chart, Paraboloid>) return {-q[1], q[0]};

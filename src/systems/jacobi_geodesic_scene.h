@@ -4,10 +4,10 @@
 ///
 ///   g_h = 2(h − U) g.
 ///
-/// There are four systems. Two are a particle of unit mass in the plane with U = ½k|q|² or −μ/|q|. The others are a
-/// heavy particle of unit mass on an upright torus, and a double pendulum whose first mass is 1. The arc length s̃ of
-/// the geodesic replaces the time of the scene. Time/End and the column `time` are therefore arc lengths, with the unit
-/// length²/time.
+/// The scene has one of four systems. Two of them are a particle of unit mass in the plane, with U = ½k|q|² or U =
+/// −μ/|q|. The third system is a heavy particle of unit mass on an upright torus. The fourth system is a double
+/// pendulum whose first mass is 1. The arc length s̃ of the geodesic replaces the time of the scene. Time/End and the
+/// column `time` are therefore arc lengths, with the unit length²/time.
 ///
 /// By 5.2.1, the geodesics are the motions of energy h, and the arc length satisfies ds̃ = 2(h − U)dt. As a check, the
 /// program also computes the motion from the same initial data. The integral ∫2(h − U)dt along this motion must equal
@@ -58,10 +58,10 @@ struct PlaneKepler : EuclideanPlane {
   }
 };
 
-/// Computes the motion from given initial data at any later time. The member `at` fails if a step of the motion or its
-/// interpolation fails. The steps do not depend on the requested times. A resumed run therefore repeats the same
-/// motion. The last steps are stored, because a Poincaré section requests times before the present one for its
-/// crossings. If a time is before the stored steps, the motion is computed again from its start.
+/// Computes the motion from given initial data at any later time. The steps do not depend on the requested times. A
+/// resumed run therefore repeats the same motion. The last steps are stored, because a Poincaré section requests times
+/// before the present time for its crossings. If a time is before the stored steps, the motion is computed again from
+/// its start.
 template <class Field>
 class MotionFollower {
  public:
@@ -69,6 +69,7 @@ class MotionFollower {
 
   MotionFollower(Field field, const State& start) : field_(std::move(field)), start_(start), ahead_(beginning()) {}
 
+  /// Sets `out` to the state at the time t. Fails if a step of the motion or its interpolation fails.
   mechanics::Status at(double t, State& out) {
     if (t == start_.t) return out = start_, mechanics::Status();
     if (!steps_.empty() && t < steps_.front().workspace.t_start) {
@@ -83,7 +84,7 @@ class MotionFollower {
   }
 
  private:
-  /// Tolerance of local errors, and the longest step in units of time. The tolerance is a tenth of the least
+  /// Tolerance of local errors, and the longest step in units of time. The tolerance is a tenth of the least value of
   /// Time/Tolerance.
   static constexpr double tolerance = 1e-14, longest_step = 10;
   static constexpr std::size_t n_kept = 64;  ///< number of stored steps
@@ -166,15 +167,15 @@ struct JacobiGeodesicScene {
         About{"Jacobi geodesic/Direction", "", "Initial direction; the speed of the motion follows from the energy."});
   }
 
-  /// Corrects the units of a position that consists of angles. The function in_scales has divided it by the unit of
-  /// length, and rescale multiplies it by this unit again.
+  /// Corrects the units of a position that consists of angles: in_scales has divided the angles by the unit of length,
+  /// and this function multiplies them by this unit.
   void rescale(const Scales& scales) {
     if (!in_plane())
       for (double& x : position) x *= scales.length;
   }
 
-  /// The arc length s̃ of the Jacobi metric replaces the time of the scene, and has the dimension length²/time. Its unit
-  /// is the unit of length times the initial speed.
+  /// The arc length s̃ of the Jacobi metric replaces the time of the scene, and has the dimension length²/time. Its
+  /// unit is the unit of length times the initial speed.
   Scales scales() const { return {length(), 1, length() * speed()}; }
 
   std::optional<Refusal> refuses() const {
@@ -246,8 +247,8 @@ struct JacobiGeodesicScene {
     }
   };
 
-  /// Calls run(model) and returns the result. The unit of time of the scene is one of arc length. The model therefore
-  /// has its own unit of time, in which the initial speed is of order 1.
+  /// Calls run(model) and returns the result. In the scene, the unit of time is a unit of arc length. The model
+  /// therefore has its own unit of time, in which the initial speed is of order 1.
   template <class Run>
   auto with_model(Run&& run) const {
     const Scales own{1, 1, length() / speed()};
@@ -306,10 +307,11 @@ struct JacobiGeodesicScene {
     if (potential == Potential::kepler) return -attraction / radius();
     return with_chart([&](const auto& chart) -> double { return chart.potential(Eigen::Vector2d(position.data())); });
   }
-  /// The number √(2(h − U)) at the start. In the plane, it is the speed of the particle of unit mass.
+  /// The number √(2(h − U)) at the start. In the plane, this is the initial speed of the particle.
   double speed() const { return std::sqrt(2 * (energy - potential_energy())); }
-  /// The unit of length. In the plane, it is the initial distance from the centre, or the amplitude if the start is the
-  /// centre. Otherwise, it is the tube radius of the torus or the length of the first rod.
+  /// The unit of length. In the plane, it is the initial distance from the centre. If the particle starts at the
+  /// centre, it is the amplitude of the harmonic motion. Otherwise, it is the tube radius of the torus or the length of
+  /// the first rod.
   double length() const {
     if (!in_plane()) return potential == Potential::torus ? r : R;
     return radius() > 0 ? radius() : std::sqrt(2 * energy / stiffness);

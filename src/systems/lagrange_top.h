@@ -84,7 +84,7 @@ struct EulerAngleChart {
     return U;
   }
   /// Returns a positive number inside the chart, |sin θ| > `smallest_sine`, and otherwise a number that is not
-  /// positive. Near sin θ = 0, the rates of φ and ψ increase as 1/sin θ, and so do their errors.
+  /// positive. Near sin θ = 0, the rates of φ and ψ and their errors increase as 1/sin θ.
   template <class T>
   T reserve(const mechanics::Coordinates<T, 3>& h) const {
     using std::sin;
@@ -106,8 +106,7 @@ class LagrangeTop {
     if (!(field_.chart().reserve(h) > 0)) return singular();
     return field_.acceleration(t, h, rates, w, a);
   }
-  /// The templates of mechanics/core/stage_by_stage.h call the next two members for the stages of a Gauss step in SIMD
-  /// lanes.
+  /// Members that the templates of mechanics/core/stage_by_stage.h call for the stages of a Gauss step in SIMD lanes.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const { return field_.solve_stages_in_lanes(stages); }
   double cost_of_iteration() const { return field_.cost_of_iteration(); }
   Vector make_vector() const { return Vector::Zero(); }
@@ -118,7 +117,7 @@ class LagrangeTop {
   static Eigen::Vector3d body_angular_velocity(const Vector& h, const Vector& rates) {
     return angular_velocity_of_rates<double>(h) * rates;
   }
-  /// Whether the chart contains this rotation, with |sin θ| above `smallest_sine`.
+  /// Returns true if the chart contains this rotation, that is, if |sin θ| is above `smallest_sine`.
   static bool has(const Eigen::Matrix3d& R) { return std::hypot(R(2, 0), R(2, 1)) > EulerAngleChart::smallest_sine; }
   /// The state at time 0 with the rotation R and the angular velocity Ω in the body. The chart must contain R.
   static mechanics::VectorState<Vector> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega) {

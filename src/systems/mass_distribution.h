@@ -36,7 +36,7 @@ struct MassDistribution {
     d.center /= d.mass;
     return d;
   }
-  /// The distribution of the same body if the point c is the origin of K.
+  /// The distribution of the same body in coordinates whose origin is the point c of K.
   MassDistribution about(const Eigen::Vector3d& c) const {
     const Eigen::Matrix3d mixed = mass * center * c.transpose();
     return {mass, center - c, E0 - mixed - mixed.transpose() + mass * c * c.transpose()};

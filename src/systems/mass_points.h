@@ -70,9 +70,9 @@ class MassPoints : public mechanics::Unconstrained {
                                        [&](Eigen::Index i) -> Eigen::Vector3d { return v.col(i); },
                                        [&](Eigen::Index i, const Eigen::Vector3d& f_i) { f.col(i) += f_i; }));
   }
-  /// Computes the forces for any scalar type T. The functions place(i) and velocity(i) return position and velocity of
-  /// point i, and add(i, f) adds the force f on point i. Returns 1 if V′(r)/r (central_force.h) is finite for all
-  /// central forces, otherwise NaN.
+  /// Computes the forces for any scalar type T. The functions place(i) and velocity(i) return the position and the
+  /// velocity of point i, and add(i, f) adds the force f on point i. Returns 1 if V′(r)/r (central_force.h) is finite
+  /// for all central forces, otherwise NaN.
   template <class T, class Place, class Velocity, class Add>
   T act(const Place& place, const Velocity& velocity, const Add& add) const {
     using Space = Eigen::Matrix<T, 3, 1>;
@@ -104,8 +104,7 @@ class MassPoints : public mechanics::Unconstrained {
     }
     return reserve;
   }
-  /// The templates of mechanics/core/stage_by_stage.h call the next two members for the stages of a Gauss step in SIMD
-  /// lanes.
+  /// Members that the templates of mechanics/core/stage_by_stage.h call for the stages of a Gauss step in SIMD lanes.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const { return solve_stages_in_lanes_of(*this, stages); }
   double cost_of_iteration() const { return cost_of_iteration_in_lanes<MassPoints>; }
   void apply_inverse_mass(In f, Out a) const { a = f * p_.masses.cwiseInverse().asDiagonal(); }
@@ -149,8 +148,8 @@ class MassPoints : public mechanics::Unconstrained {
   }
 
   /// The number of symmetries of the conservative forces. The first symmetries are translations, and the others are
-  /// rotations about axes through c. Internal forces have all these symmetries, and external forces can exclude some.
-  /// Drag has no potential and does not count, although it does not conserve momentum.
+  /// rotations about axes through c. Internal forces have all these symmetries, and external forces can exclude some of
+  /// them. Drag does not change the number, because it has no potential. With drag, the momenta are not constant.
   int n_symmetries() const { return static_cast<int>(translations_.size() + axes_.size()); }
   void symmetry(int i, In q, In v, Out dq, Out dv) const {
     const auto k = static_cast<std::size_t>(i);
@@ -171,7 +170,7 @@ class MassPoints : public mechanics::Unconstrained {
  private:
   Eigen::Index n() const { return p_.masses.size(); }
   static Eigen::Vector3d column(In q, Eigen::Index i, const Eigen::Vector3d& c) { return q.col(i) - c; }
-  /// The unit vector d/|d| up to round-off, or 0 if d = 0. A dashpot of length 0 therefore has no force.
+  /// The unit vector d/|d| up to round-off, or 0 if d = 0. The force of a dashpot of length 0 is therefore 0.
   template <class T>
   static Eigen::Matrix<T, 3, 1> direction(const Eigen::Matrix<T, 3, 1>& d) {
     if constexpr (std::is_same_v<T, double>)

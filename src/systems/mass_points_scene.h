@@ -9,9 +9,9 @@
 ///   length   L = the largest of |q_i − q̄|, of |q_i − c| if c exerts forces, and of the rest lengths of springs
 ///   time     1/ω,  ω² = the largest of GM/L³, μ/L³, |g|/L, k(1/m_i + 1/m_j), k/m_i;  without forces ω = |v|/L
 ///
-/// Here |v| is the largest initial speed. If all the lengths are 0, for example for one point, L is |v|/ω with the ω of
-/// springs and confinement. Without springs and confinement, L is then |v|²/|g|. If these formulas also give 0 or are
-/// not defined, L is 1. If ω = 0, the unit of time is 1.
+/// Here |v| is the largest initial speed. All of the lengths in L can be 0, for example for one point. Then L is |v|/ω
+/// with the ω of springs and confinement, or |v|²/|g| without springs and confinement. If these formulas also give 0 or
+/// are not defined, L is 1. If ω = 0, the unit of time is 1.
 
 #include <fmt/format.h>
 
@@ -70,8 +70,8 @@ struct MassPointsScene {
     visit(s.drag, not_negative,
           About{"Mass points/Drag", "mass/time", "Force against the velocity of each point, per unit of velocity."});
   }
-  /// Converts the rows of springs and dashpots to the given scales. Their columns have several units, so in_scales does
-  /// not convert them.
+  /// Converts the rows of springs and dashpots to the given scales. The columns of a row have several units. Therefore
+  /// in_scales does not convert the rows.
   void rescale(const Scales& scales) {
     for (std::size_t k = 0; k < springs.size(); k += 4) {
       springs[k + 2] /= scales("mass/time^2");
@@ -109,8 +109,8 @@ struct MassPointsScene {
     return refuses_places();
   }
 
-  /// The columns for the points of the scene. For the default values, they are the columns of two points, which the
-  /// documentation uses as an example.
+  /// The columns for the points of the scene. The documentation uses the columns of the default scene, which has two
+  /// points, as an example.
   std::vector<Column> columns() const {
     std::vector<Column> columns;
     add_point_columns(columns, "", "length", "position of point 1; every point i has its xi, yi, zi");
@@ -145,8 +145,8 @@ struct MassPointsScene {
       for (const Eigen::Vector3d& a : {P, L, mean}) row.insert(row.end(), a.begin(), a.end());
       return {};
     }
-    /// The rate of change of a state per unit of time (any_model.h). The motion of the centre of mass does not count,
-    /// unless the centre c exerts forces.
+    /// The rate of change of a state per unit of time (any_model.h). Positions and velocities are relative to the
+    /// centre of mass, unless the centre c exerts forces.
     double rate(const mechanics::State<System>& state) const {
       const auto& p = system.parameters();
       const bool has_center = p.confinement > 0 || p.central_attraction > 0;
@@ -186,11 +186,11 @@ struct MassPointsScene {
     return {rows.data(), 3, static_cast<Eigen::Index>(rows.size() / 3)};
   }
   std::size_t n() const { return masses.size(); }
-  /// The index of a point from its number in a scene, which counts from 1.
+  /// The index of a point, from 0, for its number in a scene, which counts from 1.
   static int index(double number) { return static_cast<int>(number) - 1; }
   double mass(double number) const { return masses[static_cast<std::size_t>(index(number))]; }
   bool has_center() const { return confinement > 0 || central_attraction > 0; }
-  /// The largest initial distance of a mass point from the given point.
+  /// The largest initial distance of a mass point from the point c.
   double spread(const Eigen::Vector3d& c) const {
     return (points(positions).colwise() - c).colwise().norm().maxCoeff();
   }

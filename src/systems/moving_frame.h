@@ -7,18 +7,18 @@
 ///       force  translation  rotation  Coriolis  centrifugal
 ///
 /// The frame has the rotation M_t = exp(t p×) M₀ exp(α(t) n×) with the spin angle α = ν t + ½ν̇t². At t = 0, the
-/// rotation is M₀. The spin about the axis n of the frame has the rate ν at t = 0 and the constant angular acceleration
-/// ν̇. The axis precesses with the angular velocity p in space. In the axes of K, the frame has the angular velocity Ω
-/// and the angular acceleration Ω̇:
+/// rotation is M₀. The spin about the axis n, which is fixed in the frame, has the rate ν at t = 0 and the constant
+/// angular acceleration ν̇. The axis n precesses in space with the angular velocity p. In the axes of K, the frame has
+/// the angular velocity Ω and the angular acceleration Ω̇:
 ///
 ///   Ω = α̇n + u,   Ω̇ = α̈n − α̇ n × u,   u = exp(−α n×)M₀⁻¹p.
 ///
 /// The origin of the frame has the position r = r₀ + ṙ₀t + ½at² + b sin(wt). The acceleration a is constant, and b
 /// sin(wt) is a shaking with the amplitude b and the angular frequency w.
 ///
-/// The forces at rest in space are uniform gravity g, a spring −k(q − c) and an attraction −μ(q − c)/|q − c|³. The
-/// centre of both is c. The forces at rest in the frame are uniform gravity G and springs −diag(K₁, K₂, K₃)(Q − C) to
-/// the centre C.
+/// The forces at rest in space are uniform gravity g, a spring −k(q − c) and an attraction −μ(q − c)/|q − c|³, which
+/// have the same centre c. The forces at rest in the frame are uniform gravity G, and springs −diag(K₁, K₂, K₃)(Q − C)
+/// to the centre C.
 ///
 /// In the inertial frame, the same motion satisfies q̈ = f.
 
@@ -98,8 +98,8 @@ struct FrameForces {
   Eigen::Vector3d frame_center = Eigen::Vector3d::Zero();     // centre C of the springs in the frame
   Eigen::Vector3d frame_stiffness = Eigen::Vector3d::Zero();  // stiffnesses K₁, K₂, K₃ of these springs
 
-  /// Computes the force f in space on the point q, whose position in the frame is Q. The rotation of the frame is M.
-  /// Returns 1 if μ = 0 or if μ/|q − c|³ is finite, otherwise NaN.
+  /// Sets f to the force in space per unit mass on the point q, whose position in the frame is Q. The rotation of the
+  /// frame is M. Returns 1 if μ = 0 or if μ/|q − c|³ is finite, otherwise NaN.
   template <class T>
   T in_space(const Space<T>& q, const Space<T>& Q, const Eigen::Matrix<T, 3, 3>& M, Space<T>& f) const {
     const Space<T> in_frame =
@@ -116,14 +116,14 @@ struct FrameParameters {
   FrameForces forces;
 };
 
-/// The forces, and the pose of the frame at each stage of a Gauss step.
+/// The forces, and the pose of the frame at each stage of a Gauss step. `forces` must exist as long as this object.
 struct FrameOfStages {
   const FrameForces& forces;
   bool moving;  ///< true if the stages have positions in the moving frame, false if in space
   std::array<mechanics::OfStages, FramePose::n_entries> pose;  ///< the entries of FramePose, each at all stages
 };
-/// Computes the poses at the times of the stages once for a step, because the poses do not depend on the state. The
-/// result refers to p.forces.
+/// Computes the poses at the times of the stages. The poses do not depend on the state, so this function is called once
+/// for a step. The result refers to p.forces.
 inline FrameOfStages stages_in_frame(const FrameParameters& p, const mechanics::GaussStages& stages, bool moving) {
   FrameOfStages frame{p.forces, moving, {}};
   for (std::size_t i = 0; i < mechanics::gauss::n_stages; ++i) {
@@ -222,7 +222,7 @@ class InertialFrame {
   Parameters p_;
 };
 
-/// Conversion of states by q = M_t Q + r, q̇ = M_t(Q̇ + Ω × Q) + ṙ (5.49, 5.50), and the inverse conversion.
+/// Conversion of states between the two frames, q = M_t Q + r and q̇ = M_t(Q̇ + Ω × Q) + ṙ (5.49, 5.50).
 inline mechanics::State<InertialFrame> to_inertial(const FrameMotion& frame, const mechanics::State<MovingFrame>& s) {
   const FramePose pose = frame.at(s.t);
   return {s.t, pose.M * s.q + pose.r, pose.M * (s.v + pose.Omega.cross(s.q)) + pose.r_rate};

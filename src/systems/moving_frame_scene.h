@@ -1,8 +1,9 @@
 #pragma once
 /// A point in a moving frame (moving_frame.h; Oliva, Geometric Mechanics, 5.6.7) in parameter files. The program
 /// integrates either the equation for the position Q in the frame, with inertial forces, or the equation for the
-/// position q in space. Both forms write the same columns. Let U be the potential of all forces, including the forces
-/// at rest in the frame. With the angular velocity Ω and the origin r of the frame, the two energies are
+/// position q in space. Both forms write the same columns. Let U be the potential of all forces per unit mass,
+/// including the forces at rest in the frame. With the angular velocity Ω and the origin r of the frame, the two
+/// energies per unit mass are
 ///
 ///   E = ½|q̇|² + U                      constant if all forces are at rest in space,
 ///   J = ½|Q̇|² + U − ½|Ω × Q|²          (Jacobi) constant if Ω is constant, r̈ = 0, and all forces rest in the frame.
@@ -65,7 +66,7 @@ struct MovingFrameScene {
           About{"Moving frame/Frame centre", "length", "Point of the frame at which its springs have no force."});
   }
 
-  /// The unit of mass is 1, and that of length is typical_length. The unit of time is the reciprocal of the largest
+  /// The unit of mass is 1, and the unit of length is typical_length. The unit of time is the reciprocal of the largest
   /// rate of forces, frame and initial motion, or 1 if all rates are zero.
   Scales scales() const {
     const double force_rate =
@@ -110,8 +111,8 @@ struct MovingFrameScene {
     return columns;
   }
 
-  /// Appends the values of all columns for a state, which is given in the frame and in space. Fails if
-  /// MovingFrame::terms fails.
+  /// Appends the values of all columns. `relative` and `inertial` are the same state in the frame and in space. Fails
+  /// if MovingFrame::terms fails.
   static mechanics::Status append(const FrameParameters& p, const mechanics::State<MovingFrame>& relative,
                                   const mechanics::State<InertialFrame>& inertial, std::vector<double>& row) {
     RelativeTerms terms;
@@ -152,11 +153,11 @@ struct MovingFrameScene {
   }
 
  private:
-  /// The scale of length. Let |v| be the initial speed and |a| the largest given acceleration. Let T be the reciprocal
-  /// of the largest given rate. Without such a rate, T is |v|/|a|, or 1 if |v| or |a| is zero. The scale is the first
+  /// The unit of length. Let |v| be the initial speed and |a| the largest given acceleration. Let T be the reciprocal
+  /// of the largest given rate. Without such a rate, T is |v|/|a|, or 1 if |v| or |a| is zero. The unit is the first
   /// positive number of a list. The list begins with the initial distance from the origin of the frame and the
   /// amplitude of shaking. If the frame has springs to the point C, |C| follows. The list continues with T|v|, T²|a|,
-  /// the distance from a centre of force, and T|ṙ₀| with the velocity ṙ₀ of the origin. The list ends with 1.
+  /// the distance from a centre of force in space, and T|ṙ₀| with the velocity ṙ₀ of the origin. The list ends with 1.
   double typical_length(double given_rate, double speed, double acceleration) const {
     const double time = given_rate > 0 ? 1 / given_rate : speed > 0 && acceleration > 0 ? speed / acceleration : 1;
     return first_positive({norm(position), norm(shaking), norm(frame_stiffness) > 0 ? norm(frame_center) : 0,

@@ -1,10 +1,9 @@
 #pragma once
-/// Rigid body on k × SO(3) (Oliva, Geometric Mechanics, 5.6.19), with the Euclidean space k. Constraints keep the body
-/// on this manifold in the vector space of the matrices q = [R | x]. The body point ξ has the position x(ξ) = Rξ + x. A
-/// fixed point is the origin of the body and of space, and the column x is then absent. Without a fixed point, the
-/// origin of the body is the centre of mass (5.101). For the mass m, the inertia operator A and external forces df, the
-/// kinetic energy K and the equations of motion are
-///
+/// Rigid body on k × SO(3) (Oliva, Geometric Mechanics, 5.6.19), with the Euclidean space k. The configurations are
+/// matrices q = [R | x], and constraints keep R in SO(3). The body point ξ has the position x(ξ) = Rξ + x. A fixed
+/// point is the origin of the body and of space, and the column x is then absent. Without a fixed point, the origin of
+/// the body is the centre of mass (5.101). For the mass m, the inertia operator A and external forces df, the kinetic
+/// energy K and the equations of motion are
 ///   K = ½tr(ṘE₀Ṙᵀ) + ½m|ẋ|²   (5.98),   E₀ = ∫ξξᵀdm,   A = tr(E₀)Id − E₀
 ///   [R̈E₀ | mẍ] = ∫df ξ̃ᵀ + [RΛ | 0],   RᵀR = Id,   ξ̃ = (ξ, 1), or ξ with a fixed point
 ///
@@ -43,9 +42,9 @@ class RigidBody {
     BodyLoads loads{};
   };
 
-  /// Fails with the reason if this body cannot have the form of matrices of GL⁺(3). The least eigenvalue of the second
-  /// moment E₀ must be above 1e-12 times the largest one, and the mass positive. Without a fixed point, the centre of
-  /// mass must be the origin.
+  /// Fails with the reason if the equations of this file do not apply to the body. The least eigenvalue of the second
+  /// moment E₀ must be above 1e-12 times the largest eigenvalue, and the mass must be positive. Without a fixed point,
+  /// the centre of mass must be the origin.
   static mechanics::Status accepts(const Parameters& p) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(p.E0, Eigen::EigenvaluesOnly);
     const Eigen::Vector3d& e = solver.eigenvalues();
@@ -85,7 +84,7 @@ class RigidBody {
     f.template leftCols<3>() = turning;
   }
 
-  /// Computes the six constraints. Fails if det R is not positive and finite, because the constraints do not exclude
+  /// Sets g to the six constraints. Fails if det R is not positive and finite, because the constraints do not exclude
   /// reflections.
   mechanics::Status constraint(const Vector& q, Multiplier& g) const {
     const Eigen::Matrix3d R = rotation(q);
@@ -108,8 +107,8 @@ class RigidBody {
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
-  /// Solves S λ = r for the six multipliers, with S = G(q₁)M⁻¹G(q₀)ᵀ. Fails if the elimination does not give finite
-  /// numbers, for example because the rotations R₁ and R₀ differ by a right angle.
+  /// Solves S λ = r for the six multipliers, with S = G(q₁)M⁻¹G(q₀)ᵀ (head of this file). Fails if the elimination does
+  /// not give finite numbers, for example because the rotations R₁ and R₀ differ by a right angle.
   mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     const Eigen::Matrix3d B = rotation(q1).transpose() * rotation(q0);
@@ -132,8 +131,8 @@ class RigidBody {
     return p_.loads.potential_energy([&](const Eigen::Vector3d& xi) { return place(q, xi); });
   }
 
-  /// The number of symmetries. The first symmetries are translations. The others are rotations of space about axes
-  /// through the origin of space.
+  /// The number of symmetries. The first symmetries are translations of space, and the others are rotations of space
+  /// about axes through the origin of space (body_symmetries.h).
   int n_symmetries() const {
     return static_cast<int>(symmetries_.translations.size() + symmetries_.turns_of_space.size());
   }
@@ -157,7 +156,7 @@ class RigidBody {
     if constexpr (!has_fixed_point) x += q.col(3);
     return x;
   }
-  /// The angular velocity Ω in the body. It satisfies RᵀṘ = Ω×.
+  /// The angular velocity Ω in the axes of the body, which satisfies RᵀṘ = Ω×.
   static Eigen::Vector3d body_angular_velocity(const Vector& q, const Vector& v) {
     return -0.5 * mechanics::axial_vector(rotation(q).transpose() * rotation(v));
   }

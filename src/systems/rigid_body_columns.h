@@ -1,7 +1,7 @@
 #pragma once
 /// The columns of a rigid body. R is the rotation, Ω the angular velocity in the body, and A the inertia operator. The
-/// mass is m, and the centre of mass is at x. The columns have the angular velocity ω and the angular momentum J in
-/// space, the kinetic energy K and the potential energy V:
+/// mass is m, and the centre of mass has the position x. The columns have the angular velocity ω and the angular
+/// momentum J in space, the kinetic energy K and the potential energy V:
 ///
 ///   ω = RΩ,   J = RAΩ (+ m x × ẋ of a free body),   K = ½Ω·AΩ (+ ½m|ẋ|²),   V the potential of weight and springs.
 
@@ -26,8 +26,8 @@ struct BodyMotion {
 /// Computes the columns from a motion, in the same way for every form of the equations.
 class BodyObserver {
  public:
-  /// A is the inertia operator about the fixed point. If the body does not have a fixed point, A is the operator about
-  /// the centre of mass. With a fixed point, ½Ω·AΩ is the whole kinetic energy. Otherwise ½m|ẋ|² is added.
+  /// A is the inertia operator about the fixed point, or about the centre of mass if the body does not have a fixed
+  /// point. With a fixed point, the kinetic energy is ½Ω·AΩ. Otherwise ½m|ẋ|² is added.
   BodyObserver(const Eigen::Matrix3d& A, const BodyLoads& loads, bool fixed_point)
       : A_(A), loads_(loads), fixed_point_(fixed_point) {}
 

@@ -2,8 +2,8 @@
 /// The rigid body in parameter files. Three forms give the same motion: matrices of GL⁺(3) with six constraints
 /// (rigid_body.h), Euler's equation on quaternions (euler_top.h), and Lagrange's equations in Euler angles
 /// (lagrange_top.h). A fixed point is the origin of the body and of space. Without a fixed point, the origin of the
-/// body is the centre of mass. The forms of Euler and Lagrange then use the exact motion of the centre of mass, x = x₀
-/// + v₀t + ½gt². Here g is the acceleration of gravity, and x₀ and v₀ are the initial position and velocity.
+/// body is the centre of mass. The forms of Euler and Lagrange then use the exact motion x = x₀ + v₀t + ½gt² of the
+/// centre of mass. Here g is the acceleration of gravity, and x₀ and v₀ are the initial position and velocity.
 ///
 /// The scales are the mass m, the length L = √(tr E₀/m) and the time 1/ω, with the second moment E₀. With the initial
 /// angular velocity Ω, the stiffness k of the springs, the centre of mass G and its initial velocity v,
@@ -30,8 +30,8 @@
 namespace pseudorigid::systems {
 
 /// The potential landscape of a body on SO(3). The mass matrix of a flat body is singular in the space of the matrices
-/// q. The additional term GᵀG, with the derivative G of the constraints, makes the mass matrix regular. This term does
-/// not change the kinetic energy of motions on SO(3), because these motions satisfy G q̇ = 0.
+/// q. This class adds GᵀG with the derivative G of the constraints, which makes the mass matrix regular. The added term
+/// does not change the kinetic energy of motions on SO(3), because these motions satisfy G q̇ = 0.
 struct RotationLandscape : mechanics::ConstrainedLandscape<FixedPointBody> {
   using mechanics::ConstrainedLandscape<FixedPointBody>::ConstrainedLandscape;
   void mass(const Eigen::VectorXd& q, Eigen::MatrixXd& M) const {
@@ -103,8 +103,8 @@ struct RigidBodyScene {
     visit(s.velocity, scene::Numbers{3},
           About{"Rigid body/Velocity", "length/time", "Initial velocity of the centre of mass of a free body."});
   }
-  /// Converts the rows of points and springs to the given scales. Their columns have several units, so in_scales does
-  /// not convert them.
+  /// Converts the rows of points and springs to the given scales. The columns of a row have several units. Therefore
+  /// in_scales does not convert the rows.
   void rescale(const Scales& scales) {
     for (std::size_t k = 0; k < points.size(); k += n_point_columns) {
       for (std::size_t j : {0, 1, 2}) points[k + j] /= scales("length");
@@ -159,8 +159,8 @@ struct RigidBodyScene {
                       row);
       return {};
     }
-    /// The rate of change of the rotation per unit of time (any_model.h). The motion of the centre of mass does not
-    /// count.
+    /// The rate of change of the rotation per unit of time (any_model.h). The motion of the centre of mass has no
+    /// effect on the rate.
     double rate(const mechanics::State<System>& state) const {
       return mechanics::max_norm(System::rotation(state.v)) / (1 + mechanics::max_norm(System::rotation(state.q)));
     }
@@ -175,8 +175,7 @@ struct RigidBodyScene {
     System system;
     mechanics::State<System> initial;
     BodyObserver observer;
-    /// The same body in the form with constraints. Its loads give the columns, and its landscape is that of rotations
-    /// about the origin of the body.
+    /// The same body in the form with constraints. The columns use its loads, and the landscape is its landscape.
     FixedPointBody body;
     bool fixed_point;
     Eigen::Vector3d x, velocity;  ///< initial position and velocity of the centre of mass of a free body
@@ -221,7 +220,8 @@ struct RigidBodyScene {
   static Eigen::Matrix3d matrix(const scene::Matrix3& rows) {
     return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows[0].data());
   }
-  /// The given matrix after one step of Newton's iteration for RᵀR = Id, which reduces an error of 1e-8 to round-off.
+  /// The matrix of the entry Rotation after one step of Newton's iteration for RᵀR = Id. The step reduces an error of
+  /// 1e-8 to round-off.
   Eigen::Matrix3d nearest_rotation() const {
     const Eigen::Matrix3d R = matrix(rotation);
     return R + 0.5 * R * (Eigen::Matrix3d::Identity() - R.transpose() * R);
@@ -232,7 +232,7 @@ struct RigidBodyScene {
       list.push_back({{points[k], points[k + 1], points[k + 2]}, points[k + 3]});
     return MassDistribution::of_points(list);
   }
-  /// Mass, centre of mass and second moment about the origin of the body.
+  /// Mass, centre of mass and second moment about the origin of the body, from the entries of the scene.
   MassDistribution distribution() const {
     if (points.empty()) return {mass, vector(center), second_moment(matrix(inertia))};
     const MassDistribution given = distribution_of_points();
@@ -253,7 +253,7 @@ struct RigidBodyScene {
     }
     return loads;
   }
-  /// The coordinates of the landscape: the entries of q in memory order, column by column.
+  /// The coordinates of the landscape: the entries of q column by column.
   static std::vector<Column> body_coordinates(bool has_fixed_point) {
     std::vector<Column> columns;
     for (int j = 1; j <= 3; ++j)
@@ -262,8 +262,8 @@ struct RigidBodyScene {
     return columns;
   }
 
-  /// The rotation nearest to R, as the text of a matrix. It is the polar factor of R. R must be close to a rotation, so
-  /// that Newton's iteration converges to this factor.
+  /// The rotation nearest to R, which is the polar factor of R, as the text of a matrix. R must be close to a rotation,
+  /// because Newton's iteration then converges to this factor.
   static std::string nearest_rotation_to(Eigen::Matrix3d R) {
     for (int i = 0; i < 10; ++i) R = (0.5 * (R + R.inverse().transpose())).eval();
     scene::Matrix3 rows;
@@ -271,8 +271,8 @@ struct RigidBodyScene {
       for (std::size_t j = 0; j < 3; ++j) rows[i][j] = R(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
     return scene::print_matrix(rows);
   }
-  /// Refuses a matrix that is not orthogonal; `off` is the largest entry of |RᵀR − Id|. The nearest rotation is
-  /// recommended if `off` is less than 0.1 and det R > 0.
+  /// Returns the refusal of a matrix that is not orthogonal; `off` is the largest entry of |RᵀR − Id|. The message
+  /// recommends the nearest rotation if `off` is less than 0.1 and det R > 0.
   static Refusal refuses_rotation(const Eigen::Matrix3d& R, double off) {
     constexpr double near = 0.1;
     return {"Rigid body/Rotation", fmt::format("expected a rotation, R^T R = identity to 1e-8, got R^T R off by {}",
@@ -291,9 +291,9 @@ struct RigidBodyScene {
     return {};
   }
 
-  /// Refuses an inertia that is not symmetric, and one that no body with this mass and centre of mass has. Also refuses
-  /// a singular inertia operator. In the constrained form it refuses the inertia of a flat body as well, because the
-  /// second moment is then singular.
+  /// Refuses an inertia that is not symmetric, and an inertia that no body with this mass and centre of mass has. Also
+  /// refuses a singular inertia operator. In the constrained form, the function also refuses the inertia of a flat
+  /// body, because its second moment is singular.
   std::optional<Refusal> refuses_inertia() const {
     constexpr double round_off = 1e-12;
     const char* const inertia_path = points.empty() ? "Rigid body/Inertia" : "Rigid body/Points";
@@ -322,16 +322,16 @@ struct RigidBodyScene {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(A, Eigen::EigenvaluesOnly).eigenvalues();
   }
 
-  /// Refuses a position or a velocity other than 0 for a body with a fixed point. Also refuses the cases of
-  /// refuses_springs.
+  /// Refuses a position or a velocity other than 0 for a body with a fixed point, and the springs that refuses_springs
+  /// refuses.
   std::optional<Refusal> refuses_place() const {
     for (const auto& [path, x] : {std::pair("Rigid body/Position", &position), {"Rigid body/Velocity", &velocity}})
       if (!vector(*x).isZero(0))
         return Refusal{path, fmt::format("expected 0, 0, 0 where Fixed point = true, got {}", scene::print_row(*x))};
     return refuses_springs(Eigen::Vector3d::Zero());
   }
-  /// Refuses a centre of mass of a free body that is not its origin. Also refuses springs in the forms of Euler and
-  /// Lagrange, and the cases of refuses_springs.
+  /// Refuses a free body whose centre of mass is not its origin. Also refuses any springs in the forms of Euler and
+  /// Lagrange, and the springs that refuses_springs refuses.
   std::optional<Refusal> refuses_free() const {
     if (!vector(center).isZero(0))
       return Refusal{
@@ -345,8 +345,8 @@ struct RigidBodyScene {
                      {{{"Rigid body/Form", "constrained"}}}};
     return refuses_springs(vector(position));
   }
-  /// Refuses a negative stiffness or rest length, and a spring with a rest length whose initial length is 0. The
-  /// initial position of the origin of the body is x.
+  /// Refuses a negative stiffness or rest length, and a spring with a rest length whose initial length is 0. x is the
+  /// initial position of the origin of the body.
   std::optional<Refusal> refuses_springs(const Eigen::Vector3d& x) const {
     std::size_t row = 0;
     for (const BodySpring& spring : loads().springs) {

@@ -1,7 +1,7 @@
 #pragma once
-/// Checks of the sizes of numbers in a scene. Products of four numbers between 10⁻⁷⁰ and 10⁷⁰ do not overflow or
-/// underflow. In a valid scene, the scales are in this range, and the units of the columns are finite and not zero. In
-/// these scales, the entries are in this range or zero, and the initial state is finite.
+/// Checks of the sizes of numbers in a scene. The permitted range is 10⁻⁷⁰ to 10⁷⁰, because products of four such
+/// numbers do not overflow or underflow. In a valid scene, the scales are in this range, and the units of the columns
+/// are finite and not zero. In these scales, the entries are in this range or zero, and the initial state is finite.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace detail {
 
 inline constexpr double largest_size = 1e70;
 
-/// True if x = 0 or if |x| is between 1/largest_size and largest_size.
+/// Returns true if x = 0 or if |x| is in the range from 1/largest_size to largest_size.
 inline bool sound(double x) { return x == 0 || (std::abs(x) >= 1 / largest_size && std::abs(x) <= largest_size); }
 
 /// Calls visitor(path, x) for each number x in the entries.
@@ -33,7 +33,7 @@ void visit_numbers(SystemScene& system, Visitor&& visitor) {
   });
 }
 
-/// True if the scales are in the range, and the units of the columns are finite and not zero or subnormal.
+/// Returns true if the scales are in the range, and the units of the columns are finite and not zero or subnormal.
 template <class SystemScene>
 bool has_sound_units(const SystemScene& system, const Scales& scales) {
   for (const double unit : {scales.length, scales.mass, scales.time})
@@ -42,8 +42,8 @@ bool has_sound_units(const SystemScene& system, const Scales& scales) {
                              [&](const Column& column) { return std::isnormal(scales(column.unit)); });
 }
 
-/// The entry with the number farthest from 1, that is, with the largest |log₁₀ |x||. Zeros do not count. If there are
-/// numbers outside the range, only these count, and `sound` is false. The path is empty if all numbers are zero.
+/// The entry with the number x whose |log₁₀ |x|| is largest. Zeros do not count. If there are numbers outside the
+/// range, only these count, and `sound` is false. The path is empty if all numbers are zero.
 struct Farthest {
   std::string path;
   double number = 1;
@@ -67,7 +67,7 @@ Farthest farthest_number(SystemScene system) {
 /// Refuses a scene with numbers outside the range, or with an initial state that is not finite. The refusal names the
 /// entry with the number farthest from 1. If a number in the scales of the scene is outside the range, the refusal
 /// shows the number in these scales. Otherwise it shows the number in the units of the user. The function
-/// `starts_finite` receives the system in the scales of the scene, and returns whether its initial state is finite.
+/// `starts_finite` receives the system in the scales of the scene, and returns true if its initial state is finite.
 template <class SystemScene, class StartsFinite>
 std::optional<Refusal> refuses_sizes(SystemScene system, const StartsFinite& starts_finite) {
   const Scales scales = system.scales();

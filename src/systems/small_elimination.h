@@ -1,7 +1,7 @@
 #pragma once
 /// Gaussian elimination without pivoting for a small dense system S x = r, unrolled by the compiler. The method is
-/// stable for a matrix S close to a symmetric positive definite one. An example is G(q₁)M⁻¹G(q₀)ᵀ with the derivative G
-/// of constraints and the mass operator M. The configurations q₁ and q₀ are then close to each other.
+/// stable for a matrix S close to a symmetric positive definite matrix. An example is G(q₁)M⁻¹G(q₀)ᵀ with the
+/// derivative G of constraints and the mass operator M. The configurations q₁ and q₀ must then be close to each other.
 
 #include <Eigen/Core>
 #include <cmath>

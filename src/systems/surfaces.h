@@ -28,8 +28,8 @@ T between_poles(const T& theta) {
   return min(T(theta - margin), T(std::numbers::pi - margin - theta));
 }
 
-/// The sphere x = R (sin θ cos φ, sin θ sin φ, cos θ) with ds² = R² (dθ² + sin²θ dφ²). The chart is singular at the
-/// poles.
+/// The sphere x = R (sin θ cos φ, sin θ sin φ, cos θ) with the coordinates q = (θ, φ) and ds² = R² (dθ² + sin²θ dφ²).
+/// The chart is singular at the poles.
 struct Sphere {
   static constexpr int dimension = 2;
   double R = 1;
@@ -56,8 +56,8 @@ struct Sphere {
   Eigen::Vector2d periods() const { return {0, 2 * std::numbers::pi}; }
 };
 
-/// The torus of revolution about the x axis (5.8.8). Its points are x = (r sin w, ρ sin u, ρ cos u) with ρ = R + r cos
-/// w. Its metric is ds² = r² dw² + ρ² du².
+/// The torus of revolution about the x axis (5.8.8) with the coordinates (w, u). Its points are x = (r sin w, ρ sin u,
+/// ρ cos u) with ρ = R + r cos w. Its metric is ds² = r² dw² + ρ² du².
 ///
 /// The circles w = 0 (outside) and w = π (inside) are invariant under a reflection. A motion that starts along such a
 /// circle remains on the circle by symmetry. In floating-point arithmetic, this motion remains on the circle if the
@@ -96,8 +96,8 @@ class TorusCircle {
   double half_turns_;
 };
 
-/// The ellipsoid x = (a sin θ cos φ, b sin θ sin φ, c cos θ) with any semi-axes a, b, c. The chart is singular at the
-/// poles.
+/// The ellipsoid x = (a sin θ cos φ, b sin θ sin φ, c cos θ) with the coordinates q = (θ, φ) and any semi-axes a, b, c.
+/// The chart is singular at the poles.
 struct Ellipsoid {
   static constexpr int dimension = 2;
   double a = 1, b = 1, c = 1;
@@ -126,7 +126,8 @@ struct Ellipsoid {
   Eigen::Vector2d periods() const { return {0, 2 * std::numbers::pi}; }
 };
 
-/// The paraboloid z = (k/2)(x² + y²) over the whole plane, with the metric g = Id + k² (x, y)(x, y)ᵀ.
+/// The paraboloid z = (k/2)(x² + y²) over the whole plane, with the coordinates (x, y) and the metric g = Id + k² (x,
+/// y)(x, y)ᵀ.
 struct Paraboloid {
   static constexpr int dimension = 2;
   double k = 1;

@@ -51,7 +51,7 @@ using scene::Unit;
 struct Scales {
   double length = 1, mass = 1, time = 1;
 
-  /// The size of `unit` in the units of the user. Division by this number converts a quantity of the user to the
+  /// The size of `unit` in the units of the user. A quantity of the user divided by this number is the quantity in the
   /// scales.
   double operator()(scene::Unit unit) const {
     double product = 1;
@@ -88,7 +88,8 @@ requires(std::is_enum_v<Word> || std::is_integral_v<Word> ||
 
 }  // namespace detail
 
-/// The entries of a system in a scene that read_scene returned.
+/// The values of the entries of a system in a scene that read_scene returned. Entries that the scene does not contain
+/// have their defaults.
 template <class SystemScene>
 SystemScene system_scene(const scene::Scene& scene) {
   SystemScene system;
@@ -100,7 +101,7 @@ SystemScene system_scene(const scene::Scene& scene) {
 }
 
 /// The system with its entries divided by their units in the scales. An entry whose columns have several units (Rows)
-/// has the unit "". The member function `rescale(scales)` of the system scales such entries.
+/// has the unit "". If the system has a member function `rescale(scales)`, this function then converts such entries.
 template <class SystemScene>
 SystemScene in_scales(SystemScene system, const Scales& scales) {
   SystemScene::visit(

@@ -1,8 +1,8 @@
 #pragma once
 /// Systems whose fields are compiled for the eight stages of a Gauss step at once (gauss_system_kernels.cpp). To add a
 /// chart, write its functions over any scalar type, add the type to `SystemKernels`, and include its header in
-/// gauss_system_kernels.cpp. For any other system, also write a struct of its numbers and, in that file, its field over
-/// any scalar and an overload of `solve`.
+/// gauss_system_kernels.cpp. To add any other system, also write a struct of its numbers. Then add its field over any
+/// scalar type and an overload of `solve` to gauss_system_kernels.cpp.
 ///
 /// The types passed to the kernels must have the same memory layout for every instruction set. Eigen's types with the
 /// alignment of double meet this condition. Matrices in arrays are stored by columns, as in Eigen.
@@ -79,18 +79,20 @@ using SystemKernels = StageSolvers<TopOfStages, PendulumOfStages, DoublePendulum
                                    Torus, Sphere, TorusSurface, Ellipsoid, Paraboloid, HyperbolicHalfPlane,
                                    SphericalPendulumOfStages, FrameOfStages, MassPoints>;
 
-/// Returns the builds of the kernels for several instruction sets, the fastest first. The build system generates this
-/// function.
+/// Returns the builds of the kernels for several instruction sets, the fastest first. A source file that CMake
+/// generates defines this function.
 std::span<const mechanics::KernelBuild<SystemKernels>> builds_of_system_kernels();
 
-/// The kernels that this process uses. Throws mechanics::NoKernels if none can run.
+/// The kernels that this process uses. Throws mechanics::NoKernels if no build can be chosen
+/// (mechanics/core/kernel_builds.h).
 inline const SystemKernels& system_kernels() {
   static const SystemKernels& kernels = *mechanics::choose_build(builds_of_system_kernels()).table;
   return kernels;
 }
 
-/// Solves for the stages, as StageSolver describes. S must be one of the types of SystemKernels. A type derived from
-/// one of them is not accepted, because its field may differ. Throws mechanics::NoKernels if no kernel can run.
+/// Solves for the stages. If the result is false, the stages must be evaluated one by one. S must be one of the types
+/// of SystemKernels. A type derived from one of these types is not accepted, because its field may differ. Throws
+/// mechanics::NoKernels as system_kernels does.
 template <class S>
 requires(SystemKernels::has<S>) bool solve_stages_in_lanes_of(const S& system, mechanics::GaussStages& stages) {
   return std::get<StageSolver<S>>(system_kernels().of)(system, stages);
@@ -101,7 +103,7 @@ requires(SystemKernels::has<S>) bool solve_stages_in_lanes_of(const S& system, m
 /// the time of a stage of rattle-8 or symmetric-8. These quotients are 110/349 for the double pendulum, 388/125 for
 /// mass points, and 61/158 for the spherical pendulum. For the other systems, the cost is twice the time of an
 /// iteration divided by the time of a force evaluation of explicit-8. For charts, the time of an iteration divided by
-/// that of an evaluation is between 72/99 and 590/480.
+/// the time of an evaluation is between 72/99 and 590/480.
 template <class S>
 inline constexpr double cost_of_iteration_in_lanes = 2;
 template <>

@@ -7,7 +7,7 @@
 
 namespace pseudorigid::systems {
 
-/// The scenes of the systems, in the order in which the documentation lists them.
+/// The scenes of all systems other than the ball, in the order of the documentation.
 const std::vector<AnySystemScene>& system_table();
 
 }  // namespace pseudorigid::systems

@@ -1,7 +1,7 @@
 #pragma once
 /// A heavy particle of unit mass on a rough torus (Oliva, Geometric Mechanics, 5.8.8), with strong dissipation. The
-/// angles are w around the tube and u around the axis. For R = 3 and r = 1, the position q, the metric, the friction D
-/// and the potential V are
+/// angles are w around the tube and u around the axis. The torus has the radius R of the circle in the middle of the
+/// tube and the tube radius r. For R = 3 and r = 1, the position q, the metric, the friction D and the potential V are
 ///
 ///   q = (sin w, (3 + cos w) sin u, (3 + cos w) cos u),   metric dw² + (3 + cos w)² du²,
 ///   D(v) = −c(q) (v + β ⟨v, e⟩ e),   c(q) = c (1 + a cos w + b cos u),   e = cos γ e_w + sin γ e_u,
@@ -35,13 +35,13 @@ struct Torus : TorusSurface {
     const SpacePoint<T> x = embedding(q);
     return gravity * (std::sin(tilt) * x[0] + std::cos(tilt) * x[2]);
   }
-  /// The factor c(q). The first coordinate is w − w₀ as in TorusSurface.
+  /// The factor c(q) of the friction. The first coordinate of q is w − w₀ as in TorusSurface.
   template <class T>
   T damping(const SurfacePoint<T>& q) const {
     using std::cos;
     return c * (1.0 + c_w * outward * cos(q[0]) + c_u * cos(q[1]));
   }
-  /// The components of the friction D(v) in the coordinates (w, u).
+  /// The components of the friction D(v) in the coordinates (w, u), for the velocity v = (ẇ, u̇).
   template <class T>
   SurfacePoint<T> dissipation(const SurfacePoint<T>& q, const SurfacePoint<T>& v) const {
     using std::cos;

@@ -67,9 +67,9 @@ struct TorusScene {
     visit(s.rates, scene::Numbers{2}, About{"Torus/Rates", "1/time", "Initial rates of the angles."});
   }
 
-  /// The unit of length is the tube radius r, and that of mass is 1. Let g be the acceleration of gravity. The unit of
-  /// time is the smaller of √(r/g) and the reciprocal of the largest absolute value of an initial rate. Without gravity
-  /// and at rest, it is 1.
+  /// The unit of length is the tube radius r, and the unit of mass is 1. Let g be the acceleration of gravity. The unit
+  /// of time is the smaller of √(r/g) and the reciprocal of the largest absolute value of an initial rate. Without
+  /// gravity and at rest, it is 1.
   Scales scales() const {
     const double rate = std::max({std::sqrt(gravity / r), std::abs(rates[0]), std::abs(rates[1])});
     return {r, 1, rate > 0 ? 1 / rate : 1};

@@ -17,8 +17,8 @@ namespace {
 
 using mechanics::FigureFamily, mechanics::FigureMember, mechanics::SpecialFigure;
 
-/// The small motions about a figure are computed in a basis of n_eigenvectors_of_figure eigenvectors of each parity. The
-/// difference from the rates in a basis of n_fewer_eigenvectors is regarded as a bound of the error that the basis
+/// The small motions about a figure are computed in a basis of n_eigenvectors_of_figure eigenvectors of each parity.
+/// The difference from the rates in a basis of n_fewer_eigenvectors is regarded as a bound of the error that the basis
 /// causes.
 constexpr int n_fewer_eigenvectors = 6;
 
