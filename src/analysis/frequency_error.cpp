@@ -11,8 +11,8 @@ namespace {
 double record_length(const FrequencyFit& fit) { return 2 * std::numbers::pi * fit.cycles / fit.dominant().frequency; }
 
 /// The bound (3/2) ε/(A T) of the error of the frequency, which frequency_error.h derives. A is the amplitude of the
-/// dominant line, and T is the length of the record. Let e bound the error of every entry of Q. Then ε = max_t (|q_i|₁
-/// + |q_j|₁) e bounds the error of C_ij, with the columns q_i, q_j of Q and `entry` = (i, j).
+/// dominant line, and T is the length of the record. Let e bound the error of every entry of Q. Then ε = max_t
+/// (|q_i|₁ + |q_j|₁) e bounds the error of C_ij, with the columns q_i, q_j of Q and `entry` = (i, j).
 double error_of_phase(const FrequencyFit& fit, const Deformation& deformation, std::pair<int, int> entry, double e) {
   constexpr double of_growing_phase = 1.5;
   const auto [i, j] = entry;

@@ -108,9 +108,9 @@ std::optional<double> momentum_drift(const io::Table& table, const std::vector<s
 std::vector<std::string> columns_of_angular_momentum(const io::Table& table);
 
 /// Reference value for angular momenta or circulations: the largest norm of `momenta`. If this norm is round-off, the
-/// reference is the product m̄|Q||Q̇| at the sample with the largest |Q̇|. Here m̄ follows from the kinetic energy K =
-/// ½m̄|Q̇|². At that sample, the norms of the angular momentum and of the circulation are at most √2 times the product.
-/// If the table lacks the columns of Q, Q̇ or K, the reference is the largest norm.
+/// reference is the product m̄|Q||Q̇| at the sample with the largest |Q̇|. Here m̄ follows from the kinetic energy
+/// K = ½m̄|Q̇|². At that sample, the norms of the angular momentum and of the circulation are at most √2 times the
+/// product. If the table lacks the columns of Q, Q̇ or K, the reference is the largest norm.
 double momentum_reference(const io::Table& table, const std::vector<Eigen::Vector3d>& momenta);
 
 /// A body spins if its angular momentum or its circulation exceeds this fraction of m̄|Q||Q̇|. Smaller values are

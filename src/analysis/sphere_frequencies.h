@@ -1,8 +1,8 @@
 #pragma once
 /// Exact angular frequencies ω of the elastic sphere (Lamb 1882; Eringen and Şuhubi, Elastodynamics II, 8.14). The
-/// unknown is x = ωr/c, with the radius r and the speed c of shear waves. With the speed c_p of pressure waves, y =
-/// ωr/c_p = x c/c_p. For the degree n, N = n(n+1). The spherical Bessel functions j_n and their derivatives j_n' have
-/// the argument x if none is written. The equations are
+/// unknown is x = ωr/c, with the radius r and the speed c of shear waves. With the speed c_p of pressure waves,
+/// y = ωr/c_p = x c/c_p. For the degree n, N = n(n+1). The spherical Bessel functions j_n and their derivatives j_n'
+/// have the argument x if none is written. The equations are
 ///
 ///   toroidal                   x j_n' − j_n = 0,        j_n' = j_{n−1} − (n+1)/x j_n
 ///   spheroidal, incompressible [2n(n−1) − x² + γ n k_n][(2N − 2 − x²) j_n − 2x j_n']
