@@ -19,8 +19,8 @@ namespace pseudorigid::analysis {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
-/// The tables r of the model and c of the reference, their errors, and the comparison to which the functions below add
-/// series.
+/// The data of a comparison: the tables r of the model and c of the reference, their errors, and the result `out`, to
+/// which the functions of this file add series.
 struct Workshop {
   const io::Table& r;
   const io::Table& c;
@@ -28,13 +28,14 @@ struct Workshop {
   const ComparisonOptions& options;
   Comparison out;
 
-  /// Whether both tables have the columns. If not, `what` and the first missing column are added to `out.not_compared`.
+  /// Whether both tables have the columns. If not, adds the name `what` of the quantity and the first missing column to
+  /// `out.not_compared`.
   bool available(std::string_view what, const Columns& columns) {
     return has(r, out.model, what, columns) && has(c, out.reference, what, columns);
   }
 
-  /// Whether `table`, which belongs to `model`, has the columns. If not, adds `what` and the first missing column to
-  /// `out.not_compared`.
+  /// Whether the table of `model` has the columns. If not, adds the name `what` of the quantity and the first missing
+  /// column to `out.not_compared`.
   bool has(const io::Table& table, const ModelSummary& model, std::string_view what, const Columns& columns) {
     const auto lacks = [&table](const std::string& name) { return !table.has_column(name); };
     const auto missing = std::ranges::find_if(columns, lacks);
@@ -43,7 +44,8 @@ struct Workshop {
     return false;
   }
 
-  /// Adds the series of values/reference, with its maximum and root mean square. The quotient is 0 if the value is 0.
+  /// Adds the series of the quotients values/reference, with its maximum and root mean square. A quotient is 0 if its
+  /// value is 0, even if `reference` is 0.
   void add(std::string name, double reference, std::vector<double> values) {
     Series s{.name = std::move(name), .reference = reference, .values = std::move(values)};
     double squares = 0;
@@ -99,8 +101,8 @@ std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable
 FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference) {
   const double a = model.frequency.dominant().frequency, b = reference.frequency.dominant().frequency;
   const ErrorBar &of_a = model.frequency_error, &of_b = reference.frequency_error;
-  // With the bounds δa and δb of the errors, the largest value of (a ± δa)/(b ± δb) has the denominator b − δb. If δb
-  // exceeds b/2, the ratio is not determined anyway, and b/2 is used as the denominator.
+  // The frequencies are a ± δa and b ± δb with the bounds δa, δb of their errors. The largest possible ratio has the
+  // denominator b − δb. If δb exceeds b/2, the ratio is not determined, and the denominator is b/2.
   const double least =
       b - std::min(of_b.fit + of_b.time.value_or(0) + of_b.space.value_or(0) + of_b.quadrature.value_or(0), b / 2);
   const auto of_parts = [&](double da, double db) { return (da + db * a / b) / least; };
@@ -130,7 +132,7 @@ void compare_phases(Workshop& w, const std::vector<double>& r, const std::vector
   for (double& periods : apart) periods -= whole_turns;
   for (int decade = 1; decade <= 1'000'000; decade *= 10)
     for (const int n : {decade, 2 * decade, 5 * decade}) {
-      const double position = n * turn / (omega * interval);  // in samples
+      const double position = n * turn / (omega * interval);  // number of sampling intervals in n periods
       const auto before = std::size_t(position);
       if (before + 1 < apart.size())
         out.phase_after_periods[n] = std::lerp(apart[before], apart[before + 1], position - double(before));
@@ -138,8 +140,8 @@ void compare_phases(Workshop& w, const std::vector<double>& r, const std::vector
   w.add("phase_difference", 1, std::move(apart));
 }
 
-/// Fits the frequencies of the same component of C in both models. Compares them unless a model has no frequency or
-/// follows a load.
+/// Fits the frequency of the same component of C in both models. Adds the ratio of the frequencies and the phases,
+/// unless a model has no frequency or its frequency is that of a load.
 void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   Comparison& out = w.out;
   const bool by_reference = !out.model.deforms && out.reference.deforms;
@@ -260,8 +262,8 @@ void compare_momentum(Workshop& w, const std::string& name, const Columns& colum
   w.out.reference.*drift_of = drift(c, reference);
 }
 
-/// If a body has companions, only the total angular momentum of body and companions is constant. The drift of this
-/// total then replaces the drift of the body's angular momentum.
+/// Replaces the drift of the body's angular momentum by the drift of the total angular momentum if a table has the
+/// columns of the total. Only the total of body and companions is constant.
 void judge_total_momentum(Workshop& w) {
   for (const auto& [table, summary] : {std::pair{&w.r, &w.out.model}, std::pair{&w.c, &w.out.reference}})
     if (table->has_column("total_J1"))
@@ -274,8 +276,8 @@ void compare_multipliers(Workshop& w) {
   w.add("multiplier_difference", std::max(largest(r), largest(c)), each(std::minus{}, c, r));
 }
 
-/// Adds the series of the non-affine motion, its mean fraction of the kinetic energy, and the extremes of the volume,
-/// from the table of the reference. If the table lacks a column of the non-affine motion, only adds an entry to
+/// Adds the series of the non-affine motion, its mean fraction of the kinetic energy, and the extremes of det F, from
+/// the table of the reference. If the table lacks a column of the non-affine motion, only adds an entry to
 /// `not_compared`.
 void report_nonaffine_motion(Workshop& w) {
   const Columns columns{"nonaffine_kinetic_fraction", "nonaffine_displacement"};

@@ -2,43 +2,45 @@
 /// Comparison of two models of one ball: the differences of their quantities at each sample, the largest differences
 /// with their times, and the frequencies.
 ///
-/// The index r marks one model. The index c marks the reference, which admits more motions. Q is the deformation of the
-/// pseudo-rigid body. For finite elements and polynomial bodies, Q is the mass moment Q_M, the matrix of the nearest
-/// affine motion. C = QᵀQ, and |·| is the Frobenius norm. A ratio with the numerator 0 counts as 0. Each series is a
-/// column of comparison.csv:
+/// The index r marks the compared model. The index c marks the reference model, which admits more motions. Q is the
+/// deformation gradient of the pseudo-rigid body. For finite elements and polynomial bodies, Q is the mass moment Q_M,
+/// the matrix of the nearest affine motion. C = QᵀQ, and |·| is the Frobenius norm. The maximum max_t, the root mean
+/// square rms_t and the mean C̄ of C are taken over the samples. A ratio with the numerator 0 counts as 0. Each series
+/// is a column of comparison.csv:
 ///
 ///   q_difference                |Q_c − Q_r| / |Q_r|
-///   q_difference_of_departure   |Q_c − Q_r| / max_t |Q − Q(0)|,  with Q of the model that departs farther
-///   strain_difference           |C_c − C_r| / (√2 rms_t |C − C̄|),  with C of the model that varies more and its
-///                               mean C̄ over time. The denominator of a sinusoid is its amplitude. Rotations of the
-///                               body do not change C.
+///   q_difference_of_departure   |Q_c − Q_r| / max_t |Q − Q(0)|,  with Q of the model that has the larger denominator
+///   strain_difference           |C_c − C_r| / (√2 rms_t |C − C̄|),  with C of the model that has the larger
+///                               denominator. If C varies as a sinusoid, the denominator is its amplitude. Rotations
+///                               of the body do not change C.
 ///   phase_difference            (θ_r − θ_c) / 2π,  with the phases θ (phase.h) of the component of C whose frequency is
-///                               fitted: by how many periods model r is ahead. It begins between −½ and ½. It exists
-///                               if the frequencies have a ratio and both phases exist.
-///   a1_difference …             (a_c − a_r) / a_r,  with the semi-axes a
-///   volume_ratio_difference     vol_c − vol_r, both relative to the reference volume
+///                               fitted: the lead of model r, in periods. The first value is between −½ and ½. The
+///                               series exists if `Comparison::ratio` has a value and both models have a phase.
+///   a1_difference …             (a_c − a_r) / a_r,  with the semi-axes a₁, a₂, a₃
+///   volume_ratio_difference     V_c − V_r,  with the current volume V divided by the reference volume
 ///   kinetic_difference,
 ///   elastic_difference,
 ///   energy_difference           (E_c − E_r) / E₀,  with the reference value E₀ of energy_reference (motion.h). It is
 ///                               usually max_t (kinetic + elastic) of the model with more energy. If nothing moves,
 ///                               E₀ is the largest of the other energies, or the unit of energy if they are 0.
 ///   dissipated_difference       (D_c − D_r) / max_t D,  with the dissipated energy D of the model that dissipates more.
-///                               It exists if a model dissipates energy.
+///                               The series exists if at least one model dissipates energy.
 ///   max_stretch_difference,
 ///   min_stretch_difference      (λ_c − λ_r) / λ_r,  with the largest or least principal stretch λ anywhere in the body
 ///   angular_momentum_difference,
 ///   circulation_difference      |J_c − J_r| / J₀,  with the angular momentum or circulation J, and J₀ = max_t |J_r|. If
-///                               J₀ is round-off, it is replaced by a bound (momentum_reference of motion.h), or by
+///                               this maximum is round-off, J₀ is a bound (momentum_reference of motion.h), or
 ///                               max_t |J_c| if the bound is 0.
-///   multiplier_difference       (λ_c − λ_r) / max_t |λ|,  with the multiplier λ of the model with the larger |λ|
+///   multiplier_difference       (p_c − p_r) / max_t |p|,  with the multiplier p of the constraint of volume (column
+///                               multiplier). The denominator is that of the model with the larger maximum.
 ///   nonaffine_kinetic_fraction, nonaffine_displacement                  columns of the reference
 ///
-/// If neither body moves, the divisors of the second and third series are the resolution (SceneFacts) times |Q_r(0)|
-/// and |C_r(0)|.
+/// The divisor of q_difference_of_departure is at least ε |Q_r(0)|, and that of strain_difference at least ε |C_r(0)|,
+/// with the resolution ε of SceneFacts. These bounds are the divisors if neither body moves.
 ///
-/// The frequency is the frequency of one component of C, because rotations of the body do not change C. Both models use
-/// the component with the largest variance in model r, or in the reference if model r keeps its shape. Errors in space
-/// are errors of the reference only. The truncation of model r is part of the difference.
+/// The frequencies are those of one component of C, because rotations of the body do not change C. This component has
+/// the largest variance in model r, or in the reference if model r does not deform. Model r has no error in space here:
+/// its truncation of the motion is part of the compared difference. The reference has an error in space.
 
 #include <map>
 #include <optional>
@@ -52,29 +54,31 @@
 
 namespace pseudorigid::analysis {
 
-/// √10 / 2.665622189236, the ratio of the frequency of the pseudo-rigid ball to the exact frequency (Lamb 1882). The
-/// ratio is valid for small amplitudes of an incompressible elastic ball without gravity that does not rotate on
-/// average. The law must have a shear modulus. The ratio with gravity is in app/run/small_pulsation.h.
+/// √10 / 2.665622189236, the ratio of the pulsation frequency of the pseudo-rigid ball to the exact frequency (Lamb
+/// 1882). The ratio is valid for small amplitudes of an incompressible elastic ball without gravity that does not
+/// rotate on average. The law of the material must have a shear modulus. The ratio with gravity is in
+/// app/run/small_pulsation.h.
 inline constexpr double incompressible_ball_ratio = 3.1622776601683795 / 2.665622189236;
 
 struct ComparisonOptions {
   SceneFacts facts{};
-  std::optional<double> exact_frequency_ratio{};  ///< exact ratio for small amplitudes; empty if it is not known
+  std::optional<double> exact_frequency_ratio{};  ///< exact ratio of the frequencies ω_r/ω_c for small amplitudes;
+                                                  ///< empty if it is not known
   std::optional<double> surface_limit_time{};     ///< first time at which the surface of the reference was unstable to
                                                   ///< wrinkles (Biot's limit); empty if it was not
 };
 
 struct Series {
   std::string name;      ///< column of comparison.csv
-  double reference = 1;  ///< divisor of the values, in the unit of the input; 1 for ratios
+  double reference = 1;  ///< divisor of the differences, in the unit of their column; 1 for relative differences
   std::vector<double> values;
   double max = 0;          ///< largest absolute value
   double time_of_max = 0;  ///< first time of the largest absolute value
-  double rms = 0;          ///< root mean square over the samples
+  double rms = 0;          ///< root mean square of the values over the samples
 };
 
 struct FrequencyRatio {
-  double value = 0;  ///< ω_r / ω_c, with the dominant angular frequencies ω
+  double value = 0;  ///< ω_r/ω_c, with the angular frequencies ω of the dominant lines (frequency.h)
   ErrorBar error;    ///< bound for the error of the ratio due to the errors of both frequencies
 };
 
@@ -90,9 +94,9 @@ struct Comparison {
   /// error of an entry of Q. The factor 3 bounds the norm of a matrix by its largest entry. `quadrature` is the same
   /// expression with the errors of the quadrature rules.
   ErrorBar error;
-  std::optional<FrequencyRatio> ratio;  ///< empty if a model has no frequency, or follows a load
-  /// Exact value of the ratio for small amplitudes. It is empty if the scene has none, if the body spins, or if the
-  /// program does not know whether the body spins.
+  std::optional<FrequencyRatio> ratio;  ///< empty if a model has no frequency, or if its frequency is that of a load
+  /// Exact value of the ratio for small amplitudes. It is empty if the options have none, if the body of model r spins,
+  /// or if its table does not have the column Qdot11.
   std::optional<double> exact_ratio;
   /// n → phase_difference after n periods of the reference, for n = 1, 2, 5, 10, 20, 50 … within the run. The value is
   /// interpolated linearly between samples. The map is empty if there is no series phase_difference.
@@ -100,18 +104,19 @@ struct Comparison {
   // The next four members are empty if the table of the reference lacks the columns of the non-affine motion. Each one
   // also requires a column of its own: kinetic, min_jacobian, max_volume_error and volume_error. F is the deformation
   // gradient.
-  std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine
-                                                          ///< fraction of the kinetic energy K
-  std::optional<double> min_jacobian, max_volume_error;  ///< least det F and largest |ln det F| of the reference
-  std::optional<double>
-      volume_error;  ///< root mean square of ln det F in the reference body, the largest over the samples
+  std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with the non-affine
+                                                          ///< fraction η_K of the kinetic energy K
+  std::optional<double> min_jacobian, max_volume_error;   ///< least det F and largest |ln det F| of the reference
+  std::optional<double> volume_error;  ///< largest value of the column volume_error over the samples: the root mean
+                                       ///< square of ln det F in the body of the reference
   std::optional<double> surface_limit_time;  ///< as in ComparisonOptions; later results depend on the mesh
-  std::vector<std::string> not_compared;  ///< quantities that a file lacks: "semi-axes (no column a1 in continuum.csv)"
+  /// The omitted quantities, each with a missing column, for example "semi-axes (no column a1 in continuum.csv)".
+  std::vector<std::string> not_compared;
 
   /// The series with this name; null if there is none.
   const Series* find(std::string_view name) const;
-  /// Whether the largest q_difference exceeds the error of the discretisations. The result is empty if a part of this
-  /// error is not known. Requires `has_state`.
+  /// Whether the largest q_difference exceeds the total of `error`. The result is empty if a part of `error` is not
+  /// known. Requires `has_state`.
   std::optional<bool> is_resolved() const {
     const auto bar = error.total();
     return bar ? std::optional(find("q_difference")->max > *bar) : std::nullopt;

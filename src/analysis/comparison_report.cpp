@@ -16,8 +16,8 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-/// Adds the parts of an error and their sum to `json`, with the part `fit` only if `is_fitted` is true. Values that are
-/// not known are null.
+/// Adds the parts of an error and their sum to `json`, under keys that begin with `prefix`. The part `fit` is added
+/// only if `is_fitted` is true. Values that are not known are null.
 void add_errors(Json& json, const std::string& prefix, const ErrorBar& bar, bool is_fitted) {
   if (is_fitted) json[prefix + "fit_error"] = bar.fit;
   json[prefix + "time_error"] = to_json(bar.time);
@@ -86,13 +86,13 @@ Json model_json(const ModelSummary& m, bool has_state) {
   return json;
 }
 
-/// A percentage rounded up, with one digit up to 9 % and as a whole number above.
+/// A percentage rounded up, with one significant digit up to 9 % and as a whole number above.
 std::string roughly(double percent) {
   return percent <= 9 ? printed_error(percent) : fmt::format("{:.0f}", std::ceil(percent));
 }
 
 /// The value as a percentage with three significant digits, for example "18.6" for 0.186. If the uncertainty exceeds
-/// 0.5 % of the value, the text also has the uncertainty, for example "18.6 +- 0.4".
+/// 0.5 % of the value, the text also contains the uncertainty, for example "18.6 +- 0.4".
 std::string percent(double value, double uncertainty) {
   const double p = 100 * value, u = 100 * uncertainty;
   return u > 0.005 * std::abs(p) ? fmt::format("{:.3g} +- {}", p, roughly(u)) : fmt::format("{:.3g}", p);
@@ -124,7 +124,7 @@ std::string known_frequencies(const Comparison& c, double uncertainty) {
   if (std::abs(excess) > 2 * c.ratio->error.fit + uncertainty + round_off)
     return fmt::format("The {} ball pulsates {} % {} than the {} ball", c.model.adjective,
                        percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower", c.reference.adjective);
-  // The difference exceeds the error bar, but not the error with three standard errors of the fit.
+  // The difference exceeds the error bar, but not the error bar with three instead of one standard error of the fit.
   if (std::abs(excess) > uncertainty && known_to > says_little)
     return fmt::format("The {} ball pulsates {} % {} than the {} ball, within three standard errors", c.model.adjective,
                        percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower", c.reference.adjective);
@@ -141,7 +141,7 @@ std::string compared_frequencies(const Comparison& c) {
   return text;
 }
 
-/// The sentence for the case that at least one ball follows a load.
+/// The clause for the case that the frequency of at least one ball is the frequency of a load, or twice this frequency.
 std::string followed_load(const ModelSummary& r, const ModelSummary& e) {
   const std::string who = r.load && e.load ? "Both balls follow a load"
                                            : fmt::format("The {} ball follows a load", (r.load ? r : e).adjective);
@@ -171,10 +171,9 @@ std::string motion_clause(const Comparison& c) {
                      r.frequency.reason, e.adjective, e.frequency.reason);
 }
 
-/// The clause about the difference of the deformations. If the deformations are identical, the clause states this. If
-/// neither body deforms, it gives the largest relative difference of Q. Otherwise it gives the first time at which the
-/// difference of C reaches the amplitude of C. If there is no such time, it gives the largest difference of C and its
-/// time.
+/// The clause about the difference of the deformations. It states that the deformations are identical, if they are. If
+/// neither body deforms, the clause has the largest q_difference. Otherwise it has the first time at which
+/// strain_difference reaches 1. If there is no such time, it has the largest strain_difference and its time.
 std::string difference_clause(const Comparison& c) {
   const Series &q = *c.find("q_difference"), &strain = *c.find("strain_difference");
   if (q.max == 0) return "their deformations are identical";
@@ -233,7 +232,7 @@ void add_model_rows(const Comparison& c, std::vector<std::string>& lines) {
   drift("drift of the circulation", &ModelSummary::circulation_drift);
 }
 
-/// The series in the table for the terminal, with their labels.
+/// The series in the table for the terminal, each with its label.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 7> shown{{
     {"q_difference", "Q, relative to |Q|"},
     {"strain_difference", "C, relative to its amplitude"},

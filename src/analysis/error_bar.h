@@ -1,6 +1,6 @@
 #pragma once
-/// The error of a number from a run, as a sum of parts, and its text. If a part is not known, the text names this part
-/// instead of an error bar.
+/// The error of a result of a run, as a sum of parts, and functions that print this error. If a part is not known, the
+/// printed text names this part instead of the sum.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,10 +15,13 @@
 namespace pseudorigid::analysis {
 
 struct ErrorBar {
-  double fit = 0;                         ///< error of a least-squares fit to the samples; 0 without a fit
-  std::optional<double> time{}, space{};  ///< error in time or in space; empty if it is not known
-  std::optional<double> quadrature =
-      0;  ///< error of the quadrature of a polynomial body; for other bodies it is a part of `space`
+  /// Error of a least-squares fit to the samples. It is 0 if the result does not come from a fit.
+  double fit = 0;
+  /// Errors of the discretisations in time and in space. They are empty if they are not known.
+  std::optional<double> time{}, space{};
+  /// Error of the quadrature rule of a polynomial body. It is empty if it is not known. It is 0 for other bodies,
+  /// because their error of quadrature is a part of `space`.
+  std::optional<double> quadrature = 0;
 
   /// The sum of the parts. The result is empty if a part is not known.
   std::optional<double> total() const {
@@ -26,8 +29,8 @@ struct ErrorBar {
   }
 };
 
-/// An error printed with one digit, for example "0.003" or "2e-06". It is rounded up, so that the printed number is
-/// also a bound. An error that is not positive is printed as "0".
+/// An error printed with one significant digit, for example "0.003" or "2e-06". The error is rounded up, because it is
+/// a bound. An error that is not positive is printed as "0".
 inline std::string printed_error(double error) {
   if (!(error > 0)) return "0";
   const double place = std::pow(10, std::floor(std::log10(error)));
@@ -35,7 +38,8 @@ inline std::string printed_error(double error) {
   return fmt::format("{:.1g}", std::ceil(error / place * (1 - round_off)) * place);
 }
 
-/// Returns, for example, "error in space not known". The result is empty if every part is known.
+/// Returns the names of the unknown parts, for example "error in space not known". The result is empty if every part is
+/// known.
 inline std::string unknown_parts(const ErrorBar& bar) {
   std::vector<std::string> names;
   if (!bar.time) names.emplace_back("time");
@@ -48,8 +52,8 @@ inline std::string unknown_parts(const ErrorBar& bar) {
   return fmt::format("errors in {} and {} not known", fmt::join(names, ", "), last);
 }
 
-/// Returns, for example, "fit 0.003, time 2e-06, space not known". The text omits the parts `fit` and `quadrature` if
-/// they are 0.
+/// Returns the parts of an error, for example "fit 0.003, time 2e-06, space not known". The text omits the parts `fit`
+/// and `quadrature` if they are 0.
 inline std::string parts_in_words(const ErrorBar& bar) {
   const auto part = [](const char* name, const std::optional<double>& value) {
     return value ? fmt::format("{} {}", name, printed_error(*value)) : fmt::format("{} not known", name);
@@ -60,8 +64,8 @@ inline std::string parts_in_words(const ErrorBar& bar) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// The text after a number, for example " +- 0.003". If a part of the error is not known, the text names this part
-/// instead, for example " (error in space not known)".
+/// Returns the text that follows a number in a report, for example " +- 0.003". If a part of the error is not known,
+/// the text names this part, for example " (error in space not known)".
 inline std::string in_short(const ErrorBar& bar) {
   const auto total = bar.total();
   return total ? " +- " + printed_error(*total) : fmt::format(" ({})", unknown_parts(bar));
@@ -70,10 +74,12 @@ inline std::string in_short(const ErrorBar& bar) {
 /// Estimated errors of the samples of a run. Q is the matrix of the affine motion that is nearest to the motion of the
 /// body (comparison.h). An error is empty if it is not known.
 struct RunErrors {
-  std::optional<double> time{};   ///< bound of the error in time of every entry of Q
-  std::optional<double> space{};  ///< largest |error of Q|/|Q|; 0 for a model without a discretisation in space
-  std::optional<double> quadrature =
-      0;  ///< bound of the error of every entry of Q due to the quadrature; 0 if it is a part of `space`
+  /// Bound of the error of every entry of Q due to the time step.
+  std::optional<double> time{};
+  /// Largest relative error |δQ|/|Q| due to the mesh or degree. It is 0 for a model without a discretisation in space.
+  std::optional<double> space{};
+  /// Bound of the error of every entry of Q due to the quadrature rule. It is 0 if this error is a part of `space`.
+  std::optional<double> quadrature = 0;
   const OtherResolution* other = nullptr;  ///< the same motion on another discretisation; null if there is none
 };
 

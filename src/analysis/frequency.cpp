@@ -16,9 +16,9 @@ namespace {
 using Eigen::Index, Eigen::VectorXd;
 using std::numbers::pi;
 
-/// Returns the frequency Ω with the least residual near the peak at the low frequency `peak`. In this file Ω = ωT/2,
-/// with the length T of the record. In a record of less than six cycles, the drift and the mirror image of the line at
-/// −Ω displace the peak of the periodogram.
+/// Returns the frequency Ω of the single line with the least residual, among trial frequencies within 1.5π of `peak`.
+/// In this file Ω = ωT/2, with the length T of the record. In a record of less than six cycles, the slow drift and the
+/// mirror image of the line at −Ω displace the peak of the periodogram.
 double scan_low_frequencies(LineModel model, double peak) {
   double best = peak, least = std::numeric_limits<double>::infinity();
   for (double omega = std::max(peak - 1.5 * pi, 0.5 * pi); omega <= peak + 1.5 * pi; omega += 0.25 * pi) {
@@ -36,9 +36,9 @@ double scan_low_frequencies(LineModel model, double peak) {
 /// Whether a new line may be closer than two resolution widths to another line.
 enum class Neighbours { admitted, excluded };
 
-/// Adds a line for a peak at Ω. The line is free, or constrained to a multiple of the first line. If the peak is close
-/// to a line that is constrained already, this line becomes free instead. Returns false if Ω is too close to another
-/// line.
+/// Adds a line for a peak at the frequency Ω = `omega`. The line is constrained if the peak is close to a multiple of
+/// the first line, and otherwise free. If the peak is close to a constrained line, the function frees this line and
+/// does not add another. Returns false, without a change, if Ω is too close to another line.
 bool add_line(LineModel& model, double omega, Neighbours neighbours) {
   constexpr double tie_width = 0.5 * pi, resolved = 0.7 * pi,
                    well_separated = 2 * pi;  // distances in Ω; π is one resolution width
@@ -60,8 +60,8 @@ bool add_line(LineModel& model, double omega, Neighbours neighbours) {
   return true;
 }
 
-/// Finds the first line and makes it the only line of the model. Returns an empty text, or the reason why there is no
-/// first line.
+/// Finds the first line and makes it the only line of the model. Returns the reason if there is no first line, and
+/// otherwise an empty text.
 std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degree) {
   const std::vector<double> peaks = periodogram_peaks(model.residual());
   if (peaks.empty()) return "no line stands out of the noise";
@@ -74,7 +74,7 @@ std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degre
   model.refine(LineModel::Accuracy::rough);
   const double cycles = std::abs(model.bases[0]) / pi;
   if (!(cycles >= 1)) return "the record is shorter than one period";
-  // A slow trend resembles one or two cycles. Below three cycles, the residual of the line must therefore be smaller
+  // A slow trend resembles one or two cycles. Below three cycles, the residual with the line must therefore be smaller
   // than the residual of a polynomial with the same number of parameters.
   if (cycles < polynomial_cycles && LineModel(y, drift_degree + 3).rss() <= model.rss())
     return "the signal drifts without an oscillation that stands out";
@@ -84,12 +84,13 @@ std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degre
 /// The quality of a model, computed from its residual.
 struct Assessment {
   std::vector<double> peaks;  ///< peaks of the periodogram of the residual
-  /// σ of FrequencyFit. The free frequency Ω_b has the standard error σ √((S⁻¹)_bb), with S of line_model.h.
+  /// The factor σ of the standard errors (FrequencyFit). The free frequency Ω_b has the standard error σ √((S⁻¹)_bb),
+  /// with the matrix S of line_model.h.
   double deviation;
   double first_error;  ///< standard error of the first frequency Ω
 };
 
-/// Computes the quality of a model. `size` is the largest magnitude of the samples, which determines their round-off.
+/// Computes the quality of a model. `size` is the largest magnitude of the samples and determines their round-off.
 Assessment assess(LineModel& model, double size) {
   Assessment a{.peaks = periodogram_peaks(model.residual()), .deviation = 0, .first_error = 0};
   const double freedom = std::max<double>(1, double(model.residual().size() - model.n_parameters()));
@@ -106,8 +107,8 @@ struct Round {
   Neighbours neighbours;
 };
 
-/// Adds lines at peaks of the residual if this reduces the error of the first frequency, and returns true. Otherwise
-/// the model does not change, and the result is false.
+/// Adds lines at the peaks `state.peaks` of the residual if this reduces the error of the first frequency. Then updates
+/// the quality `state` of the model and returns true. Otherwise the model does not change, and the result is false.
 bool add_lines(LineModel& model, Assessment& state, const Round& round, double size, int max_lines) {
   LineModel trial = model;
   std::size_t n_added = 0;
@@ -121,8 +122,8 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   trial.refine(LineModel::Accuracy::rough);
   Assessment outcome = assess(trial, size);
   if (!(outcome.first_error < state.first_error)) return false;
-  // Lines that are close to each other can imitate a line of varying amplitude, but the residual then has peaks. If
-  // there really are two lines, the residual does not have peaks.
+  // Two close lines can imitate one line of varying amplitude, but the residual then has peaks. If the signal really
+  // has two close lines, the residual has no peaks.
   if (round.neighbours == Neighbours::admitted && !outcome.peaks.empty()) return false;
   std::swap(model.bases, trial.bases);
   std::swap(model.waves, trial.waves);
@@ -131,9 +132,10 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   return true;
 }
 
-/// Adds lines until the residual is round-off or the first frequency has the required precision. Also ends if no
-/// further line is permitted, or if no further line reduces the error of the first frequency. Then refines all
-/// frequencies, unless this doubles the error of the first frequency. Returns the quality of the model.
+/// Adds lines until the residual is round-off or the first frequency has the precision `options.precision`. The search
+/// also ends if no further line is permitted, or if no further line reduces the error of the first frequency. Then the
+/// function refines all frequencies, unless this doubles the error of the first frequency. Returns the quality of the
+/// model.
 Assessment complete_lines(LineModel& model, double size, const FrequencyOptions& options) {
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * size;
   const std::size_t all = std::size_t(options.max_lines);
@@ -145,8 +147,8 @@ Assessment complete_lines(LineModel& model, double size, const FrequencyOptions&
     const auto gains = [&](const Round& round) { return add_lines(model, state, round, size, options.max_lines); };
     gained = std::ranges::any_of(rounds, gains);
   }
-  // If lines merge, a smaller residual can increase the error of the frequency. In this case, the unrefined
-  // frequencies remain.
+  // If two lines merge during the refinement, the residual can decrease and the error of the frequency increase. The
+  // unrefined frequencies are then better.
   LineModel polished = model;
   polished.refine(LineModel::Accuracy::full);
   Assessment outcome = assess(polished, size);
@@ -156,8 +158,8 @@ Assessment complete_lines(LineModel& model, double size, const FrequencyOptions&
   return outcome;
 }
 
-/// The lines of a model: the first one, and the others by decreasing amplitude. `deviation` is σ of FrequencyFit.
-/// `half_length` is half the length of the record, which converts Ω to ω.
+/// The lines of a model: the first line, and then the others by decreasing amplitude. `deviation` is the factor σ of
+/// the standard errors (FrequencyFit). `half_length` is half the length T of the record, so that ω = Ω/half_length.
 std::vector<Line> read_lines(LineModel& model, double deviation, double half_length) {
   const VectorXd curvature = model.inverse_curvature();
   std::vector<Line> lines;

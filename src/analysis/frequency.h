@@ -1,21 +1,22 @@
 #pragma once
 /// Frequencies of a uniformly sampled signal, found by a nonlinear least-squares fit of the model
 ///
-///   y(t) ≈ Σ_{k≤d} d_k P_k(s) + Σ_l [a_l cos(ω_l t) + b_l sin(ω_l t)],   s ∈ [−1, 1] over the record
+///   y(t) ≈ Σ_{k≤d} d_k P_k(s) + Σ_l [a_l cos(ω_l t) + b_l sin(ω_l t)],   s ∈ [−1, 1]
 ///
-/// with the Legendre polynomials P_k up to the degree d. The coefficients d_k, a_l, b_l are eliminated (variable
-/// projection: G. Golub, V. Pereyra, SIAM J. Numer. Anal. 10 (1973); Kaufman's form). Gauss–Newton steps determine the
-/// frequencies. A step that increases the residual is not accepted.
+/// with the Legendre polynomials P_k up to the degree d. The variable s is the time t, mapped linearly from the record
+/// to [−1, 1]. The coefficients d_k, a_l, b_l are eliminated by linear least squares (variable projection: G. Golub, V.
+/// Pereyra, SIAM J. Numer. Anal. 10 (1973); Kaufman's form). Gauss–Newton steps determine the frequencies. A step that
+/// increases the residual is not accepted.
 ///
-/// A line is one frequency ω_l with its amplitude and phase. A line is added if the Hann-windowed periodogram of the
-/// residual has a peak. Lines are added while this reduces the standard error of the first frequency ω₀. A line at a
-/// peak near a multiple kω₀ is constrained to ω = kω₀. All harmonics of an anharmonic motion then determine its
-/// fundamental frequency. The constraint is removed if the residual has a further peak close to kω₀.
+/// A line is one frequency ω_l with its amplitude and phase. Lines are added at peaks of the Hann-windowed periodogram
+/// of the residual, while this reduces the standard error of the first frequency ω₀. A line at a peak near a multiple
+/// kω₀ is constrained to ω = kω₀. All harmonics of an anharmonic motion then determine its fundamental frequency. The
+/// constraint is removed if the residual has a further peak close to kω₀.
 ///
 /// The fit has the following limits. The record must contain at least 16 samples and one period. A new line is at least
-/// two resolution widths 2π/T from other lines, with the length T of the record. A closer line is admitted only if it
-/// explains the whole residual, because a modulated or damped line also resembles several close lines. A line at a
-/// multiple of ω₀ may be closer too. Frequencies are below the Nyquist frequency. The fit cannot detect that a
+/// two resolution widths 2π/T from other lines, with the length T of the record. A closer line is admitted only if the
+/// residual then has no peak, because a modulated or damped line also resembles several close lines. A line at a
+/// multiple of ω₀ may also be closer. Frequencies are below the Nyquist frequency. The fit cannot detect that a
 /// frequency is an alias of a higher frequency.
 
 #include <optional>
@@ -33,18 +34,19 @@ struct Line {
   double phase = 0;  ///< in radians
 };
 
-/// The lines of a fit, or the reason why the fit does not have lines. The first line was found at the highest peak of
-/// the periodogram. The other lines are sorted by decreasing amplitude.
+/// The lines of a fit, or the reason why the fit does not have lines. The first line, the dominant line, was found at
+/// the highest peak of the periodogram. The other lines are sorted by decreasing amplitude.
 ///
-/// The standard errors of the frequencies are σ times the roots of the diagonal of S⁻¹. Here S is the projected
-/// Gauss–Newton matrix (line_model.h). If the residual is noise, σ is its standard deviation, but at least the
-/// round-off of the samples. If the residual still has a peak, for example of a line close to another line, σ is the
-/// norm of the whole residual. By the inequality of Cauchy and Schwarz, the standard error is then a bound of the error
+/// The standard errors of the free frequencies Ω = ωT/2, with the length T of the record, are σ times the roots of the
+/// diagonal of S⁻¹. Here S is the projected Gauss–Newton matrix (line_model.h). A line that is constrained to kω₀ has k
+/// times the error of ω₀. If the residual is noise, σ is its standard deviation, but at least the round-off of the
+/// samples. If the periodogram of the residual still has a peak, for example from a line close to another line, σ is
+/// the norm of the residual. By the inequality of Cauchy and Schwarz, the standard error is then a bound of the error
 /// that a signal of this size can cause.
 struct FrequencyFit {
   std::vector<Line> lines;
   std::string reason;  ///< for example "the signal is constant"; empty if there are lines
-  double mean = 0;     ///< mean of the samples; 0 if they are fewer than 16 or not finite
+  double mean = 0;     ///< mean of the samples; 0 if there are fewer than 16 samples or if a sample is not finite
   /// Root mean square of the residual, in the unit of the signal. It is 0 if no first line was found.
   double residual_rms = 0;
   double cycles = 0;  ///< number of periods of the dominant line in the record; 0 if no first line was found
@@ -56,15 +58,15 @@ struct FrequencyFit {
 struct FrequencyOptions {
   int max_lines = 12;        ///< largest number of lines
   int drift_degree = 2;      ///< degree d of the polynomial for slow drift
-  double precision = 1e-13;  ///< lines are added until the dominant frequency has this relative standard error
-  double round_off = 1e-12;  ///< a signal with a smaller relative variation counts as constant
+  double precision = 1e-13;  ///< relative standard error of the dominant frequency at which no further lines are added
+  double round_off = 1e-12;  ///< a signal is constant if its range, divided by its largest magnitude, is not larger
 };
 
-/// The strongest line other than the dominant line, its multiples and slow drifts, if its amplitude is at least half of
-/// the dominant amplitude; otherwise empty. A line closer to the dominant line than two resolution widths 2π/T does not
-/// count, because a damped motion resembles several close lines. If there is a second line, the dominant frequency
-/// alone does not describe the motion. With gravity, this happens if the frequencies of two modes come close (avoided
-/// crossing).
+/// The strongest line that is not the dominant line, a multiple of the dominant line, or a slow drift. The result is
+/// empty if this line has less than half of the dominant amplitude. A line closer to the dominant line than two
+/// resolution widths 2π/T, with the length T of the record, does not count. The reason is that a damped motion
+/// resembles several close lines. If there is a second line, the dominant frequency alone does not describe the motion.
+/// With gravity, this happens if the frequencies of two modes are close (avoided crossing).
 std::optional<Line> second_line(const FrequencyFit& fit);
 
 /// Whether a line describes a slow drift: its frequency is within three standard errors of 0.

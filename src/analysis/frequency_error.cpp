@@ -10,9 +10,9 @@ namespace {
 /// The length T of the record, in the unit of time of the samples.
 double record_length(const FrequencyFit& fit) { return 2 * std::numbers::pi * fit.cycles / fit.dominant().frequency; }
 
-/// The bound (3/2) ε/(A T) of the error of the frequency (derived in frequency_error.h). A is the amplitude of the
-/// line, and T is the length of the record. Let e bound the error of every entry of Q. Then ε = max_t (|q_i|₁ + |q_j|₁)
-/// e bounds the error of C_ij. Here q_i is a column of Q, and `entry` is (i, j).
+/// The bound (3/2) ε/(A T) of the error of the frequency, which frequency_error.h derives. A is the amplitude of the
+/// dominant line, and T is the length of the record. Let e bound the error of every entry of Q. Then ε = max_t
+/// (|q_i|₁ + |q_j|₁) e bounds the error of C_ij, with the columns q_i, q_j of Q and `entry` = (i, j).
 double error_of_phase(const FrequencyFit& fit, const Deformation& deformation, std::pair<int, int> entry, double e) {
   constexpr double of_growing_phase = 1.5;
   const auto [i, j] = entry;
@@ -22,8 +22,8 @@ double error_of_phase(const FrequencyFit& fit, const Deformation& deformation, s
   return of_growing_phase * columns * e / (fit.dominant().amplitude * record_length(fit));
 }
 
-/// The dominant line of the same entry of C on the other discretisation. The result is empty if there is no other
-/// discretisation, if its record is shorter, or if its fit does not have lines.
+/// The dominant line of C_ij on the discretisation `errors.other`, with `entry` = (i, j). The result is empty if there
+/// is no other discretisation, if its record is shorter, or if its fit does not have lines.
 std::optional<Line> other_line(std::pair<int, int> entry, const std::vector<double>& time, const RunErrors& errors) {
   if (!errors.other || errors.other->samples.n_rows() < time.size()) return std::nullopt;
   ModelSummary summary;

@@ -1,6 +1,6 @@
 #pragma once
-/// The error of a fitted frequency ω of a component of C = QᵀQ, with the deformation Q (motion.h). It is the sum of
-/// four parts:
+/// The error of a fitted frequency ω of a component of C = QᵀQ, with the matrix Q of the affine motion (motion.h). The
+/// error is the sum of four parts:
 ///
 ///   fit     The standard error of the fit (frequency.h). If the standard error on another discretisation is larger, it
 ///           is used instead. A coarse model has few lines, and its own standard error is too small for short records.
@@ -16,11 +16,11 @@
 ///           with equality if φ jumps from 0 to its bound at T/2. A phase that grows as a power of t gives at most
 ///           1.03 ε/(A T).
 ///   quadrature  The same expression, with the quadrature error of a polynomial body instead of e.
-///   space   The difference from the frequency on another discretisation, times a factor. The factor assumes that the
-///           error decreases with the resolution at the least rate of space_error.h. The error in time cancels, because
-///           both runs have the same time steps. For a model without a discretisation in space, this part is 0. The
-///           part is not known if there is no other discretisation, if its record is shorter, or if its samples do not
-///           give a frequency.
+///   space   The difference from the frequency on another discretisation, times a factor (OtherResolution). The factor
+///           assumes that the error decreases with the resolution at the least rate of space_error.h. Both runs usually
+///           have the same time steps, so that their errors in time cancel. For a model without a discretisation in
+///           space, this part is 0. For any other model, the part is not known if there is no other discretisation, if
+///           its record is shorter, or if its samples do not give a frequency.
 
 #include <vector>
 
@@ -29,14 +29,15 @@
 
 namespace pseudorigid::analysis {
 
-/// The error of the dominant frequency of `fit`. The samples of `fit` are the values of C_ij at the given times, with
+/// The error of the dominant frequency of `fit`, which was fitted to the values of C_ij at the times `time`, with
 /// `entry` = (i, j). If the fit does not have lines, the errors in time and space are not known.
 ErrorBar frequency_error(const FrequencyFit& fit, const Deformation& deformation, std::pair<int, int> entry,
                          const std::vector<double>& time, const RunErrors& errors);
 
-/// The angular frequency Ω > 0 of the load that causes the dominant line ω of the fit. `load_frequencies` contains ±Ω
-/// for each load. The condition is ω = Ω or ω = 2Ω within a quarter of a cycle over the record. The body then follows
-/// the load, and ω is not a property of the body. The result is empty if there is no such load.
+/// The angular frequency Ω > 0 of the load that causes the dominant line ω of the fit. `load_frequencies` contains Ω or
+/// −Ω for each load. The load is the cause if ω = Ω or ω = 2Ω, up to a phase of a quarter of a cycle at the end of the
+/// record. The body then follows the load, and ω is not a property of the body. The result is empty if there is no such
+/// load.
 std::optional<double> load_of_line(const FrequencyFit& fit, const std::vector<double>& load_frequencies);
 
 }  // namespace pseudorigid::analysis

@@ -19,9 +19,9 @@ MatrixXd legendre(Index n, int degree) {
   return P;
 }
 
-/// Computes the columns cos Ωs and sin Ωs, with Ω = `omega`, by rotations through a fixed angle. Rotations are much
-/// faster than sines. Every 64 samples, the values are computed directly. The accumulated error therefore remains at
-/// round-off.
+/// Computes the columns cos Ωs and sin Ωs, with Ω = `omega`, at equidistant points s of [−1, 1]. A rotation through a
+/// fixed angle gives each value from the previous one, because this is much faster than sines. Every 64 samples, the
+/// values are computed directly, so that the accumulated error remains at round-off.
 void fill_wave(double omega, Eigen::Ref<VectorXd> cosine, Eigen::Ref<VectorXd> sine) {
   constexpr Index restart = 64;
   const Index n = cosine.size();

@@ -38,7 +38,8 @@ ColumnRange range_of(std::string label, const std::vector<double>& values) {
   return {std::move(label), *least, *greatest, values.back()};
 }
 
-/// A summary with the names, the numbers of samples and of failed intervals, and the first and last time.
+/// A summary with the name, the adjective, the numbers of samples and failed intervals, and the first and last time.
+/// The first column of the table must be the time.
 MotionSummary begin_summary(const ModelRunTable& run) {
   MotionSummary s;
   s.model.name = run.name;
@@ -50,13 +51,13 @@ MotionSummary begin_summary(const ModelRunTable& run) {
   return s;
 }
 
-/// The energy of a motion counts as round-off if it is below the fraction `least_energy_part` of the other energies.
-/// The other energies are the gravitational and external energies, or the potential energy of a system. The energy of a
-/// motion of the ball also counts as round-off if it is below the fraction `least_kinetic_part` of the unit of energy.
-/// If velocities are round-off, their kinetic energy has about this size.
+/// The energy of a motion is round-off if it is below the fraction `least_energy_part` of the potential energy. For the
+/// ball, the potential energy is the larger of the gravitational and external energies. For the ball, the energy of a
+/// motion is also round-off if it is below the fraction `least_kinetic_part` of the unit of energy. Velocities that are
+/// round-off have about this kinetic energy.
 constexpr double least_energy_part = 1e-12, least_kinetic_part = 1e-24;
 
-/// The columns in the table for the terminal, with their labels.
+/// The columns whose ranges the summary of the ball contains, each with its label.
 constexpr std::pair<const char*, const char*> shown_ranges[] = {
     {"a1", "semi-axis a1"},
     {"a2", "semi-axis a2"},
@@ -92,8 +93,8 @@ std::vector<double> Deformation::component(int i, int j) const {
 std::pair<int, int> Deformation::liveliest_component() const {
   Matrix3d variance = Matrix3d::Zero();
   for (const Matrix3d& c : C) variance += (c - C_mean).cwiseAbs2();
-  // Variances that are equal in exact arithmetic differ by round-off. The first of the components with such variances
-  // is returned. The result then does not depend on the order of summation.
+  // Variances that are equal in exact arithmetic differ by round-off. The tolerance 1e-9 makes the result independent
+  // of this round-off.
   const double least = (1 - 1e-9) * variance.maxCoeff();
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j)
@@ -139,8 +140,8 @@ void set_energy_drift(const io::Table& table, double reference, std::optional<do
 }
 
 namespace {
-/// The text " of the elastic ball" with the adjective of the ball. The text is empty if the adjective is the name, as
-/// for a system.
+/// The text " of the elastic ball" with the adjective of the ball. The text is empty if the adjective equals the name,
+/// because this marks a system other than the ball.
 std::string of_ball(const ModelSummary& summary) {
   return summary.adjective == summary.name ? "" : fmt::format(" of the {} ball", summary.adjective);
 }
@@ -219,9 +220,9 @@ MotionSummary summarize_system(const ModelRunTable& run) {
   for (std::size_t c = 1; c < table.columns.size(); ++c)
     s.ranges.push_back(range_of(table.columns[c], table.column(table.columns[c])));
   if (table.has_column("energy")) {
-    // The zero of a potential is arbitrary. Therefore the size of a potential energy is its range, and the size of a
-    // kinetic energy is its largest value. If both are round-off of the potential energy, the system does not move. The
-    // reference is then the largest potential energy.
+    // The reference value `size` of the drift is the largest kinetic energy or the range of the potential energy. The
+    // range is used because the zero of a potential is arbitrary. If `size` is round-off of the potential energy, the
+    // system does not move. The reference value is then the largest magnitude of the potential energy.
     double size = 0, potential = 0;
     if (table.has_column("kinetic")) size = largest(table.column("kinetic"));
     if (table.has_column("potential")) {

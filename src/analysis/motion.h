@@ -1,7 +1,7 @@
 #pragma once
 /// Summary of the run of one model: the frequency, the deformation and the drifts of the conserved quantities. Q is the
-/// deformation of the pseudo-rigid body, or the matrix of the affine motion that is nearest to another motion. C = QᵀQ,
-/// and |·| is the Frobenius norm.
+/// deformation gradient of the pseudo-rigid body. For other bodies, Q is the matrix of the affine motion that is
+/// nearest to the motion of the body. C = QᵀQ, and |·| is the Frobenius norm.
 
 #include <Eigen/Core>
 #include <initializer_list>
@@ -17,8 +17,8 @@
 namespace pseudorigid::analysis {
 
 /// One run of a model: the name of its files, the adjective of its ball (for example "elastic"), the samples and their
-/// errors. `n_failed_intervals` counts how often an interval between samples was integrated again with shorter steps
-/// because a step failed.
+/// errors. If a step fails, the program repeats the interval between two samples with shorter steps.
+/// `n_failed_intervals` is the number of these repetitions.
 struct ModelRunTable {
   std::string name, adjective;
   const io::Table& table;
@@ -26,21 +26,22 @@ struct ModelRunTable {
   long n_failed_intervals = 0;
 };
 
-/// Summary of the motion of one model. A drift is the largest difference of a quantity from its initial value, relative
-/// to a reference value (energy_reference, momentum_reference). A drift is empty if the table lacks its columns.
+/// Summary of the motion of one model. A drift is the largest distance of a quantity from its initial value, divided by
+/// a reference value (energy_reference, momentum_reference). A drift is empty if the table lacks its columns.
 struct ModelSummary {
   std::string name, adjective;
   FrequencyFit frequency;
-  ErrorBar frequency_error;      ///< error of the dominant line (frequency_error.h)
-  std::optional<double> load{};  ///< angular frequency of the load that causes the dominant line; empty if no load does
-  double departure = 0;          ///< max_t |Q − Q(0)|, the largest distance of Q from its initial value
-  double strain_amplitude = 0;   ///< √2 rms_t |C − C̄|, with the mean C̄ over time
-  bool turns = false;            ///< true if departure > resolution · |Q(0)|, with the resolution of Deformation
-  bool deforms = false;          ///< true if strain_amplitude > resolution · max_t |C|
+  ErrorBar frequency_error;  ///< error of the dominant line (frequency_error.h)
+  /// Angular frequency of the load that causes the dominant line; empty if there is no such load.
+  std::optional<double> load{};
+  double departure = 0;         ///< max_t |Q − Q(0)|, the largest distance of Q from its initial value
+  double strain_amplitude = 0;  ///< √2 rms_t |C − C̄|, with the mean C̄ over time
+  bool turns = false;           ///< true if Q changes: departure > resolution · |Q(0)| (constructor of Deformation)
+  bool deforms = false;         ///< true if C changes: strain_amplitude > resolution · max_t |C|
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
-  double energy_bound = 0;  ///< largest change of the energy without a warning, as a fraction of the reference value
-  std::optional<double> energy_beyond_since{};  ///< first time of a change beyond this bound; empty if there is none
-  long n_failed_intervals = 0;                  ///< as in ModelRunTable
+  double energy_bound = 0;  ///< largest permitted change of the energy, divided by its reference value
+  std::optional<double> energy_beyond_since{};  ///< first time of a change above `energy_bound`; empty if there is none
+  long n_failed_intervals = 0;                  ///< ModelRunTable::n_failed_intervals
 };
 
 /// Q and C = QᵀQ of one model at each sample, and the mean of C.
@@ -48,43 +49,43 @@ struct Deformation {
   std::vector<Eigen::Matrix3d> Q, C;
   Eigen::Matrix3d C_mean = Eigen::Matrix3d::Zero();
 
-  /// Reads Q from the table, which must have the columns of Q. Sets the departure, the strain amplitude, `turns` and
+  /// Reads Q from the table, which must have the columns of Q. Sets `departure`, `strain_amplitude`, `turns` and
   /// `deforms` of the summary. Relative variations of Q or C below `resolution` do not count as a motion.
   Deformation(const io::Table& table, double resolution, ModelSummary& summary);
 
   /// The values of C(i, j) at the samples.
   std::vector<double> component(int i, int j) const;
   /// The indices (i, j), i ≤ j, of the component of C with the largest variance. If several variances are equal up to
-  /// round-off, the first one counts.
+  /// round-off, the result is the first of these components in the order of rows.
   std::pair<int, int> liveliest_component() const;
 };
 
-/// The fit of the frequency to the samples of a component of C. The result has a reason instead of lines if the times
-/// are not equally spaced or if the body does not deform. It also has a reason if the loads rise, because then the slow
-/// change of the shape is larger than its oscillation. In other cases the result is that of fit_frequency.
+/// Fits frequencies to the samples `signal` of a component of C by fit_frequency. The result has a reason instead of
+/// lines if the times are not equally spaced or if `deforms` is false. It also has a reason if the loads rise, because
+/// the slow change of the shape is then larger than its oscillation.
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms,
                            bool loads_rise = false);
 
-/// Reference value for the energies of one or more models, whose tables must have the columns kinetic and elastic. It
-/// is the largest value over all models and times of three energies, unless this value is round-off. They are kinetic +
-/// elastic, the dissipated energy, and the energy in the column orbital. The value is round-off if it is less than
-/// 1e-12 of the gravitational and external energies. It is also round-off if it is less than 1e-24 of the unit of
-/// energy `unit`. In these cases, the reference is the largest of the gravitational and external energies, or `unit` if
-/// these are zero.
+/// Reference value for the energies of one or more models, whose tables must have the columns kinetic and elastic. Let
+/// E be the largest magnitude, over all models and times, of three energies: kinetic + elastic, dissipated and orbital.
+/// Let P be the largest magnitude of the gravitational and external energies. E is round-off if it is less than 1e-12 P
+/// or less than 1e-24 `unit`, with the unit of energy `unit`. The reference value is E. If E is round-off, the
+/// reference value is P, or `unit` if P = 0.
 double energy_reference(std::initializer_list<const io::Table*> models, double unit);
 
-/// Sets the drift of the energy relative to the reference value, its bound, and the first time beyond the bound. Let
-/// the error of Q be τ|Q|, and let D = max|Q − Q(0)| be the departure, which `summary` must already contain. In an
-/// oscillation, D is twice the amplitude, and the relative change of the energy is 4τ|Q|/D. If τ (`tolerance`) is given
-/// and the body moves, the bound is this value with |Q| = √3, but at most 1 %. Otherwise the bound is 1 %.
+/// Sets the members energy_drift, energy_bound and energy_beyond_since of the summary. The energies are divided by
+/// `reference`. The bound follows from an error τ|Q| of Q, with τ = `tolerance`. Let D = max_t |Q − Q(0)| be the
+/// departure, which `summary` must already contain. In an oscillation, D is twice the amplitude, and the error changes
+/// the energy by the fraction 4τ|Q|/D. If τ is given and the body moves, the bound is this fraction with |Q| = √3, but
+/// at most 1 %. Otherwise the bound is 1 %.
 void set_energy_drift(const io::Table& table, double reference, std::optional<double> tolerance, ModelSummary& summary);
 
 /// Returns, for example, "two frequencies share the motion of the elastic ball, omega = 4.93 and, with 0.8 of its
-/// amplitude, 6.14". The result is empty if the fit has no second line (frequency.h).
+/// amplitude, 6.14". The result is empty if second_line (frequency.h) is empty.
 std::string shared_motion_clause(const ModelSummary& summary);
 
 /// Returns, for example, "the energy of the elastic ball changes by up to 4.2 %, and by more than 1 % from t = 3.2 on".
-/// The result is empty if the change is within the bound.
+/// The result is empty if the change does not exceed `energy_bound`.
 std::string energy_clause(const ModelSummary& summary);
 
 /// Returns, for example, "steps of the elastic ball failed 3 times, and their intervals were repeated with shorter
@@ -101,21 +102,22 @@ std::string drift_in_words(double drift);
 /// table lacks a column.
 std::optional<double> momentum_drift(const io::Table& table, const std::vector<std::string>& columns);
 
-/// The columns of the angular momentum that is constant without loads other than self-gravity and companions. They are
-/// total_J1 to total_J3 for the body and its companions together, or J1 to J3 if the table lacks these columns.
+/// The columns of the angular momentum that is constant if the only loads are self-gravity and companions. The columns
+/// are total_J1 to total_J3 for the body and its companions together, or J1 to J3 if the table lacks the column
+/// total_J1.
 std::vector<std::string> columns_of_angular_momentum(const io::Table& table);
 
 /// Reference value for angular momenta or circulations: the largest norm of `momenta`. If this norm is round-off, the
 /// reference is the product m̄|Q||Q̇| at the sample with the largest |Q̇|. Here m̄ follows from the kinetic energy
-/// K = ½m̄|Q̇|². The product bounds both norms at that sample up to a factor √2. If the table lacks the columns of Q,
-/// Q̇ or K, the reference is the largest norm.
+/// K = ½m̄|Q̇|². At that sample, the norms of the angular momentum and of the circulation are at most √2 times the
+/// product. If the table lacks the columns of Q, Q̇ or K, the reference is the largest norm.
 double momentum_reference(const io::Table& table, const std::vector<Eigen::Vector3d>& momenta);
 
-/// The body spins if its angular momentum J or its circulation Z exceeds this fraction of m̄|Q||Q̇|. Smaller values are
-/// round-off. Here m̄ is the factor in the kinetic energy K = ½m̄|Q̇|².
+/// A body spins if its angular momentum or its circulation exceeds this fraction of m̄|Q||Q̇|. Smaller values are
+/// round-off. Here m̄ is the factor in the kinetic energy ½m̄|Q̇|² of an affine motion.
 inline constexpr double spin_threshold = 1e-9;
 
-/// The label of a column, and the least, greatest and last value of this column in a run.
+/// The label of a column for the terminal, and the least, greatest and last value of this column in a run.
 struct ColumnRange {
   std::string label;
   double least = 0, greatest = 0, last = 0;
@@ -128,19 +130,19 @@ struct MotionSummary {
   double first_time = 0, last_time = 0;
   bool has_state = false;           ///< true if the table has the columns of Q
   std::string signal;               ///< component of C with the largest variance, for example "C33"
-  std::vector<ColumnRange> ranges;  ///< ranges of the columns for the terminal (terminal_table shows the first 12)
-  std::optional<double>
-      mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine fraction of the
-                                        ///< kinetic energy K; empty if the table lacks a column
+  std::vector<ColumnRange> ranges;  ///< ranges of columns; terminal_table shows the first 12
+  /// Σ η_K K / ΣK over the samples, with the non-affine fraction η_K of the kinetic energy K. It is empty if the table
+  /// lacks the column of η_K or K.
+  std::optional<double> mean_nonaffine_kinetic_fraction;
 };
 
-/// Data from the scene that the summary of a run needs.
+/// Data of the scene that the summary of a run uses.
 struct SceneFacts {
   double resolution = 1e-10;  ///< relative accuracy of Q and C; smaller relative variations do not count as a motion
   double energy_unit = 0;     ///< unit of energy of the scene
-  /// Time/Tolerance, from which the program chose the step; empty if the scene gives the step.
+  /// The entry Time/Tolerance, from which the program chose the step. It is empty if the scene sets Time/Step.
   std::optional<double> tolerance{};
-  std::vector<double> load_frequencies{};  ///< angular frequencies of loads that depend on time
+  std::vector<double> load_frequencies{};  ///< nonzero angular frequencies of the periodic loads, of either sign
   bool loads_rise = false;                 ///< true if Loads/Rise time is positive
 };
 
@@ -148,10 +150,11 @@ struct SceneFacts {
 /// must have at least one sample.
 MotionSummary summarize_motion(const ModelRunTable& run, const SceneFacts& facts);
 
-/// Summary of the run of another system: the range of each column except the time, and the drift of the energy. The
-/// drift is relative to the larger one of the largest kinetic energy and the range of the potential energy. If both are
-/// round-off, the drift is relative to the largest potential energy. The drift is empty if all these values are 0, or
-/// if there is no column energy. The table must have at least one sample.
+/// Summary of the run of a system other than the ball: the range of each column except the time, and the drift of the
+/// energy. The reference value of the drift is the largest kinetic energy or the range of the potential energy,
+/// whichever is larger. If both are round-off of the potential energy, the reference value is the largest magnitude of
+/// the potential energy. The drift is empty if the reference value is 0, or if there is no column energy. The table
+/// must have at least one sample.
 MotionSummary summarize_system(const ModelRunTable& run);
 
 /// Text for the terminal: one quantity per line, with at most 12 ranges of columns.

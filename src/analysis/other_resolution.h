@@ -4,12 +4,12 @@
 
 namespace pseudorigid::analysis {
 
-/// Samples of a second run of a scene, on another discretisation in space than a given run (RunErrors::other). Both
-/// runs have the same sample times. The columns are the time and the entries Q11 to Q33 of the affine part Q of the
-/// motion.
+/// Samples of a second run of a scene, on a coarser or finer discretisation in space than a given run
+/// (RunErrors::other). Both runs have the same sample times. The columns are the time and the entries Q11 to Q33 of the
+/// affine part Q of the motion.
 struct OtherResolution {
   io::Table samples;
-  double factor;  ///< ratio of the given run's error in space to the difference of the two runs (space_error.h)
+  double factor;  ///< ratio of the error in space of the given run to the difference of the two runs (space_error.h)
 };
 
 }  // namespace pseudorigid::analysis

@@ -13,8 +13,8 @@ namespace {
 using Eigen::Index, Eigen::VectorXd;
 using std::numbers::pi;
 
-/// Magnitudes of the periodogram of the samples y at the angles θ = 2πk/n_padded per sample, k = 0 … n_padded/2. Zeros
-/// extend the samples to the number n_padded, so that each peak covers several of these angles.
+/// Magnitudes of the periodogram of the samples y at the angles θ = 2πk/n_padded per sample, k = 0 … n_padded/2. The
+/// samples are extended by zeros to the number n_padded, so that each peak covers several of these angles.
 std::vector<double> spectrum(const VectorXd& y, std::size_t n_padded) {
   std::vector<double> windowed(n_padded, 0.0);
   const double n = double(y.size());
@@ -29,15 +29,15 @@ std::vector<double> spectrum(const VectorXd& y, std::size_t n_padded) {
   return magnitude;
 }
 
-/// The value below which a quarter of the values lie.
+/// The value that about a quarter of the values do not exceed.
 double lower_quartile(std::vector<double> values) {
   const auto quarter = values.begin() + std::ptrdiff_t(values.size() / 4);
   std::ranges::nth_element(values, quarter);
   return *quarter;
 }
 
-/// The position of the maximum of the parabola through the logarithms of m at k − 1, k, k + 1. If the parabola does not
-/// have a maximum, the result is k.
+/// The position of the maximum of the parabola through the logarithms of the magnitudes m at k − 1, k, k + 1. If the
+/// parabola does not have a maximum, the result is k.
 double vertex(const std::vector<double>& m, std::size_t k) {
   const double left = std::log(m[k - 1]), middle = std::log(m[k]), right = std::log(m[k + 1]);
   const double curvature = left - 2 * middle + right;

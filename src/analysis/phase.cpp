@@ -13,8 +13,8 @@ namespace {
 using Eigen::Matrix3d, Eigen::Vector3d;
 using std::numbers::pi;
 
-/// The least-squares fit of d + a cos ωt + b sin ωt to a window of n_window samples. The time t is counted from the
-/// first sample of the record.
+/// The least-squares fit of d + a cos ωt + b sin ωt to a window of n_window successive samples. The time t is counted
+/// from the first sample of the record. `angle` is ω times the time step.
 class MovingFit {
  public:
   MovingFit(std::span<const double> values, double angle, std::size_t n_window)
@@ -25,15 +25,15 @@ class MovingFit {
     for (std::size_t k = 0; k < n_window; ++k) add(k, 1);
   }
 
-  /// Moves the window by one sample.
+  /// Moves the window by one sample towards the end of the record.
   void advance() {
     add(first_, -1);
     add(first_ + n_window_, 1);
     ++first_;
   }
   std::size_t first() const { return first_; }
-  /// The coefficients of the fit to the present window, as the number a − ib. If the phase at a time t is θ, the
-  /// argument of this number is θ − ωt.
+  /// The coefficients of the fit to the current window, as the complex number a − ib. Its modulus is the amplitude. Its
+  /// argument is θ − ωt for the phase θ at a time t.
   std::complex<double> amplitude() const {
     const Vector3d fit = normal_.ldlt().solve(right_);
     return {fit[1], -fit[2]};
@@ -48,11 +48,11 @@ class MovingFit {
   }
 
   std::span<const double> values_;
-  double angle_;                      ///< ω times the time step
-  std::size_t n_window_, first_ = 0;  ///< number of samples of the window; its first sample
-  double mean_;
+  double angle_;                        ///< ω times the time step
+  std::size_t n_window_, first_ = 0;    ///< number of samples in the window; index of its first sample
+  double mean_;                         ///< mean of all samples; subtracted because it reduces round-off
   Matrix3d normal_ = Matrix3d::Zero();  ///< Σ p pᵀ over the window, p = (1, cos ωt, sin ωt)
-  Vector3d right_ = Vector3d::Zero();   ///< Σ p (y − mean) over the window, with the samples y
+  Vector3d right_ = Vector3d::Zero();   ///< Σ p (y − mean_) over the window, with the samples y
 };
 
 }  // namespace
@@ -62,7 +62,8 @@ std::vector<double> phase(std::span<const double> values, double interval, doubl
   const std::size_t n_values = values.size(), n_window = std::size_t(std::lround(2 * pi / angle));
   if (double(n_window) < least_samples_per_period || n_window > n_values) return {};
   MovingFit fit(values, angle, n_window);
-  std::vector<std::complex<double>> amplitudes(n_values);  // their arguments are θ_n − ωt_n, which vary slowly
+  // The argument of amplitudes[n] is θ_n − ωt_n, which varies slowly with n.
+  std::vector<std::complex<double>> amplitudes(n_values);
   double largest = 0;
   for (std::size_t n = 0; n < n_values; ++n) {
     const std::size_t first = std::min(n - std::min(n, n_window / 2), n_values - n_window);

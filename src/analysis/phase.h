@@ -5,21 +5,21 @@
 ///
 /// with the given frequency ω, by least squares over one period. The phase at t_n is θ_n = arg(a − ib), and the
 /// amplitude is A_n = √(a² + b²). The fit is then d + A_n cos(θ_n + ω(t − t_n)). In the first and the last half period
-/// of the record, no window is centred at t_n. There, θ_n is extrapolated from the nearest fit with the rate ω. While
-/// A_n is below a hundredth of the largest amplitude, θ_n also grows at the rate ω. The phase does not jump by 2π: it
-/// increases by about 2π in each period.
+/// of the record, the window around t_n exceeds the record. There, θ_n is extrapolated from the nearest complete window
+/// with the rate ω. While A_n is below a hundredth of the largest amplitude, θ_n also grows at the rate ω. The phase is
+/// continuous: it increases by about 2π in each period.
 
 #include <span>
 #include <vector>
 
 namespace pseudorigid::analysis {
 
-/// Least number of samples in a period for which a phase is computed.
+/// Least number of samples in a period for which `phase` computes phases.
 inline constexpr double least_samples_per_period = 4;
 
 /// The phases θ_n, in radians, at the samples `values`, which have the constant positive time step `interval`. The
-/// result is empty if the record is shorter than a period, or if a period has fewer than `least_samples_per_period`
-/// samples.
+/// argument `frequency` is ω > 0. The number of samples in a period is rounded to a whole number. The result is empty
+/// if this number exceeds the number of samples, or is less than `least_samples_per_period`.
 std::vector<double> phase(std::span<const double> values, double interval, double frequency);
 
 }  // namespace pseudorigid::analysis

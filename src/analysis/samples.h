@@ -18,8 +18,8 @@ inline const Columns Qdot_columns{"Qdot11", "Qdot12", "Qdot13", "Qdot21", "Qdot2
                                   "Qdot23", "Qdot31", "Qdot32", "Qdot33"};
 
 /// Reads the columns `names` of a table, which must have at least one row. Throws UserError if the table lacks a
-/// column. Returns an Eigen vector or matrix of fixed size for each row of the table. Its entries, row by row, are the
-/// values of the columns in the order of `names`.
+/// column. Returns an Eigen vector or matrix of fixed size for each row of the table. The columns, in the order of
+/// `names`, are the entries of the vector or matrix, row by row.
 template <class Value>
 std::vector<Value> read(const io::Table& table, const Columns& names) {
   std::vector<Value> samples(table.n_rows());
@@ -62,7 +62,7 @@ inline double largest(const std::vector<double>& values) {
 /// The quotient a/b, but 0 for a = 0, even if b = 0.
 inline double ratio_or_zero(double a, double b) { return a == 0 ? 0 : a / b; }
 
-/// The weighted mean Σ w v / Σ w of the values v. It is 0 if Σ w v = 0.
+/// The weighted mean Σ w v / Σ w of the values v with the weights w. The result is 0 if Σ w v = 0, even if Σ w = 0.
 inline double weighted_mean(const std::vector<double>& values, const std::vector<double>& weights) {
   double total = 0, sum = 0;
   for (std::size_t n = 0; n < values.size(); ++n) total += weights[n], sum += values[n] * weights[n];

@@ -12,7 +12,8 @@ double space_error(double d, double N, double N_other, double rate) {
 double SpaceErrorLadder::rate() const {
   if (runs_.size() < 3) return assumed_space_rate;
   const Run *last = &runs_.back(), &three = last[0], &two = last[-1], &one = last[-2];
-  // The quotient d₁₂/d₂₃ of the differences (space_error.h) increases with the rate p, so bisection finds p.
+  // In the model of space_error.h, the quotient d₁₂/d₂₃ of the differences increases with the rate p, so bisection
+  // finds p.
   const auto quotient = [&](double p) {
     return (std::pow(one.N / two.N, -p) - 1) / (1 - std::pow(three.N / two.N, -p));
   };

@@ -1,12 +1,13 @@
 #pragma once
-/// Estimate of the discretisation error from the differences d of successive runs in a series of increasing resolution.
-/// In the model of the estimate, the error e of a run with resolution N is
+/// Estimate of the discretisation error of a run from the differences d of successive runs in a series of increasing
+/// resolution N. N is the degree of a polynomial body, or scene::resolution of a mesh of finite elements. In the model
+/// of the estimate, the error e of a run is
 ///
 ///   e(N) = C N⁻ᵖ,
 ///
-/// with a constant C and the rate p. The error decreases only with a power of the degree and of the mesh size. The
-/// reason is that the motion is not smooth at the shear fronts, which start at the surface of the ball. Two runs with
-/// resolutions N and N' and an assumed rate give
+/// with a constant C and the rate p. The error decreases only with a power of N, because the motion is not smooth at
+/// the shear fronts. These fronts start at the surface of the ball. Two runs with resolutions N and N' and an assumed
+/// rate give
 ///
 ///   e(N) = d N⁻ᵖ / |N'⁻ᵖ − N⁻ᵖ|,
 ///
@@ -14,26 +15,27 @@
 ///
 ///   d₁₂ / d₂₃ = (N₁⁻ᵖ − N₂⁻ᵖ) / (N₂⁻ᵖ − N₃⁻ᵖ).
 ///
-/// The rate is kept between two bounds. The lower bound is necessary because two runs may be close by chance. The upper
-/// bound is necessary because a fast initial rate need not continue. Errors of successive runs often differ in sign, or
-/// have their maxima at different times. The difference d can then be as large as the sum of both errors, and the
-/// estimate is an upper bound.
+/// The rate is limited to an interval. The lower bound is necessary because two runs may have a small difference by
+/// chance. The upper bound is necessary because a fast initial rate need not continue. Errors of successive runs often
+/// differ in sign, or have their maxima at different times. The difference d can then be as large as the sum of both
+/// errors, and the estimate is an upper bound.
 
 #include <cstddef>
 #include <vector>
 
 namespace pseudorigid::analysis {
 
-/// The assumed rate, and the bounds of the rate of finite elements. Measured rates are between the bounds or larger
-/// (docs/benchmarks.md, "Error in space").
+/// The rate p that is assumed for fewer than three runs, and the bounds of the rate of finite elements. Measured rates
+/// are between the bounds or larger (docs/benchmarks.md, "Error in space").
 inline constexpr double assumed_space_rate = 3, least_space_rate = 2.5, largest_space_rate = 6;
 /// Lower bound of the rate p for polynomial bodies, whose resolution N is their degree. If the program makes only one
 /// other run of the scene (the companion run), it computes the error with this rate. The measured rates of
-/// incompressible balls after a release are above 2. A compressible ball whose pressure front meets at the centre has
-/// the rate 1.3, for which the estimate is too small.
+/// incompressible balls after a release are above 2. If the pressure front of a compressible ball converges to the
+/// centre, the measured rate is 1.3, and the estimate is too small.
 inline constexpr double least_polynomial_rate = 1.5;
 
-/// The error e of a run with resolution N, if the difference from a run with resolution N_other is d. `rate` is p.
+/// The error e of a run with resolution N, if d is its difference from a run with resolution N_other. `rate` is p. The
+/// resolutions must differ.
 double space_error(double d, double N, double N_other, double rate = assumed_space_rate);
 
 /// The rate and the errors of a series of runs with increasing resolution.
@@ -49,8 +51,8 @@ class SpaceErrorLadder {
   double resolution_of(std::size_t i) const { return runs_[i].N; }
   double difference_of(std::size_t i) const { return runs_[i].d; }
 
-  /// The rate p from the last three runs, between its bounds. If there are fewer than three runs, it is the assumed
-  /// rate.
+  /// The rate p from the last three runs, limited to its bounds. If there are fewer than three runs, the result is
+  /// assumed_space_rate.
   double rate() const;
   /// The error e of the last run. It is infinite if there are fewer than two runs.
   double error() const;

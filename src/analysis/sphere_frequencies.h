@@ -1,7 +1,8 @@
 #pragma once
 /// Exact angular frequencies ω of the elastic sphere (Lamb 1882; Eringen and Şuhubi, Elastodynamics II, 8.14). The
-/// unknown is x = ωr/c, with the radius r and the speed c of shear waves. With the speed c_p of pressure waves, y =
-/// ωr/c_p = x c/c_p. For the degree n, with N = n(n+1) and the spherical Bessel functions j_n, the equations are
+/// unknown is x = ωr/c, with the radius r and the speed c of shear waves. With the speed c_p of pressure waves,
+/// y = ωr/c_p = x c/c_p. For the degree n, N = n(n+1). The spherical Bessel functions j_n and their derivatives j_n'
+/// have the argument x if none is written. The equations are
 ///
 ///   toroidal                   x j_n' − j_n = 0,        j_n' = j_{n−1} − (n+1)/x j_n
 ///   spheroidal, incompressible [2n(n−1) − x² + γ n k_n][(2N − 2 − x²) j_n − 2x j_n']
@@ -45,7 +46,7 @@ inline double compressible_spheroidal_equation(int n, double x, double ratio) {
 }
 
 /// The root of f above 0.5 with the number `overtone`, counted from 0 for the lowest root. All frequencies of the
-/// sphere satisfy x > 0.5 if Lamé's modulus λ is not negative.
+/// sphere satisfy x > 0.5 if Lamé's modulus λ is not negative. The function does not return if there is no such root.
 template <class Function>
 double sphere_root(const Function& f, int overtone) {
   constexpr double first = 0.5, step = 0.01;  // the distance of two roots of one degree is larger than this step
@@ -62,7 +63,7 @@ double sphere_root(const Function& f, int overtone) {
 }
 
 /// The frequency x = ωr/c of the incompressible sphere for degree n ≥ 1. `gamma` is γ, or 0 without self-gravity.
-/// Toroidal modes do not depend on it.
+/// Toroidal modes do not depend on γ.
 inline double sphere_frequency(bool spheroidal, int n, int overtone, double gamma = 0) {
   return sphere_root(
       [=](double x) { return spheroidal ? incompressible_spheroidal_equation(n, x, gamma) : toroidal_equation(n, x); },

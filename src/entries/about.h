@@ -1,5 +1,5 @@
 #pragma once
-/// Documentation of an entry of a parameter file.
+/// The name, unit and documentation of an entry of a parameter file.
 
 #include <string_view>
 
@@ -7,7 +7,7 @@
 
 namespace pseudorigid::scene {
 
-/// The path ("Section/Entry"), the unit and the documentation of an entry.
+/// The path of an entry in the file ("Section/Entry"), its unit, and its text for the page of parameters.
 struct About {
   std::string_view path;
   Unit unit;

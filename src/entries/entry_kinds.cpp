@@ -18,7 +18,8 @@ std::string_view without_plus(std::string_view text) {
   return plus ? text.substr(1) : text;
 }
 
-/// The number of type T if the whole text is such a number, otherwise empty.
+/// The number if the whole text is a number of type T, otherwise empty. Infinity and NaN are numbers of type double
+/// here.
 template <class T>
 std::optional<T> whole_text_as(std::string_view text) {
   text = without_plus(text);
@@ -28,7 +29,7 @@ std::optional<T> whole_text_as(std::string_view text) {
   return value;
 }
 
-/// A number with its noun, for example "1 entry" or "2 entries".
+/// A number with the noun `one` or `several`, for example "1 entry" or "2 entries".
 std::string counted(std::size_t n, const char* one, const char* several) {
   return std::to_string(n) + " " + (n == 1 ? one : several);
 }
@@ -76,9 +77,9 @@ std::string print_number(double value) {
 
 namespace {
 
-/// Prints the value with three digits, rounded by `towards`, which is floor or ceil. Prints 0, subnormal numbers,
-/// infinity and NaN unchanged. If the magnitude is below 1e-305, the unit of the third digit is subnormal, and the
-/// value is rounded to the nearest.
+/// Prints the value with three significant digits, rounded by `towards`, which is floor or ceil. Prints 0, subnormal
+/// numbers, infinity and NaN unchanged. If the unit of the third digit is subnormal, the value is rounded to the
+/// nearest.
 std::string three_digits(double value, double (*towards)(double)) {
   if (!std::isnormal(value)) return print_number(value);
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);
@@ -126,7 +127,8 @@ std::string Number::expected() const {
 
 namespace {
 
-/// Reads the word `auto`, which makes `value` empty, or a value of `kind`.
+/// Reads the word `auto`, which makes `value` empty, or a text that `kind` permits. Returns the problem of any other
+/// text.
 template <class T, class Kind>
 Problem read_unless_auto(std::string_view text, const Kind& kind, std::optional<T>& value) {
   if (text == "auto") return value.reset(), std::nullopt;
@@ -202,14 +204,13 @@ Problem Text::read(std::string_view text, std::string& value) const {
 
 namespace {
 
-/// An expansion of a shell at the beginning of a text, such as `~`, `$NAME` or `$(`. The member `word` is this
-/// beginning. The member `value` is the replacement of `~` or of a variable. It is empty for other expansions and for
-/// variables that are not set.
+/// The beginning `word` of a text that a shell would replace, such as `~`, `$NAME` or `$(`. The member `value` is the
+/// replacement of `~` or of a variable. It is empty for other words and for variables that are not set.
 struct ShellWord {
   std::string word, value;
 };
 
-/// The expansion at the beginning of the text; empty if a shell would not replace anything there.
+/// The word at the beginning of the text that a shell would replace. The result is empty if there is no such word.
 std::optional<ShellWord> shell_word(std::string_view text) {
   const auto value_of = [](const std::string& name) {
     const char* value = std::getenv(name.c_str());

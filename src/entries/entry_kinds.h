@@ -3,13 +3,13 @@
 /// describes the permitted values in words. The entries are defined in scene/entries.h, scene/analysis_entries.h, and
 /// in the headers of the loads and of the systems.
 ///
-/// Every kind has these members, with T the type of its value. The texts of problems and of `expected` are parts of
-/// error messages:
+/// Every kind has the following members, with T the type of its value. The results of `read` and `expected` are parts
+/// of error messages.
 ///   std::optional<std::string> read(std::string_view text, T& value) const;   // sets value, or returns the problem
 ///   std::string print(const T& value) const;                                  // read(print(v)) gives v, bit for bit
-///   std::string expected() const;                                             // "a number > 0"
-///   static constexpr std::string_view type;                                   // "number"
-///   std::vector<std::string_view> words() const;                              // permitted words, if there are any
+///   std::string expected() const;                                             // permitted values: "a number > 0"
+///   static constexpr std::string_view type;                                   // name of the kind: "number"
+///   std::vector<std::string_view> words() const;                              // permitted words such as `auto`
 
 #include <array>
 #include <filesystem>
@@ -26,28 +26,31 @@
 
 namespace pseudorigid::scene {
 
-/// The problem of a text that is not a permitted value, for example `got "-1"`. It is empty if the text is permitted.
+/// The text of an error message about a value that is not permitted, for example `got "-1"`. It is empty if the value
+/// is permitted.
 using Problem = std::optional<std::string>;
 
-/// The value of `Continuum/Mesh` for the built-in mesh of the ball; any other value is the name of a file.
+/// The value of the entry `Continuum/Mesh` for the built-in mesh of the ball. Any other value is the name of a file.
 inline constexpr std::string_view builtin_mesh = "builtin";
 
-/// The end of a message about a wrong text: `got "…"`, or `got nothing` for an empty text.
+/// The end of an error message that quotes a wrong text: `got "…"`, or `got nothing` for an empty text.
 std::string got(std::string_view text);
 
-/// Returns the number if the whole text is a finite number, otherwise an empty optional.
+/// Returns the number if the whole text is a finite decimal number, otherwise an empty optional. A leading `+` is
+/// permitted.
 std::optional<double> finite_number(std::string_view text);
 
 /// Returns the shortest decimal text that reads back as the same double. It has at most 17 significant digits.
 std::string print_number(double value);
 
-/// Prints a computed bound with three digits, for a message. An upper bound is rounded down and a lower bound up, so
-/// that the printed number is itself permitted. Numbers with a magnitude below 1e-305 are rounded to the nearest. Zero,
-/// subnormal numbers, infinity and NaN are printed unchanged.
+/// Prints the computed bound of an entry with three significant digits, for a message. An upper bound is rounded down
+/// and a lower bound up, so that the printed number is a permitted value. If the third digit would be subnormal
+/// (magnitudes below about 1e-305), the number is rounded to the nearest. Zero, subnormal numbers, infinity and NaN are
+/// printed unchanged.
 std::string print_upper_bound(double value);
 std::string print_lower_bound(double value);
 
-/// Prints the numbers in one line, "1, 0.5, 2".
+/// Prints the numbers in one line, separated by ", ".
 std::string print_row(std::span<const double> numbers);
 
 /// Prints the matrix in one line. "; " separates rows and ", " separates numbers.
@@ -69,7 +72,7 @@ struct Number {
 inline constexpr Number positive{.low = 0, .low_excluded = true};
 inline constexpr Number not_negative{.low = 0};
 
-/// The word `auto`, which gives no value, or a number that `number` admits.
+/// The word `auto`, for which the value is empty, or a number that `number` permits.
 struct AutoOrNumber {
   Number number;
 
@@ -80,7 +83,7 @@ struct AutoOrNumber {
   std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
-/// A whole number with low <= number <= high; the largest int means that there is no upper limit.
+/// A whole number with low <= number <= high. If `high` is the largest int, messages do not name an upper limit.
 struct Integer {
   int low = 0;
   int high = std::numeric_limits<int>::max();
@@ -92,7 +95,7 @@ struct Integer {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The word `auto`, which gives no value, or a whole number that `number` admits.
+/// The word `auto`, for which the value is empty, or a whole number that `number` permits.
 struct AutoOrInteger {
   Integer number;
 
@@ -103,8 +106,8 @@ struct AutoOrInteger {
   std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
-/// The word `auto`, which gives an empty list, or increasing whole numbers separated by `,`. Each number must be one
-/// that `number` admits.
+/// The word `auto`, for which the value is an empty list, or strictly increasing whole numbers separated by `,`.
+/// `number` must permit each number.
 struct AutoOrIntegers {
   Integer number;
 
@@ -145,7 +148,7 @@ struct Directory {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The word `builtin` or the name of a .msh file.
+/// The word `builtin` or the name of a .msh file, which need not exist.
 struct BuiltinOrMeshFile {
   static constexpr std::string_view type = "mesh";
   Problem read(std::string_view text, std::string& value) const;
@@ -167,7 +170,7 @@ struct Matrix {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The word `auto`, which gives no value, or a matrix.
+/// The word `auto`, for which the value is empty, or a matrix.
 struct AutoOrMatrix {
   static constexpr std::string_view type = "auto or matrix";
   Problem read(std::string_view text, std::optional<Matrix3>& value) const;
@@ -176,7 +179,7 @@ struct AutoOrMatrix {
   std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
-/// A list of numbers separated by `,`. Each number must be one that `number` admits.
+/// A list of numbers separated by `,`. `number` must permit each number.
 struct Numbers {
   std::size_t n = 0;  ///< required number of entries; if it is 0, the list can have any length
   Number number{};
@@ -189,8 +192,8 @@ struct Numbers {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// Rows of n_columns numbers. `;` separates rows, and `,` separates entries. The value is a list of the numbers, row by
-/// row.
+/// Rows of `n_columns` finite numbers. `;` separates rows, and `,` separates the numbers of a row. The value is a list
+/// of the numbers, row by row.
 struct Rows {
   std::size_t n_columns;
   bool may_be_empty = false;
@@ -202,11 +205,11 @@ struct Rows {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The part of a message that quotes a word that is not permitted, with the nearest permitted word if one is near
-/// enough (wording.h).
+/// The end of an error message about a word that is not permitted: `got "…"`, and the question did_you_mean (wording.h)
+/// if a permitted word is similar.
 std::string unknown_word(std::string_view word, const std::vector<std::string_view>& allowed);
 
-/// A table of names. Each name has a value of type E, which is an enumeration or a pointer to a member.
+/// A table of n names, each with a value of type E. E is an enumeration or a type of pointers to members.
 template <class E, std::size_t n>
 using NameTable = std::array<std::pair<std::string_view, E>, n>;
 
@@ -221,7 +224,7 @@ std::vector<std::string_view> words_of(const NameTable<E, n>& table) {
 /// Joins the words in one line, "a, b, c".
 std::string joined(const std::vector<std::string_view>& words);
 
-/// The permitted words in a message: "a", "a or b" or "one of a, b, c".
+/// Lists permitted words for a message: "a", "a or b" or "one of a, b, c".
 std::string one_of(const std::vector<std::string_view>& words);
 
 /// True if no name is empty, and no name or value occurs twice.
@@ -266,7 +269,7 @@ consteval Choice<E, n> choice(const std::pair<std::string_view, E> (&names)[n]) 
   return Choice<E, n>(std::to_array(names));
 }
 
-/// One word of the list `allowed`, which is known only at run time.
+/// One word of the list `allowed`. Unlike the table of a Choice, this list can be made at run time.
 struct Word {
   std::vector<std::string_view> allowed;
 
@@ -277,8 +280,8 @@ struct Word {
   std::vector<std::string_view> words() const { return allowed; }
 };
 
-/// A comma-separated list of words from `allowed`, which is known only at run time. The value contains the words in the
-/// order of `allowed`.
+/// A comma-separated list of words from `allowed`, which may be empty. The value contains the words in the order of
+/// `allowed`, each once.
 struct Words {
   std::vector<std::string_view> allowed;
 
@@ -289,12 +292,13 @@ struct Words {
   std::vector<std::string_view> words() const { return allowed; }
 };
 
-/// Splits the text at each separator and trims the parts. Returns no parts for a blank text.
+/// Splits the text at each separator and removes white space at the ends of the parts. The result is empty for a blank
+/// text.
 std::vector<std::string_view> parts_of(std::string_view text, char separator);
 
-/// A comma-separated list of words. Each word sets a bool member of the value to true, and the other members are false.
-/// If n_in_all is not 0, the word `all` sets the first n_in_all members to true. If a word is unknown, `read` returns
-/// the problem, and the value is not valid.
+/// A comma-separated list of words, which may be empty. Each word sets a bool member of the value to true. The other
+/// members of `table` become false. If n_in_all is not 0, the word `all` sets the first n_in_all members of the table
+/// to true. If a word is unknown, `read` returns the problem, and the value must not be used.
 template <class S, std::size_t n>
 struct Switches {
   consteval Switches(const NameTable<bool S::*, n>& names, std::size_t n_of_all) : table(names), n_in_all(n_of_all) {

@@ -1,5 +1,5 @@
 #pragma once
-/// 3×3 matrices as values of entries, and the linear algebra for checks of these values.
+/// 3×3 matrices as values of entries of a parameter file, and the linear algebra for checks of these values.
 
 #include <algorithm>
 #include <array>
@@ -11,13 +11,14 @@ namespace pseudorigid::scene {
 /// A matrix, stored row by row. The type makes the entries independent of any linear algebra library.
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 inline constexpr Matrix3 identity3{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-/// Bound of the round-off error of a sum of a few products, as a fraction of the sum of the absolute values of the
-/// products.
+/// Bound of the round-off error of a sum of a few products, divided by the sum of the absolute values of the products.
 inline constexpr double round_off_of_sum = 8 * std::numeric_limits<double>::epsilon();
-/// Largest permitted condition number and stretch. Beyond them, round-off exceeds the accuracy of the user's data.
+/// Largest permitted condition number and largest permitted stretch of a matrix. For larger values, round-off exceeds
+/// the accuracy of the user's data.
 inline constexpr double largest_condition = 1e12, largest_stretch = 1e12;
 
-/// The cofactor cof Q = det(Q) Q^-T. If Q is diagonal or block diagonal, the zeros of the result are exact.
+/// The cofactor matrix cof Q, equal to det(Q) Q^-T if Q is regular. If Q is diagonal or block diagonal, the zeros of
+/// the result are exact.
 inline Matrix3 cofactor(const Matrix3& q) {
   Matrix3 cof{};
   for (std::size_t i = 0; i < 3; ++i)
@@ -28,7 +29,7 @@ inline Matrix3 cofactor(const Matrix3& q) {
   return cof;
 }
 
-/// The inner product A : B = tr(A^T B).
+/// The inner product A : B = tr(AᵀB).
 inline double inner(const Matrix3& a, const Matrix3& b) {
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -39,7 +40,7 @@ inline double inner(const Matrix3& a, const Matrix3& b) {
 /// The Frobenius norm.
 inline double norm(const Matrix3& a) { return std::sqrt(inner(a, a)); }
 
-/// The largest absolute value of an entry.
+/// The largest absolute value of the entries.
 inline double largest_entry(const Matrix3& a) {
   double largest = 0;
   for (const auto& row : a)
@@ -66,7 +67,7 @@ inline Matrix3 scaled(double factor, Matrix3 a) {
   return a;
 }
 
-/// The matrix of the absolute values.
+/// The matrix of the absolute values of the entries.
 inline Matrix3 absolute(Matrix3 a) {
   for (auto& row : a)
     for (double& entry : row) entry = std::abs(entry);

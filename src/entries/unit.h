@@ -1,7 +1,8 @@
 #pragma once
-/// The unit of an entry or of a column in words. The words are `length`, `mass`, `time`, `pressure`, `radius` or `1`.
-/// `^` raises a word to a positive whole power, and `*` and `/` join words from left to right ("mass*length^2/time").
-/// An empty text means a pure number. Any other word does not compile.
+/// The unit of an entry of a parameter file or of a column of a file, in words. The words are `length`, `mass`, `time`,
+/// `pressure`, `radius` (the radius of the ball) and `1`. `^` raises a word to a positive whole power, and `*` and `/`
+/// join words from left to right ("mass*length^2/time"). An empty text means a pure number. A unit with another word or
+/// power does not compile.
 
 #include <string_view>
 
@@ -9,7 +10,7 @@ namespace pseudorigid::scene {
 
 namespace detail {
 
-/// The whole number with these digits; 0 if another character occurs or if there is no digit.
+/// The whole number with these digits. The result is 0 if the text contains another character or is empty.
 constexpr int whole_number(std::string_view digits) {
   int number = 0;
   for (const char digit : digits) {
@@ -19,7 +20,8 @@ constexpr int whole_number(std::string_view digits) {
   return number;
 }
 
-/// Calls visitor(word, power) for each factor; the power of a divisor is negative.
+/// Calls visitor(word, power) for each factor of a unit in words. The power of a divisor is negative, and a power that
+/// is not written as a positive whole number is 0.
 template <class Visitor>
 constexpr void visit_factors(std::string_view words, Visitor&& visitor) {
   bool divide = false;
@@ -36,8 +38,8 @@ constexpr void visit_factors(std::string_view words, Visitor&& visitor) {
 
 }  // namespace detail
 
-/// The words of a unit, which are checked when the program is compiled. They must be a string literal, because
-/// units.cpp identifies them by their address.
+/// A unit. The compiler checks its words. They must be a string literal, because units.cpp identifies a unit by the
+/// address of its words.
 class Unit {
  public:
   constexpr Unit() = default;
@@ -60,7 +62,7 @@ class Unit {
   constexpr operator std::string_view() const { return words_; }
   constexpr bool empty() const { return words_.empty(); }
 
-  /// Calls visitor(word, power) for each factor; the power of a divisor is negative.
+  /// Calls visitor(word, power) for each factor of the unit. The power of a divisor is negative.
   template <class Visitor>
   constexpr void visit(Visitor&& visitor) const {
     detail::visit_factors(words_, visitor);

@@ -14,7 +14,7 @@ Units ball_units(double radius, double density, double time) {
 
 namespace {
 
-/// The powers of length, mass, time and stress in a unit.
+/// The powers of length, mass, time and stress (the word `pressure`) in a unit.
 struct Powers {
   int length = 0, mass = 0, time = 0, stress = 0;
 };
@@ -30,8 +30,8 @@ Powers read_powers(scene::Unit unit) {
   return powers;
 }
 
-/// Returns the powers in a unit. A cache identifies the unit by the address of its words, which are a string literal.
-/// Reading the words again would take longer than all other work on a row of the output.
+/// Returns the powers in a unit. A cache of each thread identifies the unit by the address of its words, which are a
+/// string literal. Without the cache, reading the words would take longer than all other work on a row of the output.
 const Powers& powers_of(scene::Unit unit) {
   thread_local std::unordered_map<const char*, Powers> known;
   const auto [found, is_new] = known.try_emplace(std::string_view(unit).data());
@@ -44,8 +44,8 @@ const Powers& powers_of(scene::Unit unit) {
 double Units::to_physical(double internal, scene::Unit unit) const {
   const auto [of_length, of_mass, time_power, of_stress] = powers_of(unit);
   int of_time = time_power;
-  // Length per time is converted by the unit velocity(), and 1/time² by the unit multiplier(). The result then has the
-  // same round-off as a conversion by the caller with these units.
+  // Length per time is converted by velocity(), and 1/time² by multiplier(). The result then equals, bit for bit, a
+  // conversion by the caller with these functions.
   const int of_velocity = std::clamp(-of_time, 0, std::max(of_length, 0));
   double factor = 1;
   const auto multiply = [&](double size, int power) {

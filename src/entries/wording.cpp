@@ -8,7 +8,8 @@ namespace pseudorigid::scene {
 namespace {
 
 constexpr std::size_t longest_quotation = 100;  // in bytes
-/// Length in bytes of the longest text that can be a misspelt name. The bound also limits the cost of the search.
+/// Length in bytes of the longest text for which `nearest` searches a correct name. The bound limits the time of the
+/// search.
 constexpr std::size_t longest_misspelling = 80;
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
@@ -22,7 +23,8 @@ std::string_view last_part(std::string_view path) {
 }
 
 /// A character from web pages or word processors that resembles a character of the keyboard: its bytes in UTF-8, its
-/// name for messages, and the character `typed` of the keyboard. `typed` is empty if the character is to be deleted.
+/// name for messages, and the similar character `typed` of the keyboard. `typed` is empty if without_lookalikes deletes
+/// the character.
 struct Lookalike {
   std::string_view bytes, name, typed;
 };
@@ -57,7 +59,7 @@ constexpr Lookalike lookalikes[] = {
 };
 
 /// Returns a note about the first lookalike in the text, for example ` (with the minus sign U+2212 in place of "-")`.
-/// Returns an empty text if there is none.
+/// The note is empty if the text has no lookalike.
 std::string note_of_lookalike(std::string_view text) {
   const Lookalike* first = nullptr;
   std::size_t place = text.npos;
@@ -98,7 +100,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 int edit_distance(std::string_view from, std::string_view to) {
-  // Levenshtein's recursion: row[j] is the distance between the letters of `from` up to the present one and the first j
+  // Levenshtein's recursion: row[j] is the distance between the letters of `from` up to `letter` and the first j
   // letters of `to`.
   std::vector<int> row(to.size() + 1);
   std::iota(row.begin(), row.end(), 0);
@@ -113,9 +115,9 @@ int edit_distance(std::string_view from, std::string_view to) {
   return row.back();
 }
 
-/// The candidate of the same section whose name ends with the last part of `word` after other words, as "Material/Lame
-/// lambda" for "Material/lambda". The result is empty if there is no such candidate, or more than one, or if the last
-/// part has fewer than four letters.
+/// The candidate of the same section whose name has further words before the last part of `word`, for example
+/// "Material/Lame lambda" for "Material/lambda". The last part is compared without regard to case. The result is empty
+/// if there is no such candidate, or more than one, or if the last part has fewer than four letters.
 std::optional<std::string_view> with_last_word(std::string_view word, const std::vector<std::string_view>& candidates) {
   const std::string_view typed = last_part(word), section = word.substr(0, word.size() - typed.size());
   constexpr std::size_t least = 4;

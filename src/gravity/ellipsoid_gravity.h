@@ -1,23 +1,23 @@
 #pragma once
-/// Self-gravity of the homogeneous ellipsoid F B, with the unit ball B (docs/oliva.md, correction 8; Carlson's form of
-/// Chandrasekhar's integrals). G is the gravitational constant and M the mass. Let κ = (3/5) G M², F = U diag(a) Wᵀ
-/// with orthogonal U and W, A = UᵀF and x_i = a_i². With the integrals d_i and t_k of ellipsoid_integrals.h, the
-/// potential energy V and its derivative are
+/// Self-gravity of the homogeneous ellipsoid F B, the image of the unit ball B under the matrix F (docs/oliva.md,
+/// correction 8; Carlson's form of Chandrasekhar's integrals). G is the gravitational constant and M the mass. The
+/// singular value decomposition is F = U diag(a) Wᵀ, with the semi-axes a_i. Let κ = (3/5) G M², A = UᵀF and
+/// x_i = a_i². With the integrals d_i and t_k of ellipsoid_integrals.h, the potential energy V and its derivative are
 ///
 ///   V = −κ R_F(x_1, x_2, x_3) = −(κ/3) Σ x_i d_i,      ∂V/∂F = (κ/3) U diag(d) A = (κ/3) U diag(d) Uᵀ F.
 ///
-/// Let ĥ = UᵀH, and let ċ = ĥAᵀ + Aĥᵀ be the derivative of C = FFᵀ in the frame of the axes. The derivative of ∂V/∂F
-/// along Ḟ = H is, for different indices i, j, k,
+/// Let ĥ = UᵀH, and let ċ = ĥAᵀ + Aĥᵀ be the derivative of FFᵀ along Ḟ = H, in the frame of the principal axes. The
+/// derivative of ∂V/∂F along H is, for different indices i, j, k,
 ///
 ///   D(∂V/∂F)[H] = (κ/3) U (gA + diag(d)ĥ),   g_ij = −t_k ċ_ij,   g_ii = −(3/2) t_ii ċ_ii − ½ Σ_{j≠i} t_k ċ_jj,
 ///   x_i t_ii = d_i − ⅓ Σ_{j≠i} x_j t_k    (Euler's identity; at least ⅓ d_i, so that there is no cancellation).
 ///
-/// The formulas do not divide by differences of the axes, so the axes may coincide. The force is computed from the
-/// products d_i A_i with the rows A_i of A, and not from (U diag(d) Uᵀ) F. Both are equal in exact arithmetic. For a
-/// flat body, the products d_i A_i have relative errors of the round-off ε. The other form has relative errors of
-/// cond(F)·ε. The torque and the circulation are accurate for the same reason. V is homogeneous of degree −1. Very
-/// large or small F are therefore scaled by a power of two to avoid overflow of squares. This scaling has no rounding
-/// errors.
+/// The formulas do not divide by differences of the semi-axes, so semi-axes may be equal. The derivative ∂V/∂F is
+/// computed from the products d_i A_i with the rows A_i of A, and not from (U diag(d) Uᵀ) F. Both forms are equal in
+/// exact arithmetic. For a flat body, the products d_i A_i have relative errors of the round-off ε, and the other form
+/// has relative errors of cond(F)·ε. For the same reason, the computed force changes the angular momentum and the
+/// circulation by round-off only. V is homogeneous of degree −1 in F. Therefore very large or small F are scaled by a
+/// power of two, which avoids overflow of squares and does not cause rounding errors.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -28,9 +28,9 @@
 namespace pseudorigid::gravity {
 
 struct EllipsoidGravity {
-  double strength;  ///< strength κ = (3/5) G M²
+  double strength;  ///< the factor κ = (3/5) G M²
 
-  /// Returns the potential energy V of the ellipsoid F B. F must be regular.
+  /// Returns the potential energy V of the ellipsoid F B. F must be a regular matrix.
   double energy(const Eigen::Matrix3d& F) const {
     const double scale = unit_scale(F);
     const auto axes = mechanics::principal_axes(scale * F);
@@ -63,8 +63,8 @@ struct EllipsoidGravity {
   }
 
  private:
-  /// Returns the factor by which F is scaled. Let m be the largest absolute value of an entry. If m is between 2⁻²⁰ and
-  /// 2²⁰, the factor is 1. Otherwise the factor is the power of two that brings m into [½, 1).
+  /// Returns the factor by which F is scaled. Let m be the largest absolute value of the entries of F. If m is between
+  /// 2⁻²⁰ and 2²⁰, the factor is 1. Otherwise the factor is the power of two that brings m into [½, 1).
   static double unit_scale(const Eigen::Matrix3d& F) {
     const double largest = F.cwiseAbs().maxCoeff();
     if (largest > 0x1p-20 && largest < 0x1p+20) return 1;

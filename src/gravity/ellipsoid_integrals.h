@@ -1,21 +1,22 @@
 #pragma once
-/// The elliptic integrals of an ellipsoid with semi-axes a_i, in the notation R_F, R_D of Carlson. The indices i, j, k
-/// are different. With x_i = a_i² and Δ = √((x_1+s)(x_2+s)(x_3+s)), the integrals are
+/// The elliptic integrals for the gravity of an ellipsoid with semi-axes a_i, in the notation R_F, R_D of Carlson. The
+/// indices i, j, k are a permutation of 1, 2, 3. With x_i = a_i² and Δ = √((x_1+s)(x_2+s)(x_3+s)), the integrals are
 ///
 ///   d_i = R_D(x_j, x_k, x_i) = (3/2) ∫₀^∞ ds/((x_i + s)Δ),      t_k = (3/2) ∫₀^∞ ds/((x_i + s)(x_j + s)Δ).
 ///
 /// Other integrals follow without cancellation: R_F = ⅓ Σ x_i d_i, (d_i − d_j)/(x_i − x_j) = −t_k, ∂d_i/∂x_j = −½ t_k.
 ///
 /// Carlson's duplication (Numer. Math. 33 (1979) 1; Numer. Algorithms 10 (1995) 13) is used without his factor ¼. Let
-/// r_i = √x_i and p_ij = r_i + r_j. A duplication replaces x_i by x_i' = x_i + r_1 r_2 + r_2 r_3 + r_3 r_1 = p_ij p_ik.
-/// The new arguments have the same differences as the x_i. With the integrals d_i' and t_k' of the new arguments,
+/// r_i = √x_i and p_ij = r_i + r_j. A duplication replaces the arguments x_i by x_i' = x_i + r_1 r_2 + r_2 r_3 + r_3
+/// r_1 = p_ij p_ik. The differences x_i − x_j do not change. With the integrals d_i' and t_k' of the new arguments,
 ///
 ///   d_i = 3/(r_i x_i') + 2 d_i',      t_k = 3 (r_1 + r_2 + r_3)/(p_ij² r_i r_j p_ik p_jk) + 2 t_k'.
 ///
-/// Every term is positive. If the ratio of the arguments is large, a duplication replaces this ratio by about its
-/// square root. If the ratio is near 1, a duplication divides the relative differences by about 4. Let A = ⅓ Σ x_i and
-/// Z_i = 1 − x_i/A, with the elementary symmetric functions E_2 = Σ_{i<j} Z_i Z_j and E_3 = Z_1 Z_2 Z_3. Let
-/// P(u) = 1 + E_2/u² − E_3/u³. For small Z_i, the expansion of the integrals over u = 1 + s/A gives
+/// Every term is positive, so there is no cancellation. If the ratio of the arguments is large, a duplication replaces
+/// this ratio by about its square root. If the ratio is near 1, a duplication divides the relative differences by about
+/// 4. After the duplications, let A = ⅓ Σ x_i and Z_i = 1 − x_i/A. The sum of the Z_i is 0, and E_2 = Σ_{i<j} Z_i Z_j
+/// and E_3 = Z_1 Z_2 Z_3 are their elementary symmetric functions. Let P(u) = 1 + E_2/u² − E_3/u³. Let
+/// (3/2)_k = (3/2)(5/2) … (k + 1/2). For small Z_i, the substitution u = 1 + s/A and an expansion in E_2, E_3 give
 ///
 ///   d_i = A^(−3/2) (h_0 + Z_i h_1 + Z_j Z_k h_2),    t_k = A^(−5/2) (h_1 − Z_k h_2),
 ///   h_l = (3/2) ∫₁^∞ u^(−5/2−l) P^(−3/2) du = Σ_{m,n} (−1)^m (3/2)_{m+n} E_2^m E_3^n / (m! n! (1 + ⅔(l + 2m + 3n))).
@@ -34,9 +35,10 @@ struct EllipsoidIntegrals {
 
 namespace detail {
 
-/// The series for h_l is truncated such that d_i and t_k are complete up to this degree in Z. The series is used if the
-/// largest and the smallest argument x_i differ by at most `series_spread` times the sum of the arguments. The
-/// truncation error is below 1e-16 of the result (measured: 4e-17 in d_i, 6e-17 in t_k).
+/// The series for h_l is truncated after the degree `series_degree` − l in Z. The terms of d_i are then complete up to
+/// the degree `series_degree`, and the terms of t_k up to one degree less. The series is used if the largest and the
+/// smallest argument x_i differ by at most `series_spread` times the sum of the arguments. The relative truncation
+/// error is below 1e-16 (measured: 4e-17 in d_i, 6e-17 in t_k).
 inline constexpr int series_degree = 11;
 inline constexpr double series_spread = 0.025;
 
@@ -50,8 +52,7 @@ inline constexpr double series_coefficient = [] {
   return c;
 }();
 
-/// Returns the factor of E_3^n in h_l, a polynomial in E_2 with the powers 0, …, M. Horner's rule evaluates this
-/// polynomial.
+/// Returns the factor of E_3^n in h_l, a polynomial in E_2 with the powers m = 0, …, M, by Horner's rule.
 template <int l, int n, int... m>
 double series_row(double E2, std::integer_sequence<int, m...>) {
   constexpr int M = sizeof...(m) - 1;
@@ -59,6 +60,7 @@ double series_row(double E2, std::integer_sequence<int, m...>) {
   ((sum = sum * E2 + series_coefficient<l, M - m, n>), ...);
   return sum;
 }
+/// Returns the truncated series h_l, a polynomial in E_3 with the powers n = 0, …, N, by Horner's rule.
 template <int l, int... n>
 double series_rows(double E2, double E3, std::integer_sequence<int, n...>) {
   constexpr int N = sizeof...(n) - 1;
@@ -69,7 +71,8 @@ double series_rows(double E2, double E3, std::integer_sequence<int, n...>) {
   return sum;
 }
 
-/// Returns the series h_l. The compiler unrolls the sums, so that the processor can add the rows in parallel.
+/// Returns the truncated series h_l. The compiler unrolls the sums, so that the processor can compute several rows
+/// (series_row) in parallel.
 template <int l>
 double series(double E2, double E3) {
   return series_rows<l>(E2, E3, std::make_integer_sequence<int, (series_degree - l) / 3 + 1>());
@@ -77,12 +80,12 @@ double series(double E2, double E3) {
 
 }  // namespace detail
 
-/// Returns the integrals for semi-axes a_i, each 0 or between 10⁻⁵⁰ and 10⁵⁰. At most one of them may be 0. If a_i = 0,
-/// d_i and the t_k with k ≠ i are infinite. If `with_t` is false, t is not computed and not valid.
+/// Returns the integrals for semi-axes a_i, each 0 or between 10⁻⁵⁰ and 10⁵⁰. At most one semi-axis may be 0. If
+/// a_i = 0, d_i and the t_k with k ≠ i are infinite. If `with_t` is false, t is not computed and must not be used.
 template <bool with_t = true>
 EllipsoidIntegrals ellipsoid_integrals(const Eigen::Vector3d& a) {
   using Eigen::Array3d;
-  constexpr int max_duplications = 20;  // a ratio 10³⁰⁰ of the arguments needs 14
+  constexpr int max_duplications = 20;  // 14 are sufficient if the ratio of the largest to the smallest x_i is 10³⁰⁰
   const auto others = [](const Array3d& y) { return Array3d(y[1] * y[2], y[2] * y[0], y[0] * y[1]); };
   Array3d r = a, x = r * r, d = Array3d::Zero(), t = Array3d::Zero();
   double weight = 3;  // factor of the terms, 3·2ⁿ after n duplications

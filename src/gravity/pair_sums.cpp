@@ -1,6 +1,6 @@
-/// The sums over pairs of points of surface_gravity.h, compiled for several instruction sets
-/// (mechanics/core/kernel_builds.h). The target i and the source j have the points x_i, x_j and the area vectors N_i,
-/// N_j. With d = x_i − x_j, a = d·N_i and b = d·N_j, the sums are
+/// The sums over pairs of surface points of surface_gravity.h, compiled for several instruction sets
+/// (mechanics/core/kernel_builds.h). The target i and the source j have the positions x_i, x_j and the area vectors
+/// N_i, N_j. With d = x_i − x_j, a = d·N_i and b = d·N_j, the sums are
 ///
 ///   g_i = Σ_j [(N_i b + a N_j)/|d| − a b d/|d|³],   h_i = Σ_j d b/|d|,   e_i = N_i·h_i.
 
@@ -18,11 +18,12 @@ namespace {
 using L = mechanics::Lanes<mechanics::native_lanes>;
 constexpr std::size_t n_lanes = mechanics::native_lanes;
 
-/// A constant that is added to squared distances, and is far below any relevant squared distance. The constant makes
-/// the inverse distance of a point to itself finite. Such a pair adds 0, because all its terms have the factor d.
+/// A constant that is added to squared distances. It is far below the squared distance of two different points. The
+/// constant makes the inverse distance of a point to itself finite. Such a pair adds 0, because all its terms have the
+/// factor d = 0.
 constexpr double no_distance = 1e-36;
 
-/// A number with its time derivative.
+/// A number with its time derivative, in each lane.
 struct Rated {
   L value, rate;
 
@@ -39,15 +40,15 @@ struct Rated {
   }
 };
 
-/// A block of targets, one in each lane, with their sums. Terms along N_i are omitted from `g`, and only their factor
-/// is summed. The complete sum is g_i = g + along_N N_i.
+/// A block of targets, one in each lane, with their positions x, area vectors N and sums. The terms Σ_j (b/|d|) N_i are
+/// not in `g`. Their factor Σ_j b/|d| is in `along_N`, so the complete sum is g_i = g + along_N N_i.
 template <class S>
 struct Block {
   S x[3], N[3], along_N, g[3], h[3];
 };
 
 /// Adds the terms of n sources to the sums of a block. For source j, point(c, j) and area(c, j) are component c of its
-/// point and of its area vector.
+/// position and of its area vector.
 template <class S, class Point, class Area>
 void add_pairs(Block<S>& block, std::size_t n, const Point& point, const Area& area) {
   Block<S> s = block;  // a local copy, which the compiler keeps in registers
@@ -67,18 +68,18 @@ void add_pairs(Block<S>& block, std::size_t n, const Point& point, const Area& a
   block = s;
 }
 
+/// Returns the values from number `first` on, one in each lane. Lanes after the last value repeat this value.
 L lanes_from(const std::vector<double>& values, std::size_t first) {
-  return L::of([&](int l) {
-    return values[std::min(first + l, values.size() - 1)];
-  });  // lanes after the last value repeat this value
+  return L::of([&](int l) { return values[std::min(first + l, values.size() - 1)]; });
 }
 
+/// Writes the lanes to `values`, from number `first` on, and omits the lanes after the last value.
 void store(const L& lanes, std::vector<double>& values, std::size_t first) {
   for (std::size_t l = 0; l < n_lanes && first + l < values.size(); ++l) values[first + l] = lanes[static_cast<int>(l)];
 }
 
-/// Completes g and computes e for the targets of a block. Writes their sums to `sums`, from number `first` on. `part`
-/// selects the value or the time derivative.
+/// Computes the sums g, h and e of the targets of a block, and writes them to `sums`, from the target number `first`
+/// on. `part` selects the value or the time derivative.
 template <class S, class Part>
 void store(const Block<S>& block, const Part& part, std::size_t first, PairSums& sums) {
   store(part(block.N[0] * block.h[0] + block.N[1] * block.h[1] + block.N[2] * block.h[2]), sums.e, first);
@@ -93,8 +94,8 @@ PairSums no_sums(std::size_t n_targets) {
   return {none, {none, none, none}, {none, none, none}};
 }
 
-/// Returns a block of points, one in each lane, from number `first` on, with sums of 0. Lanes after the last point
-/// repeat this point.
+/// Returns the block of the targets from number `first` on, with sums of 0. Lanes after the last target repeat this
+/// target.
 Block<L> block_at(const SurfacePoints& points, std::size_t first) {
   Block<L> block{};
   for (int c = 0; c < 3; ++c) {
@@ -104,17 +105,18 @@ Block<L> block_at(const SurfacePoints& points, std::size_t first) {
   return block;
 }
 
-/// Sums over the images of one point. A pair has the distance vector d, and its products with the two area vectors are
-/// a and b. The members a, b and w are Σ a/|d|, Σ b/|d| and Σ ab/|d|³.
+/// The sums Σ a/|d|, Σ b/|d| and Σ ab/|d|³ (the members a, b and w) over the images of one point. The symbols d, a and
+/// b are those of PairWithImages.
 struct ImageSums {
   L a = 0.0, b = 0.0, w = 0.0;
 };
 
-/// Sums over the pairs of a point y and its mirror images with a block of points x, one in each lane. Each distance is
-/// used for both points of a pair. Under a set k of reflections the image of y is R_k y, with R_k = diag(s_k1, s_k2,
-/// s_k3), s = ±1. Let d = x − R_k y, a = d·N_x, b = d·R_k N_y and w = ab/|d|³. The pair of y with the image R_k x has
-/// the distance vector −R_k d, with −b and −a in place of a and b. Because d_c = x_c − s_kc y_c, all sums follow from
-/// sums over the images k without a factor and, for each axis c, with the factor s_kc. For example,
+/// Sums over the pairs of a block of points x, one in each lane, with a point y and its mirror images. Each distance is
+/// used for the sums of x and of y. The set k of reflections maps y to the image R_k y, with R_k = diag(s_k1, s_k2,
+/// s_k3) and s_kc = −1 for the reflected axes c, otherwise 1. Let d = x − R_k y, a = d·N_x, b = d·R_k N_y and
+/// w = ab/|d|³. For the pair of y with the image R_k x, the distance vector is −R_k d, and −b and −a take the places of
+/// a and b. Because d_c = x_c − s_kc y_c, two kinds of sums over k are sufficient: Σ_k (…) and, for each axis c, Σ_k
+/// s_kc (…). For example,
 ///
 ///   Σ_k d_c w_k = x_c Σ_k w_k − y_c Σ_k s_kc w_k,      Σ_k s_kc d_c w_k = x_c Σ_k s_kc w_k − y_c Σ_k w_k.
 template <unsigned mirrors>
@@ -131,26 +133,27 @@ class PairWithImages {
         parts.a[c][i] = d * N_x[c];
         parts.b[c][i] = d * (s * N_y[c]);
       }
-    // In a loop that is not unrolled, the arrays would not be in registers.
+    // The fold over k unrolls the loop. Otherwise the compiler would not keep the arrays in registers.
     [&]<int... k>(std::integer_sequence<int, k...>) { (add_image<k>(parts), ...); }
     (std::make_integer_sequence<int, 8>());
   }
 
-  /// Returns the sum Σ_k of `term` over the images.
+  /// Returns the sum Σ_k of the member `term` over the images.
   L sum(L ImageSums::*term) const { return all_.*term; }
-  /// Returns the sum Σ_k s_kc of `term` over the images.
+  /// Returns the sum Σ_k s_kc of the member `term` over the images.
   L signed_sum(int c, L ImageSums::*term) const {
     return mirrors >> c & 1 ? all_.*term - 2.0 * behind_[c].*term : all_.*term;
   }
 
  private:
-  /// Contributions of each axis to |d|², a and b: [axis][0: y itself, 1: image of y in the plane normal to this axis].
+  /// Contributions of each axis to |d|², a and b: [axis][1 if the coordinate of y is reflected along this axis,
+  /// otherwise 0].
   struct Parts {
     L square[3][2], a[3][2], b[3][2];
   };
 
-  /// Adds the image under the reflections given by the bits of k to the sums, if `mirrors` contains all these
-  /// reflections.
+  /// Adds the terms of the image k to the sums if `mirrors` contains all its reflections. Bit c of k is 1 if the image
+  /// is reflected along the axis c.
   template <int k>
   [[gnu::always_inline]] void add_image(const Parts& parts) {
     if constexpr ((k & ~mirrors) == 0) {
@@ -173,9 +176,9 @@ class PairWithImages {
   ImageSums all_, behind_[3];  ///< behind_[c]: sums over the images with s_kc = −1
 };
 
-/// Sums for points whose pairs are computed once for both points. Terms along N_i or x_i are omitted from `g` and `h`,
-/// and only their factors are summed. The complete sums are g_i = g + along_N N_i − along_x x_i and h_i = h + along_N
-/// x_i.
+/// Sums for points whose pairs are computed once for both points. The terms along the vectors N_i and x_i of the point
+/// itself are not in `g` and `h`. Their factors are in `along_N` and `along_x`. The complete sums are g_i = g + along_N
+/// N_i − along_x x_i and h_i = h + along_N x_i.
 struct MutualSums {
   L along_N, along_x, g[3], h[3];
 
@@ -195,7 +198,7 @@ struct MutualSums {
   }
 };
 
-/// Adds the contributions of the points x and their images to the sums of the point y. Each lane of the sums contains
+/// Adds the contributions of the points x and their images to the sums `y` of the point y. Each lane of `y` contains
 /// the contributions of one point x.
 template <unsigned mirrors>
 [[gnu::always_inline]] inline void react(const PairWithImages<mirrors>& pair, const L (&x)[3], const L (&N_x)[3],
@@ -208,7 +211,7 @@ template <unsigned mirrors>
   }
 }
 
-/// Adds the contributions of the point y and its images to the sums of the points x.
+/// Adds the contributions of the point y and its images to the sums `x` of the points x, one point in each lane.
 template <unsigned mirrors>
 [[gnu::always_inline]] inline void act(const PairWithImages<mirrors>& pair, const double (&y)[3],
                                        const double (&N_y)[3], MutualSums& x) {
@@ -220,12 +223,13 @@ template <unsigned mirrors>
   }
 }
 
-/// Returns the sums Σ_j over the points and their images, for each point. Each pair of points is computed once, except
-/// for pairs within a block.
+/// Returns the sums e, g and h of each point over all points and their images. Bit c of `mirrors` is 1 for a reflection
+/// along the axis c. Each pair of points is computed once, except for pairs within a block.
 template <unsigned mirrors>
 PairSums sum_own_pairs(const SurfacePoints& points) {
   const std::size_t n = points.size();
-  std::vector<MutualSums> reactions(n, MutualSums{});  // contributions of blocks to later points, lane by lane
+  // For each point, the contributions of the blocks before the point, lane by lane.
+  std::vector<MutualSums> reactions(n, MutualSums{});
   PairSums sums = no_sums(n);
   for (std::size_t first = 0; first < n; first += n_lanes) {
     Block<L> block = block_at(points, first);

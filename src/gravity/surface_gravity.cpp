@@ -10,8 +10,8 @@
 namespace pseudorigid::gravity {
 namespace {
 
-/// Returns the factor (V₀/V)^{5/3} of the energy E in Ê. V is the present volume of the body and V₀ (`rest_volume`) the
-/// volume at rest.
+/// Returns the factor (V₀/V)^{5/3} of the energy E in Ê (surface_gravity.h), with the current volume V and the volume
+/// V₀ = `rest_volume` at rest.
 double gauge(const SurfaceTotals& totals, double rest_volume) { return std::pow(rest_volume / totals.volume, 5.0 / 3); }
 
 }  // namespace

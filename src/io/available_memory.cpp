@@ -17,11 +17,12 @@ namespace fs = std::filesystem;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Names of the files with the limit and the use of memory of a control group. In a group without a limit, the file
-/// `limit` of version 1 contains a number larger than any memory. In version 2 it contains the word "max", which
-/// left_in_group takes as an infinite limit.
+/// `limit` of version 1 contains a number larger than any memory. The file of version 2 contains the word "max", and
+/// left_in_group treats this word as an infinite limit.
 struct Names {
   const char *limit, *used;
-  /// Entries of memory.stat: the bytes of files that the kernel can drop, in the group and in all groups below it.
+  /// Entries of memory.stat: the bytes of cached files that the kernel can remove, in the group and in all groups below
+  /// it.
   const char *inactive, *active;
 };
 constexpr Names version_1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file", "total_active_file"};
@@ -45,8 +46,8 @@ double number_named(const fs::path& path, std::string_view wanted, double otherw
   return otherwise;
 }
 
-/// The limit of a group less the memory in use, in bytes, and at least 0. It is infinite if the file of the limit is
-/// missing or does not begin with a number. Files that the kernel can drop do not count as used.
+/// The limit of a group minus the memory in use, in bytes, and at least 0. It is infinite if the file of the limit is
+/// missing or does not begin with a number. Cached files that the kernel can remove do not count as used.
 double left_in_group(const fs::path& group, const Names& names) {
   const double limit = number_in(group / names.limit, infinite), used = number_in(group / names.used, 0);
   const fs::path parts = group / "memory.stat";
@@ -54,9 +55,9 @@ double left_in_group(const fs::path& group, const Names& names) {
   return std::max(0.0, limit - std::max(0.0, used - droppable));
 }
 
-/// The least free memory, in bytes, of the group `path` below the folder `mount` and of the groups above it. A group
-/// without a file for its limit counts as unlimited. Such groups occur in a container: `path` may name groups of the
-/// machine, but `mount` may contain only the group of the container.
+/// The least memory, in bytes, that is left in the group `path` below the folder `mount` and in the groups above it. A
+/// group without a file for its limit counts as unlimited. Such groups occur in a container: `path` may name groups of
+/// the machine, but `mount` may contain only the group of the container.
 double left_in_groups(const fs::path& mount, const std::string& path, const Names& names) {
   double left = infinite;
   for (fs::path group = fs::path(path).lexically_normal();; group = group.parent_path()) {
@@ -72,7 +73,7 @@ double available_memory(const fs::path& root) {
   double available = kilobyte * number_named(root / "proc/meminfo", "MemAvailable:", infinite);
   const fs::path mounts = root / "sys/fs/cgroup";
   std::ifstream groups(root / "proc/self/cgroup");
-  for (std::string line; std::getline(groups, line);) {  // a line is number:controllers:path
+  for (std::string line; std::getline(groups, line);) {  // a line has the form number:controllers:path
     const std::size_t first = line.find(':'), second = line.find(':', first + 1);
     if (second == line.npos) continue;
     const std::string controllers = fmt::format(",{},", line.substr(first + 1, second - first - 1)),

@@ -8,14 +8,14 @@
 namespace pseudorigid::io {
 namespace {
 
-/// Half the edge of the cube in the unit ball. With this choice, the thickness of the shells is between 0.31 at the
-/// corners of the cube and 0.6 at the centres of its faces.
+/// Half the length of an edge of the cube in the unit ball. With this value, the thickness of the shells is between
+/// 0.31 at the corners of the cube and 0.6 at the centres of its faces.
 constexpr double half_edge = 0.4;
 
-/// The coordinate of a point of the cube, in units of half the edge. An edge has n intervals. The index
-/// `twice_index_from_middle` goes from −n on one face to n on the opposite face, in steps of 2. Equal steps of this
-/// index are equal angles seen from the centre. The coordinate is an odd function of the index, so that the points have
-/// exactly the symmetry of the cube.
+/// The coordinate of a point of the cube, divided by half the length of an edge. An edge has n intervals between
+/// points. The index `twice_index_from_middle` goes from −n on one face to n on the opposite face, in steps of 2. Equal
+/// steps of this index are equal angles seen from the centre. The coordinate is an odd function of the index, so that
+/// the points have exactly the symmetry of the cube.
 double face_coordinate(int twice_index_from_middle, int n) {
   return std::tan(std::numbers::pi / 4 * twice_index_from_middle / n);
 }
@@ -26,10 +26,10 @@ class Points {
   Points(int n_intervals, int n_layers, std::vector<Eigen::Vector3d>& points)
       : n_intervals_(n_intervals), n_layers_(n_layers), points_(points) {}
 
-  /// The number of a point in the list. Each component of `cube` is an index of face_coordinate, with n = n_intervals.
-  /// Layer 0 is inside the cube or on its surface. For the layers 1 to n_layers, `cube` is on the surface of the cube.
-  /// Along the ray from the centre through that point, these layers divide the distance from the cube to the surface of
-  /// the ball into equal parts. The last layer is this surface.
+  /// The number of a point in the list. The components of `cube` are the indices (face_coordinate, n = n_intervals) of
+  /// a point of the cube. Layer 0 is this point. For the layers 1 to n_layers, the point of the cube must be on its
+  /// surface. The points of the layers divide the ray from this point to the surface of the ball into equal parts. The
+  /// last layer is on the surface of the ball.
   std::int64_t number(const std::array<int, 3>& cube, int layer) {
     const auto [found, is_new] =
         numbers_.try_emplace({cube[0], cube[1], cube[2], layer}, static_cast<std::int64_t>(points_.size()));
@@ -50,8 +50,8 @@ class Points {
   std::map<std::array<int, 4>, std::int64_t> numbers_;
 };
 
-/// Calls append(i, j, k) for the (degree + 1)³ points of a block. The first index varies fastest, as PointBlocks
-/// requires.
+/// Calls append(i, j, k) for the indices, from 0 to `degree`, of the (degree + 1)³ points of a block. The first index
+/// varies fastest, as PointBlocks requires.
 template <class Append>
 void visit_block(int degree, Append&& append) {
   for (int k = 0; k <= degree; ++k)

@@ -9,9 +9,9 @@
 namespace pseudorigid::io {
 namespace {
 
-/// The index that VTK gives to the point (i, j, k) of a Lagrange hexahedron of degree p. The order is corners, edges,
-/// faces, interior. In files of version 1.0, the order of the edges along k is that of the corners 0, 1, 3, 2. VTK
-/// exchanges the last two edges when it reads such a file.
+/// VTK's index of the point (i, j, k) of a Lagrange hexahedron of degree p. The order is corners, edges, faces,
+/// interior. In files of version 1.0, the edges along k follow the order of the corners 0, 1, 3, 2 of the lower face.
+/// VTK exchanges the last two of these edges when it reads such a file.
 std::size_t place_in_hexahedron(std::size_t i, std::size_t j, std::size_t k, std::size_t p) {
   const std::size_t on_edge = p - 1, on_face = on_edge * on_edge;
   const auto is_end = [p](std::size_t index) { return index == 0 || index == p; };
@@ -27,7 +27,7 @@ std::size_t place_in_hexahedron(std::size_t i, std::size_t j, std::size_t k, std
   return inside + (k - 1) * on_face + (j - 1) * on_edge + i - 1;
 }
 
-/// The points of the Lagrange cell of a block of degree p, in VTK's order. A point is given by its index in the block.
+/// The indices in a block of degree p of the points of its Lagrange cell, in VTK's order.
 std::vector<std::size_t> lagrange_cell(std::size_t p) {
   std::vector<std::size_t> points((p + 1) * (p + 1) * (p + 1));
   for (std::size_t k = 0; k <= p; ++k)
@@ -36,8 +36,8 @@ std::vector<std::size_t> lagrange_cell(std::size_t p) {
   return points;
 }
 
-/// The points of the linear cells of a block of degree p, in VTK's order. A cell lists the lower face counter-clockwise
-/// and then the upper face. A point is given by its index in the block.
+/// The indices in a block of degree p of the eight points of each of its p³ linear cells, cell by cell. A cell lists
+/// the points of its lower face counter-clockwise, and then those of its upper face, as VTK requires.
 std::vector<std::size_t> linear_cells(std::size_t p) {
   const std::size_t n = p + 1;
   const std::array<std::size_t, 8> corners{0, 1, n + 1, n, n * n, n * n + 1, n * n + n + 1, n * n + n};
@@ -50,9 +50,9 @@ std::vector<std::size_t> linear_cells(std::size_t p) {
 }
 
 /// The degree p of the blocks from which linear_cells made the cells of the grid. A block has p cells in a row, and
-/// successive cells of a row share a face. The result is therefore the number of cells at the beginning of the list
-/// that follow one another in this way. The function cannot distinguish a block of degree p from p adjacent blocks of
-/// degree 1. If the number of all cells is not a multiple of p³, the result is 1, and each cell is a block.
+/// successive cells of a row share a face. Therefore p is the number of cells in the row at the beginning of the list.
+/// The function cannot distinguish a row of a block of degree p from p adjacent blocks of degree 1. If the number of
+/// all cells is not a multiple of p³, the result is 1, and each cell is a block.
 std::size_t cells_in_a_row(const UnstructuredGrid& grid) {
   const auto share_a_face = [&](std::size_t cell) {
     const std::int64_t *here = &grid.connectivity[8 * cell], *next = here + 8;
@@ -64,8 +64,8 @@ std::size_t cells_in_a_row(const UnstructuredGrid& grid) {
 }
 
 /// The number, in the grid, of the point `place` = (i, j, k) of a block that linear_cells has divided. `cells` has the
-/// eight points of each of the p³ cells of the block. The point is the first corner of the cell (i, j, k). If an index
-/// equals p, there is no such cell. The last cell in this direction then has the point as another corner.
+/// eight point numbers of each of the p³ cells of the block. The point is the first corner of the cell (i, j, k). If an
+/// index equals p, this cell does not exist, and the point is another corner of the last cell in this direction.
 std::int64_t point_of_linear_block(const std::int64_t* cells, std::size_t p, std::array<std::size_t, 3> place) {
   constexpr std::array<std::size_t, 8> corner{0, 1, 3, 2, 4, 5, 7, 6};  // VTK's number of the corner i + 2j + 4k
   std::size_t cell = 0, which = 0;

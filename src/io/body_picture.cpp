@@ -15,8 +15,8 @@ namespace {
 using Eigen::Matrix3d, Eigen::Vector3d;
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-/// The rotation nearest to M in the Frobenius norm. It is U diag(1, 1, ±1) Vᵀ for the singular value decomposition M =
-/// U diag(σ) Vᵀ, with the sign that gives the determinant 1.
+/// The rotation nearest to M in the Frobenius norm. The rotation is U diag(1, 1, ±1) Vᵀ with the singular value
+/// decomposition M = U diag(σ) Vᵀ and the sign that gives the determinant 1.
 Matrix3d rotation_of(const Matrix3d& M) {
   const Eigen::JacobiSVD<Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
@@ -28,7 +28,8 @@ std::vector<double> scaled(std::vector<double> values, double unit) {
   return values;
 }
 
-/// Adds fields over the points of a body to a grid. The function `value_at(i)` returns the value at point i.
+/// Adds fields over the points of a body to a grid. The argument `value_at` is a function that returns the value at
+/// point i, in the units of the user.
 class Fields {
  public:
   Fields(const mechanics::BodyFields& body, UnstructuredGrid& grid) : body_(body), grid_(grid) {}
@@ -58,9 +59,10 @@ double von_mises(const Matrix3d& stress) {
   return std::sqrt(1.5) * (stress - stress.trace() / 3 * Matrix3d::Identity()).norm();
 }
 
-/// Calls visit(point) for the points of the block faces that have all four corners on the ellipsoid of the reference
-/// surface. Other points of such a face need not be on the ellipsoid, because the face can be a polynomial. `X` has the
-/// reference positions. A point that several faces share is visited several times.
+/// Calls visit(point) for the points of the surface: of all block faces whose four corners are on the ellipsoid of the
+/// reference surface. The other points of such a face need not be on the ellipsoid, because a polynomial may
+/// approximate the ellipsoid. `X` has the reference positions. A point that several faces share is visited several
+/// times.
 template <class Visit>
 void for_points_on_surface(const mechanics::PointBlocks& blocks, const std::vector<double>& X,
                            const Vector3d& semi_axes, Visit&& visit) {

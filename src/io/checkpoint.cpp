@@ -27,8 +27,8 @@ struct Header {
 };
 static_assert(sizeof(Header) == 32);
 
-/// The type of a value in the file. The order is that of the variant Checkpoint::Value, because save() writes the index
-/// of the value in this variant.
+/// The type of a value in the file. The enumerators have the order of the types in the variant Checkpoint::Value,
+/// because save() writes the index of the type in this variant.
 enum class SectionType : std::uint8_t { doubles, integer, text };
 
 template <class T>
@@ -36,7 +36,8 @@ std::string_view bytes_of(const T* values, std::size_t n = 1) {
   return {reinterpret_cast<const char*>(values), n * sizeof(T)};
 }
 
-/// Continues an FNV-1a hash with further bytes, and returns the new hash. save() hashes its parts one after the other.
+/// Returns the FNV-1a hash of a text that consists of bytes with the hash `hash`, followed by `bytes`. With this
+/// function, save() hashes the parts of a file one after the other.
 std::uint64_t hash_on(std::uint64_t hash, std::string_view bytes) {
   for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3u;
   return hash;
@@ -83,7 +84,8 @@ UserError unusable(const std::filesystem::path& path, const std::string& reason)
   return UserError(fmt::format("the checkpoint '{}' cannot be used: {}", path.native(), reason));
 }
 
-/// The payload of a file. Throws UserError if the file cannot be read, or if its header, size or checksum is wrong.
+/// The payload of a checkpoint file, as bytes. Throws UserError if the file cannot be read, or if its header, size or
+/// checksum is wrong.
 std::string read_payload(const std::filesystem::path& path) {
   std::error_code error;
   const std::uint64_t size = std::filesystem::file_size(path, error);
@@ -141,9 +143,9 @@ const std::vector<double>& Checkpoint::get_doubles(const std::string& name, std:
 std::int64_t Checkpoint::get_integer(const std::string& name) const { return get<std::int64_t>(name, "an integer"); }
 const std::string& Checkpoint::get_string(const std::string& name) const { return get<std::string>(name, "a text"); }
 
-/// Writes the file without a copy of the values, because a copy of a large state may not fit into memory.
+/// The function does not copy the values, because a copy of a large state may not fit into memory.
 void Checkpoint::save(const std::filesystem::path& path) const {
-  std::deque<std::string> heads;  // a deque, because `parts` refers to its elements
+  std::deque<std::string> heads;  // a deque does not move its elements, to which `parts` refers
   std::vector<std::string_view> parts(1);
   for (const auto& [name, value] : values_) {
     const auto [n, bytes] = std::visit(

@@ -1,12 +1,11 @@
 #pragma once
-/// A binary file of named values that contains the state of a run. A new file replaces the old one atomically. The
+/// A binary file of named values that contains the state of a run. A new file replaces an old file atomically. The
 /// format of the file is
 ///
 ///   header   magic "PSRGCKPT" | endianness tag u32 | version u32 | payload size u64 | FNV-1a of the payload u64
-///   payload  section after section: type u8 | name length u32 | name | count u64 | count values (f64, i64 or char)
+///   payload  a section for each value: type u8 | name length u32 | name | count u64 | count values (f64, i64 or char)
 ///
-/// `load` verifies the sizes and the checksum before it uses a value. It throws UserError if the file cannot be read,
-/// or is truncated or altered. It also throws UserError if the file is of another kind, format version or byte order.
+/// All numbers have the byte order of the machine that wrote the file.
 
 #include <concepts>
 #include <cstdint>
@@ -25,7 +24,8 @@ std::uint64_t checksum(std::string_view bytes);
 
 class Checkpoint {
  public:
-  /// Sets the entry `name` to a list of numbers, a text, a number or an integer. A new value replaces an old one.
+  /// Sets the entry `name` to a list of numbers, a text, a number or an integer. The new value replaces an old value of
+  /// this entry.
   void set(const std::string& name, std::span<const double> values);
   void set(const std::string& name, std::vector<double> values);
   void set(const std::string& name, std::string text);
@@ -36,15 +36,18 @@ class Checkpoint {
   }
 
   bool has(const std::string& name) const { return values_.contains(name); }
-  /// The value of the entry `name`. A number is a list of size 1. Throws UserError with the names of the file and the
-  /// entry if the entry is missing or has another type or size.
+  /// The value of the entry `name`. A number is a list of size 1. If the entry is missing or has another type or size,
+  /// throws a UserError that names the file and the entry.
   const std::vector<double>& get_doubles(const std::string& name) const;
   const std::vector<double>& get_doubles(const std::string& name, std::size_t expected_size) const;
   double get_double(const std::string& name) const { return get_doubles(name, 1)[0]; }
   std::int64_t get_integer(const std::string& name) const;
   const std::string& get_string(const std::string& name) const;
 
-  void save(const std::filesystem::path& path) const;  ///< throws WriteError if the file cannot be written
+  /// Writes the file. Throws WriteError if the file cannot be written.
+  void save(const std::filesystem::path& path) const;
+  /// Reads a file, and verifies the sizes and the checksum. Throws UserError if the file cannot be read, is truncated
+  /// or altered, or is of another kind, format version or byte order.
   static Checkpoint load(const std::filesystem::path& path);
 
  private:
@@ -52,7 +55,7 @@ class Checkpoint {
   template <class T>
   const T& get(const std::string& name, const char* type) const;
   std::map<std::string, Value> values_;
-  std::filesystem::path path_;  ///< path of the loaded file, for messages
+  std::filesystem::path path_;  ///< path of the loaded file, for messages; empty without `load`
 };
 
 }  // namespace pseudorigid::io

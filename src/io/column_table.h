@@ -1,6 +1,6 @@
 #pragma once
-/// Tables whose columns have units, in CSV files or in memory. The caller gives rows in internal units. The table keeps
-/// them in the units of the user.
+/// Tables whose columns have units, in CSV files or in memory. The caller must add rows in internal units. The table
+/// contains the values in the units of the user.
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 
 namespace pseudorigid::io {
 
-/// The names of columns, and the factors that convert a row from internal units to the units of the user. The function
-/// `factor(unit)` returns the factor of a unit.
+/// The names of columns, and the factors that convert a row from internal units to the units of the user. The caller
+/// provides the function `factor`: factor(unit) returns the factor for a scene::Unit.
 struct ColumnUnits {
   template <class Factor>
   ColumnUnits(const std::vector<scene::Column>& columns, const Factor& factor) {
@@ -33,34 +33,35 @@ struct ColumnUnits {
 /// A table to which rows are appended, either in a CSV file or in memory.
 class ColumnTable {
  public:
-  /// Writes the rows to a new CSV file. `factor` is that of ColumnUnits. Throws WriteError if the file cannot be
+  /// Makes a table in a new CSV file. `factor` is the function of ColumnUnits. Throws WriteError if the file cannot be
   /// created or its header cannot be written.
   template <class Factor>
   ColumnTable(const std::filesystem::path& path, const std::vector<scene::Column>& columns, const Factor& factor)
       : units_(columns, factor), csv_(CsvWriter::create(path, units_.names)) {}
-  /// Writes the rows to `table`, which must outlive this object. The constructor removes the old contents of `table`.
+  /// Makes a table in memory, in the object `table`, which must outlive this object. The constructor removes the old
+  /// contents of `table`. `factor` is the function of ColumnUnits.
   template <class Factor>
   ColumnTable(Table& table, const std::vector<scene::Column>& columns, const Factor& factor)
       : units_(columns, factor), table_(&table) {
     table = {.columns = units_.names, .values = {}};
   }
 
-  /// Appends a row in internal units. If a value in the units of the user is not finite, does not write the row and
-  /// returns false. Throws the errors of CsvWriter::append if the table is a CSV file.
+  /// Appends a row in internal units and returns true. If a value in the units of the user is not finite, returns false
+  /// without a change. Throws the errors of CsvWriter::append if the table is in a CSV file.
   bool append_if_finite(std::vector<double> row) {
     units_.convert(row);
     const bool is_finite = std::ranges::all_of(row, [](double x) { return std::isfinite(x); });
     if (is_finite) write(row);
     return is_finite;
   }
-  /// Appends a row in internal units. If the table is a CSV file, the errors of CsvWriter::append are thrown. A table
-  /// in memory accepts all values.
+  /// Appends a row in internal units. If the table is in a CSV file, throws the errors of CsvWriter::append, for
+  /// example for a value that is not finite. A table in memory accepts all values.
   void append(std::vector<double> row) {
     units_.convert(row);
     write(row);
   }
-  /// Writes the collected rows to the CSV file, and throws the errors of CsvWriter::flush. A table in memory does not
-  /// need this call.
+  /// Writes the collected rows to the CSV file, and throws the errors of CsvWriter::flush. The call does nothing for a
+  /// table in memory.
   void flush() {
     if (csv_) csv_->flush();
   }

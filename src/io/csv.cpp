@@ -63,7 +63,8 @@ std::string parse_row(std::string_view line, std::size_t n_columns, std::vector<
   return {};
 }
 
-/// Appends the same digits as printf with %.17g. In measurements, std::to_chars needed a third of the time of printf.
+/// Appends a number with the digits of printf's %.17g. In measurements, std::to_chars needed a third of the time of
+/// printf.
 void append_number(std::string& text, double value) {
   char digits[32];
   text.append(digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 17).ptr);
@@ -114,8 +115,8 @@ std::int64_t n_rows_before(const std::filesystem::path& path, double value) {
 
 namespace {
 
-/// The first `n_rows` rows of a table as text, without the header. Throws UserError if the header has other columns or
-/// if there are fewer rows.
+/// The first `n_rows` rows of a file as text, without the header. `content` is the text of the file `path`. Throws
+/// UserError if the header has other columns or if there are fewer rows.
 std::string_view first_rows(const std::filesystem::path& path, std::string_view content,
                             std::span<const std::string> columns, std::int64_t n_rows) {
   const std::string header = header_line(columns);
@@ -219,7 +220,7 @@ void CsvWriter::flush() {
   try {
     write_fully(file_descriptor_, pending_, path_);
   } catch (const WriteError&) {
-    // Only whole rows may remain in the file. If the truncation also fails, the rethrown error is sufficient.
+    // Only complete rows may remain in the file. If the truncation also fails, the error of the write is reported.
     [[maybe_unused]] const int result = ::ftruncate(file_descriptor_, static_cast<off_t>(file_size_));
     throw;
   }

@@ -59,8 +59,8 @@ bool is_file(int file_descriptor) {
   return ::fstat(file_descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
-/// The path at the end of a chain of symbolic links. A file with this path need not exist. Throws WriteError if the
-/// chain is too long.
+/// The path at the end of the chain of symbolic links that starts at `path`. A file with the resulting path need not
+/// exist. Throws WriteError if the chain has more than 40 links.
 fs::path behind_links(fs::path path) {
   constexpr int most = 40;  // Linux follows at most 40 links in a path
   for (int n = 0; n < most; ++n) {
@@ -73,8 +73,8 @@ fs::path behind_links(fs::path path) {
 }
 
 /// The file `target`.partial, which `commit` renames to `target`. Without a successful `commit`, the destructor removes
-/// the file. The members throw WriteError with the path `target`. The constructor throws it also if `target`.partial
-/// exists and is not a regular file.
+/// the file. The constructor and the functions throw WriteError with the path `target` if they fail. The constructor
+/// also throws WriteError if `target`.partial exists and is not a regular file.
 class PartialFile {
  public:
   explicit PartialFile(const fs::path& target)

@@ -25,8 +25,8 @@ namespace {
 constexpr std::size_t largest_file = std::size_t{1} << 28;  // in bytes; 256 MiB
 constexpr int hexahedron = 5;                               // Gmsh's type of the hexahedron with 8 nodes
 
-/// Number of nodes of an element on a boundary. Gmsh's types of these elements are 15 (point), 1 (line) and 3
-/// (quadrangle). The result is empty for other types.
+/// Number of nodes of a boundary element, by Gmsh's type 15 (point), 1 (line) or 3 (quadrangle). The result is empty
+/// for other types.
 std::optional<std::size_t> n_nodes_of_boundary(int type) {
   switch (type) {
     case 15:
@@ -40,8 +40,8 @@ std::optional<std::size_t> n_nodes_of_boundary(int type) {
   }
 }
 
-/// The end of the message about an element of Gmsh that the reader does not accept. It describes the element and names
-/// an option of Gmsh that avoids it. The result is empty for a type below 1.
+/// The end of the message about an element with a type of Gmsh that the reader does not accept. The text describes the
+/// element, and names an option of Gmsh that avoids such elements. The result is empty for a type below 1.
 std::string other_element(int type) {
   constexpr std::string_view divided = "Gmsh divides it into hexahedra if Mesh.SubdivisionAlgorithm = 2",
                              straight = "save the mesh with -order 1";
@@ -75,7 +75,8 @@ std::string text_of(const std::filesystem::path& file) {
   return text;
 }
 
-/// The text without a byte order mark of UTF-8. Throws UserError if the text begins with the byte order mark of UTF-16.
+/// The text without a byte order mark of UTF-8 at its beginning. Throws UserError if the text begins with a byte order
+/// mark of UTF-16.
 std::string_view without_mark(std::string_view text, const std::string& file) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw UserError(fmt::format("{}: expected plain text (ASCII or UTF-8), this file is in UTF-16", file));
@@ -83,7 +84,8 @@ std::string_view without_mark(std::string_view text, const std::string& file) {
   return text;
 }
 
-/// Reads a mesh line by line. The function `read` throws UserError at the first error of the file.
+/// Reads a mesh line by line. The constructor throws UserError if it cannot read the file as text. `read` throws
+/// UserError at the first error of the file.
 class GmshReader {
  public:
   explicit GmshReader(const std::filesystem::path& file)
@@ -115,7 +117,7 @@ class GmshReader {
   }
 
  private:
-  /// Throws UserError "FILE:line: sentence" with the current line.
+  /// Throws UserError "FILE:line: sentence" with the name of the file and the number of the current line.
   [[noreturn]] void refuse(const std::string& sentence) const {
     throw UserError(fmt::format("{}:{}: {}", file_, n_lines_, sentence));
   }
@@ -139,8 +141,9 @@ class GmshReader {
     if (!next_line()) throw UserError(fmt::format("{}: the file ends within {}; is it truncated?", file_, within));
   }
 
-  /// Reads the next number of the line. The exponent may have the letter D, which Fortran writes (1.0D+00). Throws
-  /// UserError if the next word is not a finite number of type T; `what` describes the expected number.
+  /// Reads the next number of the line and removes it from `line_`. The exponent may have the letter D, which Fortran
+  /// writes (1.0D+00). Throws UserError if the next word is not a finite number of type T. In the message, `what`
+  /// describes the expected number.
   template <class T>
   T take(const char* what) {
     line_.remove_prefix(std::min(line_.find_first_not_of(" \t"), line_.size()));
@@ -161,7 +164,7 @@ class GmshReader {
     if (line_.find_first_not_of(" \t") != line_.npos) refuse("there is more on this line than expected");
   }
 
-  /// Reads the next line. Throws UserError if the line is not `keyword` or if the file ends.
+  /// Reads the next line, which must be `keyword`. Throws UserError for another line, or if the file ends.
   void require(std::string_view keyword) {
     require_line(keyword);
     if (line_ != keyword) refuse(fmt::format("expected {}", keyword));
@@ -192,7 +195,7 @@ class GmshReader {
   }
 
   /// Reads the line with the number of nodes or elements of the section, and returns this number. Throws UserError if
-  /// the line contains anything else or if the file ends.
+  /// the line contains further text or if the file ends.
   std::size_t read_count(std::string_view section) {
     require_line(section);
     const auto n = take<std::size_t>("how many lines the section has");
@@ -245,9 +248,9 @@ class GmshReader {
     require("$EndElements");
   }
 
-  /// Reads the nodes of a cell. Gmsh lists the nodes around the lower face and then those around the upper face. The
-  /// cell of a HexahedralMesh has the order i₁ + 2 i₂ + 4 i₃. Throws UserError if a node is missing or does not exist,
-  /// or if the cell has a node twice.
+  /// Reads the nodes of the cell with the number `name`. Gmsh lists the nodes around the lower face and then the nodes
+  /// around the upper face. In a HexahedralMesh, the corner (i₁, i₂, i₃) has the place i₁ + 2 i₂ + 4 i₃. Throws
+  /// UserError if a node is missing or does not exist, or if the cell has a node twice.
   void read_hexahedron(long name) {
     auto& cell = mesh_.cells.emplace_back();
     for (const int i : {0, 1, 3, 2, 4, 5, 7, 6}) cell[i] = take_node();
@@ -258,7 +261,7 @@ class GmshReader {
     mesh_.cell_names.push_back(name);
   }
 
-  /// Skips the lines of an unused section up to its end, "$End…".
+  /// Skips the lines of an unused section up to the line "$End…". Throws UserError if the file ends before this line.
   void skip(std::string_view section) {
     const std::string end = "$End" + std::string(section.substr(1)), within = scene::quote(section);
     do require_line(within);
@@ -298,9 +301,9 @@ class GmshReader {
 
   std::string file_, text_;
   std::string_view rest_, line_;                      ///< the text after the current line; the rest of the current line
-  int n_lines_ = 0;                                   ///< number of the current line
+  int n_lines_ = 0;                                   ///< number of the current line, from 1
   std::unordered_map<long, unsigned int> vertex_of_;  ///< index of a vertex, by the number of its node in the file
-  std::unordered_set<unsigned int> on_boundary_;      ///< vertices of elements on the boundary
+  std::unordered_set<unsigned int> on_boundary_;      ///< indices of the vertices of boundary elements
   HexahedralMesh mesh_;
 };
 

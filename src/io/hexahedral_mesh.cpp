@@ -19,8 +19,8 @@ namespace {
 using Point = HexahedralMesh::Point;
 using Face = std::array<unsigned int, 4>;
 
-/// The corners of the six faces of a cell, in an order around each face. In the coordinates ξ ∈ [0,1]³ of the cell, the
-/// faces are ξ₁ = 0, ξ₁ = 1, ξ₂ = 0, ξ₂ = 1, ξ₃ = 0 and ξ₃ = 1.
+/// The corners of the six faces of a cell. The corners of a face are in an order around the face. In the coordinates ξ
+/// ∈ [0,1]³ of the cell, the faces are ξ₁ = 0, ξ₁ = 1, ξ₂ = 0, ξ₂ = 1, ξ₃ = 0 and ξ₃ = 1.
 constexpr std::array<std::array<int, 4>, 6> corners_of_faces{
     {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
 
@@ -40,8 +40,9 @@ double size_of_cell(const HexahedralMesh& mesh, std::size_t cell) {
   return size;
 }
 
-/// The map of a cell and its Jacobian at ξ. The coordinates are relative to the first corner, in units of the size of
-/// the cell. Such coordinates avoid round-off if the origin is distant, and overflow if the unit of length is extreme.
+/// The image X(ξ) in a cell and the Jacobian at ξ = `xi`, relative to the first corner and in units of the size of the
+/// cell (PointOfCell). Such coordinates avoid round-off if the origin is distant, and overflow if the unit of length is
+/// extreme.
 PointOfCell at(const HexahedralMesh& mesh, std::size_t cell, const Point& xi) {
   const Point& V0 = mesh.vertices[mesh.cells[cell][0]];
   const double unit = size_of_cell(mesh, cell);
@@ -68,10 +69,11 @@ PointOfCell at(const HexahedralMesh& mesh, std::size_t cell, const Point& xi) {
   return {X, jacobian};
 }
 
-/// A lower bound of the Jacobian in the cube with the corner ξ₀ and the given edge. The Jacobian is quadratic in each
-/// ξ_d. The values f at 3³ points therefore determine its Bernstein coefficients. Let f₀, f_½ and f₁ be the values at
-/// the ends and the middle of an edge. The coefficients in this direction are f₀, 2f_½ − (f₀ + f₁)/2 and f₁. The
-/// Jacobian at each point is a convex combination of the coefficients, and therefore their least value is a bound.
+/// A lower bound of the Jacobian of a cell in the cube of ξ with the corner ξ₀ = `xi0` and the length `edge`. The
+/// Jacobian is quadratic in each ξ_d. The values f at 3³ points therefore determine its Bernstein coefficients. Let f₀,
+/// f_½ and f₁ be the values at the beginning, the middle and the end of an edge. The coefficients in this direction are
+/// f₀, 2f_½ − (f₀ + f₁)/2 and f₁. The Jacobian at each point is a convex combination of the coefficients, and therefore
+/// the least coefficient is a bound.
 double least_jacobian(const HexahedralMesh& mesh, std::size_t cell, const Point& xi0, double edge) {
   std::array<double, 27> b;
   for (int i = 0; i < 27; ++i)
@@ -84,8 +86,8 @@ double least_jacobian(const HexahedralMesh& mesh, std::size_t cell, const Point&
 }
 
 /// Throws UserError unless the Jacobian is positive at every point of every cell. The test uses the lower bound of
-/// least_jacobian on each eighth of a cell. The bound is not sharp. Therefore the test also rejects some cells with a
-/// small positive Jacobian.
+/// least_jacobian on each of the eight octants of a cell. The bound is not sharp, so the test also rejects some cells
+/// with a small positive Jacobian.
 void require_untangled(const HexahedralMesh& mesh) {
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
     for (int part = 0; part < 8; ++part) {
@@ -116,7 +118,8 @@ Face face_of(const std::array<unsigned int, 8>& cell, int face) {
   return result;
 }
 
-/// The cells of each face. The key of a face is its sorted vertices. Throws UserError if three cells share a face.
+/// The indices of the one or two cells of each face. The key of a face is its sorted vertices. Throws UserError if
+/// three cells share a face.
 CellsOfFaces cells_of_faces(const HexahedralMesh& mesh) {
   CellsOfFaces cells_of;
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
@@ -132,7 +135,7 @@ CellsOfFaces cells_of_faces(const HexahedralMesh& mesh) {
   return cells_of;
 }
 
-/// Throws UserError if two cells are not connected by a chain of shared faces. The connected parts are the trees of a
+/// Throws UserError if a chain of shared faces does not connect all cells. The connected components are the trees of a
 /// union-find forest (`parent`).
 void require_one_piece(const HexahedralMesh& mesh, const CellsOfFaces& cells_of) {
   std::vector<std::size_t> parent(mesh.cells.size());
@@ -149,8 +152,8 @@ void require_one_piece(const HexahedralMesh& mesh, const CellsOfFaces& cells_of)
                                   mesh.cell_names[0], mesh.cell_names[cell]));
 }
 
-/// Two vertices have the same place if their distance is at most this fraction of a length. Each of the two vertices
-/// has a shortest edge (shortest_edges), and the length is that of the longer of these two edges.
+/// Two vertices have the same place if their distance is at most this fraction of a reference length. The reference
+/// length is the larger of the lengths that shortest_edges returns for the two vertices.
 constexpr double same_place = 1e-6;
 
 double distance(const Point& X, const Point& Y) { return std::hypot(X[0] - Y[0], X[1] - Y[1], X[2] - Y[2]); }
@@ -167,8 +170,8 @@ std::vector<double> shortest_edges(const HexahedralMesh& mesh) {
   return shortest;
 }
 
-/// Vertices sorted into cubic boxes, so that a search for near vertices visits few of them. The edge of a box is the
-/// largest extent of the mesh divided by the cube root of the number of vertices.
+/// Vertices sorted into cubic boxes, so that a search for near vertices visits few vertices. The length of a box is the
+/// largest extent of the mesh in a coordinate direction, divided by the cube root of the number of vertices.
 class Places {
  public:
   explicit Places(const HexahedralMesh& mesh) : vertices_(mesh.vertices), low_(vertices_.front()) {
@@ -179,10 +182,12 @@ class Places {
     box_ = extent / std::cbrt(static_cast<double>(vertices_.size()));
   }
 
+  /// Adds a vertex of the mesh to its box. Only added vertices can be found.
   void add(std::size_t vertex) { boxes_[box_of(vertices_[vertex], 0)].push_back(vertex); }
 
-  /// Returns an added vertex for which `is_same(vertex, distance)` is true, with the distance of the vertex from X. The
-  /// search covers the boxes within the distance `reach` of X. The result is empty if there is no such vertex.
+  /// Returns an added vertex for which `is_same(vertex, distance)` is true. The argument `distance` is the distance of
+  /// the vertex from X. The search covers all boxes that contain points at most `reach` from X in each coordinate
+  /// direction. The result is empty if there is no such vertex.
   template <class IsSame>
   std::optional<std::size_t> find(const Point& X, double reach, const IsSame& is_same) const {
     const Box first = box_of(X, -reach), last = box_of(X, reach);
@@ -226,9 +231,9 @@ Places require_own_places(const HexahedralMesh& mesh) {
   return places;
 }
 
-/// Throws UserError if two vertices have the same place (same_place). Also throws it if a vertex is at the middle of a
-/// face of only one cell, or of an edge of such a face. Such a hanging node occurs if a divided cell is next to an
-/// undivided cell.
+/// Throws UserError if two vertices have the same place (same_place). Also throws UserError if a vertex is in the
+/// middle of a face that belongs to only one cell, or in the middle of an edge of such a face. Such a hanging node
+/// occurs if a divided cell is next to an undivided cell.
 void require_conforming(const HexahedralMesh& mesh, const CellsOfFaces& cells_of) {
   const Places places = require_own_places(mesh);
   const auto require_free = [&](const Point& X, double edge, std::size_t cell) {

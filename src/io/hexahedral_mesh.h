@@ -4,8 +4,9 @@
 ///   X(ξ) = Σ_i N_i(ξ) V_i,   ξ ∈ [0,1]³,   i = i₁ + 2 i₂ + 4 i₃ with ξ = (i₁, i₂, i₃) at V_i,
 ///
 /// with the vertices V_i and the trilinear shape functions N_i. The mesh is one body if it satisfies the following
-/// conditions. All cells are right-handed at every point, and are connected by faces. Every vertex belongs to a cell. A
-/// face belongs to two cells or to the surface. Neighbouring cells share their vertices.
+/// conditions. det ∂X/∂ξ is positive at every point of every cell (right-handed cells). A chain of shared faces
+/// connects any two cells. Every vertex belongs to a cell. At most two cells share a face. Neighbouring cells share
+/// whole faces with the same vertices.
 
 #include <array>
 #include <vector>
@@ -20,8 +21,8 @@ struct HexahedralMesh {
   std::vector<long> vertex_names, cell_names;  ///< numbers of the vertices and cells in the mesh file, for messages
 };
 
-/// Reverses the orientation of every cell if all cells are left-handed at their centres. Otherwise the mesh is
-/// unchanged.
+/// Reverses the orientation of every cell if all cells are left-handed (det ∂X/∂ξ < 0) at their centres. Otherwise the
+/// mesh is unchanged.
 void turn_right_handed(HexahedralMesh& mesh);
 
 /// Throws UserError if the mesh is not one body or does not have a cell. The message names the cells or vertices that
@@ -30,12 +31,13 @@ void turn_right_handed(HexahedralMesh& mesh);
 void require_one_body(const HexahedralMesh& mesh);
 
 /// The volume, the centre of mass for a constant density, and the largest distance of a vertex from this centre. The
-/// unit of length is that of the mesh. `size_of` requires a mesh that is one body.
+/// unit of length is that of the mesh.
 struct MeshSize {
   double volume;
   HexahedralMesh::Point center;
   double radius;
 };
+/// Computes the size of a mesh. The mesh must be one body (require_one_body).
 MeshSize size_of(const HexahedralMesh& mesh);
 
 }  // namespace pseudorigid::io

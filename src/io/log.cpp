@@ -17,7 +17,8 @@ namespace pseudorigid::io {
 
 namespace {
 
-/// Writes "warning: " before warnings and "error: " before errors. Other messages do not have a prefix.
+/// Formats the prefix of a message on stderr: "warning: " for warnings and "error: " for errors. Other messages do not
+/// have a prefix.
 class SeverityPrefix : public spdlog::custom_flag_formatter {
  public:
   void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {
@@ -91,8 +92,7 @@ std::shared_ptr<Logger> make_logger(Verbosity verbosity, const std::optional<std
   auto logger = std::make_shared<spdlog::logger>("pseudorigid", sinks.begin(), sinks.end());
   logger->set_level(sinks.empty() ? spdlog::level::off : spdlog::level::debug);
   logger->flush_on(spdlog::level::info);
-  // A failed write to the log must not end a run. If the disk is full, the run stops because it cannot write its
-  // results.
+  // A failed write to the log must not end a run. If the disk is full, the failed write of a result ends the run.
   logger->set_error_handler([](const std::string&) {});
   return std::make_shared<Logger>(std::move(logger));
 }

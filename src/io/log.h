@@ -1,6 +1,6 @@
 #pragma once
 /// Messages of a run. The file log.txt contains all messages, each with its time. The options --quiet and --verbose
-/// select the messages on stderr.
+/// select the messages that also appear on stderr.
 
 #include <fmt/core.h>
 
@@ -15,12 +15,13 @@ class logger;
 
 namespace pseudorigid::io {
 
-/// Selection of the messages on the terminal. `silent` shows none, `quiet` warnings and errors, `normal` also
-/// information, and `verbose` all messages. Ranks other than rank 0 of a parallel run have the value `silent`.
+/// Selection of the messages on stderr. With `silent` there are no messages. `quiet` selects warnings and errors,
+/// `normal` also information, and `verbose` all messages. Ranks other than rank 0 of a parallel run have the value
+/// `silent`.
 enum class Verbosity { silent, quiet, normal, verbose };
 
-/// Writes messages to the terminal and to the log file. The arguments after the text replace the places {…} in the
-/// text. Only log.cpp formats messages, so that other source files need not compile the formatting of spdlog.
+/// Writes messages to stderr and to the log file. The arguments after the text replace the placeholders {…} of fmt in
+/// the text. Only log.cpp formats messages, so that other source files need not compile the formatting of spdlog.
 class Logger {
  public:
   enum class Level { debug, info, warning, error };
@@ -55,10 +56,10 @@ class Logger {
   std::shared_ptr<spdlog::logger> logger_;
 };
 
-/// Constructs a logger that spdlog does not register globally. Without `log_file`, the logger writes to the terminal
-/// only, for example for the command `check`. With Verbosity::silent, it does not write to the terminal. If `append` is
-/// true, the logger continues the file of a resumed run; otherwise it replaces an old file. Throws WriteError if the
-/// file cannot be opened.
+/// Makes a logger that spdlog does not register globally. Without `log_file`, the logger writes only to stderr, for
+/// example for the command `check`. With Verbosity::silent, the logger does not write to stderr. If `append` is true,
+/// the logger continues the file of a resumed run. Otherwise it replaces an old file. Throws WriteError if the file
+/// cannot be opened. Later failures of writing to the log are ignored.
 std::shared_ptr<Logger> make_logger(Verbosity verbosity, const std::optional<std::filesystem::path>& log_file,
                                     bool append = false);
 

@@ -27,8 +27,8 @@ std::string utc(SystemClock::time_point time) {
   return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts)};
 }
 
-/// A number in JSON. Integers of absolute value below 9e15 are written without ".0". A double represents all these
-/// integers exactly, because 2⁵³ > 9e15.
+/// A number in JSON. Integers of absolute value below 9e15 are written without ".0". They are exact, because a double
+/// represents all integers below 2⁵³ > 9e15.
 Json number(double value) {
   const bool is_count = std::abs(value) < 9e15 && value == std::floor(value);
   return is_count ? Json(static_cast<std::int64_t>(value)) : Json(value);
@@ -40,8 +40,8 @@ Json numbers(const std::map<std::string, double>& values) {
   return object;
 }
 
-/// The list of the columns. If the scene has units, each column has a factor, which is the internal unit of the column
-/// expressed in the unit of the user. A value in the file divided by this factor is in internal units.
+/// The list of the columns in JSON. With `units`, each column has a factor, its internal unit expressed in the unit of
+/// the user. A value in the CSV file divided by this factor is in internal units.
 Json to_json(const std::vector<scene::Column>& columns, const std::optional<Units>& units) {
   Json list = Json::array();
   for (const scene::Column& column : columns) {
@@ -103,7 +103,7 @@ std::string_view state_word(mechanics::Outcome outcome) {
   return "failed";
 }
 
-/// Overwrites the state "running" in the file with "failed" and a space. The text has the same length and therefore
+/// Overwrites the state "running" in the file with "failed". A space gives both texts the same length, so that the file
 /// does not need additional space on the disk. Errors are ignored.
 void replace_running_by_failed(const std::filesystem::path& path) noexcept try {
   constexpr std::string_view running = "\"state\": \"running\"", failed = "\"state\": \"failed\" ";
@@ -140,7 +140,7 @@ std::vector<std::string> movers_in(const std::filesystem::path& manifest) {
   if (sound && json.contains("system")) movers.push_back(text(json, "system"));
   if (sound && json.contains("ball"))
     for (const Json& model : json["ball"]) movers.push_back(text(model, "name"));
-  // The names become names of files in the directory, so a slash is not permitted.
+  // The report reads files with these names in the run directory, so a slash is not permitted.
   for (const std::string& name : movers) sound = sound && name.find('/') == name.npos;
   if (!sound) throw UserError(fmt::format("'{}' is not the manifest of a run of pseudorigid", manifest.native()));
   if (!json.contains("entries"))

@@ -12,9 +12,9 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// The desired time between two readings of the clock, and the shortest time between two drawings of the line.
+/// The intended time between two readings of the clock, and the shortest time between two drawings of the line.
 constexpr auto look_interval = 20ms, draw_interval = 200ms;
-constexpr std::int64_t max_stride = 1024;  // small, so that the clock is read soon if the steps become slower
+constexpr std::int64_t max_stride = 1024;  // if steps become slower, the clock is still read soon
 
 std::string duration_text(double seconds) {
   if (seconds < 100) return fmt::format("{:.0f} s", seconds);

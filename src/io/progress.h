@@ -1,6 +1,6 @@
 #pragma once
-/// The progress line of a loop in time: the completed fraction, the steps per second and the remaining time. By
-/// default, the line appears on stderr if stderr is a terminal.
+/// The progress line of a loop, for example over time steps: the completed fraction, the steps per second and the
+/// remaining time. By default, the line appears on stderr if stderr is a terminal.
 
 #include <chrono>
 #include <cstdint>
@@ -11,26 +11,27 @@ namespace pseudorigid::io {
 
 class Progress {
  public:
-  /// `label` begins the line, and `unit` names the steps. If `enabled` is false, the object does not write anything.
+  /// The line begins with `label`. `unit` is the name of the steps in the line. If `enabled` is false, the object does
+  /// not write a line.
   explicit Progress(std::string label, bool enabled = stderr_is_terminal(), std::string unit = "steps");
   ~Progress() { finish(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   /// Call this function after every step. `fraction` is the completed part of the loop, from 0 to 1. The function reads
-  /// the clock only once in up to 1024 calls, and adapts the number of these calls to the speed of the loop. In a fast
-  /// loop, most calls therefore cost only one comparison.
+  /// the clock in one of `stride_` calls, and adapts this number to the speed of the loop, up to 1024. In a fast loop,
+  /// most calls therefore cost only one comparison.
   void step(double fraction) {
     if (++n_steps_ >= next_look_) look(fraction);
   }
-  void finish();  ///< deletes the line from the terminal if the line has been drawn
+  void finish();  ///< deletes the line from the terminal
 
   static bool stderr_is_terminal();
 
  private:
   using Clock = std::chrono::steady_clock;
-  /// Reads the clock, adapts `stride_`, and draws the line if the last drawing is at least 0.2 s ago. The first call
-  /// stores the start and does not draw.
+  /// Reads the clock, adapts `stride_`, and draws the line if at least 0.2 s have passed since the last drawing. The
+  /// first call stores the start of the loop and does not draw.
   void look(double fraction);
   void draw(double fraction, Clock::time_point now);
 
@@ -39,12 +40,12 @@ class Progress {
   /// calls of `look`.
   std::int64_t n_steps_ = 0, next_look_ = 1, stride_ = 1;
   Clock::time_point start_, last_look_, last_draw_;
-  double start_fraction_ = -1;  ///< fraction at the first call of `look`; −1 before this call
+  double start_fraction_ = -1;  ///< fraction at the first call of `look`; negative before this call
   bool drawn_ = false;
 };
 
-/// The text of the line, for example " 42 %  1.3e+05 steps/s  3 min left". The function is separate from the class, so
-/// that tests can call it.
+/// The text of the line after the label, for example " 42 % 1.3e+05 steps/s 3 min left". The function is separate from
+/// the class, so that tests can call it.
 std::string progress_text(double fraction, double steps_per_second, double seconds_left,
                           std::string_view unit = "steps");
 

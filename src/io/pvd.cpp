@@ -17,7 +17,7 @@ namespace pseudorigid::io {
 
 namespace {
 
-/// The value of a text that consists of one number. The result is empty for other texts.
+/// The number if the whole text is a number of type Number. The result is empty for other texts.
 template <class Number>
 std::optional<Number> number_in(std::string_view text) {
   Number value;
@@ -25,7 +25,8 @@ std::optional<Number> number_in(std::string_view text) {
   return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-/// The number after the last hyphen in the name of a picture. The result is empty if there is no number.
+/// The number between the last hyphen and the extension in the file name of a picture. The result is empty if there is
+/// no number.
 std::optional<long> number_of(const std::filesystem::path& file) {
   const std::string name = file.stem().string();
   return number_in<long>(std::string_view(name).substr(name.rfind('-') + 1));

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view before_name = "data-file=\"", after_name = "\">";
 
-/// The text with & and < escaped. Otherwise a parser of HTML could find the end of the element in the text.
+/// The text with & and < escaped as in HTML. Otherwise the text could contain the end of its element.
 std::string escaped(const std::string& text) {
   std::string result;
   result.reserve(text.size());
@@ -28,8 +28,8 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// The page with the names in `movers` in place of the placeholder {mover}. Each line with {mover} in the file name of
-/// an element is repeated for every name. An element has a line of its own.
+/// The page with the names in `movers` in place of the placeholder {mover}. Each element must be on a line of its own.
+/// A line with {mover} in the file name of its element is repeated for every name.
 std::string page_of(std::string_view page, std::span<const std::string> movers) {
   constexpr std::string_view name = "data-file=\"", of_mover = "{mover}";
   std::string text;
@@ -52,10 +52,9 @@ std::string page_of(std::string_view page, std::span<const std::string> movers) 
   return text;
 }
 
-/// The text of the element with the file name `name`. For "frames-….csv" it is a table computed from the pictures of
-/// the run, and otherwise the file of the run. `affine` has the names of the models whose motion is affine. The text is
-/// empty if the file does not exist, or in the cases of table_of_frames. Throws UserError if an existing file other
-/// than a picture cannot be read.
+/// The text of the element with the file name `name`. For "frames-….csv" it is the result of table_of_frames, and
+/// otherwise the text of the file of the run, or an empty text if the file does not exist. `affine` has the names of
+/// the trajectories whose motion is affine. Throws UserError if an existing file other than a picture cannot be read.
 std::string text_of(const RunDirectory& directory, std::string_view name, std::span<const std::string> affine) {
   constexpr std::string_view frames = "frames-", csv = ".csv";
   if (name.starts_with(frames)) {

@@ -21,8 +21,8 @@ namespace pseudorigid::io {
 namespace {
 
 constexpr const char *reference = "reference_coordinates", *stress = "von_mises";
-constexpr std::size_t most_times = 8;     ///< limit of the number of pictures of a motion that is not affine
-constexpr std::size_t most_rows = 60000;  ///< limit of the rows of such a motion; a row has about 70 bytes in the page
+constexpr std::size_t most_times = 8;     ///< largest number of pictures in the table of a motion that is not affine
+constexpr std::size_t most_rows = 60000;  ///< largest number of rows of this table; a row has about 70 bytes
 
 /// The values of the field `name`. The result is null if the grid does not have this field.
 const std::vector<double>* field(const UnstructuredGrid& grid, std::string_view name) {
@@ -30,9 +30,9 @@ const std::vector<double>* field(const UnstructuredGrid& grid, std::string_view 
   return found == grid.fields.end() ? nullptr : &found->values;
 }
 
-/// The points of a face of a block. In the face, the lattice index in `direction` is 0, or n − 1 if `is_far` is true.
-/// The index in the direction (direction + 1) mod 3 varies fastest. A point is given by its index in the lattice of n³
-/// points of the block.
+/// The points of a face of a block with n³ points, as indices in the block. In the face, the lattice index in
+/// `direction` is 0, or n − 1 if `is_far` is true. The lattice index in the direction (direction + 1) mod 3 varies
+/// fastest.
 std::vector<std::size_t> lattice_of_face(std::size_t n, int direction, bool is_far) {
   const std::array<std::size_t, 3> stride{1, n, n * n};
   const std::size_t a = stride[(direction + 1) % 3], b = stride[(direction + 2) % 3];
@@ -42,9 +42,10 @@ std::vector<std::size_t> lattice_of_face(std::size_t n, int direction, bool is_f
   return places;
 }
 
+/// A face of a block, and the number of blocks that have this face. A face of only one block is on the surface.
 struct Candidate {
   PictureFace face;
-  int n_elements = 0;  ///< number of elements with this face
+  int n_elements = 0;
 };
 
 /// The largest absolute value, or 0 for an empty list.
@@ -65,8 +66,8 @@ int plane_of(const PictureFace& face, const std::vector<UnstructuredGrid>& piece
   return 0;
 }
 
-/// The key of a face: the mean of its points in the undeformed body, rounded to multiples of `tolerance`. If two
-/// elements have a face with the same key, they share this face.
+/// The key of a face: the mean of its points in the undeformed body, rounded to multiples of `tolerance`. Two blocks
+/// share a face if they have a face with the same key.
 std::array<long, 3> key_of(const PictureFace& face, const std::vector<UnstructuredGrid>& pieces, double tolerance) {
   std::array<double, 3> sum{};
   for (const auto& [piece, point] : face.points)
@@ -76,8 +77,8 @@ std::array<long, 3> key_of(const PictureFace& face, const std::vector<Unstructur
   return key;
 }
 
-/// The files with the grids of a picture. A picture of a parallel run (.pvtu) lists these files. Any other picture is
-/// itself the file.
+/// The files with the grids of the picture `path`. The .pvtu file of a parallel run lists these files. A picture with
+/// another extension is a grid itself.
 std::vector<std::filesystem::path> pieces_of(const std::filesystem::path& path) {
   if (path.extension() != ".pvtu") return {path};
   std::vector<std::filesystem::path> files;
@@ -102,8 +103,8 @@ bool has_fields(const std::vector<UnstructuredGrid>& pieces) {
          std::ranges::all_of(pieces, [](const auto& grid) { return field(grid, reference) && field(grid, stress); });
 }
 
-/// True if the grids have all points of the faces. The faces come from the first picture of a run, and a later picture
-/// may have fewer points.
+/// True if the grids of a picture have all points of the faces. The faces are those of the first picture of a run, and
+/// a later picture may have fewer points.
 bool have_the_points(const std::vector<UnstructuredGrid>& pieces, const std::vector<PictureFace>& faces) {
   return std::ranges::all_of(faces, [&](const PictureFace& face) {
     return std::ranges::all_of(face.points, [&](const auto& point) {
@@ -123,8 +124,8 @@ void add_row(std::string& text, double time, std::size_t number, int plane, cons
   fmt::format_to(row, ",{:.5g}\n", (*field(grid, stress))[point]);
 }
 
-/// Returns n ≥ 2 frames at about equal distances in the list, including the first and the last one. If the list has at
-/// most n frames, the result is the list.
+/// Returns n ≥ 2 pictures at about equal distances in the list, including the first and the last picture. If the list
+/// has at most n pictures, the result is the list.
 std::vector<PvdCollection::Frame> some_of(const std::vector<PvdCollection::Frame>& frames, std::size_t n) {
   if (frames.size() <= n) return frames;
   std::vector<PvdCollection::Frame> chosen;
@@ -132,9 +133,10 @@ std::vector<PvdCollection::Frame> some_of(const std::vector<PvdCollection::Frame
   return chosen;
 }
 
-/// The rows of table_of_frames without the header. The text is empty if a picture does not have the fields or all
-/// points of the faces. Without `is_affine`, it is also empty if the first picture has no faces, or if two pictures
-/// would have more than most_rows rows. `frames` must not be empty. Throws UserError if a picture cannot be read.
+/// The rows of table_of_frames without the header. The text is empty if a picture does not have the two fields or all
+/// points of the faces. If `is_affine` is false, the text is also empty if the first picture has no faces, or if two
+/// pictures would have more than most_rows rows. `frames` must not be empty. Throws UserError if a picture cannot be
+/// read.
 std::string rows_of_frames(std::vector<PvdCollection::Frame> frames, bool is_affine) {
   std::string text;
   std::vector<PictureFace> faces;
@@ -199,7 +201,7 @@ std::string table_of_frames(const std::filesystem::path& pvd, bool is_affine) tr
   if (rows.empty()) return {};
   return fmt::format("time,{},von_mises\n{}", fmt::join(mechanics::shape_columns, ","), rows);
 } catch (const UserError&) {
-  return {};  // if files are missing after a killed run, the report omits the faces
+  return {};  // a killed run may lack files; the report then omits the faces
 }
 
 }  // namespace pseudorigid::io

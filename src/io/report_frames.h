@@ -1,7 +1,7 @@
 #pragma once
-/// Faces of a body for a report, read from the pictures of a run (`<model>.pvd`). The faces are on the surface and on
-/// the coordinate planes of the undeformed body. A face consists of (p + 1)² material points of a block or element of
-/// degree p.
+/// Faces of a body for a report, computed from the pictures of a run (`<model>.pvd`). The faces are on the surface and
+/// on the coordinate planes of the undeformed body. A face consists of (p + 1)² material points of a block of degree p
+/// (mechanics::PointBlocks), which may be a finite element.
 
 #include <filesystem>
 #include <string>
@@ -12,6 +12,7 @@
 
 namespace pseudorigid::io {
 
+/// A face of a block on the surface or on a coordinate plane of the undeformed body.
 struct PictureFace {
   int plane;  ///< 0: surface; 1, 2, 3: coordinate plane with normal x, y, z
   /// The points row by row, with p + 1 points in a row. A point is given by the index of its grid in the list of grids,
@@ -20,19 +21,20 @@ struct PictureFace {
 };
 
 /// Finds the faces on the surface and on the coordinate planes of a body. The body consists of the grids `pieces`. If
-/// two elements share a face on a plane, the result contains it once, with the points of the first element. The result
-/// is empty if a grid does not consist of complete blocks of hexahedra (block_cells.h), or does not have the field
-/// reference_coordinates.
+/// two blocks share a face on a plane, the result contains this face once, with the points of the first block. The
+/// result is empty if a grid does not consist of complete blocks of hexahedra (block_cells.h), or does not have the
+/// field reference_coordinates.
 std::vector<PictureFace> faces_of(const std::vector<UnstructuredGrid>& pieces);
 
-/// A table with the columns of shapes.csv and the additional column `von_mises`. The result is the text of a CSV file.
-/// The table contains the faces at up to eight of the times of pictures, including the first and the last time. It
-/// contains fewer times if it would otherwise have more than 60000 rows. If the motion of the body is affine
-/// (`is_affine`), the table contains one point at the times of all pictures. The text is empty if there are no
-/// pictures, or if the list or a picture cannot be read. It is also empty if a picture does not have the fields
-/// reference_coordinates and von_mises. A picture without all points of the faces of the first picture also makes the
-/// text empty. Without `is_affine`, it is empty as well if the faces of the first picture have 0 or more than 30000
-/// points.
+/// Returns the text of a CSV file with the column time, the columns of shapes.csv (mechanics/core/shape_columns.h) and
+/// the column von_mises. `pvd` is the list of the pictures (pvd.h). If `is_affine` is false, the rows are the points of
+/// the faces at up to eight times of pictures, including the first and the last time. There are fewer times if the
+/// table would otherwise have more than 60000 rows. If `is_affine` is true, the motion of the body is affine, and each
+/// picture gives one row, for one point. The text is empty in the following cases:
+///   - There are no pictures, or the list or a picture cannot be read.
+///   - A picture lacks the field reference_coordinates or von_mises.
+///   - `is_affine` is false, and a picture lacks a point of the faces of the first picture.
+///   - `is_affine` is false, and the faces of the first picture have 0 or more than 30000 points.
 std::string table_of_frames(const std::filesystem::path& pvd, bool is_affine);
 
 }  // namespace pseudorigid::io

@@ -18,8 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Names of results that do not depend on models or systems. The function `owns` also accepts the names of checkpoints,
-/// of the files of each model or system, and of temporary files of a lock. It accepts names of incomplete files
-/// (partial_suffix) as well.
+/// of the files of each model or system, of temporary files of a lock, and of incomplete files (partial_suffix).
 constexpr std::array<std::string_view, 15> owned_names{
     "used.prm",      "manifest.json",   "log.txt",        "comparison.csv", "comparison.json",
     "modes.csv",     "modes.pvd",       "equilibria.csv", "shapes.csv",     "sweep.csv",
@@ -41,8 +40,8 @@ UserError cannot(const char* what, const fs::path& path, const std::string& reas
   return UserError(fmt::format("cannot {} the output directory '{}': {}", what, path.native(), reason));
 }
 
-/// Throws UserError if a pipe, a socket or a device in `directory` has a name that satisfies `owned`. A run would wait
-/// for the other end of a pipe, and must not remove a device.
+/// Throws UserError if a pipe, a socket or a device in `directory` has a name for which owned(name) is true. A run
+/// would wait for the other end of a pipe, and must not remove a device.
 void require_no_pipes(const fs::path& directory, const auto& owned) {
   for (const auto& entry : fs::directory_iterator(directory)) {
     const std::string kind = kind_unless_file(entry.path());
@@ -52,7 +51,7 @@ void require_no_pipes(const fs::path& directory, const auto& owned) {
   }
 }
 
-/// Removes the files and links of `directory` whose names satisfy `owned`. Folders are not removed.
+/// Removes the files and links in `directory` for whose names owned(name) is true. Folders are not removed.
 void remove_files(const fs::path& directory, const auto& owned) {
   for (const auto& entry : fs::directory_iterator(directory))
     if (!fs::is_directory(entry.symlink_status()) && owned(entry.path().filename().native())) fs::remove(entry.path());
@@ -80,7 +79,7 @@ bool owns_graphics(std::string_view name, std::span<const std::string> movers) {
   return is_frame_of("modes") || std::ranges::any_of(movers, is_frame_of);
 }
 
-/// The folder of the results, for the constructor of RunDirectory.
+/// The folder of the results, as the constructor of RunDirectory defines it.
 fs::path locate(const fs::path& output_directory, const fs::path& scene_file, const std::optional<fs::path>& option) {
   if (option) return *option;
   const std::string name = scene_name(scene_file);

@@ -26,9 +26,9 @@ namespace fs = std::filesystem;
 
 using Identity = std::map<std::string, std::string>;
 
-/// Names of the lines of the lock, which identify a process. The line `numbering` identifies the namespace of process
-/// numbers, which is different in a container. The number of a process is not sufficient. Another process may have the
-/// same number later, in another container, or after a restart of the machine.
+/// Names of the lines in the file of the lock. Together the lines identify a process. The line `numbering` identifies
+/// the namespace of process numbers, which is different in a container. The number of a process is not sufficient,
+/// because another process may have the same number later, in another container, or after a restart of the machine.
 constexpr const char *host = "host", *machine = "machine", *boot = "boot", *numbering = "numbering",
                      *process = "process", *process_start = "process start", *since = "since";
 
@@ -45,13 +45,13 @@ std::string first_line(const fs::path& path) {
 }
 
 struct ProcessState {
-  char state = 0;  ///< letter of the state in proc(5), for example Z for a zombie; 0 if it is not known
-  std::string start;
+  char state = 0;     ///< letter of the state in proc(5), for example Z for a zombie; 0 if it is not known
+  std::string start;  ///< start of the process, in clock ticks since the start of the machine
 };
 
-/// State and start of a process, from /proc/<process>/stat. If this file cannot be read, the state is 0. The second
-/// field of this file is the name of the program in parentheses, which may contain any character. The state is the
-/// third field. The start is the 22nd field, in clock ticks since the start of the machine.
+/// State and start of a process, from the fields 3 and 22 of /proc/<process>/stat. If this file cannot be read, the
+/// state is 0. Field 2 is the name of the program in parentheses, and this name may contain any character. The search
+/// for the fields therefore begins after the last parenthesis.
 ProcessState state_of(const std::string& process) {
   const std::string line = first_line("/proc/" + process + "/stat");
   const std::size_t name_end = line.rfind(')');
@@ -93,8 +93,8 @@ Identity from_text(const std::string& text) {
 /// State of the run that has a lock. The state is unknown if this process cannot see the processes of that run.
 enum class Judgement { at_work, ended, unknown };
 
-/// The state of the run with the given lock. The run has ended if its machine was restarted, or if its process does not
-/// exist or is a zombie. It has also ended if its process number now belongs to another process.
+/// The state of the run with the identity `holder`. The run has ended if its machine was restarted, or if its process
+/// does not exist or is a zombie. It has also ended if its process number now belongs to another process.
 Judgement judge(Identity holder) {
   Identity own = own_identity();
   if (holder[host].empty() || holder[host] != own[host]) return Judgement::unknown;
@@ -114,7 +114,8 @@ Judgement judge(Identity holder) {
   return is_zombie || found.start != holder[process_start] ? Judgement::ended : Judgement::at_work;
 }
 
-/// The error about a lock that may still be in use. Its text names the other run or the file that the user can remove.
+/// The error about a lock of another run that has not ended, or may not have ended. Its text names the process of the
+/// run, or the file that the user can remove.
 UserError in_use(const fs::path& lock, Identity holder, Judgement judgement) {
   const std::string directory = lock.parent_path().native();
   if (judgement == Judgement::at_work)
@@ -135,7 +136,7 @@ bool same_file(const struct stat& a, const struct stat& b) { return a.st_dev == 
 }  // namespace
 
 RunLock::RunLock(const fs::path& directory) : path_(directory / file_name), identity_(to_text(own_identity())) {
-  // After `create` has found the lock of another run, the other run may end, and a third run may create a new lock.
+  // After `create` has found the lock of another run, this lock may disappear, and a third run may create a new lock.
   // Therefore the constructor tries again.
   constexpr int n_attempts = 100;
   for (int i = 0; i < n_attempts; ++i) {
@@ -159,10 +160,11 @@ RunLock::~RunLock() {
 
 void RunLock::remove(const fs::path& directory) noexcept { ::unlink((directory / file_name).c_str()); }
 
-/// Creates the lock. Returns false if a lock already exists or if a file has disappeared; the caller then tries again.
-/// Throws WriteError if the lock cannot be written. The lock is first written under another name and then linked. It is
-/// therefore complete when it appears, and only one process can create it, even on a network disk. On a disk without
-/// hard links, the lock is created under its own name, and another process may briefly see it incomplete.
+/// Creates the file of the lock and returns true. Returns false if this file already exists or if the temporary file
+/// has disappeared; the caller then tries again. Throws WriteError if a file cannot be written. The contents are first
+/// written to a temporary file, to which the name `run.lock` is then linked. The lock is therefore complete when it
+/// appears, and only one process can create it, even on a network disk. On a disk without hard links, the file is
+/// created with the name `run.lock`, and another process may briefly see an incomplete lock.
 bool RunLock::create() const {
   const fs::path own = path_.native() + fmt::format("-{}-{}", host_name(), ::getpid()) + std::string(partial_suffix);
   struct Removal {
@@ -177,10 +179,10 @@ bool RunLock::create() const {
   if (::link(own.c_str(), path_.c_str()) == 0) return true;
   const int reason = errno;
   struct stat status;
-  // A network disk may have created the link although it reported an error.
+  // A network disk may have created the link although link(2) reported an error.
   if (::stat(own.c_str(), &status) == 0 && status.st_nlink == 2) return true;
   if (reason == EEXIST || reason == ENOENT) return false;
-  // The disk does not support hard links, so the lock is created under its own name.
+  // The disk does not support hard links, so the file is created with the name of the lock.
   const Descriptor file(path_, O_WRONLY | O_CREAT | O_EXCL);
   if (!file && errno == EEXIST) return false;
   if (!file) throw WriteError(path_, errno);
@@ -194,9 +196,9 @@ bool RunLock::create() const {
 }
 
 /// Removes the lock of a run that has ended, and throws UserError for any other lock. Also throws UserError if the lock
-/// cannot be read. Does nothing if the lock has disappeared. If several processes find the same lock, flock admits one
-/// at a time. Each process then checks that the file it opened still has the name of the lock, and otherwise does
-/// nothing.
+/// cannot be read. Does nothing if the lock has disappeared. If several processes find the same lock, flock(2) lets one
+/// process at a time continue. Each process then checks that its open file still has the name of the lock. If another
+/// file has this name, the function does nothing.
 void RunLock::remove_if_stale() const {
   if (!kind_unless_file(path_).empty()) throw in_use(path_, {}, Judgement::unknown);
   const Descriptor file(path_, O_RDWR);  // on network disks, flock requires a file that is open for writing

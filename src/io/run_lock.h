@@ -1,12 +1,13 @@
 #pragma once
-/// The lock of a run directory. It ensures that only one run at a time uses the directory. The file `run.lock`
-/// identifies the run by host, process and start of the process. The file is removed when the run ends.
+/// The lock of a run directory, which ensures that only one run at a time uses the directory. The lock is the file
+/// `run.lock` in the directory. It identifies the run by host, process and start of the process. The run removes the
+/// file at its end.
 ///
-/// A killed run does not remove the file. The next run on the same host takes over the lock if the process has ended,
-/// or if another process now has its number. It also takes over the lock after a restart of the machine. The file
-/// /etc/machine-id distinguishes machines with the same name. A run cannot check processes on another host or in
-/// another container. In this case the run stops with a message that names the file, and the user decides whether to
-/// remove the file.
+/// A killed run does not remove the file. The next run on the same host replaces the lock if the process of the killed
+/// run does not exist, or if another process now has its number. The next run also replaces the lock after a restart of
+/// the machine. The file /etc/machine-id distinguishes machines with the same name. A run cannot check processes on
+/// another host or in another container. In this case the run stops with a message that names the file, and the user
+/// decides whether to remove the file.
 
 #include <filesystem>
 #include <string>
@@ -17,16 +18,17 @@ class RunLock {
  public:
   static constexpr const char* file_name = "run.lock";
 
-  /// Locks the directory. Throws UserError if another run has locked it, or if it is not known whether the other run
-  /// has ended; the directory is then unchanged. Throws WriteError if the lock cannot be written.
+  /// Locks the directory. Throws UserError if another run has locked the directory and has not ended, or if it is not
+  /// known whether it has ended. The lock of the other run then remains. Throws WriteError if the lock cannot be
+  /// written.
   explicit RunLock(const std::filesystem::path& directory);
-  /// Removes the lock, unless the user or another run has replaced the file. Ignores errors.
+  /// Removes the file `run.lock`, unless the user or another run has replaced it. Ignores errors.
   ~RunLock();
   RunLock(RunLock&& other) noexcept;
   RunLock& operator=(RunLock&&) = delete;
 
-  /// Removes the lock of a directory, and ignores errors. A rank that does not hold the lock calls this function if it
-  /// aborts the run.
+  /// Removes the file `run.lock` of a directory, and ignores errors. A rank that does not have the RunLock calls this
+  /// function if it aborts the run.
   static void remove(const std::filesystem::path& directory) noexcept;
 
  private:
@@ -34,7 +36,7 @@ class RunLock {
   void remove_if_stale() const;
 
   std::filesystem::path path_;
-  std::string identity_;  ///< contents of the file; empty if the lock has been moved to another object
+  std::string identity_;  ///< contents of the file; empty if another object has taken the lock by a move
 };
 
 }  // namespace pseudorigid::io

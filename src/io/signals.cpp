@@ -12,8 +12,8 @@ static_assert(std::atomic<bool>::is_always_lock_free);  // a signal handler may 
 
 extern "C" void request_interrupt(int) { requested.store(true, std::memory_order_relaxed); }
 
-/// Installs the handler for a signal. SA_RESTART makes interrupted system calls continue. `flags` are further flags of
-/// sigaction(2).
+/// Installs the handler for a signal. `flags` contains flags of sigaction(2) in addition to SA_RESTART, which makes
+/// interrupted system calls continue.
 void listen_to(int signal, unsigned int flags) {
   struct sigaction action = {};
   action.sa_handler = request_interrupt;
@@ -25,7 +25,7 @@ void listen_to(int signal, unsigned int flags) {
 }  // namespace
 
 void install_signal_handlers() {
-  // After the first of these signals, the default action of this signal is restored. A second Ctrl-C therefore ends the
+  // SA_RESETHAND restores the default action of a signal after its first arrival. A second Ctrl-C therefore ends the
   // process at once.
   for (const int signal : {SIGINT, SIGTERM}) listen_to(signal, SA_RESETHAND);
   // A second SIGHUP or SIGXCPU must not end the run at once. The kernel and the shell may both send SIGHUP, and the

@@ -10,7 +10,7 @@
 namespace pseudorigid::io {
 
 void open_standard_descriptors() {
-  // open() returns the lowest free descriptor. The lowest is `descriptor`, because all descriptors below it are open.
+  // open() returns the lowest free number. This number is `descriptor`, because all lower numbers are in use.
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(descriptor, F_GETFD) == -1 && errno == EBADF) ::open("/dev/null", O_RDWR);
 }

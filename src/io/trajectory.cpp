@@ -19,7 +19,7 @@ namespace {
 template <class O>
 using Columns = std::vector<BodyColumn<O>>;
 
-/// The columns that all models of the ball have, and after them the columns `own`.
+/// The columns that all models of the ball have, and then the columns `own` of one model.
 template <class O>
 Columns<O> common_and(std::span<const BodyColumn<O>> own) {
   Columns<O> columns(std::begin(mechanics::common_columns<O>), std::end(mechanics::common_columns<O>));
@@ -40,10 +40,9 @@ const Columns<ContinuumObservables>& body_columns() {
   return columns;
 }
 
-/// The suffixes that distinguish the entries of a vector or matrix in the header of the CSV file. They depend on the
-/// kind of the value, and a scalar has the empty suffix. The kinds are scalar, vector of three or four entries, matrix,
-/// antisymmetric matrix, and least or largest value over points. This is the order of the types in the variant
-/// BodyColumn::value.
+/// The suffixes that distinguish the entries of a vector or matrix in the header of the CSV file. A scalar has the
+/// empty suffix. The elements of `of_kind` belong to the types in the variant BodyColumn::value, in the same order:
+/// scalar, vectors of three and four entries, matrix, antisymmetric matrix, and extreme value over points.
 template <class O>
 const std::vector<std::string>& suffixes(const BodyColumn<O>& column) {
   static const std::vector<std::string> of_kind[] = {{""},

@@ -13,26 +13,27 @@
 
 namespace pseudorigid::io {
 
-/// All columns of a model except `time`, for the documentation. A vector or matrix is one element of the list, for
-/// example with the name `Q11 ... Q33`. The type Observables is mechanics::ReducedObservables or
+/// All columns of a model except `time`, for the documentation. The columns of a vector or matrix are one element of
+/// the list, for example with the name `Q11 ... Q33`. The type Observables is mechanics::ReducedObservables or
 /// mechanics::ContinuumObservables.
 template <class Observables>
 std::vector<scene::Column> documented_columns();
 
-/// The columns of a model's CSV file: the time, and the columns that `quantities` selects. The class computes rows of
-/// these columns from observables.
+/// The columns of the CSV file of a model: the time, and the columns of the groups that `quantities` selects. The class
+/// computes the rows of the file from observables.
 template <class Observables>
 class Trajectory {
  public:
+  /// `units` converts the values of the rows to the units of the user. By default, they remain in internal units.
   explicit Trajectory(const scene::Quantities& quantities, const Units& units = {});
 
-  /// Names of the columns. The first is `time`.
+  /// Names of the columns. The first name is `time`.
   const std::vector<std::string>& names() const { return names_; }
-  /// The request for the observables that the columns need.
+  /// The request for the observables that the columns need. A model passes it to its function `observe`.
   const mechanics::ObservableRequest& request() const { return request_; }
-  /// Replaces `row` by the values of the columns for a sample, and reuses the memory of `row`. The observables are in
-  /// internal units and are converted to the units of the user. The time is already in the units of the user. A value
-  /// that the model has not computed is NaN.
+  /// Replaces `row` by the values of the columns for a sample, and reuses the memory of `row`. The observables
+  /// `internal` are in internal units, and `physical_time` is in the units of the user. The row is in the units of the
+  /// user. A value that the model has not computed is NaN.
   void row(double physical_time, const Observables& internal, std::vector<double>& row) const;
 
  private:

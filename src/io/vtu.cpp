@@ -36,15 +36,15 @@ std::string bytes_of(std::span<const std::uint64_t> numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
 }
 
-/// A compressed array in VTK's format. Its header contains the number of blocks, the size of a block, the size of the
-/// last block, and the compressed size of each block. If the last block is as long as the others, its size is written
-/// as 0. The compressed blocks follow the header.
+/// Returns the bytes of an array, compressed in VTK's format. A header contains the number of blocks, the size of a
+/// block, the size of the last block, and the compressed size of each block. If the last block has the full size, its
+/// size is written as 0. The compressed blocks follow the header.
 std::string compressed(std::string_view bytes) {
-  // A block is much larger than the window of zlib (32 KiB). The division into blocks therefore hardly reduces the
-  // compression.
+  // A block is much larger than the window of zlib (32 KiB), so that the division into blocks hardly increases the
+  // size.
   constexpr std::size_t block_size = std::size_t{1} << 18;
-  // The last digits of the coordinates of a motion do not repeat, so that the coordinates can hardly be compressed. In
-  // measurements, a higher level needed twice the time and reduced the size by only 1 %.
+  // The last digits of coordinates are nearly random, so that coordinates can hardly be compressed. In measurements, a
+  // higher level needed twice the time and reduced the size by only 1 %.
   constexpr int level = 1;
   std::vector<std::uint64_t> header{(bytes.size() + block_size - 1) / block_size, block_size,
                                     bytes.size() % block_size};
@@ -54,17 +54,19 @@ std::string compressed(std::string_view bytes) {
     uLongf size = block.size();
     if (compress2(reinterpret_cast<Bytef*>(block.data()), &size, reinterpret_cast<const Bytef*>(source.data()),
                   source.size(), level) != Z_OK)
-      throw std::bad_alloc();  // lack of memory is the only possible error, because the buffer is large enough
+      throw std::bad_alloc();  // the buffer is large enough, so the only possible error is a lack of memory
     blocks.append(block, 0, size);
     header.push_back(size);
   }
   return bytes_of(header) + blocks;
 }
 
-/// The XML of a file, and the arrays to which the XML refers by offsets.
+/// The text of a .vtu file: the XML, and the appended arrays to which the XML refers by offsets. The arrays must
+/// outlive the document.
 class Document {
  public:
   void add(std::string_view xml) { parts_.push_back({.xml = std::string(xml)}); }
+  /// Adds an array, and its element in the XML. Each point or cell has `n_components` values.
   template <class T>
   void add_array(std::string_view name, int n_components, std::span<const T> values) {
     parts_.push_back({.xml = fmt::format(R"(<DataArray type="{}" Name="{}"{} format="appended" offset=")", vtk_type<T>,
@@ -96,7 +98,7 @@ class Document {
     std::string compressed{};
   };
 
-  /// Compresses the arrays in several threads, because the compression takes most of the time of a picture.
+  /// Compresses the arrays in several threads, because the compression takes most of the time for writing a picture.
   void compress() {
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
@@ -115,8 +117,8 @@ class Document {
     for (auto& helper : helpers) helper.get();
   }
 
-  /// The XML attribute for the number of components. It is omitted for scalars, because its default is 1. If a file
-  /// contains the number 1, meshio reads a scalar as a matrix with one column.
+  /// The XML attribute for the number of components. The attribute is omitted for scalars, because its default is 1. If
+  /// a file contains the number 1, meshio reads a scalar as a matrix with one column.
   static std::string components(int n) { return n == 1 ? "" : fmt::format(R"( NumberOfComponents="{}")", n); }
 
   std::vector<Part> parts_;
@@ -126,7 +128,7 @@ void require(bool condition, const std::string& complaint) {
   if (!condition) throw std::logic_error("VTU grid: " + complaint);
 }
 
-/// Throws std::logic_error if the grid does not satisfy the conditions of write_vtu.
+/// Throws std::logic_error in the cases that the comment of write_vtu lists.
 void validate(const UnstructuredGrid& grid) {
   const auto all_finite = [](const std::vector<double>& values) {
     return std::ranges::all_of(values, [](double x) { return std::isfinite(x); });

@@ -18,8 +18,8 @@
 namespace pseudorigid::io {
 namespace {
 
-/// The two parts of a file: the XML and the appended arrays. The member functions throw UserError if a part does not
-/// have the form that write_vtu writes.
+/// The two parts of a .vtu file: the XML and the appended arrays. The constructor and the functions throw UserError if
+/// a part does not have the form that write_vtu writes.
 class VtuText {
  public:
   explicit VtuText(const std::filesystem::path& path) : path_(path), text_(read_file(path)) {
@@ -39,7 +39,7 @@ class VtuText {
     const std::size_t at = xml_.find(begin);
     return at == std::string_view::npos ? std::string_view() : xml_.substr(at, xml_.find('>', at) + 1 - at);
   }
-  /// The element of the array with this type and name. The result is empty if there is none.
+  /// The XML element of the array with this type and name. The result is empty if there is none.
   std::string_view array(std::string_view type, std::string_view name) const {
     return element(fmt::format("<DataArray type=\"{}\" Name=\"{}\"", type, name));
   }
@@ -51,7 +51,7 @@ class VtuText {
     const std::string_view rest = element.substr(at + begin.size());
     return std::string(rest.substr(0, rest.find('"')));
   }
-  /// The value of an attribute that is a natural number.
+  /// The value of an attribute that is a natural number. Throws UserError for another value or a missing attribute.
   std::size_t number(std::string_view element, std::string_view name) const {
     const std::string text = attribute(element, name);
     std::size_t value = 0;
@@ -77,8 +77,8 @@ class VtuText {
   }
 
  private:
-  /// Decompresses the blocks that the function `compressed` in vtu.cpp wrote at the position `offset` of the appended
-  /// data. The blocks must fill `target` exactly.
+  /// Decompresses the array at the position `offset` of the appended data into `target`. The function `compressed` in
+  /// vtu.cpp defines the form of an array. Throws UserError unless the blocks fill `target` exactly.
   void decompress(std::size_t offset, std::span<std::byte> target) const {
     std::array<std::uint64_t, 3> head;  // number of blocks, size of a block, size of a shorter last block or 0
     copy(offset, head.data(), sizeof head);
@@ -109,7 +109,8 @@ class VtuText {
   std::string_view xml_, data_;
 };
 
-/// The number of components of an array. It is 1 without the attribute, which write_vtu omits for scalars.
+/// The number of components of an array, from its XML element `array`. Without the attribute, which write_vtu omits for
+/// scalars, the number is 1.
 int n_components(const VtuText& file, std::string_view array) {
   return file.attribute(array, "NumberOfComponents").empty()
              ? 1

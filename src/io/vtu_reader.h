@@ -1,5 +1,5 @@
 #pragma once
-/// Reader for the grids that write_vtu writes. The report uses this reader for the pictures of a run.
+/// Reader for the .vtu files that write_vtu writes. The report of a run reads the pictures with this function.
 
 #include <filesystem>
 #include <span>
@@ -10,7 +10,8 @@
 namespace pseudorigid::io {
 
 /// Reads the grid, its constants, and each of the given fields that the file contains. A missing field is not an error.
-/// Throws UserError if the file cannot be read, or if write_vtu did not write it on a machine with the same byte order.
+/// Throws UserError if the file cannot be read, if it does not have the form that write_vtu writes, or if its byte
+/// order is not that of this machine.
 UnstructuredGrid read_vtu(const std::filesystem::path& path, std::span<const std::string> fields);
 
 }  // namespace pseudorigid::io

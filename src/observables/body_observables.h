@@ -1,21 +1,24 @@
 #pragma once
-/// Observables of a ball at one state, and the columns of the CSV files that show them. Observables are for the whole
-/// ball, even if only a sector between symmetry planes is computed. The columns are declared in this file, each with
-/// its name, group, unit, meaning and computation. Headers, rows, units and documentation are generated from these
-/// columns (io/trajectory.h).
+/// Observables of a ball at one time, and the columns of the CSV files that contain them. Observables are for the whole
+/// ball, even if only a sector between symmetry planes is computed. This file declares the columns, each with its name,
+/// group, unit, meaning and computation. The class io::Trajectory makes headers, rows, units and documentation from
+/// these columns.
 ///
 ///   K = ½ ∫ρ|ẋ|² dV,   J = ∫ρ (x−x_c)×(ẋ−ẋ_c) dV,   Z = ∫ρ X×(Fᵀ(ẋ−ẋ_c)) dV
 ///
-/// are the kinetic energy, the angular momentum and the circulation, with F = ∂x/∂X, the centre of mass x_c and its
-/// velocity ẋ_c. E₀ = ∫ρ X Xᵀ dV is the second moment at rest, and m̄ = tr E₀/3.
-/// For the pseudo-rigid ball, J_i = m̄ ε_ijk Q_jA Q̇_kA and Z_A = m̄ ε_ABC (QᵀQ̇)_CB. A rigid rotation with angular
-/// velocity ω at Q = Id has J = Z = 2m̄ω. Motions that are not affine have the mass moment Q_M = (∫ρ (x − x_c) Xᵀ dV)
-/// E₀⁻¹ in place of Q. All observables are in internal units (entries/units.h).
+/// are the kinetic energy, the angular momentum and the circulation. The integrals are over the reference body with its
+/// density ρ. X is the reference position, x the position, F = ∂x/∂X, x_c the centre of mass and ẋ_c its velocity. The
+/// second moment of mass of the reference body is E₀ = ∫ρ X Xᵀ dV, and m̄ = tr E₀/3.
 ///
-/// To add an observable, add a member, and set it in the models that have it (reduced/observe.h,
-/// polynomial/observe.cpp, continuum/output/observe.cpp). An observable that is not set stays NaN. If its column is
-/// requested, the run then ends at its first sample. The observables of contact and the two energies of orbits are 0
-/// instead.
+/// The motion of the pseudo-rigid ball is x = QX + x_c. For this motion, J_i = m̄ ε_ijk Q_jA Q̇_kA and Z_A = m̄ ε_ABC
+/// (QᵀQ̇)_CB. A rigid rotation with angular velocity ω at Q = Id has J = Z = 2m̄ω. For motions that are not affine, the
+/// mass moment Q_M = (∫ρ (x − x_c) Xᵀ dV) E₀⁻¹ takes the place of Q. All observables are in internal units
+/// (entries/units.h).
+///
+/// To add an observable, add a member and a column, and set the member in the models that have it (reduced/observe.h,
+/// polynomial/observe.cpp, continuum/output/observe.cpp). An observable that a model does not set is NaN. If the column
+/// of such an observable is requested, the run ends at its first sample. The observables of contact and the two
+/// energies of orbits are 0 if a model does not set them.
 
 #include <Eigen/Core>
 #include <array>
@@ -32,23 +35,24 @@
 
 namespace pseudorigid::mechanics {
 
+/// The value of an observable that a model does not set.
 inline constexpr double not_observed = std::numeric_limits<double>::quiet_NaN();
 
-/// A column with the largest value(F) over the quadrature points of the whole body if `largest` is true, otherwise with
-/// the least. F is the deformation gradient.
+/// A column with an extreme value over the quadrature points of the whole body: the largest value(F) if `largest` is
+/// true, otherwise the least value(F). F is the deformation gradient at a point.
 struct OverPoints {
   bool largest;
   double (*value)(const Eigen::Matrix3d& F);
 };
 
-/// Quantities that the output requests. Models may leave out the other quantities. `over_points` has the requested
-/// columns of the type OverPoints.
+/// The groups of observables that the output requests. Models need not compute the other groups. `over_points` contains
+/// the requested columns of the type OverPoints.
 struct ObservableRequest : Quantities {
   std::vector<OverPoints> over_points{};
 };
 
-/// Returns one value for each entry of request.over_points. `least` is a function of the caller: least(value) returns
-/// the least value(F) over the points of the body.
+/// Returns one value for each entry of request.over_points. The caller provides the function `least`: least(value)
+/// returns the least value(F) over the quadrature points of the whole body.
 template <class Least>
 std::vector<double> observe_over_points(const ObservableRequest& request, const Least& least) {
   std::vector<double> values;
@@ -63,7 +67,8 @@ struct AntisymmetricEntries {
   Eigen::Vector3d values;
 };
 
-/// One or several columns with the components of one observable.
+/// One or several columns with the components of one observable. The type Observables is ReducedObservables or
+/// ContinuumObservables.
 template <class Observables>
 struct BodyColumn {
   std::string_view name;
@@ -72,23 +77,23 @@ struct BodyColumn {
   std::string_view documentation;
   /// The value in internal units. It is a scalar, a vector (name1 … name3 or name4), a matrix (name11 … name33, row by
   /// row), or an antisymmetric matrix (name12, name13, name23). It can also be the least or largest value over the
-  /// points of the body.
+  /// quadrature points (OverPoints).
   std::variant<double (*)(const Observables&), Eigen::Vector3d (*)(const Observables&),
                Eigen::Vector4d (*)(const Observables&), Eigen::Matrix3d (*)(const Observables&),
                AntisymmetricEntries (*)(const Observables&), OverPoints>
       value;
 };
 
-/// Contact with rigid planes. The members from `energy` to `point` are for the current state (loads/contact.h), and are
-/// 0 if no point of the body touches a plane. The other members summarise the run so far (app/run/contact_watch.h).
-/// They are the beginning of the first contact, the end of the last contact, the largest force and the coefficient of
-/// restitution. Before the first contact they are 0.
+/// Contact with rigid planes. The members from `energy` to `point` describe the current state (loads/contact.h), and
+/// are 0 if no point of the body touches a plane. The other members summarise the run up to the current time
+/// (app/run/contact_watch.h). They are the beginning of the first contact, the end of the last contact, the largest
+/// force and the coefficient of restitution. Before the first contact, these members are 0.
 struct ContactObservables {
   double energy = 0, force = 0, penetration = 0, radius = 0, pressure_radius = 0;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   double first = 0, last = 0, largest_force = 0, restitution = 0;
 
-  /// Sets the members for the current state, from `energy` to `point`, to those of a loads::Contact.
+  /// Sets the members from `energy` to `point` to the values of a loads::Contact.
   template <class Contact>
   void take(const Contact& now) {
     energy = now.energy;
@@ -100,7 +105,8 @@ struct ContactObservables {
   }
 };
 
-/// The energy of vibration and its parts by the degree n of the motion (observables/vibration.h).
+/// The energy of vibration (observables/vibration.h). The entry of_degree[n − first_degree] is its part in motions of
+/// degree n.
 struct VibrationObservables {
   static constexpr int first_degree = 2, last_degree = 8;
   using Parts = std::array<double, last_degree - first_degree + 1>;
@@ -113,15 +119,15 @@ struct VibrationObservables {
   }();
 };
 
-/// The motion of the companions relative to the centre of the body. The header observables/orbit.h has the formulas of
-/// the members, and the columns below have their meaning. Without companions, the energies are 0 and the other members
-/// are NaN. If finite elements use the full potential of the companions, `interaction` and `torque` are those of this
-/// potential.
+/// The motion of the companions relative to the centre of mass of the body. The header observables/orbit.h has the
+/// formulas, and the texts of the columns below explain the members. Without companions, the energies are 0 and the
+/// other members are NaN. If a finite-element body uses the full potential of the companions, `interaction` and
+/// `torque` are computed from this potential.
 struct OrbitObservables {
   double kinetic = 0;  ///< kinetic energy of the orbits about the common centre of mass
-  /// Energy of the gravity between the body and the companions, and of the companions between each other.
+  /// Potential energy of the gravity between the body and the companions, and between the companions.
   double interaction = 0;
-  /// Positions and velocities of the first and of the second companion, relative to the centre of the body.
+  /// Positions and velocities of the first and of the second companion, relative to the centre of mass of the body.
   Eigen::Vector3d position = Eigen::Vector3d::Constant(not_observed), velocity = position;
   Eigen::Vector3d second_position = position, second_velocity = position;
   KeplerElements elements{not_observed, not_observed, not_observed, not_observed, not_observed, not_observed};
@@ -129,9 +135,10 @@ struct OrbitObservables {
   Eigen::Vector3d torque = position, spin = position, total_momentum = position;
 };
 
-/// Observables that every model of the ball has. The energies are those of the columns with the same names below.
+/// Observables that every model of the ball has. The texts of the columns with the same names below explain the
+/// energies.
 struct BodyObservables {
-  Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);     ///< Q; for non-affine motions the mass moment Q_M
+  Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);     ///< Q or Q_M (head of this file)
   Eigen::Matrix3d Qdot = Eigen::Matrix3d::Constant(not_observed);  ///< time derivative of Q
   /// Centre of mass x_c and its velocity. With companions, both are those of the body and the companions together.
   Eigen::Vector3d center = Eigen::Vector3d::Constant(not_observed);
@@ -139,27 +146,32 @@ struct BodyObservables {
   double kinetic = not_observed, elastic = not_observed, gravitational = not_observed, external = not_observed,
          dissipated = not_observed;
   double viscoelastic = not_observed;  ///< energy stored by viscoelastic branches, a part of `elastic`
-  /// Energy dissipated by each branch, a part of `dissipated`. Branches that the body does not have are 0.
+  /// Energy dissipated by each viscoelastic branch, a part of `dissipated`. The entries of branches that the body does
+  /// not have are 0.
   Eigen::Vector4d dissipated_by_branches = Eigen::Vector4d::Constant(not_observed);
   Eigen::Vector3d angular_momentum = Eigen::Vector3d::Constant(not_observed);  ///< J about the centre of mass
   Eigen::Vector3d circulation = Eigen::Vector3d::Constant(not_observed);       ///< Z about the centre of mass
   double volume_ratio = not_observed;                                          ///< current volume / reference volume
-  /// The multiplier Λ of ln det Q = 0, divided by m̄, which is λ of Oliva (5.120). For non-affine motions it is (1/m̄)∫p
-  /// dV with the Kirchhoff pressure p. For compressible bodies it is 0.
+  /// For the incompressible pseudo-rigid ball, the multiplier Λ of the constraint ln det Q = 0, divided by m̄. This is
+  /// λ of Oliva (5.120). For motions that are not affine, it is (1/m̄)∫p dV with the Kirchhoff pressure p. It is 0 for
+  /// compressible bodies.
   double multiplier = not_observed;
-  /// The semi-axes a₁ ≥ a₂ ≥ a₃. They are the singular values of Q S with the reference shape S. For a ball, S = r Id.
+  /// The semi-axes a₁ ≥ a₂ ≥ a₃ of the ellipsoid Q S B with the unit ball B: the singular values of Q S. The reference
+  /// body is the ellipsoid S B. For a ball of radius r, S = r Id.
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Constant(not_observed);
   std::vector<double> over_points{};  ///< one value for each entry of ObservableRequest::over_points
   ContactObservables contact{};
   OrbitObservables orbit{};
   VibrationObservables vibration{};
 
+  /// The sum of all energies and of the dissipated energy.
   double energy() const {
     return kinetic + elastic + gravitational + external + dissipated + contact.energy + orbit.kinetic +
            orbit.interaction;
   }
 };
 
+/// The columns of the observables that every model has.
 template <class O>
 inline constexpr BodyColumn<O> common_columns[] = {
     {"Q", &Quantities::state, "", "deformation; of the continuum the mass moment Q_M, the affine motion nearest to it",
@@ -298,8 +310,8 @@ inline constexpr BodyColumn<O> common_columns[] = {
 struct ReducedObservables : BodyObservables {
   double central_pressure = not_observed;  ///< p_c of the pressure p_c(1 − |ξ|²), the reaction to
                                            ///< det Q = 1; |ξ| = 1 is the surface
-  Eigen::Vector3d axes = Eigen::Vector3d::Constant(not_observed);  ///< r A_ii of Q = TᵀAS, continuous along the path
-  /// Rotations T and S of the bipolar decomposition Q = TᵀAS.
+  Eigen::Vector3d axes = Eigen::Vector3d::Constant(not_observed);  ///< r A_ii of Q = TᵀAS, continuous in time
+  /// Rotations T and S of the bipolar decomposition Q = TᵀAS with a diagonal matrix A.
   Eigen::Matrix3d T = Eigen::Matrix3d::Constant(not_observed), S = T;
   Eigen::Vector3d Omega_star = Eigen::Vector3d::Constant(not_observed);   ///< entries 12, 13, 23 of Ω* = ṪTᵀ
   Eigen::Vector3d Lambda_star = Eigen::Vector3d::Constant(not_observed);  ///< entries 12, 13, 23 of Λ* = ṠSᵀ
@@ -327,15 +339,16 @@ inline constexpr BodyColumn<ReducedObservables> reduced_columns[] = {
      [](const ReducedObservables& o) { return singular_values(o.Q); }},
 };
 
-/// Observables that only bodies with non-affine motions have.
+/// Observables that only models with motions that are not affine have.
 struct ContinuumObservables : BodyObservables {
-  Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean of F over the reference volume
-  /// Fraction of the kinetic energy about x_c that is not in the affine motion, or 0 if this energy is 0.
+  Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean of F = ∂x/∂X over the reference volume.
+  /// Fraction of the kinetic energy relative to x_c that is not in the affine motion with Q_M, or 0 if this energy is
+  /// 0.
   double nonaffine_kinetic_fraction = not_observed;
-  double nonaffine_displacement = not_observed;  ///< |y − Q_M X|/|y| with y = x − x_c, norms weighted with ρ
+  double nonaffine_displacement = not_observed;  ///< |y − Q_M X|/|y|, y = x − x_c, |y|² = ∫ρ y·y dV
   double volumetric = not_observed;              ///< energy of the volumetric stabilisation, a part of `elastic`
   double min_jacobian = not_observed;            ///< least det F over the quadrature points
-  double volume_error = not_observed;            ///< root mean square of ln det F
+  double volume_error = not_observed;            ///< root mean square of ln det F over the reference volume
   double max_volume_error = not_observed;        ///< largest |ln det F| over the quadrature points
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The groups of observables, which are also the groups of columns in the CSV files. Models evaluate a costly quantity
-/// only if its group is requested. A new group needs a member of Quantities and a line of quantity_groups.
+/// The groups of observables, which are also the groups of columns in the CSV files. Models compute an expensive
+/// observable only if its group is requested. A new group needs a member of Quantities and a line of quantity_groups.
 
 #include <cstddef>
 #include <iterator>
@@ -8,13 +8,14 @@
 
 namespace pseudorigid::mechanics {
 
-/// A member is true if its group is requested. The initial values are the defaults.
+/// The requested groups. A member is true if its group is requested. The initial values are the defaults of the entry
+/// Output/Quantities.
 struct Quantities {
   bool state = true, energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
   bool orbit = true;  ///< written only if the scene has companions
   bool pressure = false, bipolar = false, stretches = false, vibration = false;
-  /// A group without a word in parameter files, for models with non-affine motions. The group is written if the
-  /// energies are requested and the volumetric stabilisation is on.
+  /// A group without a word in parameter files, for models with motions that are not affine. The group is written if
+  /// the energies are requested and the body has the volumetric stabilisation.
   bool volumetric = false;
   /// A group without a word in parameter files, which is written if the scene has rigid planes.
   bool contact = false;
@@ -25,13 +26,14 @@ struct Quantities {
   bool branches = false;
 };
 
+/// The word of a group in parameter files, the member of the group, and its text for the documentation.
 struct QuantityGroup {
-  std::string_view name;  ///< the word in parameter files
+  std::string_view name;
   bool Quantities::*member;
   std::string_view documentation;
 };
 
-/// The groups that can be requested by name; the defaults come first.
+/// The groups that a parameter file can request by a word. The groups that are requested by default come first.
 inline constexpr QuantityGroup quantity_groups[] = {
     {"state", &Quantities::state, "Q, Qdot, centre of mass, mean gradient"},
     {"energies", &Quantities::energies, "the parts of the energy and their sum"},
@@ -58,7 +60,8 @@ inline constexpr QuantityGroup quantity_groups[] = {
 static_assert(sizeof(Quantities) == std::size(quantity_groups) + 4,
               "every group but `volumetric`, `contact`, `second_orbit` and `branches` has one line of quantity_groups");
 
-/// Number of groups that are true by default.
+/// Number of the groups in quantity_groups that are requested by default. The definition does not compile if they do
+/// not come first.
 inline constexpr std::size_t n_default_groups = [] {
   std::size_t n = 0;
   while (Quantities{}.*quantity_groups[n].member) ++n;

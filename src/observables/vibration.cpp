@@ -13,13 +13,13 @@ namespace pseudorigid::mechanics {
 namespace {
 
 constexpr int n_functions = SpheroidalMotions::n_powers;
-constexpr Eigen::Index n_scalars = 1 + 9 + 9;  // kinetic energy, ∫ρ x xᵀ, ∫ρ x vᵀ; the products follow in sums()
+constexpr Eigen::Index n_scalars = 1 + 9 + 9;  // kinetic energy, ∫ρ x xᵀ, ∫ρ x vᵀ; in sums(), the products follow
 
 }  // namespace
 
-/// Computes the modes of the motions with f = r^{n + 2j}, j = 0 … 4. With f = r^{p + 1}, a motion has the radial part U
-/// Y and the tangential part V r∇Y. Here U = N r^p, V = (p + 2) r^p and N = n(n + 1). For small strains and the shear
-/// modulus 1, its elastic energy is ½∫₀¹ k dr. With the derivatives U' and V' by r, k is
+/// Computes the modes by Ritz's method with f = r^{n + 2j}, j = 0 … 4, for a ball of radius, density and shear modulus
+/// 1. With f = r^{p + 1}, a motion has the radial part U Y and the tangential part V r∇Y. Here U = N r^p, V = (p + 2)
+/// r^p and N = n(n + 1). For small strains, its elastic energy is ½∫₀¹ k dr. With the derivatives U' and V' by r, k is
 ///
 ///   2 U'² r² + N (r V' − V + U)² + 2N(N − 1) V² − 4N U V + 4U².
 SpheroidalModes::SpheroidalModes(int n) {
@@ -54,7 +54,8 @@ std::vector<int> SpheroidalMotions::degrees() const {
   return degrees;
 }
 
-/// The row of a motion with the degree n and the index j is (n + 1 + 2j) r^{2j} ∇S − 2nj r^{2j−2} S X with S = r^n Y.
+/// The row of the motion with f = r^{n + 2j} is (n + 1 + 2j) r^{2j} ∇S − 2nj r^{2j−2} S X, with the solid harmonic
+/// S = r^n Y_nm.
 Eigen::MatrixX3d SpheroidalMotions::at(const Eigen::Vector3d& X) const {
   const auto solid = solid_harmonics(VibrationObservables::last_degree, {X[0], X[1], X[2]});
   Eigen::MatrixX3d values(size(), 3);
@@ -91,7 +92,8 @@ Eigen::VectorXd Vibration::sums(const Eigen::Matrix3Xd& x, const Eigen::Matrix3X
                                 const Eigen::Matrix3d& Qdot) const {
   const PrincipalAxes axes = principal_axes(Q);
   const Eigen::Matrix3d R = axes.U * axes.a.cwiseInverse().asDiagonal() * axes.A;
-  // Ṙ = RΩ with Ω = cross_matrix(ω). Since S is symmetric, ΩS + SΩ = RᵀQ̇ − Q̇ᵀR, which is cross_matrix((tr S − S)ω).
+  // Let Ṙ = RΩ with Ω = cross_matrix(ω). Since S is symmetric, ΩS + SΩ = RᵀQ̇ − Q̇ᵀR. The left-hand side is
+  // cross_matrix((tr S Id − S)ω).
   const Eigen::Matrix3d S = R.transpose() * Q;
   const Eigen::Vector3d twice = -axial_vector(R.transpose() * Qdot);
   const Eigen::Vector3d omega = (S.trace() * Eigen::Matrix3d::Identity() - S).inverse() * twice;
