@@ -111,8 +111,7 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   if constexpr (single_constraint<S>) {
     set_reaction(system, q0, 1.0, system_workspace, w);
     system.constraint_rate(q1, w.direction, w.delta);
-    w.delta = w.residual *
-              (1 / w.delta);  // the quotient does not depend on the residual, so the processor can compute it earlier
+    w.delta = w.residual * (1 / w.delta);  // the processor can compute the quotient before it has the residual
   } else {
     SolveReport report = system.solve_gram(q1, q0, w.residual, system_workspace, w.delta);
     w.n_gram_iterations += report.iterations;
