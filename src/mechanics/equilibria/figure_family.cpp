@@ -14,8 +14,8 @@ FigureFinder::FigureFinder(const FigureEquations& equations, StabilityOfFigure a
                            double resolution)
     : equations_(equations), analyse_(std::move(analyse)), family_(std::move(family)), resolution_(resolution) {}
 
-/// Finds the figure with this parameter if no other figure is known yet. Fails if the function `nearby` of the family
-/// fails, or if no figure is found.
+/// Finds the first figure of the family, which has this parameter. Fails if family_.nearby fails, or if no figure is
+/// found.
 Status FigureFinder::first(double parameter, EquilibriumFigure& figure) const {
   const FigureCondition condition = family_.condition(parameter);
   if (family_.nearby) {
