@@ -22,7 +22,7 @@ concept ConservativeSystem = ConstrainedSystem<S> &&
   s.apply_mass(v, f);                                        // f = M v
   s.add_reaction_rate(q, v, lambda, f);                      // f += Σ_k λ_k D²g_k(q)(v, ·), the rate of G(q)ᵀλ
   { s.n_symmetries() } -> std::convertible_to<int>;
-  s.symmetry(0, q, v, f, f);  // (i, q, v, dq, dv): sets dq = ξ_i(q) and dv = ξ̇_i(v), which must be different vectors
+  s.symmetry(0, q, v, f, f);  // (i, q, v, dq, dv): sets dq = ξ_i(q) and dv = ξ̇_i(v); dq and dv must be different
 };
 
 }  // namespace pseudorigid::mechanics

@@ -31,13 +31,13 @@ concept ConstrainedSystem = requires(const S s, double t, const typename S::Vect
                                      typename S::Multiplier r, typename S::Workspace w) {
   { S::n_constraints } -> std::convertible_to<int>;    // 0, 1, 2, 6, … or dynamic_constraints
   { s.force(t, q, v, w, f) } -> std::same_as<Status>;  // f = −dV + loads, with the potential V
-  s.apply_inverse_mass(f, f);                          // (f, a): a = M⁻¹ f; both may be the same vector
+  s.apply_inverse_mass(f, f);                          // (f, a): a = M⁻¹ f; f and a may be the same vector
   { s.constraint(q, r) } -> std::same_as<Status>;      // r = g(q)
   s.constraint_rate(q, v, r);                          // r = G(q) v
   s.constraint_curvature(q, v, r);                     // r = D²g(q)(v, v)
   s.add_reaction(q, lambda, f);                        // f += G(q)ᵀ λ
   { s.solve_gram(q, q, lambda, w, r) } -> std::same_as<SolveReport>;  // (q₁, q₀, b, w, x): solves G(q₁)M⁻¹G(q₀)ᵀ x = b
-  { s.constraint_tolerance() } -> std::convertible_to<double>;  // largest |g|_∞, |G v|_∞ that count as zero
+  { s.constraint_tolerance() } -> std::convertible_to<double>;  // |g|_∞ and |G v|_∞ up to this bound count as zero
   { s.make_vector() } -> std::same_as<typename S::Vector>;      // zero vector of the right size
   { s.make_multiplier() } -> std::same_as<typename S::Multiplier>;
   { s.make_workspace() } -> std::same_as<typename S::Workspace>;

@@ -135,7 +135,7 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
 /// nothing.
 template <ConstrainedSystem S>
 void seek_residual(typename S::Workspace& system_workspace, double enough) {
-  constexpr double linear_part = 1.0 / 3;  // the remaining tolerance is for the nonlinear part
+  constexpr double linear_part = 1.0 / 3;  // the other two thirds are for the error of the linearisation
   if constexpr (requires { system_workspace.residual_sought; }) system_workspace.residual_sought = linear_part * enough;
 }
 
@@ -148,7 +148,7 @@ Status meet_constraint(const S& system, const char* what, double tolerance, cons
                        const typename S::Vector& q0, typename S::Workspace& system_workspace,
                        ConstraintTemporaries<S>& w, Evaluate&& evaluate, Apply&& apply, Noise&& noise,
                        double foregone = 0) {
-  // A residual that no longer halves is regarded as round-off up to 1000 tolerances of the system.
+  // A residual that no longer halves counts as round-off up to 1000 times the constraint tolerance of the system.
   ConvergenceMonitor monitor{tolerance, 1000 * system.constraint_tolerance()};
   for (;;) {
     if (Status status = evaluate(); !status) return status;

@@ -133,7 +133,7 @@ Status conjugate_gradients(const S& system, double s, const State<S>& state, dou
   const auto not_found = [] {
     return Status::failure("the velocity that the dissipation leaves is not found; use a smaller step");
   };
-  const auto& conditioned = preconditioned ? w.product : w.residual;  // P T M r, or r
+  const auto& conditioned = preconditioned ? w.product : w.residual;  // P T M r with the preconditioner, otherwise r
   scale(0.0, w.solution);
   double square = 0;  // the scalar product of `conditioned` with M r
   for (int i = 0; max_norm(w.residual) > sufficient; ++i) {

@@ -83,7 +83,7 @@ class DampingPreconditioner<S> {
       known_ = false;
       n_products += n_;
     }
-    if (in_use_ && !known_) in_use_ = known_ = compute(system);  // renewed, or after a resumption
+    if (in_use_ && !known_) in_use_ = known_ = compute(system);  // the matrix is new, or the run was resumed
     if (in_use_) residual_ = residual;
     return in_use_;
   }

@@ -303,7 +303,7 @@ void iterate_in_lanes(const Field& field, GaussStages& s) {
   for (bool first = true;; first = false) {
     states_of_stages(s, start, q, v);
     StageLanes change = in_all_lanes(0), reserve = in_all_lanes(HUGE_VAL);
-#pragma GCC unroll 1  // so that the code of the field is compiled only once
+#pragma GCC unroll 1  // not unrolled, so that the code of the field is compiled only once
     for (int g = 0; g < n_lane_groups; ++g) {
       StageLanes q_i[n], v_i[n], a_i[n];
 #pragma GCC unroll 12

@@ -133,8 +133,8 @@ class Orbit {
 
  private:
   double total_mass() const;
-  /// Returns the period of a single companion in a bound orbit about the body. The result is empty if there is another
-  /// number of companions or if the orbit is not bound.
+  /// Returns the period of a single companion in a bound orbit about the body. The result is empty if there is not
+  /// exactly one companion, or if the orbit is not bound.
   std::optional<double> kepler_period() const;
   /// Returns the motion of point masses after a step of size h by the classical method of Runge and Kutta. The body
   /// counts as a point mass, so S is zero.

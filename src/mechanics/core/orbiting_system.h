@@ -13,7 +13,7 @@ template <class S>
 concept Orbiting = requires(const S system, const typename S::Vector q, typename S::Vector changed,
                             const Orbit::Columns s) {
   { system.orbit() } -> std::same_as<const Orbit&>;
-  /// The coordinates s_k in a position, or the rates ṡ_k in a velocity.
+  /// companions(q) returns the coordinates s_k in a position q. For a velocity v, companions(v) returns the rates ṡ_k.
   { system.companions(q) } -> std::same_as<Orbit::Columns>;
   system.set_companions(s, changed);  // sets the companions' entries of `changed` to s
 };

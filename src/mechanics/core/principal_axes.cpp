@@ -132,7 +132,8 @@ PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
         const Eigen::Matrix3d R = detail::axes::cayley(theta);
         U = detail::axes::product(U, R);
         W = detail::axes::product(W, R);
-        if (largest < its_root && detail::axes::orthogonal(G, its_root)) break;  // theta² is round-off
+        // The remaining angles are of order theta². Here they are round-off.
+        if (largest < its_root && detail::axes::orthogonal(G, its_root)) break;
       } else {
         detail::axes::sweep(W, U, round_off);
       }

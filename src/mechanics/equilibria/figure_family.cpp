@@ -63,8 +63,9 @@ Status FigureFinder::member(double parameter, FigureMember& member) {
   return {};
 }
 
-/// Appends the special points between the members with the parameters a and b to `result`. If the number of negative
-/// directions changes in a class without an index point, appends b to `without_special`.
+/// Appends the special points between the members with the parameters a and b to `result`. Also appends b to
+/// `without_special` if the number of negative directions changes in a class without an index point and both members
+/// rotate.
 void FigureFinder::locate_special(double a, double b, FigureFamily& result) {
   struct Found {
     SpecialPoint point;

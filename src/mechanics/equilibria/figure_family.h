@@ -69,8 +69,8 @@ struct NearbyFigure {
 struct FamilyOfFigures {
   Figure figure;
   std::function<FigureCondition(double parameter)> condition;
-  /// Sets `nearby` to a figure near the figure with this parameter, from which the first figure is found. If the
-  /// function is empty, the first figure is found by continuation from the ball at rest.
+  /// Sets `nearby` to an affine figure near the figure with this parameter. Newton's iteration finds the first figure
+  /// of the family from it. If the function is empty, the first figure is found by continuation from the ball at rest.
   std::function<Status(double parameter, NearbyFigure& nearby)> nearby{};
 };
 

@@ -127,8 +127,8 @@ struct Gauss16 {
 
   template <class S>
   using Workspace = Gauss16Workspace<S>;
-  /// True for systems with dense vectors and cheap forces. Large systems do not benefit from a method that stores eight
-  /// accelerations and needs sixty force evaluations for a step.
+  /// True for systems with dense vectors whose force is not costly (has_costly_force). Large systems do not benefit
+  /// from a method that stores eight accelerations and needs sixty force evaluations for a step.
   template <class S>
   static constexpr bool fits = [] {
     if constexpr (!ConstrainedSystem<S> && !SecondOrderField<S>)

@@ -44,7 +44,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// The methods. Within each family the order increases.
+/// All methods. Within each family the order of accuracy increases.
 using MethodTable = std::tuple<Rattle,          //
                                Rattle4,         //
                                Rattle6,         //

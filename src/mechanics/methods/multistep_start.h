@@ -50,7 +50,8 @@ struct ExplicitStart {
     w.q_rounding = workspace.q_rounding;
     return {};
   }
-  Status project(const S&, State<S>&, RattleWorkspace<S>&) const { return {}; }  // the velocity is valid already
+  /// Does nothing, because `step` projects the velocity.
+  Status project(const S&, State<S>&, RattleWorkspace<S>&) const { return {}; }
   template <class Visit>
   void visit_memory(Visit&& visit) {
     workspace.visit_memory(visit);

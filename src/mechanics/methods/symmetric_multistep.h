@@ -239,7 +239,8 @@ struct SymmetricMultistep {
     sum_history<S>(w, increment);
     add(1.0, increment, state.q, w.q_rounding);
     if constexpr (!unconstrained<S>) {
-      const double per_shift = 1 / (w.h * w.h * formula.acceleration[0]);  // converts δ to a change of λ_n
+      // The factor between a change of q_{n+1} and the change of a_n, and between δ and the change of λ_n.
+      const double per_shift = 1 / (w.h * w.h * formula.acceleration[0]);
       const auto apply = [&] {
         add(1.0, w.constraint.reaction, state.q, w.q_rounding);
         axpy(1.0, w.constraint.reaction, increment);

@@ -252,7 +252,7 @@ Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_ite
 /// Returns ω from at most `n_iterations` steps of Lanczos. The iteration ends earlier if the relative uncertainty of ω²
 /// is at most `accuracy`. The residual of the eigenvalue is added to ω². A short iteration therefore usually gives an ω
 /// that is too large and a step that is too small, which is safe. If the number of steps is the number of modes, only
-/// the differences of the force cause errors. If all estimates of ω² are negative, ω is 0.
+/// the differences of the force cause errors. If this estimate of ω² is negative, ω is 0.
 template <ConstrainedSystem S>
 FrequencyReport largest_frequency(const S& system, const State<S>& state, typename S::Workspace& workspace,
                                   int n_iterations, double accuracy = 0) {

@@ -100,8 +100,8 @@ class StepSearch {
   bool given_up() const { return request_.give_up && request_.give_up(); }
   /// Returns the target of the estimate e, which is error_safety times the tolerance.
   double allowed_error() const { return error_safety * request_.tolerance; }
-  /// Returns the largest permitted step: the stability limit, but at most the bound of the user and the time between
-  /// samples.
+  /// Returns the largest permitted step: the limit of the method by stability and resonance, but at most the bound of
+  /// the user and the time between samples.
   double limit(const FixedStepMethod& method) const {
     return std::min(request_.rattle_limit * (method.step_limit / Rattle::stability_limit),
                     std::min(request_.step_bound, request_.interval));
