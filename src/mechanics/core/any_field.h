@@ -1,8 +1,6 @@
 #pragma once
-/// One type for any second-order field q̈ = a(t, q, q̇), so that the compiler compiles each adaptive method once and not
-/// once per system. The corresponding type for systems with constraints is in any_system.h. The function `project`
-/// moves a state to the invariant manifold of the field. If there is no such manifold, `project` does not change the
-/// state.
+/// One type for any second-order field q̈ = a(t, q, q̇). With this type the compiler compiles each adaptive method once
+/// and not once per system. The corresponding type for systems in constrained form is in any_system.h.
 
 #include <memory>
 #include <type_traits>
@@ -22,8 +20,9 @@ requires(!ConstrainedSystem<F>) typename F::Workspace& own_workspace(AnyWorkspac
   return w.as<typename F::Workspace>();
 }
 
-/// Functions of a field that methods call. The vectors have dynamic size. The functions of dynamic_vectors.h convert
-/// them to the vectors of the concrete field.
+/// Functions of a field that methods call, with vectors of dynamic size. The derived class HeldField converts these
+/// vectors to the vectors of the concrete field (dynamic_vectors.h). `project` moves (q, v) to the invariant manifold
+/// of the field. If the field has no such manifold, `project` succeeds without any change.
 struct FieldInterface {
   using Vector = Eigen::VectorXd;
   virtual ~FieldInterface() = default;
@@ -58,7 +57,7 @@ class HeldField final : public FieldInterface {
 
 }  // namespace detail
 
-/// Any second-order field. Copies share the concrete field.
+/// A second-order field of any type, which the constructor takes. Copies of an AnyField share this concrete field.
 class AnyField {
  public:
   using Vector = Eigen::VectorXd;

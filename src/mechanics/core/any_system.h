@@ -1,15 +1,16 @@
 #pragma once
-/// One type for any system in constrained form. With this type the compiler compiles each method once and not once per
-/// system. The corresponding type for second-order fields, which adaptive methods integrate, is in any_field.h. The
-/// template parameter n is 0 for a system without constraints. For all other systems n is dynamic_constraints, so that
-/// systems with different numbers of constraints have one type.
+/// One type, AnySystem<n>, for any system in constrained form. With this type the compiler compiles each method once
+/// and not once per system. The corresponding type for second-order fields, which adaptive methods integrate, is in
+/// any_field.h. The parameter n is 0 for a system without constraints. For all other systems n is dynamic_constraints,
+/// so that systems with different numbers of constraints have the same type.
 ///
-/// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). The cost of the call is
-/// noticeable if a force takes only some nanoseconds. The models of the ball therefore use their own types.
+/// A call of a member goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). This costs
+/// noticeable time if a force evaluation takes only some nanoseconds. The models of the ball therefore do not use
+/// AnySystem.
 ///
-/// The concrete type of a constrained system computes the acceleration and the projection (explicit_multiplier.h). Some
-/// systems have energies and symmetries (conservative_system.h). The type AnySystem is the same for systems with and
-/// without energies, so `fits` in field_of.h tests `is_conservative()` at run time.
+/// Acceleration and projection of a constrained system are computed by ExplicitMultiplier with the concrete type of the
+/// system (explicit_multiplier.h). Some systems have energies and symmetries (conservative_system.h). AnySystem is the
+/// same type with and without energies, so `fits` in field_of.h tests `is_conservative()` at run time.
 
 #include <memory>
 #include <type_traits>
@@ -26,8 +27,8 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// Functions of a system that methods call. If there are no constraints, `acceleration`, `project` and the functions of
-/// the constraints succeed and leave their output arguments unchanged.
+/// Functions of a system that methods call, with vectors of dynamic size. If there are no constraints, `acceleration`,
+/// `project` and the functions of the constraints succeed and leave their output arguments unchanged.
 struct SystemInterface {
   using Vector = Eigen::VectorXd;
   virtual ~SystemInterface() = default;
@@ -46,7 +47,7 @@ struct SystemInterface {
   virtual Status acceleration(double t, const Vector& q, const Vector& v, AnyWorkspace& w, Vector& a) const = 0;
   virtual Status project(Vector& q, Vector& v, AnyWorkspace& w) const = 0;
   virtual Status solve_stages(GaussStages& stages, AnyWorkspace& w) const = 0;
-  // The following functions are called for conservative systems only. For other systems they return 0 or do nothing.
+  // The following functions are meant for conservative systems. For other systems they return 0 or do nothing.
   virtual double kinetic_energy(const Vector& v) const = 0;
   virtual double potential_energy(const Vector& q) const = 0;
   virtual void apply_mass(const Vector& v, Vector& f) const = 0;
@@ -138,9 +139,9 @@ class HeldSystem final : public SystemInterface {
 
 }  // namespace detail
 
-/// Any system without its energies. It has no constraints if n is 0, and any number of constraints if n is
-/// dynamic_constraints. The class has the members of a ConstrainedSystem. If n is not 0, it also has `acceleration` and
-/// `project` of the second-order field.
+/// Any system in constrained form, without its energies and symmetries. The system has no constraints if n is 0, and
+/// any number of constraints if n is dynamic_constraints. The class has the members of a ConstrainedSystem. If n is not
+/// 0, the class also has `acceleration` and `project` of the system's second-order field.
 template <int n>
 class AnyConstrainedSystem {
   static_assert(n == 0 || n == dynamic_constraints);
@@ -224,8 +225,9 @@ class AnyConstrainedSystem {
   Vector zero_, no_reaction_;
 };
 
-/// Any system, with n as in AnyConstrainedSystem. If the system is not conservative, its energies are 0 and it has no
-/// symmetries. The functions apply_mass, add_reaction_rate and symmetry then leave their output vectors unchanged.
+/// Any system in constrained form, with its energies and symmetries. If the system is not conservative, its energies
+/// and its number of symmetries are 0. The functions apply_mass, add_reaction_rate and symmetry then leave their output
+/// vectors unchanged.
 template <int n>
 class AnySystem : public AnyConstrainedSystem<n> {
  public:

@@ -1,6 +1,7 @@
 #pragma once
-/// The workspace of an AnySystem or AnyField, which contains the workspace of the concrete system. Only the system that
-/// made the workspace may use it, because `as` does not check the concrete type.
+/// The workspace of an AnySystem or AnyField. An AnyWorkspace owns the workspace of the concrete system, and
+/// `as<Workspace>()` returns a reference to it. `as` does not check the type Workspace. Therefore use an AnyWorkspace
+/// only with the AnySystem or AnyField that made it, or with a copy of this object.
 
 #include <memory>
 #include <utility>

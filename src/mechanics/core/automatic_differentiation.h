@@ -17,7 +17,7 @@ namespace pseudorigid::mechanics {
 template <class T, int n>
 using Coordinates = Eigen::Matrix<T, n, 1>;
 
-/// A number with its n partial derivatives.
+/// A number of type T with its n partial derivatives, which also have the type T.
 template <class T, int n>
 using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<T, n, 1>>;
 
@@ -40,8 +40,8 @@ struct SecondOrderJet {
   Eigen::Matrix<double, n, n> hessian;
 };
 
-/// Returns the jet of f at q. The function f must be a template over the scalar type, because its argument has nested
-/// dual numbers.
+/// Returns value, gradient and Hessian of f at q. The function f must be a template over the scalar type, because it is
+/// called with nested dual numbers.
 template <int n, class Function>
 SecondOrderJet<n> second_order_jet(const Function& f, const Coordinates<double, n>& q) {
   const auto y = f(independent(independent(q)));

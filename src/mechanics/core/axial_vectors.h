@@ -5,8 +5,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns the axial vector of A, with the components ε_ijk A_jk. The symmetric part of A does not contribute. The
-/// axial vector of cross_matrix(w) is −2w.
+/// Returns the vector with the components Σ_jk ε_ijk A_jk, called the axial vector of A. The symmetric part of A does
+/// not contribute. The axial vector of cross_matrix(w) is −2w.
 inline Eigen::Vector3d axial_vector(const Eigen::Matrix3d& A) {
   return {A(1, 2) - A(2, 1), A(2, 0) - A(0, 2), A(0, 1) - A(1, 0)};
 }

@@ -1,7 +1,7 @@
 #pragma once
 /// Fields over a body at one time, for the picture files (VTU). Their values are given at points of the reference body,
 /// in the internal units, in which all quantities are of order 1. All quantities in a picture are computed from these
-/// fields, so that every model has the same definitions (io/body_picture.h).
+/// fields (io/body_picture.h), so that they have the same definition for every model.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace pseudorigid::mechanics {
 
-/// Arrangement of the points in the body, as blocks of (degree + 1)³ points. In a block the first coordinate varies
-/// fastest, and the coordinates are right-handed. The points of a block need not be equidistant. Fields in a block are
-/// approximately polynomials of this degree in each coordinate.
+/// Arrangement of the points of a BodyFields in blocks of (degree + 1)³ points. A block is a grid with three
+/// coordinates, which are right-handed; the first coordinate varies fastest. The points need not be equidistant. In
+/// each coordinate of a block, a field is approximately a polynomial of degree `degree`.
 struct PointBlocks {
   int degree = 1;
-  std::vector<std::int64_t> points;  ///< indices of the points, block by block
+  std::vector<std::int64_t> points;  ///< indices of points in BodyFields, block by block
 
   std::size_t points_per_block() const {
     const auto n = static_cast<std::size_t>(degree) + 1;
@@ -23,15 +23,15 @@ struct PointBlocks {
   std::size_t n_blocks() const { return points.size() / points_per_block(); }
 };
 
-/// Values at the points, one point after the other. A vector has three numbers, a matrix nine, row by row.
+/// Values at points, one point after the other. A vector has three entries. A matrix has nine entries, row by row.
 struct BodyFields {
-  std::vector<double> X, x, v;                           ///< reference position, position, velocity
-  std::vector<double> F, stress;                         ///< deformation gradient ∂x/∂X, Cauchy stress
-  std::vector<double> energy;                            ///< stored energy W per reference volume
-  std::vector<double> potential;                         ///< potential of self-gravity per mass; empty if not known
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();      ///< centre of mass x_c
-  Eigen::Matrix3d moment = Eigen::Matrix3d::Identity();  ///< ∫ρ (x − x_c) Xᵀ dV over the reference body with its
-                                                         ///< density ρ; the polar decomposition gives the mean rotation
+  std::vector<double> X, x, v;                       ///< reference position, position, velocity
+  std::vector<double> F, stress;                     ///< deformation gradient ∂x/∂X, Cauchy stress
+  std::vector<double> energy;                        ///< stored energy W per reference volume
+  std::vector<double> potential;                     ///< potential of self-gravity per mass; empty if not known
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< centre of mass x_c
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Identity();  ///< ∫ρ (x − x_c) Xᵀ dV over the reference body with density ρ;
+                                                         ///< its polar decomposition gives the mean rotation
 
   /// Appends the values at one point to all fields except `potential`.
   void add(const Eigen::Vector3d& X_of_point, const Eigen::Vector3d& x_of_point, const Eigen::Vector3d& v_of_point,

@@ -1,8 +1,8 @@
 #pragma once
 /// A zero of a continuous function between two points at which the function has opposite signs. Each step is an inverse
 /// quadratic interpolation if this is safe, otherwise a bisection (Chandrupatla, Adv. Eng. Software 28 (1997) 145). The
-/// iteration ends at an exact zero. It also ends if the width of the bracket is less than 2 · `resolution` times the
-/// absolute value of the best point.
+/// iteration ends at an exact zero. It also ends if the width of the bracket is less than 2 · `resolution` · |x|. Here
+/// x is the end of the bracket at which the function has the smaller absolute value.
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns a zero of f, or the last point after 200 evaluations inside the bracket. If f(a) = 0, the result is a, and
-/// otherwise if f(b) = 0, it is b. The result is empty if f(a) and f(b) do not have opposite signs. It is also empty if
-/// f is not finite at a point inside the bracket. A jump across zero counts as a zero.
+/// Returns a zero of f in [a, b] (a > b is permitted). If f(a) or f(b) is 0, returns a or b. The result is empty if
+/// f(a) and f(b) do not have opposite signs, or if f is not finite at a point inside the bracket. A jump of f across 0
+/// counts as a zero. If 200 evaluations inside the bracket are not enough, returns the last point.
 template <class Function>
 std::optional<double> bracketed_root(const Function& f, double a, double b,
                                      double resolution = std::numeric_limits<double>::epsilon()) {

@@ -1,12 +1,13 @@
 #pragma once
-/// Types of members that prevent wrong initialisers of aggregates.
+/// Types for members of aggregates. A member of such a type makes the compiler reject some wrong initialisers.
 
 #include <utility>
 
 namespace pseudorigid {
 
-/// Type of the first member of an aggregate with several members of one type, such as a load. The aggregate then
-/// permits only initialisers with names, `{.viscosity = 0.1}`. A value therefore cannot initialise the wrong member.
+/// Type of the first member of an aggregate in which several members have the same type. An example is a load. The
+/// compiler then accepts only initialisers with names, such as `{.viscosity = 0.1}`. An unnamed value could initialise
+/// the wrong member.
 struct ByName {
   explicit ByName() = default;
 };

@@ -3,8 +3,8 @@
 ///
 ///   F′(0) ≈ Σ_{k=1..4} c_k [F(kh) − F(−kh)]/h,   c = (4/5, −1/5, 4/105, −1/280).
 ///
-/// Let h be 1/100 of the scale l on which F changes. Truncation and round-off then cause errors of at most about 10⁻¹³
-/// |F|/l.
+/// Let F change on the length scale l of its variable, and let h = l/100. Truncation and round-off then cause an error
+/// of at most about 10⁻¹³ |F|/l.
 
 #include <array>
 

@@ -1,15 +1,15 @@
 #pragma once
 /// A chart of a Riemannian manifold Q (Oliva, Geometric Mechanics, 5.1) with coordinates q ∈ ℝⁿ and the metric g_ij(q).
-/// The system has a potential U, an external force F_ext and a dissipation D. With sums over repeated indices, derived
-/// quantities are
+/// The system has a potential U, an external force F_ext and a dissipation D. With ∂_i = ∂/∂q_i, the inverse metric
+/// gᵏˡ, and sums over repeated indices,
 ///
 ///   Γ_l,ij = ½ (∂_i g_jl + ∂_j g_il − ∂_l g_ij),   Γᵏ_ij = gᵏˡ Γ_l,ij,
 ///   (Dq̇/dt)ᵏ = q̈ᵏ + Γᵏ_ij q̇ⁱq̇ʲ                                                                     (5.3)
 ///   μ(v)_i = g_ij vʲ                                                                               (5.4)
 ///   K = ½ g_ij q̇ⁱq̇ʲ,   F = −dU + F_ext(t, q, q̇) + μ D(q̇)                                           (5.5), (5.122)
 ///
-/// with the mass operator μ, the kinetic energy K and the sum F of all forces. D/dt is the covariant derivative.
-/// Automatic differentiation gives the derivatives of g and of U.
+/// with the Christoffel symbols Γ, the mass operator μ, the kinetic energy K and the sum F of all forces. D/dt is the
+/// covariant derivative along a curve. Automatic differentiation gives the derivatives of g and of U.
 
 #include <Eigen/Dense>
 #include <array>
@@ -23,8 +23,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// A chart has a constant `dimension` n and a function `metric`, which returns the matrix g_ij(q). The function is a
-/// template over the scalar type of q, so that it can be differentiated automatically.
+/// A chart has a constant `dimension`, which is n, and a function `metric(q)`, which returns the matrix g_ij(q).
+/// `metric` is a template over the scalar type of q, because automatic differentiation calls it with dual numbers.
 template <class C>
 concept Chart = requires(const C chart, const Coordinates<double, C::dimension> q,
                          const Coordinates<Dual<double, C::dimension>, C::dimension> x) {
@@ -37,23 +37,23 @@ using ChartVector = Coordinates<double, C::dimension>;
 template <class C>
 using ChartMatrix = Eigen::Matrix<double, C::dimension, C::dimension>;
 
-// Optional functions of a chart. If one of them is missing, the program assumes that its value is zero.
+// Optional functions of a chart. A missing function counts as a function with the value zero.
 template <class C>
 concept HasPotential = requires(const C chart, const ChartVector<C> q) {
   chart.potential(q);
-};  // (q): returns U(q); a template over the scalar type of q
+};  // potential(q) returns U(q); `potential` is a template over the scalar type of q
 template <class C>
 concept HasDissipation = requires(const C chart, const ChartVector<C> q) {
   chart.dissipation(q, q);
-};  // (q, v): returns the vector D(v) ∈ TQ, with ⟨D(v), v⟩ < 0 for v ≠ 0
+};  // dissipation(q, v) returns the vector D(v) at q, with ⟨D(v), v⟩ < 0 for v ≠ 0
 template <class C>
 concept HasExternalForce = requires(const C chart, const ChartVector<C> q) {
   chart.external_force(0.0, q, q);
-};  // (t, q, v): returns the covector F_ext ∈ T*Q
+};  // external_force(t, q, v) returns the covector F_ext
 template <class C>
 concept HasPeriods = requires(const C chart) {
   chart.periods();
-};  // returns the period of each coordinate, or 0 if the coordinate is not periodic
+};  // periods() returns the period of each coordinate, or 0 if the coordinate is not periodic
 
 /// The metric and its partial derivatives dg[k] = ∂g/∂q_k. The scalar T is double, or a vector of lanes that holds one
 /// number for each of several points (lanes.h).
@@ -120,14 +120,15 @@ double mechanical_energy(const C& chart, const ChartVector<C>& q, const ChartVec
   return kinetic_energy(chart, q, v) + potential_energy(chart, q);
 }
 
-/// Returns the covector μ(v), with the mass operator μ: TQ → T*Q.
+/// Returns the covector μ(v) at q, with the components g_ij vʲ.
 template <Chart C>
 ChartVector<C> apply_mass(const C& chart, const ChartVector<C>& q, const ChartVector<C>& v) {
   return chart.metric(q) * v;
 }
 
-/// Sets v = μ⁻¹(p) for the metric g and the covector p. Fails if p is not finite, or if g is not positive definite up
-/// to round-off. The metric is singular at a pole of the chart, for example.
+/// Sets v = μ⁻¹(p) for the metric g and the covector p; p and v may be the same vector. Fails if p is not finite, or if
+/// g is not positive definite up to round-off. For example, the metric of spherical coordinates is singular at the
+/// poles.
 template <int n>
 Status apply_inverse_mass(const Eigen::Matrix<double, n, n>& g, const Eigen::Matrix<double, n, 1>& p,
                           Eigen::Matrix<double, n, 1>& v) {

@@ -16,8 +16,9 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns F_l − Γ_l,ij vⁱvʲ for each l, at the position q and the velocity v. The force F is taken without its
-/// external part F_ext, so the result does not depend on time. The function also sets g to the metric at q.
+/// Returns F_l − Γ_l,ij vⁱvʲ for each l, at the position q and the velocity v, and sets g to the metric at q. F is here
+/// the force without F_ext, so the result does not depend on time. T is the scalar type, for example a vector of lanes
+/// (lanes.h).
 template <class T, Chart C>
 Coordinates<T, C::dimension> covariant_force(const C& chart, const Coordinates<T, C::dimension>& q,
                                              const Coordinates<T, C::dimension>& v,
@@ -46,9 +47,9 @@ class ChartField {
     return apply_inverse_mass(jet.g, rhs, a);
   }
 
-  /// Members for stages in lanes (stage_by_stage.h). These members call the free functions
-  /// `solve_stages_in_lanes_of(chart, stages)` and `cost_of_iteration_of(chart)`. Each member exists if its free
-  /// function is defined for the type of the chart.
+  /// The next two members solve for the stages of a Gauss step in SIMD lanes, and return the cost of an iteration on
+  /// the stages (stage_by_stage.h). They call the free functions `solve_stages_in_lanes_of(chart, stages)` and
+  /// `cost_of_iteration_of(chart)`. A member exists if its free function is defined for the type of the chart.
   bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const C& c) {
     solve_stages_in_lanes_of(c, stages);
   }
@@ -56,9 +57,9 @@ class ChartField {
   double cost_of_iteration() const requires requires(const C& c) { cost_of_iteration_of(c); }
   { return cost_of_iteration_of(chart_); }
 
-  /// Sets D = Dq̇/dt, with the components q̈ᵏ + Γᵏ_ij q̇ⁱq̇ʲ, for a curve through q with the velocity v. The argument
-  /// `second_derivative` is q̈. Fails if the metric is not positive definite or a derivative of the metric is not
-  /// finite.
+  /// Sets D to the covariant acceleration q̈ᵏ + Γᵏ_ij vⁱvʲ of a curve through q with the velocity v.
+  /// `second_derivative` is q̈ of this curve. Fails if the metric is not positive definite or a derivative of the
+  /// metric is not finite.
   Status covariant_acceleration(const Vector& q, const Vector& v, const Vector& second_derivative, Vector& D) const {
     const MetricJet<C> jet = metric_jet(chart_, q);
     if (Status status = apply_inverse_mass(jet.g, christoffel_of_first_kind(jet, v, v), D); !status) return status;

@@ -1,21 +1,22 @@
 #pragma once
 /// The generalized conjugate residual method (Eisenstat, Elman, Schultz 1983), truncated as Orthomin, solves A x = r₀
-/// for a nearly symmetric matrix A. The preconditioner M acts on the right, so the r_k are the residuals of A x = r₀
-/// itself. With w = A M⁻¹ r_k, iteration k computes a vector y_k of length 1 and a direction z_k with A z_k = y_k. The
-/// sums include the last m indices j < k, and |…| is the length of the numerator of y_k:
+/// for a nearly symmetric matrix A. The preconditioner M acts on the right, so the residuals are r_k = r₀ − A x. With w
+/// = A M⁻¹ r_k, iteration k computes a vector y_k of length 1 and a direction z_k with A z_k = y_k. The sums run over
+/// the last m indices j < k. |…| is the length of the numerator of y_k:
 ///
 ///   y_k = (w − Σ (y_j·w) y_j)/|…|,   z_k = (M⁻¹ r_k − Σ (y_j·w) z_j)/|…|,
 ///   x ← x + (y_k·r_k) z_k,   r_{k+1} = r_k − (y_k·r_k) y_k,   |r_{k+1}|² = |r_k|² − (y_k·r_k)².
 ///
-/// If the sums include all j < k, the residual is the smallest in the Krylov space. If A M⁻¹ were symmetric and
-/// positive definite, m = 1 would suffice. If A is symmetric and M is close to A, A M⁻¹ nearly has these properties,
-/// and a small m suffices. As r_k is orthogonal to the y_j,
+/// If the sums include all j < k, |r_{k+1}| is the least in the Krylov space. The same least is reached with m = 1 if A
+/// M⁻¹ is symmetric and positive definite. If A is symmetric and M is close to A, A M⁻¹ nearly has these properties,
+/// and a small m suffices. Since r_k is orthogonal to the y_j in the sums,
 ///
 ///   |w − Σ (y_j·w) y_j|² = w·w − Σ (y_j·w)²,   y_k·r_k = w·r_k/|…|,
 ///
-/// so an iteration needs only one sum over the processes. The orthogonalisation is the classical Gram–Schmidt process,
-/// which is accurate enough for a small number of vectors. The method computes |r|² by differences, with an error of
-/// 1e-16 |r₀|². The error of |r| is then up to 1e-8 |r₀|, so the tolerance should be at least 1e-7 |r₀|.
+/// All scalar products of an iteration are therefore known after one sum over the processes. The orthogonalisation is
+/// the classical Gram–Schmidt process, which is accurate enough for a small number of vectors. The difference |r_k|² −
+/// (y_k·r_k)² has an error of 1e-16 |r₀|². The error of |r| is then up to 1e-8 |r₀|, so the tolerance should be at
+/// least 1e-7 |r₀|.
 
 #include <algorithm>
 #include <cmath>
@@ -32,14 +33,14 @@ class ConjugateResiduals {
  public:
   struct Result {
     int n_iterations = 0;
-    bool converged = false;  ///< true if |r| is at most the tolerance
+    bool converged = false;  ///< true if the final |r| is at most the tolerance
   };
 
   /// Solves A x = r from the guess x = 0, and sets r to the remaining residual. The iteration ends if |r| is at most
   /// `tolerance`, after `max_iterations`, or if a new direction is round-off or not finite. In all cases x is the last
-  /// iterate. If |r| is still above `tolerance` after n_with_few iterations, the method restarts with more vectors.
-  /// `multiply(z, y)` sets y ← A z, and `precondition(r, z)` sets z ← M⁻¹ r. `norm` is the Euclidean norm of the
-  /// initial r.
+  /// iterate. If |r| is still above `tolerance` after n_with_few iterations, the method restarts from x with m =
+  /// n_kept_if_slow. `multiply(z, y)` sets y ← A z, and `precondition(r, z)` sets z ← M⁻¹ r. On entry `norm` is the
+  /// Euclidean norm |r|. All processes call the function together.
   template <class Multiply, class Precondition>
   Result solve(Multiply&& multiply, Precondition&& precondition, double norm, double tolerance, int max_iterations,
                Vector& r, Vector& x) {
@@ -74,7 +75,7 @@ class ConjugateResiduals {
   /// Number m of vectors y_j in the sums. With m = 1, the iteration does not converge for the Gram systems of finite
   /// elements of degree 6. In measurements with 1100 … 410,000 unknowns, the numbers of iterations with m = 2 … 6 and
   /// with all vectors agreed within 2 %. For the largest system, the scalar products with all vectors took a tenth of
-  /// the time of a step. Six vectors leave a reserve.
+  /// the time of a step. The value 6 leaves a reserve.
   static constexpr int n_kept = 6;
   /// If n_with_few iterations are not enough, M is not close to A. The method then restarts from the last iterate with
   /// m = n_kept_if_slow.

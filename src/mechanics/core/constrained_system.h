@@ -19,25 +19,25 @@
 
 namespace pseudorigid::mechanics {
 
-/// Value of n_constraints if the number of constraints is known only at run time.
+/// Value of the member n_constraints of a system if the number of constraints is known only at run time.
 inline constexpr int dynamic_constraints = -1;
 
-/// A system with constraints. q, v, f are S::Vector; λ, g, r are S::Multiplier. Functions return a failure as a Status.
-/// Examples of failures are a deformation gradient F with det F ≤ 0, a number that is not finite, and a solve without
-/// convergence.
+/// A system in constrained form, with any number of constraints or none. q, v, f have the type S::Vector, and λ, g, r
+/// the type S::Multiplier. Functions that can fail return a Status or a SolveReport. Examples of failures are a
+/// deformation gradient F with det F ≤ 0, a number that is not finite, and a solve without convergence.
 template <class S>
 concept ConstrainedSystem = requires(const S s, double t, const typename S::Vector q, const typename S::Vector v,
                                      typename S::Vector f, const typename S::Multiplier lambda,
                                      typename S::Multiplier r, typename S::Workspace w) {
   { S::n_constraints } -> std::convertible_to<int>;    // 0, 1, 2, 6, … or dynamic_constraints
   { s.force(t, q, v, w, f) } -> std::same_as<Status>;  // f = −dV + loads, with the potential V
-  s.apply_inverse_mass(f, f);                          // (f, a): a = M⁻¹ f; both may be the same vector
+  s.apply_inverse_mass(f, f);                          // (f, a): a = M⁻¹ f; f and a may be the same vector
   { s.constraint(q, r) } -> std::same_as<Status>;      // r = g(q)
   s.constraint_rate(q, v, r);                          // r = G(q) v
   s.constraint_curvature(q, v, r);                     // r = D²g(q)(v, v)
   s.add_reaction(q, lambda, f);                        // f += G(q)ᵀ λ
   { s.solve_gram(q, q, lambda, w, r) } -> std::same_as<SolveReport>;  // (q₁, q₀, b, w, x): solves G(q₁)M⁻¹G(q₀)ᵀ x = b
-  { s.constraint_tolerance() } -> std::convertible_to<double>;  // largest |g|_∞, |G v|_∞ that count as zero
+  { s.constraint_tolerance() } -> std::convertible_to<double>;  // |g|_∞ and |G v|_∞ up to this bound count as zero
   { s.make_vector() } -> std::same_as<typename S::Vector>;      // zero vector of the right size
   { s.make_multiplier() } -> std::same_as<typename S::Multiplier>;
   { s.make_workspace() } -> std::same_as<typename S::Workspace>;
@@ -47,34 +47,34 @@ concept ConstrainedSystem = requires(const S s, double t, const typename S::Vect
 template <class S>
 inline constexpr bool unconstrained = S::n_constraints == 0;
 
-/// True if a force evaluation is so costly that pilot runs and estimates of the frequency are costly too. By default,
-/// only systems with distributed vectors have a costly force. A member `has_costly_force` of the system overrides this
-/// default.
+/// True if the force evaluations of pilot runs and of frequency estimates take noticeable time. The search for the step
+/// (step_search.h) then makes shorter pilot runs. By default, only systems with distributed vectors have a costly
+/// force. A member `has_costly_force` of the system overrides this default.
 template <class S>
 inline constexpr bool has_costly_force = [] {
   if constexpr (requires { S::has_costly_force; }) return S::has_costly_force;
   return !VectorSpace<typename S::Vector>::dense;
 }();
 
-/// A system with `force_with_reaction(t, q, v, lambda, w, f)`, which sets f to the sum of the force and G(q)ᵀλ. The sum
-/// costs less than the two terms separately.
+/// A system with `force_with_reaction(t, q, v, lambda, w, f)`, which sets f to the force plus G(q)ᵀλ. Such a system
+/// computes this sum faster than the two terms separately.
 template <class S>
 concept FindsForceWithReaction = requires(const S s, const typename S::Vector q, typename S::Vector f,
                                           const typename S::Multiplier lambda, typename S::Workspace w) {
   { s.force_with_reaction(0.0, q, q, lambda, w, f) } -> std::same_as<Status>;
 };
 
-/// True if a system has `constraint(q, q_rounding, g)`, which computes g(q + q_rounding) more accurately than the
-/// round-off of q permits. The vector q_rounding is the remainder of the compensated sum of q. Methods then satisfy the
-/// constraint at q + q_rounding.
+/// True if a system has `constraint(q, q_rounding, r)`, which sets r = g(q + q_rounding). Here q_rounding is the
+/// remainder of the compensated sum of q (vector_space.h). The result is more accurate than the round-off of q permits.
+/// Methods then satisfy the constraint at q + q_rounding.
 template <class S>
 inline constexpr bool resolves_rounding = VectorSpace<typename S::Vector>::compensated&& requires(
     const S s, const typename S::Vector q, const typename S::Vector q_rounding, typename S::Multiplier r) {
   { s.constraint(q, q_rounding, r) } -> std::same_as<Status>;
 };
 
-/// Time, position and velocity are the whole state of a mechanical system. Systems with the same type of vector have
-/// the same type of state, for example a constrained system and its field with an explicit multiplier.
+/// The state of a system: time t, position q and velocity v. Systems with the same type of vector have the same type of
+/// state. An example is a constrained system and its field ExplicitMultiplier (explicit_multiplier.h).
 template <class Vector>
 struct VectorState {
   double t = 0;
@@ -85,7 +85,7 @@ using State = VectorState<typename S::Vector>;
 
 /// Sets lambda to the multiplier λ of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v). Iterative
 /// refinement makes λ exact to round-off. Observables use this λ, because the multipliers of a step have the error of
-/// the method. Fails if the force or the Gram solve fails. Does nothing if the system has no constraints.
+/// the method. Fails if the force or a Gram solve fails. Without constraints, the function does nothing and succeeds.
 template <ConstrainedSystem S>
 Status multiplier_of_motion(const S& system, const State<S>& state, typename S::Workspace& workspace,
                             typename S::Multiplier& lambda) {

@@ -7,9 +7,9 @@
 ///   G(q₁) M⁻¹ G(q₀)ᵀ δ = −r,   x ← x + M⁻¹G(q₀)ᵀ δ,
 ///
 /// until |r| ≤ tolerance, or until r is round-off. The round-off of G(q) v grows with |G||v|, and the round-off of g(q)
-/// with |G||q|. No constant therefore bounds the round-off for all motions. If a residual stops decreasing, it is
-/// compared with its noise. The noise is the largest change of r if q and v change by units in their last place
-/// (rounding_noise.h).
+/// with |G||q|. Therefore no constant bounds the round-off for all motions. A residual that stops decreasing is
+/// compared with its noise, which is measured. The noise is the largest change of r if q and v change by units in their
+/// last place (rounding_noise.h).
 
 #include <cmath>
 #include <string>
@@ -24,16 +24,17 @@ namespace pseudorigid::mechanics::detail {
 
 inline constexpr int max_constraint_iterations = 30;
 
-/// Factor on the noise. The noise is the largest of a few changes, but a residual may contain the sum of several
-/// errors. The factor was chosen from 4.3·10⁷ residuals that had stopped decreasing, for bodies with semi-axes 10⁻⁴ …
-/// 10⁴. Among them, 99.97 % were below 3 times the noise. Three residuals were 16 to 18.7 times the noise. The
-/// iteration continues for such residuals.
+/// A residual up to this multiple of its noise counts as round-off. The noise is the largest of a few changes of the
+/// residual, but a residual may contain the sum of several errors. The factor was chosen from 4.3·10⁷ residuals that
+/// had stopped decreasing, for bodies with semi-axes 10⁻⁴ … 10⁴. Among them, 99.97 % were below 3 times the noise.
+/// Three residuals were 16 to 18.7 times the noise. The iteration continues for such residuals.
 inline constexpr double noise_reserve = 16;
 
-/// Judges the residual of each iteration. The iteration is done if the residual is at most `tolerance`. It is also done
-/// if the residual did not halve and is at most `round_off` or noise_reserve · noise(). It is stuck if the residual is
-/// not finite, grows at least tenfold, or is too large after max_constraint_iterations. Since noise() costs several
-/// evaluations of the constraint, it is called only for a residual above `round_off` that did not halve.
+/// Decides after each iteration, from the norm of the residual, if the iteration is done, goes on, or is stuck. It is
+/// done if the residual is at most `tolerance`. It is also done if the residual did not halve and is at most
+/// `round_off` or noise_reserve · noise(). It is stuck if the residual is not finite, grows at least tenfold, or is not
+/// small enough after max_constraint_iterations. noise() costs several evaluations of the constraint. It is called only
+/// for a residual above `round_off` that did not halve.
 struct ConvergenceMonitor {
   double tolerance, round_off, previous = HUGE_VAL;
   int iteration = 0;
@@ -73,8 +74,9 @@ struct ConstraintTemporaries {
   long n_gram_iterations = 0;
 };
 
-/// Sets w.reaction to M⁻¹G(q₀)ᵀ λ. A system may have faster functions for this purpose. They are `reaction_of_one` for
-/// a single constraint, and otherwise an `add_reaction` that uses quantities at q₀ from the workspace.
+/// Sets w.reaction to M⁻¹G(q₀)ᵀ λ, by a faster function of the system if there is one. For a single constraint this is
+/// `reaction_of_one(q, f)`, which sets f = G(q)ᵀ. Otherwise it is an `add_reaction` with the workspace as a further
+/// argument, which contains quantities at q₀.
 template <ConstrainedSystem S>
 void set_reaction(const S& system, const typename S::Vector& q0, const typename S::Multiplier& lambda,
                   [[maybe_unused]] typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {
@@ -109,7 +111,7 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   if constexpr (single_constraint<S>) {
     set_reaction(system, q0, 1.0, system_workspace, w);
     system.constraint_rate(q1, w.direction, w.delta);
-    w.delta = w.residual * (1 / w.delta);  // the processor computes the quotient before the residual is known
+    w.delta = w.residual * (1 / w.delta);  // the processor can compute the quotient before it has the residual
   } else {
     SolveReport report = system.solve_gram(q1, q0, w.residual, system_workspace, w.delta);
     w.n_gram_iterations += report.iterations;
@@ -119,8 +121,8 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   return {};
 }
 
-/// Returns the failure of the iteration for `what`, the position or the velocity. The function is cold and not inlined,
-/// so that the code that builds the message is not a part of the loop.
+/// Returns the failure of an iteration that does not converge. `what` is "position" or "velocity". The function is not
+/// inlined, so that the loop of the iteration does not contain the code for the message.
 [[gnu::cold, gnu::noinline]] inline Status without_convergence(std::string_view what) {
   std::string sentence = "the ";
   sentence += what;
@@ -128,25 +130,25 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   return Status::failure(std::move(sentence));
 }
 
-/// Permits an iterative solver of Gram systems to stop at a third of the residual `enough`. If `enough` is 0, the
-/// solver uses its default. If the workspace has no `residual_sought`, the solver is direct, and the function does
+/// Permits an iterative solver of Gram systems to stop at a residual of `enough`/3. If `enough` is 0, the solver uses
+/// its default. A workspace without the member `residual_sought` belongs to a direct solver. The function then does
 /// nothing.
 template <ConstrainedSystem S>
 void seek_residual(typename S::Workspace& system_workspace, double enough) {
-  constexpr double linear_part = 1.0 / 3;  // the remaining tolerance is for the nonlinear part
+  constexpr double linear_part = 1.0 / 3;  // the other two thirds are for the error of the linearisation
   if constexpr (requires { system_workspace.residual_sought; }) system_workspace.residual_sought = linear_part * enough;
 }
 
-/// Runs Newton's iteration. `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. `what` names
-/// x in messages, and `noise` returns the noise of the residual. Fails if `evaluate` or a Gram solve fails, or if the
-/// iteration is stuck. With tolerance 0 the iteration continues until the residual is round-off. If a residual is at
-/// most `foregone`, the iteration ends after its correction, without evaluating the new residual.
+/// Runs Newton's iteration of this header for x. `evaluate` sets w.residual to r and returns a Status; `apply` adds
+/// w.reaction to x. `what` names x in messages, and `noise` returns the noise of r. Fails if `evaluate` or a Gram solve
+/// fails, or if the iteration is stuck. With tolerance 0 the iteration continues until the residual is round-off. If a
+/// residual is at most `foregone`, the iteration ends after its correction, without evaluating the new residual.
 template <ConstrainedSystem S, class Evaluate, class Apply, class Noise>
 Status meet_constraint(const S& system, const char* what, double tolerance, const typename S::Vector& q1,
                        const typename S::Vector& q0, typename S::Workspace& system_workspace,
                        ConstraintTemporaries<S>& w, Evaluate&& evaluate, Apply&& apply, Noise&& noise,
                        double foregone = 0) {
-  // A residual that no longer halves is regarded as round-off up to 1000 tolerances of the system.
+  // A residual that no longer halves counts as round-off up to 1000 times the constraint tolerance of the system.
   ConvergenceMonitor monitor{tolerance, 1000 * system.constraint_tolerance()};
   for (;;) {
     if (Status status = evaluate(); !status) return status;

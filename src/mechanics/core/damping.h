@@ -1,12 +1,12 @@
 #pragma once
-/// Damping: forces F(q, v) = −∂R/∂v with a convex function R of v. Examples are viscosity, drag and friction. The mass
-/// is M, and the constraint g = 0 has the derivative G = Dg. A step of size 2s begins with an explicit half step to the
-/// velocity v_half. The second half step is implicit. Let f be the total force, which includes F. The residual r of the
-/// half step at a velocity v satisfies
+/// The implicit half step of a method with damping. Damping is a force F(q, v) = −∂R/∂v with a convex function R of v.
+/// Examples are viscosity, drag and friction. The mass is M, and the constraint g = 0 has the derivative G = Dg. A step
+/// of size 2s begins with an explicit half step to the velocity v_half, and ends with an implicit half step. Let f be
+/// the total force, which includes F. The residual r of the half step at a velocity v satisfies
 ///
 ///   M r = M (v_half − v) + s f(q, v).
 ///
-/// The step ends with the velocity v + u. The correction u and the multiplier μ satisfy
+/// The velocity at the end of the step is v + u. The correction u and the multiplier μ satisfy
 ///
 ///   (M + s C) u + G(q)ᵀμ = M r,   G(q) u = 0,
 ///
@@ -17,10 +17,10 @@
 ///
 /// On ker G the equation is P(1 + s M⁻¹C) u = P r with the projection P = 1 − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G. The operator on the
 /// left is symmetric and positive in the inner product ⟨x, y⟩ = xᵀM y, so conjugate gradients solve the equation. The
-/// eigenvalues of the operator are between 1 and 1 + sγ, with the largest damping rate γ. From the lower bound, the
-/// error of u is at most the residual, both in the norm √(xᵀM x). From the upper bound, the number of iterations grows
-/// like √(sγ). For bodies with few unknowns, a preconditioner (damping_preconditioner.h) makes the number small. The
-/// implicit step is stable for every γ.
+/// eigenvalues of the operator are between 1 and 1 + sγ, with the largest damping rate γ. By the lower bound, the error
+/// of u is at most the residual, both in the norm √(xᵀM x). By the upper bound, the number of iterations grows like
+/// √(sγ). For bodies with few unknowns, a preconditioner reduces this number (damping_preconditioner.h). The implicit
+/// half step is stable for every γ.
 
 #include <algorithm>
 #include <limits>
@@ -33,8 +33,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// A system that also applies the operators C and S at a state to a vector u. The rest of its force must not depend on
-/// the velocity, because the implicit step treats only the damping.
+/// A system that also applies the operators C and S at a state to a vector u. Forces other than the damping must not
+/// depend on the velocity, because the implicit half step treats only the damping.
 template <class S>
 concept Damped = ConstrainedSystem<S> &&
     requires(const S s, const State<S> state, const typename S::Vector v, typename S::Vector f) {
@@ -44,7 +44,7 @@ concept Damped = ConstrainedSystem<S> &&
                                                        // dissipated energy
 };
 
-/// Returns true if C does not depend on v. A system without the function `damping_is_linear` must have such a C.
+/// Returns true if the damping is linear in v. A system without a member `damping_is_linear` must have linear damping.
 template <class S>
 bool damping_is_linear(const S& system) {
   if constexpr (requires { system.damping_is_linear(); }) return system.damping_is_linear();
@@ -71,14 +71,14 @@ struct DampingTemporaries<S> {
   [[no_unique_address]] DampingPreconditioner<S> preconditioner;
   typename S::Vector residual;  ///< the residual r, or P r after the projection
   typename S::Vector solution;  ///< the correction u
-  /// `direction` is the direction p of conjugate gradients, and `force` is the product −C p with the damping operator.
-  /// `product` is first P T M r with the preconditioner T, and then P(1 + s M⁻¹C) p. `momentum` is M x for a scalar
-  /// product with x.
+  /// `direction` is the search direction p of conjugate gradients, and `force` is −C p with the damping operator C.
+  /// `product` is first P T M r with the preconditioner T, and then p multiplied by P(1 + s M⁻¹C). `momentum` is M x
+  /// for a scalar product ⟨x, y⟩.
   typename S::Vector direction, force, product, momentum;
   typename S::Vector at_rest;  ///< f(q, 0), if `rest_known` is true (rattle_velocity.h)
   bool rest_known = false;
-  /// The round-off that the projection leaves in `residual`. Before the projection, r contains the forces along the
-  /// reactions, such as the pressure of self-gravity, which may be much larger than P r.
+  /// Size of the round-off that the projection leaves in `residual`, in the maximum norm. Before the projection, r
+  /// contains the forces along the reactions, such as the pressure of self-gravity, which may be much larger than P r.
   double round_off = 0;
   long n_products = 0;  ///< number of products with C
 
@@ -90,7 +90,7 @@ struct DampingTemporaries<S> {
 
 namespace detail {
 
-/// Tolerance of the projections as a fraction of the permitted residual of `solve_damping`.
+/// Tolerance of the projections, divided by the permitted residual `enough` of `solve_damping`.
 inline constexpr double left_by_projections = 0.1;
 
 /// Replaces x by P x at the configuration q, up to the residual |G x|_∞ ≤ `tolerance`. Does nothing without
@@ -107,8 +107,8 @@ Status project_onto_tangent_space(const S& system, double tolerance, const typen
 
 }  // namespace detail
 
-/// Replaces r = w.residual by P r, and sets w.round_off. `enough` is the permitted residual of solve_damping, which the
-/// caller calls next. Fails if a Gram solve fails or the iteration for the constraint does not converge.
+/// Replaces r = w.residual by P r, and sets w.round_off. `enough` is the permitted residual of the following call of
+/// `solve_damping`. Fails if a Gram solve fails or the iteration for the constraint does not converge.
 template <Damped S>
 Status project_residual(const S& system, const typename S::Vector& q, double enough,
                         typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
@@ -120,9 +120,9 @@ Status project_residual(const S& system, const typename S::Vector& q, double eno
 
 namespace detail {
 
-/// Runs conjugate gradients for `solve_damping` until the remaining residual is at most `sufficient`. The tolerance of
-/// the projections is a fraction of `enough`. Fails if a projection fails, if `most_iterations` products with C are not
-/// enough, or if 1 + s M⁻¹C is not positive.
+/// Runs conjugate gradients for `solve_damping` until |w.residual|_∞ is at most `sufficient`. The tolerance of the
+/// projections is a tenth of `enough`. The preconditioner is used if `preconditioned` is true. Fails if a projection
+/// fails, if `most_iterations` products with C are not enough, or if 1 + s M⁻¹C is not positive.
 template <Damped S>
 Status conjugate_gradients(const S& system, double s, const State<S>& state, double enough, double sufficient,
                            bool preconditioned, int most_iterations, typename S::Workspace& system_workspace,
@@ -133,7 +133,7 @@ Status conjugate_gradients(const S& system, double s, const State<S>& state, dou
   const auto not_found = [] {
     return Status::failure("the velocity that the dissipation leaves is not found; use a smaller step");
   };
-  const auto& conditioned = preconditioned ? w.product : w.residual;  // P T M r, or r
+  const auto& conditioned = preconditioned ? w.product : w.residual;  // P T M r with the preconditioner, otherwise r
   scale(0.0, w.solution);
   double square = 0;  // the scalar product of `conditioned` with M r
   for (int i = 0; max_norm(w.residual) > sufficient; ++i) {
@@ -170,10 +170,10 @@ Status conjugate_gradients(const S& system, double s, const State<S>& state, dou
 }  // namespace detail
 
 /// Sets w.solution to u for the projected residual P r = w.residual and the operator C at `state`. On return w.residual
-/// is the remaining residual. The iteration ends when the remaining residual is at most `enough`, w.round_off or 64
-/// units of round-off of P r. The function fails if a projection fails, if 2000 iterations are not enough, or if 1 + s
-/// M⁻¹C is not positive. The last case occurs in a long step backwards in time, s < 0, and for numbers that are not
-/// finite.
+/// is the remaining residual. The iteration ends when |w.residual|_∞ is at most the largest of `enough`, w.round_off
+/// and 64 ε |P r|_∞, with the round-off ε. The function fails if a projection fails, if 2000 iterations are not enough,
+/// or if 1 + s M⁻¹C is not positive. The last case occurs in a long step backwards in time, s < 0, and if a product
+/// with C is not finite.
 template <Damped S>
 Status solve_damping(const S& system, double s, const State<S>& state, double enough,
                      typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,

@@ -4,18 +4,18 @@
 ///
 ///   T = B⁻¹ − B⁻¹Gᵀ(G B⁻¹Gᵀ)⁻¹G B⁻¹ + β M⁻¹,   B = M + s C,   β = 1/(1 + s γ).
 ///
-/// C and G are those of an earlier configuration. γ is a bound for the largest damping rate. The first two terms of T
-/// are the inverse of B on ker G, and are 0 on the reactions Gᵀλ. The last term makes T positive for the present G as
-/// well, and adds at most the smallest eigenvalue of B⁻¹.
+/// C and G are evaluated at an earlier configuration, and γ is a bound for the largest damping rate. The sum of the
+/// first two terms of T is the inverse of B on ker G, and maps reactions Gᵀλ to 0. The last term makes T positive also
+/// for the present G. Relative to M⁻¹, it is at most the smallest eigenvalue of B⁻¹.
 ///
 /// For n damped entries, the matrix T needs n products with C, and the factorisations cost as much as about n²/100 more
 /// products. An iteration with T costs as much as about c = 1.4 + n²/300000 products, because of one more projection
-/// and the product with T. The matrix is computed when it could have saved as many products as it costs. It is computed
-/// again when a matrix for the present configuration could have saved as many products. If a solve with T costs more
-/// than recent solves without T, T is not used until the next matrix is computed. One reason is a rotation of the body.
-/// Damping does not act on the velocity fields of rotations, but the fields that belong to the earlier configuration
-/// are damped in the present one. The counts and the configuration are in the memory of the method, so that a resumed
-/// run has the same matrix.
+/// and the product with T. T is computed when it could have saved as many products as its computation needs. T is
+/// computed again when a matrix for the present configuration could have saved this number of products. If a solve with
+/// T costs more than recent solves without T, T is not used until the next matrix is computed. The reason may be a
+/// rotation of the body. Damping does not act on rotations of the present configuration, but T regards the rotations of
+/// the earlier configuration as undamped. The counts and the earlier configuration are in the memory of the method
+/// (memory.h), so a resumed run has the same matrix.
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -37,7 +37,7 @@ concept DenselyDamped = requires(const S s) {
   { s.n_damped_entries() } -> std::convertible_to<int>;
 };
 
-/// The preconditioner of systems without `n_damped_entries`: an empty object, which is never used.
+/// The preconditioner of systems without `n_damped_entries` is an empty object, which is never used.
 template <class S>
 class DampingPreconditioner {
  public:
@@ -56,7 +56,7 @@ class DampingPreconditioner<S> {
  public:
   using Vector = typename S::Vector;
 
-  /// The matrix is never computed if `used` is false, if n is above 2000, or if damping is not linear in v.
+  /// There is no preconditioner if `used` is false, if n is 0 or above 2000, or if damping is not linear in v.
   DampingPreconditioner(const S& system, bool used) {
     constexpr int largest = 2000;
     if constexpr (requires { system.damping_is_linear(); }) used = used && system.damping_is_linear();
@@ -66,8 +66,8 @@ class DampingPreconditioner<S> {
     if (n_ > 0) q_ = system.make_vector();
   }
 
-  /// Computes a new matrix for the half step s at the state if enough products could have been saved. Returns true if
-  /// there is a matrix for `apply`. The function then stores a copy of `residual` for `give_up`. Adds the products for
+  /// Computes a new matrix T for the half step s at the state if T could have saved enough products. Returns true if
+  /// there is a matrix for `apply`, and then stores a copy of `residual` for `give_up`. Adds the number of products for
   /// a new matrix to `n_products`.
   bool prepare(const S& system, double s, const State<S>& state, const Vector& residual, long& n_products) {
     if (n_ == 0 || std::ssize(local_values(q_)) < n_) return false;
@@ -83,7 +83,7 @@ class DampingPreconditioner<S> {
       known_ = false;
       n_products += n_;
     }
-    if (in_use_ && !known_) in_use_ = known_ = compute(system);  // renewed, or after a resumption
+    if (in_use_ && !known_) in_use_ = known_ = compute(system);  // the matrix is new, or the run was resumed
     if (in_use_) residual_ = residual;
     return in_use_;
   }
@@ -92,7 +92,7 @@ class DampingPreconditioner<S> {
   /// more than recent solves without the matrix.
   int most_products() const { return static_cast<int>(without_ / cost_); }
 
-  /// Sets z = T f. Entries on which damping does not act are copied from f.
+  /// Sets z = T f in the damped entries. The other entries are copied from f.
   void apply(const Vector& f, Vector& z) {
     auto from = local_values(const_cast<Vector&>(f));
     auto to = local_values(z);
@@ -101,8 +101,9 @@ class DampingPreconditioner<S> {
     Entries(to.data(), n_).noalias() = matrix_ * Entries(from.data(), n_);
   }
 
-  /// Records the number of products of a solve. The matrix is old if a solve needs more products than the first two
-  /// solves with this matrix. Both solves count, because a step has two solves of different sizes (rattle_velocity.h).
+  /// Records the number of products of a solve, and estimates how many products a matrix for the present configuration
+  /// would have saved. With T, these are the products beyond 1.5 l + 1. Here l is the larger number of products of the
+  /// first two solves with T. Both solves count, because a step has two solves of different sizes (rattle_velocity.h).
   void count(long n_products) {
     const auto n = static_cast<double>(n_products);
     if (in_use_) saved_ += without_ - cost_ * n;
@@ -116,8 +117,9 @@ class DampingPreconditioner<S> {
     }
   }
 
-  /// Stops the use of the matrix until the next one is computed. Sets `residual` to the copy that `prepare` stored. If
-  /// the matrix did not save its cost, the next matrix has to save twice as many products, up to a factor of 1024.
+  /// Ends the use of T until the next matrix is computed. Sets `residual` to the copy that `prepare` stored. If T saved
+  /// fewer products than its computation needed, the number that the next matrix has to save is doubled, up to a factor
+  /// of 1024. Otherwise the factor is 1.
   void give_up(Vector& residual) {
     constexpr double most_patience = 1024;
     patience_ = saved_ < products_for_matrix() ? std::min(2 * patience_, most_patience) : 1;
@@ -143,8 +145,8 @@ class DampingPreconditioner<S> {
  private:
   double products_for_matrix() const { return n_ + n_ * n_ / 100.0; }
 
-  /// Sets the matrix for the configuration q_ and the half step s_. Returns false if B, G B⁻¹Gᵀ or 1 + s γ is not
-  /// positive, or if the matrix is not finite.
+  /// Sets matrix_ to T for the configuration q_ and the half step s_. Returns false if B, G B⁻¹Gᵀ or 1 + s γ is not
+  /// positive, or if T is not finite.
   bool compute(const S& system) {
     Eigen::MatrixXd B(n_, n_), inverse_mass(n_, n_);
     double rate = 0;

@@ -7,11 +7,10 @@
 
 namespace pseudorigid::mechanics {
 
-/// Compares the force at `state` with the force at another time and with the force at another velocity. The other
-/// velocity is zero, or a vector of ones if the state is at rest. If one of these forces differs from the force at
-/// `state`, the system must declare the dependence. If the system does not, the function returns a failure. If a force
-/// fails or is not finite, the function succeeds without a check. For a field only the time is tested, since
-/// accelerations of charts always depend on the velocity.
+/// Evaluates the force at `state`, at another time, and at another velocity. The other velocity is zero, or a vector of
+/// ones if the state is at rest. Fails if a force differs from the force at `state` and the system does not declare the
+/// dependence. If a force fails or is not finite, the function succeeds without a comparison. For a second-order field,
+/// only the dependence on time is tested, because accelerations in charts nearly always depend on the velocity.
 template <class S>
 Status check_declared_dependence(const S& system, const State<S>& state) {
   auto workspace = system.make_workspace();
@@ -25,7 +24,7 @@ Status check_declared_dependence(const S& system, const State<S>& state) {
       state.v.isZero(0) ? typename S::Vector(S::Vector::Ones(state.v.rows(), state.v.cols())) : system.make_vector();
   typename S::Vector f = system.make_vector(), later = f, faster = f;
   const double other_t = state.t + 0.37;
-  // The run reports a force that fails or is not finite, so the check does not.
+  // A force that fails or is not finite is reported later, by the run.
   if (!force(state.t, state.v, f) || !force(other_t, state.v, later) || !force(state.t, other_v, faster)) return {};
   if (!f.allFinite() || !later.allFinite() || !faster.allFinite()) return {};
   if (!time_dependent(system) && later != f)

@@ -1,19 +1,21 @@
 #pragma once
-/// Factorisations of dense matrices of any size. Each factorisation takes seconds to compile, so only dense_algebra.cpp
-/// contains them.
+/// Factorisations of dense matrices of any size. Each factorisation of Eigen takes seconds to compile. Therefore only
+/// dense_algebra.cpp contains them.
 
 #include <Eigen/Core>
 
 namespace pseudorigid::mechanics {
 
-/// Spectrum of a symmetric matrix A = V diag(values) Vᵀ, with the orthogonal matrix V = `vectors` and ascending values.
+/// Spectrum of a symmetric matrix A = V diag(values) Vᵀ. The columns of the orthogonal matrix V = `vectors` are the
+/// eigenvectors, and `values` has the eigenvalues in ascending order.
 struct SymmetricSpectrum {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;
 };
 SymmetricSpectrum symmetric_spectrum(const Eigen::MatrixXd& A);
 
-/// Spectrum of a matrix, A X = X diag(values) with X = `vectors`. Both members are valid only if `converged` is true.
+/// Spectrum of a matrix A with A X = X diag(values). The columns of X = `vectors` are the eigenvectors. `values` and
+/// `vectors` are valid only if `converged` is true.
 struct Spectrum {
   Eigen::VectorXcd values;
   Eigen::MatrixXcd vectors;

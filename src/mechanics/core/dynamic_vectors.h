@@ -1,10 +1,13 @@
 #pragma once
 /// Conversions between Eigen vectors of dynamic size and the vectors and multipliers of a system. The dynamic vector
-/// contains the entries of a matrix column by column. `read_as<V>` makes an input argument of a function of the system,
-/// and `WriteAs<V>` an output argument. Both copy if V is a matrix of fixed size. If V is double, read_as copies the
-/// only entry, and WriteAs is a reference to it. If V is NoMultiplier, both are empty. If V is VectorXd, both are
-/// references. If V is a matrix of dynamic size, both are views for a function that takes Eigen::Ref. For other
-/// functions both copy, which is slow.
+/// contains the entries of a matrix column by column. `read_as<V>` converts a dynamic vector to an input argument of
+/// type V, and `WriteAs<V>` to an output argument of type V. The cost depends on V:
+///
+///   matrix of fixed size     copies
+///   double                   copy of the only entry for input, reference to this entry for output
+///   NoMultiplier             empty objects
+///   VectorXd                 references
+///   matrix of dynamic size   views for functions that take Eigen::Ref; slow copies for other functions
 
 #include <Eigen/Core>
 #include <optional>
@@ -37,8 +40,8 @@ decltype(auto) read_as(const Eigen::VectorXd& x) {
     return V(Eigen::Map<const V>(x.data()));
 }
 
-/// An output argument of a function of a system. This general form is a copy of fixed size, whose entries the
-/// destructor writes to the dynamic vector.
+/// An output argument of type V for a function of a system. The general form is for a V of fixed size. It contains a
+/// copy, whose entries the destructor writes to the dynamic vector.
 template <class V>
 class WriteAs {
  public:

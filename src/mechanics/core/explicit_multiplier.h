@@ -5,14 +5,15 @@
 ///
 ///   q̈ = M⁻¹[f + G(q)ᵀλ],   G M⁻¹Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f,
 ///
-/// so the field keeps g = 0 and G q̇ = 0. Newton's iteration corrects the integration errors of both constraints:
+/// so g = 0 and G q̇ = 0 are invariants of the field. Numerical integration violates both by its errors, which Newton's
+/// iteration corrects:
 ///
 ///   G M⁻¹Gᵀ δ = −g(q),   q ← q + M⁻¹G(q)ᵀδ,     then     G M⁻¹Gᵀ δ = −G v,   v ← v + M⁻¹G(q)ᵀδ.
 ///
-/// A system may have its own faster members `acceleration(t, q, v, w, a)` and `project(q, v, w)`. The field then calls
-/// these members. If the number of constraints is known at compile time, Gram solves are direct. Other Gram solves may
-/// be inexact. Such a solve is repeated until the residual of the acceleration is within the constraint tolerance or no
-/// longer halves, at most 30 times.
+/// If the system has members `acceleration(t, q, v, w, a)` and `project(q, v, w)`, the field calls these members, which
+/// may be faster. If the number of constraints is known at compile time, Gram solves are direct. Other Gram solves may
+/// be inexact. For the acceleration a = q̈, the residual is G a + D²g(q̇, q̇). Inexact solves are repeated until this
+/// residual is within the constraint tolerance or no longer halves, at most 30 times.
 
 #include <cmath>
 
@@ -26,7 +27,8 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// Adds M⁻¹Gᵀλ to a, with λ such that the new a satisfies G a = −D²g(v, v). Fails if a Gram solve fails.
+/// Adds M⁻¹Gᵀλ to the acceleration a, with λ such that the new a satisfies G a = −D²g(v, v). Fails if a Gram solve
+/// fails.
 template <ConstrainedSystem S>
 Status add_reaction_of_motion(const S& system, const typename S::Vector& q, const typename S::Vector& v,
                               typename S::Workspace& system_workspace, ConstraintTemporaries<S>& constraint,
@@ -97,8 +99,8 @@ class ExplicitMultiplier {
     }
   }
 
-  /// Members for the stages of a Gauss step (stage_by_stage.h). Each member exists if the system has a member of the
-  /// same name, and calls this member.
+  /// The next four members concern the stages of a Gauss step (stage_by_stage.h). Each of them exists if the system has
+  /// a member of the same name, and calls that member.
   bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const S& s) {
     s.solve_stages_in_lanes(stages);
   }
@@ -113,8 +115,9 @@ class ExplicitMultiplier {
   }
   { return system_.solve_stages(stages, w.system); }
 
-  /// Moves q and v until both constraints hold up to the tolerance of the system or round-off. Fails if a constraint or
-  /// a Gram solve fails, or if one of the iterations does not converge. Does nothing without constraints.
+  /// Changes q and v until g(q) = 0 and G v = 0 hold up to the constraint tolerance of the system or round-off. Fails
+  /// if a constraint or a Gram solve fails, or if one of the iterations does not converge. Does nothing without
+  /// constraints.
   Status project(Vector& q, Vector& v, Workspace& w) const {
     if constexpr (requires { system_.project(q, v, w.system); }) {
       return system_.project(q, v, w.system);

@@ -1,6 +1,6 @@
 #pragma once
-/// The form of a system that a method integrates. Methods with steps of fixed size use the constrained form. Adaptive
-/// methods use a second-order field. The explicit multiplier makes a constrained system a second-order field
+/// The form of a system that a method integrates. Methods with steps of fixed size integrate a system as it is.
+/// Adaptive methods integrate a second-order field. A constrained system has the second-order field ExplicitMultiplier
 /// (explicit_multiplier.h).
 
 #include <type_traits>
@@ -9,8 +9,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns the second-order field of a system; the field refers to the system. A system without a constrained form is
-/// its own field.
+/// Returns the second-order field of a system. If the system has the constrained form, the field refers to the system.
+/// Otherwise the system itself is the field, and the function returns a reference to it.
 template <class S>
 decltype(auto) field_of(const S& system) {
   if constexpr (ConstrainedSystem<S>)
@@ -32,8 +32,8 @@ decltype(auto) form_for(const S& system) {
 template <class Method, class S>
 using FormFor = std::remove_cvref_t<decltype(form_for<Method>(std::declval<const S&>()))>;
 
-/// True if the method declares that it needs only the operations of VectorSpace (vector_space.h). Other methods need
-/// dense Eigen vectors.
+/// True if the method needs only the operations of VectorSpace (vector_space.h), and declares this by the member
+/// `takes_any_vector`. Other methods need dense Eigen vectors.
 template <class Method>
 inline constexpr bool takes_any_vector = [] {
   if constexpr (requires { Method::takes_any_vector; }) return Method::takes_any_vector;

@@ -26,12 +26,12 @@ constexpr std::array<Real, n_stages + 1> legendre(Real x) {
 
 namespace detail {
 
-/// Returns dP_8/dy at y = 2x − 1 for |y| < 1. P contains P_0(x), …, P_8(x).
+/// Returns the derivative dP_8/dy at y = 2x − 1, for |y| < 1. P contains P_0(x), …, P_8(x).
 constexpr Real slope(Real y, const std::array<Real, n_stages + 1>& P) {
   return n_stages * (y * P[n_stages] - P[n_stages - 1]) / (y * y - 1);
 }
 
-/// Computes the nodes c_i by Newton's iteration from guesses of y = 2c − 1. The nodes are symmetric about ½, so four
+/// Returns the nodes c_i, by Newton's iteration from guesses of y = 2c − 1. The nodes are symmetric about ½, so four
 /// guesses suffice.
 constexpr OfStages make_nodes() {
   constexpr Real guess[n_stages / 2]{0.96L, 0.797L, 0.526L, 0.183L};
@@ -85,12 +85,13 @@ constexpr Matrix make_square(const Matrix& a) {
 inline constexpr OfStages c = detail::make_nodes();
 inline constexpr OfStages b = detail::make_weights(c);
 inline constexpr Matrix a = detail::make_integrals(c, b);
-/// The square of the matrix A = (a_ij). A step of size h starts at q with the velocity v. With the accelerations a_j,
-/// the positions of its stages are q_i = q + h c_i v + h² Σ_j (A²)_ij a_j.
+/// The square of the matrix A = (a_ij). Consider a step of size h from the position q with the velocity v. With the
+/// accelerations a_j of its stages, the positions of the stages are q_i = q + h c_i v + h² Σ_j (A²)_ij a_j.
 inline constexpr Matrix a_squared = detail::make_square(a);
 
 namespace detail {
-/// The matrix with the entries e_jk = b_j (2k+1) P_k(c_j). Row j has the coefficients of ℓ_j in the basis P_0, …, P_7.
+/// Returns the matrix with the entries e_jk = b_j (2k+1) P_k(c_j). Row j has the coefficients of ℓ_j in the basis P_0,
+/// …, P_7.
 constexpr Matrix make_expansions() {
   Matrix e{};
   for (int j = 0; j < n_stages; ++j) {

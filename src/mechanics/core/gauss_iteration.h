@@ -1,28 +1,29 @@
 #pragma once
-/// The iteration on the stages of a Gauss step. Sources that are compiled for several instruction sets include this
-/// header (kernel_builds.h). The eight stages are the lanes of vectors. The state at the time t is (q, v), the step is
-/// h, and the field gives the acceleration a(t, q, v). With the accelerations a_j of the stages, and the coefficients
-/// c_i and A = (a_ij) of gauss_coefficients.h, an iteration is
+/// The fixed-point iteration that finds the stages of a Gauss step (gauss_16.h). Sources that are compiled for several
+/// instruction sets include this header (kernel_builds.h). The eight stages are computed together in the lanes of SIMD
+/// vectors. The state at the time t is (q, v), the step is h, and the field gives the acceleration a(t, q, v). With the
+/// accelerations a_j of the stages, and the coefficients c_i and A = (a_ij) of gauss_coefficients.h, an iteration is
 ///
 ///   v_i = v + h Σ_j a_ij a_j,   q_i = q + h c_i v + h² Σ_j (A²)_ij a_j,   a_i ← a(t + c_i h, q_i, v_i).
 ///
-/// If a does not depend on v, an iteration multiplies the error by O(h²). Let δ_k be the largest change of an
-/// acceleration in iteration k, and θ = δ_k/δ_{k−1}. The error after this iteration is about θ δ_k. The iteration ends
-/// when this error is below the given tolerance or below an eighth of the round-off of the accelerations. It also ends
-/// when δ_k is below half of this round-off, or when a δ_k near round-off is not smaller than δ_{k−1}.
+/// An iteration multiplies the error by a factor O(h), or O(h²) if a does not depend on v. Let δ_k be the largest
+/// change of an acceleration in iteration k, and θ = δ_k/δ_{k−1}. The error after this iteration is about θ δ_k. The
+/// iteration ends when this error is below the given tolerance or below an eighth of the round-off of the
+/// accelerations. It also ends when δ_k is below half of this round-off, or when a δ_k near round-off is not smaller
+/// than δ_{k−1}.
 ///
-/// Unlike rounding errors, the error of an iteration that ends too early is a smooth function of the state, so the
-/// errors of many steps add up. If no tolerance is given, the bounds of the error and of δ_k are therefore both
-/// round-off / 4096. The sum of these errors over 10⁷ steps is about as large as the sum of random rounding errors.
+/// The error of an iteration that ends too early is a smooth function of the state. Unlike rounding errors, such errors
+/// of many steps add up. If no tolerance is given, the bounds of the error and of δ_k are therefore both round-off /
+/// 4096. The sum of these errors over 10⁷ steps is about as large as the sum of random rounding errors.
 ///
 /// A field in lanes is a struct
 ///
 ///     static constexpr int n;                                   number of entries of q
 ///     template <class T> T operator()(int first_lane, const T* q, const T* v, T* a) const;
 ///
-/// for vectors T with as many lanes as a register. Lane 0 of the vectors is stage `first_lane`. The operator sets a,
-/// and returns numbers that are positive in the lanes with an admissible state. The sign of these numbers is checked
-/// only at the end of the iteration.
+/// for vectors T with as many lanes as a register. Lane 0 of the vectors is stage `first_lane`. The operator sets a to
+/// the acceleration. It returns numbers that are positive in the lanes with an admissible state. The sign of these
+/// numbers is checked only at the end of the iteration.
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +46,8 @@ inline constexpr int n_lane_groups = gauss::n_stages / native_lanes;
 /// Returns s in every lane. The difference s − 0 is exact for s = −0 and compiles to one instruction. The sum 0 + s
 /// would change −0 to 0.
 [[gnu::always_inline]] inline StageLanes in_all_lanes(double s) { return StageLanes(s - StageLanes::Native{}); }
-/// Puts x into a register. Otherwise the compiler loads a coefficient again for each use, and loads are the bottleneck.
+/// Makes the compiler hold the coefficients x in a register. Otherwise it loads them again for each use, and loads
+/// limit the speed.
 [[gnu::always_inline]] inline void put_into_register([[maybe_unused]] StageLanes& x) {
 #if defined(__x86_64__)
   asm("" : "+v"(x.v));
@@ -59,7 +61,7 @@ inline constexpr int n_lane_groups = gauss::n_stages / native_lanes;
   return x;
 }
 /// Returns the greater number in each lane. If one of the two numbers is NaN, the result is the number in `b`. The
-/// intrinsics are used because a comparison in C++ compiles to two instructions.
+/// intrinsics compile to one instruction, but a comparison in C++ to two.
 [[gnu::always_inline]] inline StageLanes greater_lanes(StageLanes a, StageLanes b) {
 #if defined(__AVX512F__)
   return StageLanes(StageLanes::Native(_mm512_maskz_max_pd(0xff, a.v, b.v)));
@@ -120,9 +122,9 @@ template <int n_groups = n_lane_groups, class Columns>
     store_lanes(g < n_groups ? sum[g % n_groups] : in_all_lanes(0), out.data() + g * native_lanes);
 }
 
-/// Decides after each iteration if the iteration goes on, is done, or is stuck. The increment is the largest change of
-/// an acceleration in an iteration. The iteration is stuck if the increment is not finite, has grown three times, or is
-/// too large after 60 iterations.
+/// Decides after each iteration if the iteration goes on, is done, or is stuck. The increment is δ_k of this header,
+/// and `scale` is the largest acceleration. The iteration is stuck if the increment is not finite, has grown three
+/// times, or is not small enough after 60 iterations.
 class GaussMonitor {
  public:
   enum Verdict { go_on, done, stuck };
@@ -133,7 +135,7 @@ class GaussMonitor {
       q = std::max(q, std::abs(s.q[k]));
       v = std::max(v, std::abs(s.v[k]));
     }
-    // The round-off of accelerations of the size unseen_ changes q and v by at most the round-off of q and v.
+    // Accelerations of the size unseen_ have a round-off that changes q and v by at most the round-off of q and v.
     unseen_ = std::min(v / std::abs(s.h), q / (s.h * s.h));
     // Bound of the round-off of forces that cancel. Each force has the size ω²q with a frequency ω, and hω ≤ 4
     // (stability_limit in gauss_16.h). The bound is 32 times the round-off 2⁻⁵³ω²q.
@@ -150,8 +152,7 @@ class GaussMonitor {
     const bool first = n_iterations_ == 0;  // θ is not yet known
     if (first) before_ = twice_before_ = increment;
     // The test θδ ≤ x is written as δ² ≤ x δ_before, because the processor would have to wait for a quotient. Near
-    // round-off the last θ is determined by rounding errors. The third test therefore uses the factor before the last
-    // one.
+    // round-off, rounding errors determine the last θ. The third test therefore uses the θ of the previous iteration.
     const double unseen = (to_round_off_ ? 0x1p-12 : 0.125) * epsilon * scale_;
     if (increment <= (to_round_off_ ? 0x1p-12 : 0.5) * epsilon * scale_ ||
         increment * std::min(increment, before_) <= std::max(unseen, tolerance_) * before_ ||
@@ -179,16 +180,16 @@ class GaussMonitor {
 struct StageStarts {
   OfStages *q, *v;
 };
-/// Computes the numbers of `start`. If s.last is not null, also sets s.a to the guess that the last step gives. The
-/// function takes any number of entries and is therefore compiled once, not once for each field. The unused parameter
-/// `Vector` gives each instruction set its own function.
+/// Sets the arrays of `start`. If s.last is not null, also sets s.a to the guess extrapolated from the last step. The
+/// function takes any number of entries, so it is compiled once and not once for each field. The unused template
+/// parameter `Vector` gives each instruction set its own function.
 template <class Vector = StageLanes>
 [[gnu::noinline]] void begin_stages(GaussStages& s, StageStarts start) {
   const int n = s.n;
   const GaussTables& tables = *s.tables;
   // Rounded coefficients define a different method, whose energy drifts. If the stages are iterated to round-off,
   // `start` therefore contains the contributions of the rounding errors of the coefficients. These errors are so small
-  // that they are multiplied by the guess instead of the final stages.
+  // that multiplying them by the guess instead of the final stages is accurate enough.
   const bool to_round_off = s.tolerance == 0;
   if (s.last)
     for (int k = 0; k < n; ++k) combine_columns(s.last[k], tables.guess, s.a[k]);
@@ -210,9 +211,9 @@ template <class Vector = StageLanes>
   }
 }
 
-/// Computes q_i and v_i of the entries k, …, k + n_together − 1, which share the loaded coefficients. The increments
-/// are summed first, and q and v are added last. Otherwise the rounding errors of the coefficients would be lost,
-/// because q and v are much larger.
+/// Computes q_i and v_i of the entries k, …, k + n_together − 1. These entries share the loaded coefficients. The
+/// increments are summed first, and q and v are added last. In the opposite order, the corrections in `start` for the
+/// rounding errors of the coefficients would be lost, because q and v are much larger.
 template <int n_together>
 [[gnu::always_inline]] inline void states_of_entries(const GaussStages& s, int k, StageStarts start, OfStages* q,
                                                      OfStages* v) {
@@ -266,14 +267,13 @@ template <class Vector = StageLanes>
   for (; k < s.n; ++k) states_of_entries<1>(s, k, start, q, v);
 }
 
-/// Number of groups of lanes that contain the sums before velocity_low (GaussSum). Only the sums from velocity_low on
-/// are sums of rounding errors, which are not always needed.
+/// Number of groups of lanes that contain the sums before velocity_low in GaussSum. The later sums contain only
+/// rounding errors, and are needed only if the stages are iterated to round-off.
 inline constexpr int n_groups_without_low = (velocity_low + native_lanes - 1) / native_lanes;
 
 /// Computes s.sums, which contain the increments of q and v in the step. Sets s.tail to the largest |Legendre
 /// coefficient| of order 6 or 7, divided by the larger of s.scale and `noise`. Sets s.converged to true if all
-/// increments are finite, otherwise to false. The flag is needed in addition to s.tail, because std::max may ignore a
-/// NaN.
+/// increments are finite, otherwise to false. A NaN may be missing in s.tail, because std::max may ignore it.
 template <class Vector = StageLanes>
 [[gnu::noinline]] void finish_stages(GaussStages& s, double noise) {
   const int n = s.n;
@@ -303,7 +303,7 @@ void iterate_in_lanes(const Field& field, GaussStages& s) {
   for (bool first = true;; first = false) {
     states_of_stages(s, start, q, v);
     StageLanes change = in_all_lanes(0), reserve = in_all_lanes(HUGE_VAL);
-#pragma GCC unroll 1  // so that the code of the field is compiled only once
+#pragma GCC unroll 1  // not unrolled, so that the code of the field is compiled only once
     for (int g = 0; g < n_lane_groups; ++g) {
       StageLanes q_i[n], v_i[n], a_i[n];
 #pragma GCC unroll 12

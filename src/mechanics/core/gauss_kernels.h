@@ -1,6 +1,6 @@
 #pragma once
-/// The iteration of gauss_iteration.h as compiled for one instruction set. The member `solve` is the function
-/// iterate_by_calls of that header. It is for fields that are evaluated by a virtual function (GaussField).
+/// The iteration of gauss_iteration.h, compiled for one instruction set. `solve` is the function iterate_by_calls of
+/// gauss_iteration.h, for fields that are evaluated by a virtual function (GaussField).
 
 #include <span>
 

@@ -1,7 +1,7 @@
 #pragma once
-/// The stages of one step of Gauss collocation (gauss_16.h) as plain numbers. Kernels that are compiled for several
-/// instruction sets (kernel_builds.h) take these numbers as arguments. The types contain no Eigen types, because their
-/// alignment would depend on the instruction set.
+/// The stages of one step of Gauss collocation (gauss_16.h) as plain arrays of numbers. These arrays are the arguments
+/// of kernels, which are compiled for several instruction sets (kernel_builds.h). The arguments contain no Eigen types,
+/// because the alignment of Eigen types depends on the instruction set.
 ///
 /// A quantity has one number for each of the 8 stages. The 8 numbers of a quantity are the lanes of a vector.
 
@@ -13,25 +13,25 @@
 
 namespace pseudorigid::mechanics {
 
-/// Lanes of the sums at the end of a step. With the stages a_j of an entry, the size h and the coefficients b_j and
-/// c_j, the step is
+/// Lanes of the sums at the end of a step. With the accelerations a_j of the stages, the step size h, and the weights
+/// b_j and nodes c_j of gauss_coefficients.h, the step changes each entry of (q, v) by
 ///   v += Σ h b_j a_j,   q += h v + Σ h² b_j (1 − c_j) a_j.
-/// `velocity` and `position` are the two sums. The sums `…_low` have the rounding errors of the coefficients in place
-/// of the coefficients. These two sums may be 0 unless the stages are iterated to round-off. `legendre_…` are the
-/// Legendre coefficients of orders 6 and 7 of the polynomial through the stages.
+/// `velocity` and `position` are the two sums Σ. In `velocity_low` and `position_low`, the rounding errors of the
+/// coefficients replace the coefficients. These two may be 0 unless the stages are iterated to round-off. `legendre_6`
+/// and `legendre_7` are the Legendre coefficients of orders 6 and 7 of the polynomial through the a_j.
 enum GaussSum : std::size_t { velocity, position, legendre_6, legendre_7, velocity_low, position_low };
 
 /// One number for each stage, aligned to 64 bytes for vector instructions.
 struct alignas(64) OfStages : std::array<double, gauss::n_stages> {};
 
-/// Coefficients of a step of size h, from the c_i, b_j, A = (a_ij) and Lagrange polynomials ℓ_j of
+/// Coefficients of a step of size h. The c_i, b_j, A = (a_ij) and the Lagrange polynomials ℓ_j are those of
 /// gauss_coefficients.h. Column j of a matrix contains the coefficients for all stages i and is one vector.
 struct GaussTables {
   using Columns = std::array<OfStages, gauss::n_stages>;
   Columns a{};                       ///< h a_ij
   Columns a_squared{};               ///< h² (A²)_ij
   Columns a_low{}, a_squared_low{};  ///< rounding errors of `a` and `a_squared`
-  Columns guess{};                   ///< ℓ_j(1 + r c_i), for a guess from the stages of a step of size h/r
+  Columns guess{};                   ///< ℓ_j(1 + r c_i), which extrapolate from the last step of size h/r
   Columns sums{};                    ///< column j: the coefficients of a_j in the sums of GaussSum
   OfStages c{};                      ///< h c_i
   OfStages c_low{};                  ///< rounding errors of `c`
@@ -39,7 +39,7 @@ struct GaussTables {
 
   /// Sets h, and all coefficients except `guess`.
   void set_step(double step);
-  /// Sets `ratio` and `guess`. r is the size of this step divided by the size of the last step.
+  /// Sets `ratio` to r, and `guess`. The ratio r is the size of this step divided by the size of the last step.
   void set_ratio(double r);
 };
 
@@ -52,26 +52,26 @@ struct GaussStages {
   const double* v = nullptr;
   const GaussTables* tables = nullptr;
   const OfStages* last = nullptr;  ///< stages of the last step, for the guess of `a`. If null, `a` contains the guess.
-  /// Bound of the error of the accelerations at which the iteration ends. If it is 0, the bound is the round-off of the
-  /// accelerations divided by 4096.
+  /// Error of the accelerations at which the iteration ends. If the tolerance is 0, the iteration ends at the round-off
+  /// of the accelerations divided by 4096.
   double tolerance = 0;
   double outer_h = 0;  ///< length of the whole step, of which this step may be a part
 
-  OfStages* a = nullptr;        ///< the stages, which are accelerations: n quantities, set by the solution
+  OfStages* a = nullptr;        ///< the accelerations at the stages, n quantities; on entry the guess if `last` is null
   OfStages* sums = nullptr;     ///< the sums of GaussSum for each of the n entries, set by the solution
   OfStages* scratch = nullptr;  ///< memory for n_scratch · n quantities
   static constexpr std::size_t n_scratch = 5;
 
   bool converged = false;
   long n_iterations = 0;  ///< total number of iterations of all solves
-  /// `tail` is the largest |Legendre coefficient| of order 6 or 7, divided by the larger of `scale` and the round-off
-  /// of the accelerations. On entry `scale` is the largest acceleration in the last step. The first iteration sets
-  /// `scale` to the largest acceleration.
+  /// Let L be the largest |Legendre coefficient| of order 6 or 7. The solution sets `tail` to L divided by the larger
+  /// of `scale` and a bound of the round-off of the accelerations. On entry `scale` is the largest acceleration in the
+  /// last step. The first iteration sets `scale` to the largest acceleration.
   double tail = 0, scale = 0;
 };
 
-/// A field that is evaluated at all stages: q[k][i] and v[k][i] are entry k at stage i. `evaluate` sets a[k][i] to the
-/// acceleration of entry k at stage i, and returns false if the field fails.
+/// A second-order field that is evaluated at all stages. q[k][i] and v[k][i] are entry k of position and velocity at
+/// stage i. `evaluate` sets a[k][i] to entry k of the acceleration at stage i. It returns false if the field fails.
 struct GaussField {
   virtual bool evaluate(const GaussStages& stages, const OfStages* q, const OfStages* v, OfStages* a) const = 0;
 
@@ -79,7 +79,7 @@ struct GaussField {
   ~GaussField() = default;
 };
 
-/// Solves for the stages of any field by calls of `field.evaluate`. Sets stages.converged to true if the iteration
+/// Solves for the stages of a field by calls of `field.evaluate`. Sets stages.converged to true if the iteration
 /// converges and the field does not fail, otherwise to false. Throws NoKernels if no build of the iteration can be
 /// chosen (kernel_builds.h).
 void solve_gauss_stages(const GaussField& field, GaussStages& stages);

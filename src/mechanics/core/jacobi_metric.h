@@ -6,8 +6,8 @@
 ///   ∇̃_X Y = ∇_X Y + dρ(X)Y + dρ(Y)X − ⟨X, Y⟩ grad ρ                                               (5.12)
 ///   dρ = −dU / (2(h − U))                                                                         (5.14)
 ///
-/// Here ρ = ½ ln 2(h − U), and X and Y are vector fields. The Levi-Civita connections of g and g_h are ∇ and ∇̃. Motions
-/// of energy h are the geodesics of g_h, with the arc length ds̃ = 2(h − U) dt (5.2.1).
+/// Here ρ = ½ ln 2(h − U), X and Y are vector fields, and ⟨ , ⟩ and grad belong to g. The Levi-Civita connections of g
+/// and g_h are ∇ and ∇̃. Motions of energy h are the geodesics of g_h, with the arc length ds̃ = 2(h − U) dt (5.2.1).
 
 #include <utility>
 
@@ -15,8 +15,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// The metric g_h as a chart. The geodesics of g_h are the motions of the ChartField of this chart. At points with U ≥
-/// h the metric is not positive definite, and the field fails. The chart C must have a potential.
+/// A chart with the metric g_h and without forces. The motions of its ChartField are the geodesics of g_h. At points
+/// with U ≥ h the metric is not positive definite, and the field fails. C is the chart of g and must have a potential.
 template <Chart C>
 struct JacobiMetric {
   static constexpr int dimension = C::dimension;
@@ -33,14 +33,13 @@ struct JacobiMetric {
   }
 };
 
-/// A point of a curve: its coordinates in the chart, and the integral of a function along the curve as an additional
-/// coordinate.
+/// A point of a curve: the n coordinates of the chart C, and as last entry the integral of a function along the curve.
 template <Chart C>
 using CurveWithIntegral = Coordinates<double, C::dimension + 1>;
 
-/// Geodesics of g_h, with the time t of the motion as the last coordinate. The functions fail at points with U ≥ h.
-/// `acceleration` also fails if g is not positive definite or a derivative is not finite. A geodesic that starts with
-/// unit speed keeps unit speed. The prime denotes d/ds̃:
+/// Geodesics of g_h, with the time t of the motion as the last entry. `acceleration` and `start` fail at points with U
+/// ≥ h. `acceleration` also fails if g is not positive definite or a derivative is not finite. A geodesic that starts
+/// with unit speed keeps unit speed. The prime denotes d/ds̃:
 ///   q″ = −Γ(q′, q′) − 2 dρ(q′) q′ + ⟨q′, q′⟩ grad ρ,   t′ = 1/(2(h − U)),   t″ = 2 dU(q′)/(2(h − U))².
 template <Chart C>
 class JacobiGeodesicField {
@@ -67,8 +66,8 @@ class JacobiGeodesicField {
     return {};
   }
 
-  /// Sets the start (x, dx) of the unit-speed geodesic along the motion through (q, v): q′ = v/(2(h − U)) (5.18). The
-  /// caller ensures that this motion has the energy h.
+  /// Sets the start (x, dx) of the geodesic that follows the motion through (q, v), with unit speed q′ = v/(2(h − U))
+  /// (5.18). The caller must ensure that this motion has the energy h.
   Status start(const ChartVector<C>& q, const ChartVector<C>& v, Vector& x, Vector& dx) const {
     const double factor = 2 * (h_ - potential_energy(chart_, q));
     if (Status status = inside(factor); !status) return status;
@@ -90,8 +89,8 @@ class JacobiGeodesicField {
   double h_;
 };
 
-/// The motion of a conservative chart in the time t, with its Jacobi length s̃ as the last coordinate. With the kinetic
-/// energy K, ds̃/dt = 2K = 2(h − U), so d²s̃/dt² = −2 dU(q̇).
+/// The motion of a conservative chart in the time t, with its length s̃ in the Jacobi metric as the last entry. With
+/// the kinetic energy K, ds̃/dt = 2K = 2(h − U), so d²s̃/dt² = −2 dU(q̇).
 template <Chart C>
 class JacobiLengthField {
  public:

@@ -9,9 +9,9 @@
 namespace pseudorigid::mechanics {
 namespace {
 
-/// Solves f(x) = mean for an increasing f, by Newton's method from the guess x. If an iterate leaves the bracket [low,
-/// high], a bisection replaces it. `of(x)` returns the pair of f(x) and f′(x). Returns the last iterate if 200 steps
-/// are not enough.
+/// Returns the solution of f(x) = mean for an increasing f, by Newton's method from the guess x. If an iterate leaves
+/// the bracket [low, high], the middle of the bracket replaces it. `of(x)` returns the pair of f(x) and f′(x). Returns
+/// the last iterate if 200 steps are not enough.
 template <class Function>
 double increasing_root(double mean, double low, double high, double x, const Function& of) {
   constexpr int most_steps = 200;

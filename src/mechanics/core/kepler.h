@@ -1,9 +1,9 @@
 #pragma once
 /// The orbit of two point masses. Let r and v be their relative position and velocity, and g = G(M + m) with the
 /// gravitational constant G and the masses M and m. An orbit has six elements. The semi-major axis a and the
-/// eccentricity e are those of the conic section. The inclination i is the angle to the plane z = 0, and the longitude
-/// Ω of the ascending node is counted from the x axis. The argument ω of the pericentre is counted from the node, and
-/// the mean anomaly from the pericentre. With h = r × v,
+/// eccentricity e are those of the conic section. The inclination i is the angle of the orbit to the plane z = 0. The
+/// longitude Ω of the ascending node is counted from the x axis, and the argument ω of the pericentre from the node.
+/// The mean anomaly is 0 at the pericentre. With h = r × v and r̂ = r/|r|,
 ///
 ///   1/a = 2/|r| − |v|²/g,   e = |v × h/g − r̂|,   tan i = |(h_x, h_y)|/h_z,   node along (−h_y, h_x, 0).
 ///
@@ -34,8 +34,8 @@ double eccentric_anomaly(double mean, double e);
 /// Returns the solution H of e sinh H − H = `mean`, the mean anomaly, for e > 1.
 double hyperbolic_anomaly(double mean, double e);
 
-/// Returns the relative position and velocity for the elements `o` and g = G(M + m). The results are not finite for a
-/// parabola, which has a = 0.
+/// Returns the relative position and velocity for the elements `o` and g = G(M + m). A parabola has no finite a and is
+/// represented by a = 0. Its results are not finite.
 OrbitalMotion motion_of(const KeplerElements& o, double g);
 
 /// Returns the elements of the orbit through r with the velocity v, for g = G(M + m). The angles are between −π and π,

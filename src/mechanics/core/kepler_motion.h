@@ -1,5 +1,5 @@
 #pragma once
-/// The motion s̈ = −k s/|s|³ of Kepler, for any conic and any time h. The vectors s and ṡ are the position and the
+/// The Kepler motion s̈ = −k s/|s|³ on any conic, during a time h. The vectors s and ṡ are the position and the
 /// velocity at the start. With the universal anomaly X (Danby, Fundamentals of Celestial Mechanics, 6.9), r = |s|, η =
 /// s·ṡ, β = 2k/r − |ṡ|² and the functions
 ///
@@ -15,8 +15,9 @@
 
 namespace pseudorigid::mechanics {
 
-/// The functions G₁, G₂ and G₃ at X. X is halved until the series converges fast. Formulas for the double argument then
-/// give the values at X: G₃(2X) = 2(G₃ + G₁G₂), G₂(2X) = 2G₁², G₁(2X) = 2G₀G₁, with G₀ = 1 − βG₂.
+/// The functions G₁, G₂ and G₃ at X. The series is evaluated at X/2ⁿ, with n such that it converges fast. Formulas for
+/// the double argument then give the values at X: G₃(2X) = 2(G₃ + G₁G₂), G₂(2X) = 2G₁², G₁(2X) = 2G₀G₁, with G₀ = 1 −
+/// βG₂.
 struct UniversalFunctions {
   double G1, G2, G3;
 
@@ -48,7 +49,8 @@ struct KeplerIncrements {
   Eigen::Vector3d s, sdot;
 };
 
-/// Returns Δs and Δṡ after the time h. The increments are not finite if s = 0 or an argument is not finite.
+/// Returns Δs and Δṡ after the time h, which may be negative. The increments are not finite if s = 0 or an argument is
+/// not finite.
 KeplerIncrements kepler_increments(double k, const Eigen::Vector3d& s, const Eigen::Vector3d& sdot, double h);
 
 }  // namespace pseudorigid::mechanics

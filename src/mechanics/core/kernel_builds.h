@@ -1,7 +1,7 @@
 #pragma once
 /// Kernels that are compiled several times, for different instruction sets of the processor (cmake/Kernels.cmake). A
-/// build of the kernels is a table of functions. Each process uses the first build that its processor can run. The
-/// environment variable PSEUDORIGID_INSTRUCTIONS can name another build.
+/// build of the kernels is a table of functions for one instruction set. Each process uses the first build in the list
+/// that its processor can run, unless the environment variable PSEUDORIGID_INSTRUCTIONS names a build.
 
 #include <cstddef>
 #include <span>

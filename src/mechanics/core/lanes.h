@@ -1,10 +1,10 @@
 #pragma once
-/// A SIMD vector of doubles. Each lane contains the value for one cell, one quadrature point, one body or one stage.
-/// The type uses the vector extension of the compiler, because the packaged deal.II does not have wide vectors.
+/// A SIMD vector of doubles. Each entry, called a lane, belongs to another cell, quadrature point, body or stage. The
+/// type uses the vector extension of the compiler, because the packaged deal.II does not have wide vectors.
 ///
-/// The definitions depend on the instruction set for which a file is compiled. Each instruction set therefore has its
-/// own inline namespace. Files compiled for different sets have different vectors, functions and numbers of lanes, and
-/// the linker does not merge them.
+/// The definitions depend on the instruction set for which a file is compiled. For each number of lanes they are in
+/// another inline namespace. The linker therefore does not merge functions of files that are compiled for different
+/// numbers of lanes.
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -88,8 +88,8 @@ struct Lanes {
   Lanes(Native native) : v(native) {}
   Lanes(double s) : v(Native{} + s) {}
 
-  /// Returns the vector with value(l) in lane l. The vector is built in registers, because setting single lanes would
-  /// need accesses to memory.
+  /// Returns the vector with value(l) in lane l. The vector is built in registers; setting one lane after the other
+  /// would access memory.
   template <class Value>
   [[gnu::always_inline]] static Lanes of(const Value& value) {
     return lanes_detail::collect<n_lanes>(value);
@@ -134,8 +134,8 @@ struct Lanes {
     return (2 * z + 2 * z * z2 * series) + e * 0.69314718055994530942;
   }
 
-  /// Returns ln(1 + x) for x > −1, without cancellation for small x. The last term corrects the rounding error of u = 1
-  /// + x to first order.
+  /// Returns ln(1 + x) for x > −1, without cancellation for small x. With u = 1 + x, the second term of the result
+  /// corrects the rounding error of u to first order.
   friend Lanes log1p(Lanes x) {
     const Native u = 1.0 + x.v;
     return log(Lanes(u)).v - ((u - 1.0) - x.v) / u;
@@ -150,7 +150,7 @@ struct Lanes {
     return y + y * e * (0.5 + e * (0.375 + e * (0.3125 + e * 0.2734375)));
   }
 
-  /// Loads the triple (x, y, z) at base + offsets[lane] into each lane of x, y and z.
+  /// Loads the three numbers at base + offsets[l] into lane l of x, y and z, for each lane l.
   [[gnu::always_inline]] static void load_triples(const double* base, const unsigned int* offsets, Lanes& x, Lanes& y,
                                                   Lanes& z) {
     const auto pair = [&](int lane) {
@@ -173,8 +173,8 @@ struct Lanes {
     z = of([&](int lane) { return base[offsets[lane] + 2]; });
   }
 
-  /// Adds (x, y, z) of each of the first n_active lanes to the triple at base + offsets[lane]. Several lanes may have
-  /// the same offset.
+  /// Adds lane l of (x, y, z) to the three numbers at base + offsets[l], for the first n_active lanes l. Several lanes
+  /// may have the same offset.
   [[gnu::always_inline]] static void add_triples(const Lanes& x, const Lanes& y, const Lanes& z, int n_active,
                                                  double* base, const unsigned int* offsets) {
     double xyz[3][n_lanes];

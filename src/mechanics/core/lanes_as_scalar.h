@@ -10,8 +10,8 @@
 
 namespace pseudorigid::mechanics {
 
-// `sin` and `cos` are correct only for |x| ≤ 2²⁰, because they omit the branch for larger |x|. Without a branch, the
-// compiler computes the common terms of sin x and cos x only once.
+// `sin` and `cos` are correct only for |x| ≤ 2²⁰. They omit the branch for larger |x|, so that the compiler computes
+// the common terms of sin x and cos x only once.
 [[gnu::always_inline]] inline Lanes<native_lanes> sin(Lanes<native_lanes> x) { return sine_cosine_of_moderate(x).sine; }
 [[gnu::always_inline]] inline Lanes<native_lanes> cos(Lanes<native_lanes> x) {
   return sine_cosine_of_moderate(x).cosine;

@@ -3,9 +3,9 @@
 ///
 ///   x = kπ/2 + r,   |r| ≤ π/4
 ///
-/// with an integer k. π/2 is the sum of three parts, and k times the first two parts is exact. The polynomials for sin
-/// r and cos r are from fdlibm (Sun Microsystems 1993). If |x| > 2²⁰ or x is NaN in a lane, sine_cosine computes all
-/// lanes by the C++ library.
+/// with an integer k. The code represents π/2 as a sum of three numbers. The products of k with the first two numbers
+/// are exact. The polynomials for sin r and cos r are from fdlibm (Sun Microsystems 1993). If |x| > 2²⁰ or x is NaN in
+/// a lane, `sine_cosine` computes all lanes by the C++ library.
 
 #include <cmath>
 #include <cstring>
@@ -33,11 +33,11 @@ struct SineCosine {
 #endif
 }
 
-/// Largest |x| of the reduction. The integer k then has at most 20 bits, so its products with the first two parts of
-/// π/2 are exact.
+/// Largest |x| for which the reduction is accurate. The integer k then has at most 20 bits, so its products with the
+/// first two of the three numbers for π/2 are exact.
 inline constexpr double most_of_moderate = 0x1p20;
 
-/// Returns the sine and the cosine in the lanes with |x| ≤ most_of_moderate. Lanes with larger |x| have wrong results.
+/// Returns the sine and the cosine in each lane. The results are wrong in lanes with |x| > most_of_moderate.
 [[gnu::always_inline]] inline SineCosine sine_cosine_of_moderate(Lanes<native_lanes> x) {
   using Vector = Lanes<native_lanes>;
   using Native = Vector::Native;

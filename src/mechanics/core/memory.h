@@ -1,8 +1,8 @@
 #pragma once
-/// The memory of a method as a list of numbers. The memory contains everything that the method keeps from step to step,
+/// The memory of a method as a list of numbers. The memory is the part of the workspace that influences later steps,
 /// such as multipliers, earlier positions and the remainders of compensated sums. A checkpoint file contains the list.
-/// A run that is resumed with the list repeats the uninterrupted run bit for bit. A run of the ball on several ranks
-/// repeats it only up to the constraint tolerance. The function `visit_memory(visit)` of a workspace passes numbers,
+/// A run that is resumed with the list agrees with the uninterrupted run bit for bit. Finite-element runs on several
+/// ranks agree only up to the constraint tolerance. The function `visit_memory(visit)` of a workspace passes numbers,
 /// lists of numbers and vectors to `visit`, always in the same order. For a distributed vector the list contains the
 /// entries of this rank.
 
@@ -18,7 +18,7 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// Appends each value that `visit_memory` passes to `numbers`.
+/// A `visit` that appends each value to `numbers`.
 struct MemorySaver {
   std::vector<double>& numbers;
   void operator()(std::span<double> values) const {
@@ -35,8 +35,8 @@ struct MemorySaver {
   }
 };
 
-/// Sets each value that `visit_memory` passes to the next entries of `numbers`, and removes these entries. The list
-/// must have enough entries.
+/// A `visit` that sets each value to the first entries of `numbers`, and removes these entries. `numbers` must have
+/// enough entries.
 struct MemoryRestorer {
   std::span<const double> numbers;
   void operator()(std::span<double> values) {
@@ -56,7 +56,7 @@ struct MemoryRestorer {
 
 }  // namespace detail
 
-/// Sets `numbers` to the memory of the workspace, and reuses the capacity of `numbers`.
+/// Sets `numbers` to the memory of the workspace. `numbers` is cleared first.
 template <class Workspace>
 void save_memory(Workspace& workspace, std::vector<double>& numbers) {
   numbers.clear();

@@ -16,15 +16,15 @@ Eigen::Vector3d cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Returns the distance between the origin and the segment from a to b.
+/// Returns the distance of the origin from the line segment between a and b.
 double distance_from_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const Eigen::Vector3d along = b - a;
   const double square = along.squaredNorm(), x = square > 0 ? std::clamp(-a.dot(along) / square, 0.0, 1.0) : 0;
   return (a + x * along).norm();
 }
 
-/// Returns the horizontal velocity of a circular orbit through R, in the direction of ẑ × R. `gravity` is the
-/// gravitational constant times the mass of the two bodies. R must not be on the z axis.
+/// Returns the horizontal velocity at R, in the direction of ẑ × R, with the speed of a circular orbit of radius |R|.
+/// `gravity` is the gravitational constant times the sum of the two masses. R must not be on the z axis.
 Eigen::Vector3d circular_velocity(const Eigen::Vector3d& R, double gravity) {
   const Eigen::Vector3d along(-R[1], R[0], 0);
   return std::sqrt(gravity / R.norm()) / along.norm() * along;
@@ -40,8 +40,9 @@ Orbit::Orbit(const Companions& companions, double gravity_constant, double mass)
   s_.resize(3, n_);
   sdot_.resize(3, n_);
   Columns R(3, n_), Rdot(3, n_);
-  double inner = mass;  // mass of the body and the companions before k
-  // The centre of mass of `inner`, relative to the centre of the body, and its velocity.
+  double inner = mass;  // mass of the body and the companions before companion k
+  // Position and velocity of the centre of mass of the body and the companions before k, relative to the centre of the
+  // body.
   Eigen::Vector3d center = Eigen::Vector3d::Zero(), center_velocity = Eigen::Vector3d::Zero();
   for (int k = 0; k < n_; ++k) {
     const Companion& companion = companions[static_cast<std::size_t>(k)];
@@ -110,7 +111,7 @@ Orbit::Columns Orbit::force(const Eigen::Matrix3d& S, const Columns& s) const {
 }
 
 Orbit::Columns Orbit::force_on_coordinates(const Columns& r, const Columns& of_body) const {
-  // The force on each companion is −∂U/∂r_i with the energy U of orbit.h.
+  // Column i is the force −∂U/∂r_i on companion i, with the energy U of orbit.h.
   Eigen::Matrix<double, 3, most_companions> on_r = Eigen::Matrix<double, 3, most_companions>::Zero();
   for (int i = 0; i < n_; ++i) {
     on_r.col(i) += of_body.col(i);
@@ -166,8 +167,9 @@ double Orbit::least_distance(const Columns& s0, const Columns& s1) const {
 Orbit::Motion Orbit::near_closest_approach(double end, double before) const {
   if (const auto period = kepler_period()) end = std::min(end, *period);
   constexpr int most_steps = 100'000;
-  // `part` is the size of a step divided by the time of a fall or of a passage. An approach counts only if its distance
-  // is less than `nearer` times the distance at the start.
+  // `part` is the size of a step divided by the time in which the least distance d changes by itself: 1/(v/d +
+  // √(GM/d³)), with the largest speed v and the total mass M. An approach counts only if its distance is less than
+  // `nearer` times the distance at the start.
   constexpr double part = 0.02, nearer = 0.9;
   std::vector<std::pair<double, Motion>> path{{0.0, {s_, sdot_}}};
   double t = 0, closest_time = 0, closest = nearer * least_distance(s_, s_);

@@ -1,8 +1,8 @@
 #pragma once
-/// The orthogonal complement of the orbit of the symmetries. The orbit is the set of all states that the symmetries
-/// make from a state X = (q, v). The energy-momentum method removes the components along the tangent space of the orbit
-/// from the change ΔX in a step. Symmetry i changes (q, v) along (ξ_i(q), ξ̇_i(v)), as in conservative_system.h. The
-/// tangent space of the orbit and the inner product are
+/// Projection onto the orthogonal complement of the orbit of the symmetries. The orbit of a state X = (q, v) is the set
+/// of all states to which the symmetries map X. In a step with the change ΔX, the energy-momentum method removes the
+/// component of ΔX in the tangent space of the orbit. Symmetry i changes (q, v) along (ξ_i(q), ξ̇_i(v)), as in
+/// conservative_system.h. The tangent space of the orbit and the inner product are
 ///
 ///   span{(ξ_i(q), ξ̇_i(v))},   ⟨(a, α), (b, β)⟩ = a·b + α·β   with the system's unit of time.
 ///
@@ -41,9 +41,10 @@ class OrbitComplement {
     }
   }
 
-  /// Removes the components along the orbit from (a, α). Returns the length of the remainder, or 0 if the remainder is
-  /// at most `dependent` times the original length. The loop repeats as long as cancellation removes more than half of
-  /// the length. A NaN ends the loop.
+  /// Removes the component in the tangent space of the orbit from (a, α). Returns the length of the remainder, or 0 if
+  /// this length is at most `dependent` times the original length. The projection is repeated as long as it removes
+  /// more than half of the length, because cancellation then magnifies round-off. A NaN ends the loop, and the result
+  /// is 0.
   double project(Vector& a, Vector& alpha) const {
     const double length = norm(a, alpha);
     double before = length, left = length;

@@ -1,7 +1,7 @@
 #pragma once
-/// Systems with companions in orbit (orbit.h). Some coordinates in the position q are the coordinates s_k of the
-/// companions, and the same entries of the velocity v are their rates ṡ_k. RATTLE moves these coordinates along Kepler
-/// orbits in place of straight lines.
+/// Systems with companions in orbit (orbit.h). Some entries of the position q are the coordinates s_k of the
+/// companions. The same entries of the velocity v are the rates ṡ_k. RATTLE moves the s_k along Kepler orbits instead
+/// of straight lines.
 
 #include <concepts>
 
@@ -13,21 +13,21 @@ template <class S>
 concept Orbiting = requires(const S system, const typename S::Vector q, typename S::Vector changed,
                             const Orbit::Columns s) {
   { system.orbit() } -> std::same_as<const Orbit&>;
-  /// The coordinates s_k in a position, or the rates ṡ_k in a velocity.
+  /// companions(q) returns the coordinates s_k in a position q. For a velocity v, companions(v) returns the rates ṡ_k.
   { system.companions(q) } -> std::same_as<Orbit::Columns>;
   system.set_companions(s, changed);  // sets the companions' entries of `changed` to s
 };
 
-/// True if there is a companion.
+/// Returns true if the system has at least one companion.
 template <class S>
 bool has_companions(const S& system) {
   if constexpr (Orbiting<S>) return system.orbit().n() > 0;
   return false;
 }
 
-/// Replaces the straight motion of the companions in q during the time h by the motion along Kepler orbits, and changes
-/// their velocities in v accordingly (Orbit::drift). The vector `before` contains the position before the motion. On
-/// entry v is the velocity after the first half step.
+/// Corrects the companions in q and v after the drift q = before + h v of a step of size h. Their coordinates in q
+/// become those at the end of Kepler orbits from `before`, and their velocities in v change accordingly (Orbit::drift).
+/// On entry v is the velocity after the first half step.
 template <Orbiting S>
 void drift_companions(const S& system, double h, const typename S::Vector& before, typename S::Vector& q,
                       typename S::Vector& v) {

@@ -2,8 +2,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// The outcome of a run. `finished`: the run reached its end time. `interrupted`: the caller stopped the run before its
-/// end. `failed`: a step or a sample of the run failed.
+/// The outcome of a run. A `finished` run reached its end time. An `interrupted` run was stopped by the caller. In a
+/// `failed` run, a step or a sample failed.
 enum class Outcome { finished, interrupted, failed };
 
 }  // namespace pseudorigid::mechanics

@@ -26,7 +26,7 @@ Symmetric gram(const Eigen::Matrix3d& W) {
   return {{dot(0, 0), dot(1, 1), dot(2, 2)}, {dot(1, 2), dot(2, 0), dot(0, 1)}};
 }
 
-/// Returns true if the cosines of the angles between the columns are at most `bound` in absolute value, or NaN. G is
+/// Returns true if the cosine of the angle between any two columns is at most `bound` in absolute value, or NaN. G is
 /// the Gram matrix of the columns.
 bool orthogonal(const Symmetric& G, double bound) {
   const Eigen::Vector3d &square = G.diagonal, &product = G.opposite;
@@ -81,7 +81,7 @@ Eigen::Matrix3d eigenvectors(const Symmetric& C) {
 
 namespace {
 
-/// Returns the rotation (Id − W)⁻¹(Id + W) with the antisymmetric matrix W of the map x ↦ x × θ/2.
+/// Returns the Cayley rotation (Id − W)⁻¹(Id + W), with the antisymmetric matrix W of the map x ↦ x × θ/2.
 Eigen::Matrix3d cayley(const Eigen::Vector3d& theta) {
   const Eigen::Vector3d w(theta[0] / 2, theta[1] / 2, theta[2] / 2);
   const double f = 2 / (1 + dot(w, w)), d = f - 1;
@@ -132,7 +132,8 @@ PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
         const Eigen::Matrix3d R = detail::axes::cayley(theta);
         U = detail::axes::product(U, R);
         W = detail::axes::product(W, R);
-        if (largest < its_root && detail::axes::orthogonal(G, its_root)) break;  // theta² is round-off
+        // The remaining angles are of order theta². Here they are round-off.
+        if (largest < its_root && detail::axes::orthogonal(G, its_root)) break;
       } else {
         detail::axes::sweep(W, U, round_off);
       }

@@ -1,10 +1,12 @@
 #pragma once
-/// Principal axes of the ellipsoid to which F maps the unit ball. F = U diag(a) Vᵀ, so C = FFᵀ = U diag(a²) Uᵀ.
+/// Principal axes of the ellipsoid to which a 3×3 matrix F maps the unit ball. By the singular value decomposition F =
+/// U diag(a) Vᵀ, the columns of U are the directions and the a_i the lengths of the semi-axes. C = FFᵀ is U diag(a²)
+/// Uᵀ.
 ///
 /// The method consists of one-sided Jacobi rotations (Hestenes 1958; Demmel, Veselić 1992). The rotations change U
-/// until the rows A_i of A = UᵀF are orthogonal. Then A = diag(a)Vᵀ and a_i = |A_i|. All axes have the relative error
-/// cond(F)·ε with the round-off ε. The eigenvalues of C would give small axes with the error cond(F)²·ε. If the rows of
-/// F are already orthogonal, U = Id. Three devices make the method fast.
+/// until the rows A_i of A = UᵀF are orthogonal. Then A = diag(a)Vᵀ and a_i = |A_i|. All lengths have a relative error
+/// of cond(F)·ε, with the round-off ε. From the eigenvalues of C, small lengths would have the error cond(F)²·ε. If the
+/// rows of F are already orthogonal, U = Id. Three devices make the method fast.
 ///
 /// First, the iteration starts from the eigenvectors of C in closed form. With B = C − m Id, m = ⅓ tr C, |B|² = 6p² and
 ///
@@ -17,7 +19,7 @@
 ///   θ_ij = A_i·A_j/(|A_j|² − |A_i|²),
 ///
 /// and leaves angles of order θ². Usually one such rotation is enough. Third, single plane rotations are made only if
-/// an angle is not small. Large angles occur if axes are nearly equal.
+/// an angle θ_ij is 0.1 or more. Such angles occur if two axes have nearly the same length.
 
 #include <Eigen/Core>
 
@@ -31,8 +33,8 @@ struct PrincipalAxes {
 
 namespace detail::axes {
 
-/// Returns the product MN, computed entry by entry. Eigen would load pairs of doubles right after they were stored
-/// singly, and the processor waits for such loads. In a measurement the waiting was a quarter of the time of
+/// Returns the product MN, computed entry by entry. Eigen would load pairs of doubles immediately after each double was
+/// stored, and the processor waits for such loads. In a measurement this waiting took a quarter of the time of
 /// principal_axes.
 Eigen::Matrix3d product(const Eigen::Matrix3d& M, const Eigen::Matrix3d& N);
 
@@ -66,18 +68,18 @@ PlaneRotation diagonalizing(double alpha, double beta, double gamma);
 /// that is exact at q = 0 and at q = 1.
 double cosine_of_third(double q);
 
-/// Returns the eigenvectors of C in closed form. The columns of the result are the eigenvectors. The columns are
-/// orthonormal to round-off, and their directions have errors of about 1e-8.
+/// Returns the matrix whose columns are the eigenvectors of C, in closed form. The columns are orthonormal to
+/// round-off, and their directions have errors of about 1e-8. C must not be a multiple of Id.
 Eigen::Matrix3d eigenvectors(const Symmetric& C);
 
 }  // namespace detail::axes
 
-/// Returns the principal axes of F. The nonzero entries must be between 10⁻²⁰ and 10²⁰ in size, because the method uses
-/// their eighth powers. If F is not finite, at least one length in `a` is not finite. If 20 turns are not enough, the
-/// result is that of the last turn.
+/// Returns the principal axes of F. The nonzero entries of F must be between 10⁻²⁰ and 10²⁰ in size, because the method
+/// uses their eighth powers. If F is not finite, at least one length in `a` is not finite. The method makes at most 20
+/// iterations, and returns the result of the last one.
 PrincipalAxes principal_axes(const Eigen::Matrix3d& F);
 
-/// Returns the singular values σ₁ ≥ σ₂ ≥ σ₃ of F, each with the relative error cond(F)·ε.
+/// Returns the singular values σ₁ ≥ σ₂ ≥ σ₃ of F, which are the sorted lengths of the semi-axes.
 Eigen::Vector3d singular_values(const Eigen::Matrix3d& F);
 
 }  // namespace pseudorigid::mechanics

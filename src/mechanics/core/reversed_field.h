@@ -4,7 +4,7 @@
 ///
 ///   r'' = a(−s, r, −r').
 ///
-/// A force that dissipates energy forwards in time adds energy backwards in time.
+/// A force that dissipates energy in the motion q adds energy in the motion r.
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Measured round-off (noise) of functions of the state. The noise is the change of the function if the entries of its
-/// arguments change by a few units in their last place. Even a stable computation has this error, and no iteration can
-/// reduce it.
+/// Measured round-off of functions of the state, called noise. The noise is the change of the function if the entries
+/// of its arguments change by a few units in their last place. Even a stable computation has an error of this size,
+/// which no iteration can reduce.
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +26,9 @@ void perturb(double unit, Vector size, int pattern, Vector& x) {
     entries[i] += units[i] * (static_cast<double>(random()) / range - 0.5);
 }
 
-/// Returns the largest |r(pattern) − r(0)|_∞ over eight patterns. `evaluate(pattern, r)` sets r and returns false if it
-/// fails; pattern 0 means unchanged arguments. Patterns that fail or give a result that is not finite are omitted.
-/// Returns 0 if pattern 0 fails.
+/// Returns the largest |r(pattern) − r(0)|_∞ over the patterns 1 to 8. `evaluate(pattern, r)` sets r to a function of
+/// arguments that are changed with this pattern, and returns false if it fails. Pattern 0 means unchanged arguments.
+/// Patterns that fail or give a result that is not finite are omitted. Returns 0 if pattern 0 fails.
 template <ConstrainedSystem S, class Evaluate>
 double largest_change(const S& system, Evaluate&& evaluate) {
   constexpr int n_patterns = 8;
@@ -43,8 +43,8 @@ double largest_change(const S& system, Evaluate&& evaluate) {
   return largest;
 }
 
-/// Relative size of the last place: `last_place` for a double, and `last_place_kept` for a sum q + q_rounding. This sum
-/// has the precision of a long double.
+/// Relative size of the last place of a number. `last_place` is for a double, and `last_place_kept` is for a
+/// compensated sum q + q_rounding, which has at least the precision of a long double.
 inline constexpr double last_place = std::numeric_limits<double>::epsilon();
 inline constexpr auto last_place_kept = static_cast<double>(std::numeric_limits<long double>::epsilon());
 
@@ -74,8 +74,8 @@ template <ConstrainedSystem S>
 }
 
 /// Returns the noise of the constraint g(q + q_rounding) if q_rounding changes by the last place of the sum q +
-/// q_rounding. Returns 0 if the constraint cannot be evaluated. The system computes this constraint with the precision
-/// of long double.
+/// q_rounding. Returns 0 if the constraint cannot be evaluated. The system must compute this constraint with the
+/// precision of long double.
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_constraint(const S& system, const typename S::Vector& q,
                                                         const typename S::Vector& q_rounding) {

@@ -3,10 +3,10 @@
 ///
 ///   q̈ = a(t, q, q̇)
 ///
-/// on the vector space of the configuration. The field of a chart with a metric is −Γ(q̇, q̇) + g⁻¹F (5.19, 5.22;
-/// chart.h). In a moving frame, the field also contains the inertial terms. A system with the mass M, the force f and
-/// the constraint g = 0 (constrained_system.h) has the derivative G = Dg. By the explicit multiplier (5.29), its field
-/// is
+/// on the vector space of the configuration. The field of a chart with the metric g, the Christoffel symbols Γ and the
+/// force F is a = −Γ(q̇, q̇) + g⁻¹F (5.19, 5.22; chart.h). In a moving frame, the field also contains the inertial
+/// accelerations. A system in constrained form has the mass M, the force f and the constraint g = 0 with G = Dg
+/// (constrained_system.h). By the explicit multiplier (5.29), its field is
 ///
 ///   q̈ = M⁻¹[f + Gᵀλ],   G M⁻¹Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f,
 ///
@@ -28,16 +28,16 @@ concept SecondOrderField = requires(const F field, double t, const typename F::V
   { field.make_workspace() } -> std::same_as<typename F::Workspace>;
 };
 
-/// A field with an invariant manifold. `project` moves the position and velocity of a nearby state to the manifold, and
-/// fails if this is not possible.
+/// A field with an invariant manifold of states (q, v). `project` moves a nearby state to the manifold, and fails if
+/// this is not possible.
 template <class F>
 concept ProjectedField = SecondOrderField<F> &&
     requires(const F field, typename F::Vector q, typename F::Vector v, typename F::Workspace w) {
   { field.project(q, v, w) } -> std::same_as<Status>;
 };
 
-/// Properties on which a method may rely. A system declares them by members of the same names. A property without such
-/// a member is false.
+/// Properties of a system or field on which a method may rely. A system declares a property by a member function of the
+/// same name. Without this member, the property is false.
 template <class S>
 bool velocity_dependent(const S& system) {  // true if the force depends on v
   if constexpr (requires { system.velocity_dependent(); }) return system.velocity_dependent();

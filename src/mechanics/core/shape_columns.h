@@ -1,8 +1,8 @@
 #pragma once
-/// Columns of shapes.csv, the same for every model with material surfaces. A row is a point of a material surface. The
-/// row contains the number of the face, the plane, the reference position X and the position x. The plane is 0 for the
-/// surface of the body, and k for the coordinate plane with the normal e_k, k = 1, 2, 3. The points of a face are
-/// consecutive rows.
+/// Columns of the output file shapes.csv, the same for every model. A row is a point of a material surface. Each
+/// surface is divided into faces, which have numbers. The row contains the number of the face, the number of the plane,
+/// the reference position X and the position x. The plane is 0 for the surface of the body, and k for the coordinate
+/// plane with the normal e_k, k = 1, 2, 3. The points of a face are consecutive rows.
 
 #include <array>
 #include <cstddef>

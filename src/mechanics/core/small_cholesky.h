@@ -4,7 +4,7 @@
 ///
 ///   d_j = g_jj − Σ_{k<j} L_jk²,   L_jj = √d_j,   L_ij = (g_ij − Σ_{k<j} L_ik L_jk) / L_jj   for i > j
 ///
-/// The code consists of plain loops, because Eigen::LLT takes two seconds to compile for each size of a matrix.
+/// The code consists of plain loops, because Eigen::LLT takes two seconds of compile time for each size of matrix.
 
 #include <Eigen/Core>
 #include <algorithm>

@@ -7,13 +7,14 @@
 namespace pseudorigid::mechanics {
 namespace {
 
-/// Returns the factor of Re (x + iy)^|m| or Im (x + iy)^|m| in r^l Y_lm, at [l][|m|]. The arguments z and r2 = r² are
-/// jets with respect to the position (x, y, z), and r is its distance from the origin.
+/// Returns at [l][m], for 0 ≤ m ≤ l ≤ N, the common factor of r^l Y_lm and r^l Y_{l,−m}. The other factor is Re (x +
+/// iy)^m or Im (x + iy)^m. The arguments z and r2 = r² are jets with respect to the position (x, y, z), and r is the
+/// distance from the origin.
 std::vector<std::vector<Jet>> polar_factors(int N, const Jet& z, const Jet& r2) {
   std::vector<std::vector<Jet>> factor(N + 1, std::vector<Jet>(N + 1));
   factor[0][0] = constant(std::sqrt(1 / (4 * std::numbers::pi)));
   for (int m = 1; m <= N; ++m) {
-    // √2, because cos mφ and sin mφ take the place of e^{±imφ} for m > 0.
+    // The factor √2 is needed because cos mφ and sin mφ replace e^{±imφ} for m > 0.
     const double of_two_functions = m == 1 ? std::numbers::sqrt2 : 1.0;
     factor[m][m] = of_two_functions * std::sqrt((2.0 * m + 1) / (2.0 * m)) * factor[m - 1][m - 1];
   }

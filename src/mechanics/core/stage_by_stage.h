@@ -1,8 +1,8 @@
 #pragma once
-/// Solves for the stages of a Gauss step of any second-order field. A field that evaluates all stages at once in SIMD
-/// lanes has a member `solve_stages_in_lanes(stages)`. If this member returns false, the stages are evaluated one by
-/// one, as for other fields. An AnyField (any_field.h) has a member `solve_stages(stages, workspace)`, which calls
-/// solve_stages for the concrete field.
+/// Solves for the stages of a Gauss step (gauss_16.h) of any second-order field. A field that evaluates all stages at
+/// once in SIMD lanes has a member `solve_stages_in_lanes(stages)`. If this member returns false, it has done nothing,
+/// and the stages are evaluated one by one. The stages of all other fields are also evaluated one by one. An AnyField
+/// (any_field.h) has a member `solve_stages(stages, workspace)`, which calls solve_stages for the concrete field.
 
 #include <concepts>
 #include <cstddef>
@@ -36,7 +36,7 @@ class StageByStage final : public GaussField {
     }
     return true;
   }
-  /// Status of the last evaluation. A failure contains the reason.
+  /// Returns the status of the last evaluation. A failure contains the reason.
   Status reason() const { return reason_; }
 
  private:
@@ -58,9 +58,9 @@ bool has_stages_in_lanes(const F& field) {
     return requires(GaussStages & stages) { field.solve_stages_in_lanes(stages); };
 }
 
-/// Returns the cost of an iteration on the eight stages for the step search. The unit is the cost of one force
-/// evaluation of the system. A member `cost_of_iteration()` of the field returns its cost. Without this member, the
-/// cost is 8, the number of stages.
+/// Returns the cost of an iteration on the eight stages, which the step search uses. The unit is the cost of one force
+/// evaluation of the system. The cost is the result of the field's member `cost_of_iteration()`. Without this member,
+/// the cost is 8, the number of stages.
 template <class F>
 double cost_of_iteration(const F& field) {
   if constexpr (requires { field.cost_of_iteration(); })
@@ -69,9 +69,10 @@ double cost_of_iteration(const F& field) {
     return gauss::n_stages;
 }
 
-/// Solves for the stages of any field, which is evaluated at one stage after the other. If an evaluation fails, returns
-/// its failure. Otherwise returns success, even if the iteration does not converge. stages.converged is true only if
-/// the iteration converges and no evaluation fails. Throws NoKernels as solve_gauss_stages does.
+/// Solves for the stages of a field by evaluations at one stage after the other. If an evaluation fails, returns its
+/// failure. Otherwise returns success, even if the iteration does not converge. Sets stages.converged to true only if
+/// the iteration converges and no evaluation fails. Throws NoKernels in the same cases as solve_gauss_stages
+/// (gauss_stages.h).
 template <SecondOrderField F>
 Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspace& w) {
   const detail::StageByStage<F> by_stage(field, w);
@@ -79,9 +80,9 @@ Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspa
   return by_stage.reason();
 }
 
-/// Solves for the stages in the fastest way that the field supports. Fails if the field cannot be evaluated. Sets
-/// stages.converged to true if the stages are found. The flag is false if the iteration does not converge, although the
-/// function then succeeds. Throws NoKernels as solve_gauss_stages does.
+/// Solves for the stages in the fastest way that the field supports. Fails if the field cannot be evaluated at a stage.
+/// Sets stages.converged to true if the stages are found. If the iteration does not converge, the function succeeds
+/// with stages.converged = false. Throws NoKernels in the same cases as solve_gauss_stages (gauss_stages.h).
 template <SecondOrderField F>
 Status solve_stages(const F& field, GaussStages& stages, typename F::Workspace& w) {
   if constexpr (requires { field.solve_stages(stages, w); }) {

@@ -1,5 +1,6 @@
 #pragma once
-/// Failures as values. A force, a constraint or a step returns a Status and does not throw an exception.
+/// Failures as return values. Functions for forces, constraints and steps return a Status and do not throw an exception
+/// for a failure of the computation.
 
 #include <cstdio>
 #include <memory>
@@ -8,7 +9,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// Returns x as text with six significant digits, for sentences. Fixed notation would write hundreds of digits for a
+/// Returns x as text with six significant digits, for messages. Fixed notation would give hundreds of digits for a
 /// large number, and 0.000000 for a small number.
 [[gnu::cold, gnu::noinline]] inline std::string six_digits(double x) {
   char text[32];
@@ -35,7 +36,8 @@ class [[nodiscard]] Status {
   std::shared_ptr<const std::string> reason_;
 };
 
-/// Status of a Gram solve and its number of iterations. The number is 0 if the solver is direct.
+/// Status of a solve with the Gram operator GM⁻¹Gᵀ (constrained_system.h), and its number of iterations. The number is
+/// 0 if the solver is direct.
 struct [[nodiscard]] SolveReport {
   Status status;
   int iterations = 0;

@@ -1,7 +1,7 @@
 #pragma once
 /// Base class with the members of ConstrainedSystem that concern constraints, for a system without constraints. The
-/// derived class adds `force`, `apply_inverse_mass` and `make_vector`. If its force needs a workspace, the derived
-/// class replaces Workspace and make_workspace.
+/// derived class must define Vector, `force`, `apply_inverse_mass` and `make_vector`. If its force needs a workspace,
+/// the derived class also defines Workspace and make_workspace.
 
 #include "mechanics/core/constrained_system.h"
 

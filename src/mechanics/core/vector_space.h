@@ -1,11 +1,12 @@
 #pragma once
-/// Operations that methods apply to vectors of any type. Every vector can be copied and has y ← y + a x, x ← a x and
-/// |x|_∞. Estimates of frequencies also use the scalar product xᵀy. Iterative solvers also use sums of several vectors,
-/// and several scalar products with one sum over the processes. VectorSpace is specialised for distributed vectors. All
-/// processes must then call max_norm, dot and dots together.
+/// Operations that methods apply to vectors of any type. Every vector can be copied and has the operations y ← y + a x,
+/// x ← a x and |x|_∞. Estimates of frequencies also use the scalar product xᵀy. Iterative solvers also use sums of
+/// several vectors, and several scalar products with one sum over the processes. For distributed vectors VectorSpace
+/// has a specialisation, and all processes must call max_norm, dot and dots together.
 ///
-/// A long sum of small increments also stores its round-off c (compensated summation, Kahan 1965; Hairer, Lubich,
-/// Wanner, Geometric Numerical Integration, VIII.5). With t = a x + c,
+/// The operation `add` is for a long sum y of small increments a x. It also stores the round-off c of the sum
+/// (compensated summation, Kahan 1965; Hairer, Lubich, Wanner, Geometric Numerical Integration, VIII.5). With t = a x +
+/// c and the rounded value fl,
 ///
 ///   y ← fl(y + t),   c ← (y_old + t) − y   (exact, by Knuth's two-sum).
 
@@ -18,7 +19,7 @@ namespace pseudorigid::mechanics {
 
 template <class V>
 struct VectorSpace {  // dense Eigen vectors and matrices
-  // `dense` is true if this process has all entries of V in an Eigen type. `compensated` is true if `add` stores the
+  // `dense` is true if V is an Eigen type with all entries on this process. `compensated` is true if `add` stores the
   // round-off of sums.
   static constexpr bool dense = true, compensated = true;
   static void add(double a, const V& x, V& y, V& c) {
@@ -84,8 +85,8 @@ template <class V>
 double dot(const V& x, const V& y) {
   return VectorSpace<V>::dot(x, y);
 }
-/// Adds a x to y. If the sums of this type are compensated, c stores the round-off of y. The caller sets c to zero at
-/// the start of a sum.
+/// Adds a x to y. If sums of the type V are compensated, c contains the round-off of y before and after the call. Set c
+/// to zero at the start of a sum. If sums are not compensated, c is not used.
 template <class V>
 void add(double a, const V& x, V& y, V& c) {
   if constexpr (VectorSpace<V>::compensated)

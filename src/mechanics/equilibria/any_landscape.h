@@ -1,7 +1,7 @@
 #pragma once
-/// One type for the landscapes of all systems, so that the search for critical points is compiled only once. The object
-/// contains a landscape (landscape.h). If this landscape refers to a system, the system must exist as long as the
-/// object.
+/// One type for the landscapes of all systems (landscape.h). With this type the search for critical points is compiled
+/// only once. An AnyLandscape contains the landscape that the constructor takes. If this landscape refers to a system,
+/// the system must exist as long as the AnyLandscape.
 
 #include <concepts>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 /// The potential landscape (landscape.h) of a system in a chart with metric g, potential U and force F
 /// (mechanics/core/chart.h). The landscape has no constraint, and its mass is M = g(q). Automatic differentiation gives
-/// the Hessian of U. The damping is C = −∂F/∂v at v = 0 and t = 0, by differences.
+/// the derivatives of U. The damping is C = −∂F/∂v at v = 0 and t = 0, computed by differences.
 
 #include <utility>
 
@@ -60,7 +60,7 @@ class ChartLandscape {
 
  private:
   const C& chart() const { return field_.chart(); }
-  /// Copies entry by entry. g++ 12 warns that an Eigen copy of a single entry reads beyond this entry.
+  /// Copies entry by entry, because g++ 12 wrongly warns that an Eigen copy of a single entry reads beyond this entry.
   static void copy(const auto& from, auto& to) {
     to.resize(from.rows(), from.cols());
     for (Eigen::Index i = 0; i < from.size(); ++i) to.data()[i] = from.data()[i];

@@ -1,8 +1,8 @@
 #pragma once
-/// The potential landscape (landscape.h) of a system in constrained form. The force at rest is −∇V, and differences of
-/// the force give the Hessian ∇²V. Differences of the force with respect to the velocity give the damping C. Forces are
-/// evaluated at the time 0. The Hessian of V − λᵀg is ∇²V − Σ λ_k D²g_k. The product of Σ λ_k D²g_k with v is the rate
-/// of Gᵀλ along v, which the system computes.
+/// The potential landscape (landscape.h) of a system in constrained form (constrained_system.h). The gradient ∇V is the
+/// negative force at rest, and differences of the force give ∇²V. Differences of the force with respect to the velocity
+/// give the damping C. All forces are evaluated at the time 0. The Hessian of V − λᵀg is ∇²V − Σ λ_k D²g_k. The product
+/// of Σ λ_k D²g_k and a vector v is the rate of G(q)ᵀλ along v, which the system computes (add_reaction_rate).
 
 #include <algorithm>
 
@@ -88,7 +88,7 @@ class ConstrainedLandscape {
   }
 
  private:
-  /// Sets f to the force at the time 0. Fails if the force fails or is not finite.
+  /// Sets f to the force at (q, v) and at the time 0. Fails if the force fails or is not finite.
   Status force(const typename S::Vector& q, const typename S::Vector& v, Vector& f) const {
     auto value = system_.make_vector();
     auto workspace = workspace_;
@@ -96,8 +96,8 @@ class ConstrainedLandscape {
     f = flat(value);
     return f.allFinite() ? Status() : Status::failure("the force is not finite");
   }
-  /// Conversions between the vectors or multipliers of the system and Eigen vectors. `flat` returns the entries of x,
-  /// and `filled` returns x with the given entries.
+  /// Conversions between a vector or multiplier x of the system and an Eigen vector of its entries. `flat` returns the
+  /// entries of x, and `filled` returns x with the given entries.
   static Vector flat(auto& x) {
     const auto values = local_values(x);
     Vector entries(static_cast<Eigen::Index>(values.size()));

@@ -11,21 +11,20 @@
 namespace pseudorigid::mechanics {
 namespace {
 
-/// An eigenvalue of H counts as zero if its absolute value is at most this fraction of the largest absolute value. The
-/// reason is that Hessians by differences have errors of about 1e-12. H is the Hessian on the tangent space, and D is
-/// the damping there (critical_point.h).
+/// An eigenvalue of the Hessian H on the tangent space (critical_point.h) counts as zero if its absolute value is at
+/// most this fraction of the largest absolute value. The bound is well above the errors of Hessians by differences,
+/// which are about 1e-12.
 constexpr double zero_curvature = 1e-8;
-/// An eigenvalue of H also counts as zero if its absolute value is at most this bound. Such a number can be round-off
-/// of terms of order 1 that cancel. The relative bound is not enough: without any force, the largest eigenvalue can be
-/// 1e-170.
+/// An eigenvalue of H also counts as zero if its absolute value is at most this bound. Such a number can be the
+/// round-off of terms of order 1 that cancel. The relative bound alone is not enough. Without any force, all
+/// eigenvalues are round-off, and the largest can be 1e-170.
 constexpr double round_off_curvature = 1e-14;
-/// A rate counts as neither stable nor unstable if the absolute value of its real part is at most this fraction of the
-/// largest rate. With little damping, an error of a zero eigenvalue of H causes rates whose size is the square root of
-/// this error.
+/// The real part of a rate counts as zero if its absolute value is at most this fraction of the largest |rate|. With
+/// little damping, an error of a zero eigenvalue of H causes rates whose size is the square root of this error.
 constexpr double zero_rate = 1e-6;
 
-/// Returns a basis T of ker G with TᵀMT = Id, as columns, for the mass M and the derivative G of the constraints. M
-/// must be positive definite.
+/// Returns a matrix T whose columns are a basis of ker G with TᵀMT = Id, for the mass M and the derivative G of the
+/// constraints. M must be positive definite.
 Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G) {
   const Eigen::LLT<Eigen::MatrixXd> factor(M);  // M = LLᵀ, T = L⁻ᵀZ with Z ⟂ L⁻¹Gᵀ
   Eigen::MatrixXd Z = Eigen::MatrixXd::Identity(M.rows(), M.cols());
@@ -37,8 +36,9 @@ Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G
   return factor.matrixU().solve(Z);
 }
 
-/// Sets the rates z and the directions of p without damping: z² = −κ for each eigenvalue κ of H. An eigenvalue with |κ|
-/// ≤ `zero` gives z = 0. Sets n_unstable and n_stable to p.morse_index, which the caller must have set.
+/// Sets the rates z and the directions of p for a system without damping. Each eigenvalue κ of H gives the two rates z
+/// with z² = −κ. If |κ| ≤ `zero`, both are 0. Sets n_unstable and n_stable to p.morse_index, which the caller must have
+/// set.
 void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.values.size();
   p.rates.resize(2 * n);
@@ -53,8 +53,7 @@ void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::Ma
 }
 
 /// Sets the rates z and the directions δq = T y of p, for the solutions y ~ e^{zt} of ÿ + Dẏ + Hy = 0. Also sets the
-/// numbers of stable and unstable rates. The rates are the eigenvalues of a matrix of twice the size of H. Fails if the
-/// eigenvalues do not converge.
+/// numbers of stable and unstable rates. Fails if the iteration for the rates does not converge.
 Status linearise(const Eigen::MatrixXd& H, const Eigen::MatrixXd& D, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.rows();
   Eigen::MatrixXd A(2 * n, 2 * n);  // the matrix of the first-order system for (y, ẏ)

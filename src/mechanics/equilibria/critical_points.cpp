@@ -9,8 +9,8 @@
 namespace pseudorigid::mechanics {
 namespace {
 
-/// Runs the search of critical_points.h. V is the potential energy, g the constraint with G = Dg, λ the multiplier, and
-/// δ the change of (q, λ) in a step of Newton's iteration.
+/// The search of critical_points.h. V is the potential energy, g the constraint with G = Dg, λ the multiplier, and δ
+/// the change of (q, λ) in a step of Newton's iteration.
 class CriticalPointFinder {
  public:
   using Vector = Eigen::VectorXd;
@@ -54,14 +54,14 @@ class CriticalPointFinder {
   }
 
   static constexpr int max_iterations = 200, max_halvings = 20;
-  static constexpr double converged = 1e-12;  // bound of |r|, relative to `scale` of initial_multiplier
-  /// Two solutions whose relative difference is below this bound count as one point. Newton's solutions of the same
-  /// point usually differ by much less.
+  static constexpr double converged = 1e-12;  // bound of |r|, divided by `scale` of initial_multiplier
+  /// Two solutions count as one point if their relative difference is below this bound. Solutions for the same point
+  /// usually differ by much less.
   static constexpr double same_place = 1e-6;
   static constexpr double singular = 1e-10;  // bound of zero pivots in Newton's matrix, relative to the largest pivot
 
   /// Moves q to a critical point and sets λ to its multiplier. Returns false if the iteration does not converge from q,
-  /// or if a derivative, the constraint or Newton's step fails. In these cases q and λ are not valid.
+  /// or if a derivative, the constraint or Newton's step fails. q and λ are then not valid.
   bool newton(Vector& q, Vector& lambda) const {
     const Eigen::Index n = q.size();
     Vector r;
@@ -140,7 +140,7 @@ class CriticalPointFinder {
   }
 
   /// Maps each coordinate with a period P to (−P/2, P/2]. A value that exceeds −P/2 by less than `same_place` · P/2 is
-  /// increased by P.
+  /// increased by P, so that points near this boundary get equal coordinates.
   Vector canonical(Vector q) const {
     for (Eigen::Index i = 0; i < q.size(); ++i)
       if (const double P = periods_[i]; P > 0) {
@@ -150,8 +150,8 @@ class CriticalPointFinder {
     return q;
   }
 
-  /// Returns true if a and b are at the same place modulo the periods, or are points of one critical orbit
-  /// (critical_points.h).
+  /// Returns true if a and b have the same coordinates modulo the periods, or are regarded as points of one orbit of
+  /// the symmetries (critical_points.h).
   bool same(const CriticalPoint& a, const CriticalPoint& b) const {
     const double scale = 1 + a.hessian_eigenvalues.cwiseAbs().maxCoeff();
     if (a.nullity > 0 && a.nullity == b.nullity && std::abs(a.V - b.V) < same_place * scale &&
@@ -175,8 +175,8 @@ class CriticalPointFinder {
   std::mt19937_64 generator_;
 };
 
-/// Returns the mass matrix M, as the matrix of a damping force −M v. M is positive definite, so this force is strongly
-/// dissipative in every system.
+/// Returns the mass matrix M at q, which is used as the matrix of a damping force −M v. M is positive definite, so
+/// every system with this force is strongly dissipative.
 Eigen::MatrixXd unit_damping(const AnyLandscape& landscape, const Eigen::VectorXd& q) {
   Eigen::MatrixXd M;
   landscape.mass(q, M);

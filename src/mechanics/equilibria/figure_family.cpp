@@ -14,8 +14,8 @@ FigureFinder::FigureFinder(const FigureEquations& equations, StabilityOfFigure a
                            double resolution)
     : equations_(equations), analyse_(std::move(analyse)), family_(std::move(family)), resolution_(resolution) {}
 
-/// Finds the figure with this parameter if no other figure is known yet. Fails if the function `nearby` of the family
-/// fails, or if no figure is found.
+/// Finds the first figure of the family, which has this parameter. Fails if family_.nearby fails, or if no figure is
+/// found.
 Status FigureFinder::first(double parameter, EquilibriumFigure& figure) const {
   const FigureCondition condition = family_.condition(parameter);
   if (family_.nearby) {
@@ -63,8 +63,9 @@ Status FigureFinder::member(double parameter, FigureMember& member) {
   return {};
 }
 
-/// Appends the special points between the members with the parameters a and b to `result`. If the number of negative
-/// directions changes in a class without an index point, appends b to `without_special`.
+/// Appends the special points between the members with the parameters a and b to `result`. Also appends b to
+/// `without_special` if the number of negative directions changes in a class without an index point and both members
+/// rotate.
 void FigureFinder::locate_special(double a, double b, FigureFamily& result) {
   struct Found {
     SpecialPoint point;

@@ -1,12 +1,13 @@
 #pragma once
-/// A family of figures of equilibrium (figures.h) over a range of its parameter. The family includes the stability of
-/// its members and the special points (special_points.h). At a fold, the drive has an extremum. At an index point, the
-/// energy at fixed momenta gains or loses a negative direction in a class of motions. A branch may start at an index
-/// point, and beyond this point dissipation may make the figure unstable. At an instability, a growth rate in a class
-/// of motions appears or disappears.
+/// A family of figures of equilibrium (figures.h), for a list of values of its parameter. The result contains the
+/// stability of the figures and the special points between them (special_points.h). At a fold, the drive has an
+/// extremum. At an index point, the second variation of the energy at fixed momenta gains or loses a negative
+/// eigenvalue in a class of motions. Another family may branch off at an index point, and beyond this point dissipation
+/// may make the figure unstable. At an instability, a growth rate in a class of motions becomes or ceases to be
+/// positive.
 ///
-/// Each member is found by continuation from the nearest known member. The first member is found from the ball at
-/// rest, or from a figure that the caller provides.
+/// The figures of the family are called its members. Each member is found by continuation from the nearest known
+/// figure. The first member is found from the ball at rest, or from a figure that the caller provides.
 
 #include <functional>
 #include <map>
@@ -18,10 +19,10 @@
 
 namespace pseudorigid::mechanics {
 
-/// A class of small motions, which are not coupled to the motions of other classes.
+/// A class of small motions about a figure. By symmetry, the motions of different classes are not coupled.
 struct MotionClass {
   bool odd_in_z;  ///< true if the motions are odd under x₃ ↦ −x₃
-  int m;          ///< azimuthal number on a spheroid; on an ellipsoid 0 if even under the half turn about x₃, else 1
+  int m;  ///< azimuthal number on a spheroid; on an ellipsoid 0 if even under a rotation by π about x₃, else 1
 };
 
 struct ClassStability {
@@ -37,11 +38,11 @@ struct FigureMember {
 
 struct SpecialFigure {
   SpecialKind kind;
-  MotionClass motions;  ///< class of the special point; for a fold, the class of the motions along the family
+  MotionClass motions;  ///< class of motions of the special point; for a fold {false, 0}
   FigureMember member;
 };
 
-/// A parameter without a member, and the reason.
+/// A parameter for which no member was found, and the reason.
 struct NoFigure {
   double parameter;
   std::string reason;
@@ -49,46 +50,48 @@ struct NoFigure {
 
 struct FigureFamily {
   std::vector<FigureMember> members;
-  std::vector<SpecialFigure> special;  ///< special points, sorted by parameter between two members
+  std::vector<SpecialFigure> special;  ///< special points; those between two successive members are sorted by parameter
   std::vector<NoFigure> missing;
-  /// Parameters of the members that differ from the preceding member in the number of negative directions, although the
-  /// search between the two finds no index point. Pairs with a member at rest are not compared.
+  /// Parameters of members with a missing index point. In a class of motions, the number of negative eigenvalues
+  /// differs from that of the preceding member, but no index point is found between the two members. Pairs with a
+  /// member at rest are not compared.
   std::vector<double> without_special;
 };
 
-/// An affine figure near the required figure, with its semi-axes and its drive.
+/// Semi-axes a and drive of an affine figure near the required figure.
 struct NearbyFigure {
   Eigen::Vector3d a;
   double drive;
 };
 
-/// A family of spheroids or ellipsoids. `condition` returns the condition that determines the figure with the given
-/// parameter.
+/// A family of spheroids or ellipsoids. `condition` returns the condition that the figure with the given parameter
+/// satisfies.
 struct FamilyOfFigures {
   Figure figure;
   std::function<FigureCondition(double parameter)> condition;
-  /// Sets `nearby` to a figure near the figure with this parameter, from which the first figure is found. If the
-  /// function is empty, the first figure is found by continuation from the ball at rest.
+  /// Sets `nearby` to an affine figure near the figure with this parameter. Newton's iteration finds the first figure
+  /// of the family from it. If the function is empty, the first figure is found by continuation from the ball at rest.
   std::function<Status(double parameter, NearbyFigure& nearby)> nearby{};
 };
 
-/// Sets `classes` to the stability of a figure, for the same classes in the same order for every figure of a family.
+/// A function that sets `classes` to the stability of a figure. All figures of a family must have the same classes in
+/// the same order.
 using StabilityOfFigure = std::function<Status(const EquilibriumFigure& figure, std::vector<ClassStability>& classes)>;
 
 class FigureFinder {
  public:
-  /// The object refers to `equations`, which must exist as long as the object. `resolution` is half of the relative
-  /// width of the bracket at which the search for a special point ends. Each step of the search solves an eigenvalue
+  /// The object refers to `equations`, which must exist as long as the object. The search for a special point ends if
+  /// the relative width of its bracket is at most 2 · `resolution`. Each step of the search solves an eigenvalue
   /// problem, so a coarser resolution saves time.
   FigureFinder(const FigureEquations& equations, StabilityOfFigure analyse, FamilyOfFigures family,
                double resolution = 1e-12);
 
   /// Finds the members with these parameters, in this order, and the special points between successive members.
   /// Parameters for which no member is found are listed in `missing`. `give_up` is called before each member and each
-  /// trial member near a special point. If `give_up` returns true, the family ends.
+  /// trial member near a special point. If `give_up` returns true, the function returns the members found so far.
   FigureFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {});
-  /// Finds the member with this parameter. Fails if there is none, if its stability cannot be computed, or if the
-  /// `give_up` of the last call of `family` returns true.
+  /// Finds the member with this parameter. Fails if no figure is found, if its stability cannot be computed, or if the
+  /// function `give_up` of the last call of `family` returns true.
   Status member(double parameter, FigureMember& member);
 
  private:

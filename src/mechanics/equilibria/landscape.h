@@ -1,7 +1,7 @@
 #pragma once
-/// Interface between the search for critical points and a system of any size, in a chart or with constraints. A
-/// landscape has the potential energy V on N = {g = 0} with its derivatives, the mass M and the linear damping C of the
-/// force f at rest. With a multiplier λ, they are
+/// Interface between the search for critical points and a system of any size, in a chart or in constrained form. A
+/// landscape consists of the potential energy V on N = {g = 0} with its derivatives, the mass M and the linear damping
+/// C. With the position q, the velocity v, the force f and a multiplier λ, its functions are
 ///
 ///   ∇V,   g,   G = Dg,   H_L = ∇²V − Σ λ_k D²g_k,   M,   C = −∂f/∂v at v = 0.
 

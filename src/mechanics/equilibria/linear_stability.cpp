@@ -8,9 +8,9 @@
 namespace pseudorigid::mechanics {
 namespace {
 
-/// Returns an orthonormal basis of the space N of the symmetry directions, with the rates in scaled time. The
-/// directions are normalised first. Otherwise the rotation of a thin body about its long axis could count as zero,
-/// because the displacements of this rotation are small.
+/// Returns an orthonormal basis of the space N of the symmetry directions (y, ẏ), with ẏ in scaled time. The directions
+/// are normalised first. Otherwise the rotation of a thin body about its long axis could count as zero, because its
+/// displacements are small.
 Eigen::MatrixXd basis_of(const SymmetryDirections& symmetries, double scale, double absent) {
   const Eigen::Index n = symmetries.y.rows();
   Eigen::MatrixXd N(2 * n, symmetries.y.cols());
@@ -42,8 +42,8 @@ ReducedLinearSystem reduce(Eigen::MatrixXd K, Eigen::MatrixXd G, const SymmetryD
 
   const Eigen::MatrixXd N = basis_of(symmetries, reduced.scale, absent);
   const Eigen::MatrixXd NW = N.transpose() * W, NWN = NW * N;
-  // Basis of N ∩ N^W, the part of N on which nᵀW vanishes for all n in N. If W vanishes on N, as for zero momenta, N ∩
-  // N^W is N.
+  // Basis of N ∩ N^W, the vectors x in N with nᵀWx = 0 for all n in N. If W vanishes on N, as for zero momenta, N ∩ N^W
+  // is N.
   const Eigen::MatrixXd both = NWN.norm() > absent ? Eigen::MatrixXd(N * null_space(NWN, absent)) : N;
   Eigen::MatrixXd conditions(N.cols() + both.cols(), 2 * n);
   conditions.topRows(N.cols()) = NW;

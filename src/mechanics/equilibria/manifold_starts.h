@@ -1,12 +1,13 @@
 #pragma once
 /// Initial states of motions on the unstable and the stable manifold of a critical point q*. The states are q = q* + x,
-/// q̇ = y with small (x, y) in an eigenspace of the linearised field. The eigenspace for a rate z with the direction δ
-/// is spanned by the pairs (Re δ, Re zδ) and (Im δ, Im zδ). Up to terms of second order the states are on the manifold
-/// (Oliva, Geometric Mechanics, 5.8.3).
+/// q̇ = y with a small displacement (x, y) in a sum of eigenspaces of the linearised field. The eigenspace for a rate z
+/// with the direction δ is spanned by the pairs (Re δ, Re zδ) and (Im δ, Im zδ). Up to terms of second order in (x, y),
+/// the states are on the manifold (Oliva, Geometric Mechanics, 5.8.3).
 ///
-/// If a point has several unstable directions, all motions with equal initial sizes would leave along the fastest one.
-/// With the size ε in the slowest direction z_min, the initial size in each direction is therefore ε^{Re z/Re z_min}.
-/// All directions then reach order 1 at the same time.
+/// If a point has several unstable directions, displacements of equal initial size in all of them would grow into
+/// motions along the fastest direction only. The slowest direction has the rate z_min and the initial size ε. The
+/// initial size in a direction with the rate z is therefore ε^{Re z/Re z_min}. The displacements in all directions then
+/// reach order 1 at the same time.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -20,14 +21,14 @@
 
 namespace pseudorigid::mechanics {
 
-/// A displacement (x, y) of a state: `q` is the displacement x of the position, and `v` is y of the velocity.
+/// A displacement of a state. `q` is the displacement x of the position, and `v` is the displacement y of the velocity.
 struct PhaseVector {
   Eigen::VectorXd q, v;
   double rate = 0;  ///< growth or decay rate |Re z|
 };
 
-/// Returns a basis of the tangent space of the unstable manifold, or of the stable one if `unstable` is false. The
-/// fastest rates come first. The basis is empty if there is no such manifold.
+/// Returns a basis of the tangent space of the unstable manifold at p, or of the stable manifold if `unstable` is
+/// false. Vectors with the fastest rates come first. The basis is empty if the manifold consists of p alone.
 inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unstable) {
   constexpr double zero_rate = 1e-6;  // the value of zero_rate in critical_point.cpp
   const double zero = zero_rate * (p.rates.size() > 0 ? p.rates.cwiseAbs().maxCoeff() : 0);
@@ -59,9 +60,9 @@ inline std::vector<PhaseVector> both_ways(const std::vector<PhaseVector>& basis,
   return starts;
 }
 
-/// Returns n displacements (x, y). Each displacement has a component along each basis vector of at most the initial
-/// size defined at the top of this file, or 1e-12 if this is larger. The directions are at equal angles if the basis
-/// has two vectors. Otherwise they are random with a fixed seed. The basis must not be empty.
+/// Returns n displacements (x, y) = Σ c_i s_i e_i, with the basis vectors e_i and a unit vector c. The size s_i is the
+/// initial size defined at the top of this file, or 1e-12 if this is larger. If the basis has two vectors, the unit
+/// vectors c are at equal angles. Otherwise they are random with a fixed seed. The basis must not be empty.
 inline std::vector<PhaseVector> all_around(const std::vector<PhaseVector>& basis, int n, double epsilon) {
   constexpr double least = 1e-12;  // least size for a fast direction, above the round-off of q*
   std::vector<double> sizes;
@@ -72,7 +73,7 @@ inline std::vector<PhaseVector> all_around(const std::vector<PhaseVector>& basis
   for (int k = 0; k < n; ++k) {
     Eigen::VectorXd part(static_cast<Eigen::Index>(basis.size()));
     if (basis.size() == 2) {
-      // At multiples of π/2 the result is a basis vector, without round-off in the other component.
+      // If the angle of c is a multiple of π/2, c has the entries 0 and ±1 without round-off.
       const double quarters = 4.0 * k / n, whole = std::round(quarters),
                    angle = (quarters - whole) * std::numbers::pi / 2;
       const double c = std::cos(angle), s = std::sin(angle);

@@ -1,12 +1,12 @@
 #pragma once
-/// Morse's count of the critical points of a function V. Let D be a compact part of a manifold of dimension n, with V
-/// increasing outwards at its boundary. Let V have only nondegenerate critical points in D, c_k of them with index k.
-/// With the Betti numbers b_k of D (coefficients in Z/2),
+/// Morse's relations between the numbers of critical points of a function V. Let D be a compact part of a manifold of
+/// dimension n, with V increasing outwards at its boundary. Let all critical points of V in D be nondegenerate, and let
+/// c_k be the number of points with Morse index k. With the Betti numbers b_k of D (coefficients in Z/2),
 ///
 ///   Σ c_k t^k − Σ b_k t^k = (1 + t) Σ r_k t^k,   r_k ≥ 0      (Milnor, Morse Theory, 5)
 ///
-/// Therefore r_k = Σ_{j ≤ k} (−1)^{k−j}(c_j − b_j) ≥ 0 and r_n = 0. A list of points that violates this condition is
-/// not complete.
+/// Therefore r_k = Σ_{j ≤ k} (−1)^{k−j}(c_j − b_j) ≥ 0 and r_n = 0. A list of critical points that violates this
+/// condition is not complete.
 
 #include <span>
 #include <vector>

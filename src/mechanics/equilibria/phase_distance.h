@@ -1,5 +1,5 @@
 #pragma once
-/// Distance of a state (q, q̇) from a critical point (q₀, 0):
+/// Euclidean distance of a state (q, q̇) from a critical point (q₀, 0):
 ///
 ///   d = |(q − q₀, q̇)|,   with coordinates of a period P > 0 taken modulo P.
 

@@ -1,9 +1,10 @@
 #pragma once
-/// Special points along a family of relative equilibria. Each kind has a smooth test function, whose zero is located to
-/// round-off. The family is a curve of solutions of the equations F = 0, with the tangent t. The vector t₀ is a fixed
-/// tangent nearby. J is the angular momentum and Z the circulation.
+/// Special points along a family of relative equilibria. The family is a curve of solutions of equations F = 0, with
+/// the tangent t. Each kind of special point is a zero of a smooth test function, which can be located to round-off.
+/// Below, t₀ is the tangent at a fixed point nearby, J the angular momentum and Z the circulation. The functions of
+/// this header locate only index points and instabilities. The kinds of special points are
 ///
-///   fold          a quantity q of the family (its spin, a momentum) has an extremum: ∇q·t = 0
+///   fold          a quantity q of the family (angular velocity or a momentum) has an extremum: ∇q·t = 0
 ///   branch point  another branch of steady motions crosses:                          det[DF; t₀ᵀ] = 0
 ///   index         the number of negative eigenvalues of the second variation of the energy at fixed J and Z changes:
 ///                 the k-th eigenvalue in increasing order is zero, and a rate of the motion passes through 0. Without
@@ -13,14 +14,14 @@
 ///   instability   rates leave the imaginary axis or return to it: two rates of opposite energy collide (Krein), or a
 ///                 pair ±s collides at 0
 ///
-/// Beyond an instability the largest real part of the rates grows like a square root and is noisy. For the two
-/// colliding rates s, s', however,
+/// Beyond an instability, the largest real part of the rates grows like a square root, and the error of its value is
+/// large. For the two colliding rates s, s', however,
 ///
 ///     δ = Re (s − s')²
 ///
-/// is a smooth function of the parameter of the family. Before the collision δ is −(difference of frequencies)², and
-/// after the collision +(2 growth rate)². Rates with equal signs of the energy ½x̄ᵀSx (linear_stability.h; x is the
-/// vector of a rate) cannot collide and are omitted.
+/// is a smooth function of the parameter of the family. On the stable side of the collision, δ is −(difference of
+/// frequencies)². On the unstable side, δ is (2 growth rate)². Imaginary rates with equal signs of the energy ½x̄ᵀSx
+/// cannot leave the imaginary axis and are omitted. Here x is the eigenvector of a rate (linear_stability.h).
 
 #include <functional>
 #include <limits>
@@ -51,11 +52,11 @@ inline const char* name_of(SpecialKind kind) {
 
 struct SpecialPoint {
   SpecialKind kind;
-  double s;  ///< parameter in the searched interval
+  double s;  ///< value of the parameter at the special point
 };
 
-/// Returns the largest δ of two rates that can collide, divided by the square of the largest rate. Returns 0 if all
-/// rates are 0, and −∞ if no two rates can collide.
+/// Returns the largest δ of two rates that can collide, divided by the square of the largest |rate|. This is the test
+/// function of instabilities. Returns 0 if all rates are 0, and −∞ if no two rates can collide.
 inline double collision(const LinearStability& stability) {
   double largest = 0;
   for (const Rate& r : stability.rates) largest = std::max(largest, std::abs(r.s));
@@ -78,13 +79,13 @@ inline double collision(const LinearStability& stability) {
   return delta / (largest * largest);
 }
 
-/// A function that returns the linear stability of the motion at the parameter s of a curve of motions. The result is
-/// empty if there is no motion at s.
+/// A function that returns the linear stability of the relative equilibrium at the parameter s of a family. The result
+/// is empty if there is no relative equilibrium at s.
 using StabilityAlong = std::function<std::optional<LinearStability>(double s)>;
 
-/// Appends the zeros of the test functions for index and instability between a and b to `found`. Only zeros with a
-/// change of sign between a and b are found. If there is no motion at a or b, or if the numbers of eigenvalues at a and
-/// b differ, appends nothing. `resolution` is the relative resolution of s (bracketed_root.h).
+/// Appends the index points and instabilities between the parameters a and b to `found`. Finds only zeros of test
+/// functions that have opposite signs at a and b. If there is no relative equilibrium at a or b, or if the numbers of
+/// eigenvalues at a and b differ, appends nothing. `resolution` is the relative resolution of s (bracketed_root.h).
 inline void locate_changes_of_stability(const StabilityAlong& stability, double a, double b,
                                         std::vector<SpecialPoint>& found,
                                         double resolution = std::numeric_limits<double>::epsilon()) {
@@ -96,13 +97,14 @@ inline void locate_changes_of_stability(const StabilityAlong& stability, double 
   for (int k = least; k < most; ++k) {
     const auto eigenvalue = [&](double s) {
       const auto r = stability(s);
-      // Near a zero, round-off can decide whether a direction of a symmetry is removed.
+      // Near a zero, round-off can change the number of symmetry directions that are removed, and thus the number of
+      // eigenvalues.
       if (!r || r->second_variation.size() <= k) return nan;
       const double x = r->second_variation[k];
       return std::abs(x) <= zero_variation ? 0 : x;
     };
     const auto s = bracketed_root(eigenvalue, a, b, resolution);
-    // Skip a jump of the eigenvalue through 0, which is not a zero. Also skip a root at the same place as the last one,
+    // Skip a jump of the eigenvalue through 0, which is not a zero. Also skip a root at the place of the previous root,
     // because two eigenvalues of a spheroid vanish together.
     if (!s || std::abs(eigenvalue(*s)) > 1e-6 || std::abs(*s - last) <= 1e-7 * std::abs(b - a)) continue;
     found.push_back({SpecialKind::index, *s});

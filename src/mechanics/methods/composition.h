@@ -4,10 +4,11 @@
 ///
 ///   Ψ_h = Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h},   γ_i = γ_{s+1−i},   Σγ_i = 1.
 ///
-/// The composed method is symmetric. If Φ is symplectic, the composed method is symplectic too. The coefficients
-/// declare the order and the stability limit of the composed method. The limit is the largest hω for which the
-/// composition of Störmer–Verlet steps of a linear oscillator with frequency ω is stable. The limit was computed from
-/// the trace of the matrix of a step. If chosen_by_auto is true, Method = auto may choose the method.
+/// The composed method is symmetric. If Φ is symplectic, the composed method is symplectic too. A set of coefficients
+/// γ_i has the order and the stability limit of the composed method as members. The limit is the largest hω for which
+/// the composition is stable, if Φ is the Störmer–Verlet method for an oscillator ẍ = −ω²x. It was computed from the
+/// trace of the matrix of a composed step. If chosen_by_auto is true, the entry Method = auto of a scene may choose the
+/// method.
 
 #include <array>
 #include <cstddef>
@@ -75,7 +76,8 @@ struct Composition {
     return Base::accepts(system);
   }
 
-  /// Makes one step with its s substeps. Fails if a substep fails, and the state is then not valid.
+  /// Makes one step, which has s substeps of the method Φ = Base. Fails if a substep fails. The state is then not
+  /// valid.
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     for (const double gamma : Coefficients::gamma)

@@ -1,8 +1,8 @@
 #pragma once
 /// The explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince for q̈ = a(t, q, q̇). The method has error
 /// estimates of orders 5 and 3 and dense output of order 7. It is described in Hairer, Nørsett, Wanner, Solving
-/// Ordinary Differential Equations I, II.5, II.6 and II.10. The stages store only accelerations A_j, because q̇ = v. The
-/// coefficients are in dormand_prince_8_tableau.h:
+/// Ordinary Differential Equations I, II.5, II.6 and II.10. A step of size h starts at (t, q, v). Since q̇ = v, the
+/// stages are accelerations A_j. With the coefficients of dormand_prince_8_tableau.h,
 ///
 ///   A_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j
 ///   v_{n+1} = v_n + h Σ_j b_j A_j,   q_{n+1} = q_n + h v_n + h² Σ_j b̄_j A_j,   projected if the field has `project`
@@ -15,12 +15,12 @@
 /// Thus `tolerance` bounds the estimated local error of one step, relative to 1 + |q| and 1 + |v|. The global error is
 /// proportional to the tolerance, with a factor that depends on the motion. The size of the next step is h · min(6,
 /// max(1/3, 0.9 (tolerance/error)^{1/8})). If a step was shortened to end at a given time, the next size is at least
-/// the size before the shortening. A trial with error > tolerance is rejected. The next trial has 0.2 to 0.9 of its
-/// size. After a rejection, the next accepted trial does not increase the size.
+/// the size before the shortening. A trial step with error > tolerance is rejected, and the next trial has 0.2 to 0.9
+/// of its size. An accepted trial that follows a rejection does not increase the size of the next step.
 ///
-/// If the force or the projection fails in a trial, or the force is not finite, the next trial has a quarter of the
-/// size. If the size falls below the round-off of the time, the step fails. The increments of q and v are summed with
-/// compensation (vector_space.h).
+/// If the acceleration or the projection fails in a trial, or the acceleration is not finite, the next trial has a
+/// quarter of the size. If the size falls below the round-off of the time, the step fails. The increments of q and v
+/// are added with compensation (vector_space.h).
 
 #include <algorithm>
 #include <array>
@@ -58,15 +58,15 @@ struct DormandPrince8Workspace {
 
   typename F::Workspace system;
   double tolerance;
-  double h = 0;                    // length of the next step, negative backwards in time; 0: not yet chosen
-  double h_max = HUGE_VAL;         // bound of the length of a step
-  double t_start = 0, h_last = 0;  // time at the start of the last step, and its length
+  double h = 0;                    // size of the next step, negative backwards in time; 0: not yet chosen
+  double h_max = HUGE_VAL;         // largest |h| of a step
+  double t_start = 0, h_last = 0;  // start time and size of the last step
   Vector q_start, v_start, q_end, v_end;
   Vector q_rounding, v_rounding;          // remainders of the compensated sums of q and v
   Vector q_rounding_end, v_rounding_end;  // these remainders at the end of a trial step
   Vector q_stage, v_stage;
-  std::array<Vector, dop853::n_all_stages> A;  // A[12] is the acceleration at the end of the step
-  std::array<Vector, 4> dense_q, dense_v;      // F₃ … F₆ of the dense output (`evaluate`) for q and v
+  std::array<Vector, dop853::n_all_stages> A;  // accelerations at the stages; A[12] is that at the end of the step
+  std::array<Vector, 4> dense_q, dense_v;  // F₃ … F₆ of the dense output of q and v (DormandPrince8::evaluate)
   bool acceleration_known = false;  // true if A[12] is the acceleration at the state; clear it if you change the state
   bool dense_known = false;         // true if dense_q and dense_v belong to the last step
   Counters counters;
@@ -108,10 +108,10 @@ struct DormandPrince8 {
     return {};
   }
 
-  /// Makes one accepted step that ends at t_limit at the latest, or none if state.t is t_limit. The step goes backwards
-  /// if t_limit < state.t. Fails if the acceleration at the start fails or is not finite, if `tolerance` or `h_max` is
-  /// below round-off, or if trials fail down to the shortest step. A failure leaves the state unchanged. Every trial
-  /// counts as a substep.
+  /// Makes one accepted step that ends at t_limit at the latest. Does nothing if state.t is t_limit. The step goes
+  /// backwards in time if t_limit < state.t. Fails if the acceleration at the start fails or is not finite, if
+  /// `tolerance` or `h_max` is below round-off, or if trials fail down to the shortest step. A failure leaves the state
+  /// unchanged. Every trial step counts as a substep.
   template <SecondOrderField F>
   static Status step(const F& field, double t_limit, State<F>& state, Workspace<F>& w) {
     if (t_limit == state.t) return {};
@@ -138,8 +138,9 @@ struct DormandPrince8 {
     }
   }
 
-  /// Sets `out` to the state at the time t, by the polynomial of order 7 in θ = (t − t_n)/h. The last step begins at
-  /// t_n and has the size h. Fails if t is not within the last step, or if an additional stage or the projection fails.
+  /// Sets `out` to the state at the time t within the last step, by a polynomial of order 7 in θ = (t −
+  /// t_start)/h_last. Projects `out` if the field has `project`. Fails if t is not within the last step, or if an
+  /// additional stage or the projection fails.
   template <SecondOrderField F>
   static Status interpolate(const F& field, double t, State<F>& out, Workspace<F>& w) {
     const double theta = (t - w.t_start) / w.h_last;
@@ -165,8 +166,8 @@ struct DormandPrince8 {
     return field.acceleration(t, q, v, w.system, a);
   }
 
-  /// Computes the acceleration at the state and the size of the first step, unless both are known. Fails if the
-  /// tolerance is below round-off, or if the acceleration fails or is not finite.
+  /// Computes the acceleration at the state, and the size of the first step if it is not yet chosen. Does nothing if
+  /// both are known. Fails if the tolerance is below round-off, or if the acceleration fails or is not finite.
   template <class F>
   static Status start(const F& field, double t_limit, const State<F>& state, Workspace<F>& w) {
     if (w.acceleration_known && w.h != 0) return {};
@@ -181,10 +182,11 @@ struct DormandPrince8 {
     return {};
   }
 
-  /// Returns the size of the first step by Hairer, Nørsett, Wanner, II.4. With this size, h⁸ times the larger of the
-  /// norms of (v, a) and (a, ȧ) is a hundredth of the tolerance. Norms are relative to 1 + |q| and 1 + |v|, and count
-  /// as at least 1e-10. The size is at most 100 times a first guess and at most the distance to t_limit. If the
-  /// acceleration at the first guess fails or is not finite, the size is a hundredth of the guess.
+  /// Returns the size of the first step by Hairer, Nørsett, Wanner, II.4. With the size h, h⁸ times the larger of the
+  /// norms of (v, a) and (a, ȧ) is a hundredth of the tolerance. Here a is the acceleration at the start and ȧ an
+  /// estimate of its rate. The norms are relative to 1 + |q| and 1 + |v|, and count as at least 1e-10. The size is at
+  /// most 100 times a first guess and at most the distance to t_limit. If the acceleration at the first guess fails or
+  /// is not finite, the size is a hundredth of the guess.
   template <class F>
   static double first_step(const F& field, double t_limit, const State<F>& state, Workspace<F>& w) {
     const auto norm = [&](const auto& x, const auto& y) {
@@ -204,9 +206,9 @@ struct DormandPrince8 {
     return std::copysign(std::min({100 * h0, h1, longest}), direction);
   }
 
-  /// Computes the stages and sets `error` to the estimate divided by the tolerance. If error ≤ 1, also computes the
-  /// projected new state and its acceleration. All results except `error` are in the workspace. Fails if the
-  /// acceleration fails or is not finite, or if the projection fails.
+  /// Computes the stages of a step of size h, and sets `error` to the error estimate divided by the tolerance. If error
+  /// ≤ 1, also computes the projected new state and its acceleration. The state is not changed; the results are in the
+  /// workspace. Fails if the acceleration fails or is not finite, or if the projection fails.
   template <class F>
   static Status try_step(const F& field, double h, const State<F>& state, Workspace<F>& w, double& error) {
     ++w.counters.n_substeps;
@@ -242,7 +244,7 @@ struct DormandPrince8 {
     return {};
   }
 
-  /// Returns the number `error` defined at the head of this file. The caller divides it by the tolerance.
+  /// Returns the error estimate, `error` in the formulas at the head of this file.
   template <class F>
   static double estimate_error(double h, const State<F>& state, const Workspace<F>& w) {
     double q5 = 0, v5 = 0, q3 = 0, v3 = 0;
@@ -280,7 +282,7 @@ struct DormandPrince8 {
     return std::isfinite(a.squaredNorm()) ? Status() : Status::failure("the acceleration is not finite");
   }
 
-  /// Moves the state to the end of the trial of size h, and sets its time to t. The start of the step is kept for the
+  /// Sets the state to the end of the trial step of size h, and its time to t. Stores the start of the step for the
   /// dense output.
   template <class F>
   static void accept(double t, double h, State<F>& state, Workspace<F>& w) {
@@ -323,8 +325,9 @@ struct DormandPrince8 {
     }
   }
 
-  /// Sets y to the dense output y(θ) = y₀ + θ(F₀ + (1−θ)(F₁ + θ(F₂ + (1−θ)(F₃ + θ(F₄ + (1−θ)(F₅ + θF₆)))))). Hermite's
-  /// coefficients are F₀ = y₁ − y₀, F₁ = h y₀' − F₀ and F₂ = 2F₀ − h(y₀' + y₁'). F₃ … F₆ are in `dense`.
+  /// Sets y (q or v) to the dense output y(θ) = y₀ + θ(F₀ + (1−θ)(F₁ + θ(F₂ + (1−θ)(F₃ + θ(F₄ + (1−θ)(F₅ + θF₆)))))).
+  /// With the values y₀, y₁ and the rates y₀', y₁' at both ends, Hermite's coefficients are F₀ = y₁ − y₀, F₁ = h y₀' −
+  /// F₀ and F₂ = 2F₀ − h(y₀' + y₁'). F₃ … F₆ are in `dense`.
   template <class V>
   static void evaluate(double theta, double h, const V& y0, const V& y1, const V& rate0, const V& rate1,
                        const std::array<V, 4>& dense, V& y) {

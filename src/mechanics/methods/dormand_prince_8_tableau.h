@@ -6,9 +6,9 @@
 ///
 ///   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j,   ā = a·a,
 ///
-/// with the matrix a = (a_ij). The same product gives b̄ = b a for the new state and ē = e a for the error estimates.
-/// For the dense output the product gives d̄ = d a. Row 12 of a is b. Rows 13 to 15 are the additional stages of the
-/// dense output.
+/// with the matrix a = (a_ij). The weights of the velocity are b for the new state, e for an error estimate and d for
+/// the dense output. The weights of the position follow from the same product: b̄ = b a, ē = e a and d̄ = d a. Row 12
+/// of a is b. Rows 13 to 15 are the additional stages of the dense output.
 
 #include <array>
 
@@ -76,8 +76,8 @@ inline constexpr Rows<16> a_exact{
       7.68342119606259904184240953878L, 4.06898981839711007970213554331L, 3.56727187455281109270669543021e-1L, 0, 0, 0,
       -1.39902416515901462129418009734e-3L, 2.9475147891527723389556272149L, -9.15095847217987001081870187138L}}};
 
-/// `minus_b3` has the negative weights of the embedded formula of order 3, and `e5_exact` the weights of the error
-/// estimate of order 5.
+/// `minus_b3` has the negative weights of the embedded formula of order 3. The weights of the error estimate of order 3
+/// are b plus `minus_b3`. `e5_exact` has the weights of the error estimate of order 5.
 inline constexpr Row<long double> minus_b3{
     -0.244094488188976377952755905512L,   0, 0, 0, 0, 0, 0, 0, -0.733846688281611857341361741547L, 0, 0,
     -0.220588235294117647058823529412e-1L};
@@ -118,8 +118,8 @@ inline constexpr Rows<4> d_exact{
       -0.43533456590011143754432175058e2L, 0.96324553959188282948394950600e2L, -0.39177261675615439165231486172e2L,
       -0.14972683625798562581422125276e3L}}};
 
-/// Coefficients of the accelerations in a sum. `v` is the row x for velocities, and `q` is the row x̄ = x a for
-/// positions.
+/// Coefficients of the accelerations A_j in a sum. `v` is a row x of coefficients for velocities, and `q` is the row x̄
+/// = x a for positions.
 struct Pair {
   Row<double> v{}, q{};
 };

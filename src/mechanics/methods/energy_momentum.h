@@ -1,17 +1,18 @@
 #pragma once
 /// The method energy-momentum: a step of any size conserves energy, momenta and constraints up to round-off. The method
 /// uses the discrete gradients of O. Gonzalez (J. Nonlinear Sci. 6 (1996) 449), with constraints as in Physica D 132
-/// (1999) 165. The step is in phase space and also satisfies the constraint of the velocity. With X = (q, p) and p = M
-/// v, Hamilton's function is H = K(p) + V(q), and the force is f = −∇V. The constraints are g(q) = 0 and, for their
-/// rates, γ(X) = G(q) M⁻¹p = 0 with G = Dg. A step of size h from X₀ to X₁ is
+/// (1999) 165. The step also satisfies the constraint of the velocity. With X = (q, p) and p = M v, Hamilton's function
+/// is H = K(p) + V(q), and the force is f = −∇V. The constraints are g(q) = 0 and, for their rates, γ(X) = G(q) M⁻¹p =
+/// 0 with G = Dg. Δ denotes a change in a step. A step of size h from X₀ to X₁ is
 ///
 ///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,   X_m = (X₀ + X₁)/2,
 ///   ∇̄F = ∇F(X_m) + C,   C = ΠD + θP,   θ = [ΔF − (∇F(X_m) + ΠD)·ΔX]/|P|²,   P = Π ΔX,
 ///   D = ½[∇F(X₁ − P/2) + ∇F(X₀ + P/2)] − ∇F(X_m),
 ///
-/// with the canonical antisymmetric matrix 𝒥 and multipliers λ, μ. The projection Π acts on vectors and on covectors in
-/// the coordinates (q, v). Π removes the components of both along the orbit of the system's symmetries at X_m
-/// (orbit_complement.h). In these coordinates, with ∇F = (−A, M v + B) at X_m and C = (C_q, C_v):
+/// with the discrete gradient ∇̄F, the canonical antisymmetric matrix 𝒥 and multipliers λ, μ. The projection Π acts on
+/// vectors and on covectors in the coordinates (q, v). Π removes their components in the tangent space of the orbit of
+/// the symmetries at X_m (orbit_complement.h). In these coordinates, ∇F = (−A, M v + B) at X_m and C = (C_q, C_v). The
+/// step is then
 ///
 ///   A = f(q_m) + G(q_m)ᵀλ − D²g(q_m)(v_m, ·)ᵀμ,   B = G(q_m)ᵀμ,
 ///   Δv = h M⁻¹(A − C_q),   Δq = h [v_m + M⁻¹(B + C_v)].
@@ -24,27 +25,28 @@
 ///
 /// - The step is symmetric and of order 2: C = O(h²), μ = O(h²).
 ///
-/// - D is needed near relative equilibria, which are motions along the orbit with P = 0. X_m lies inside the arc of the
-/// motion, so ∇F(X_m) differs from ∇F on the arc by O(h²). Without D, θP would have to correct this difference, but θP
-/// has no limit as P → 0. The two points of D lie P/2 from the ends. A Cayley transform maps one point to the other if
-/// one group of rotations or translations acts. The same holds if both rotations of a body have one axis. Then θP is
-/// O(h|P|). Near a steady motion with two different axes θP is O(h²), and the iteration may need smaller steps.
+/// - D is needed near relative equilibria, which are motions along the orbit with P = 0. X_m is the middle of a chord
+/// of the motion, so ∇F(X_m) differs from ∇F on the motion by O(h²). Without D, θP would have to correct this
+/// difference, but θP has no limit as P → 0. If the symmetries are one group of rotations or translations, a Cayley
+/// transform of this group maps X₁ − P/2 to X₀ + P/2. The same holds if a body has the rotations of space and of the
+/// reference body, and both have the same axis. In these cases θP is O(h|P|). Near a steady motion with two different
+/// axes θP is O(h²), and the iteration may need smaller steps.
 ///
 /// Round-off. Let ν be the round-off of V. Then θP has the error ν/|P|. A step corrects only the part of the energy
-/// error that exceeds ν. Later steps include the remainder, so the total error stays about ν. The round-off of V is
-/// measured at every step, because terms of V cancel differently after a rotation of the body. A correction of pure
-/// round-off is harmless if it changes P by less than the fraction 10⁻⁴ in a step. If the largest ν so far is harmless,
-/// the step uses the first ν, otherwise the largest ν so far. On relative equilibria H is critical among the states
-/// with the same momenta. Therefore the energy is right to round-off without θ if |P| ≤ 10⁻⁷|ΔX|, and the step sets θ =
-/// 0. The round-off of the momenta is corrected as well (momentum_keeper.h).
+/// error that exceeds ν. The remainder is added to the energy error of the next step, so the total error remains about
+/// ν. The round-off of V is measured at every step, because terms of V cancel differently after a rotation of the body.
+/// A correction of pure round-off is harmless if it changes P by less than the fraction 10⁻⁴ in a step. If the largest
+/// ν so far is harmless, the step uses the first ν, otherwise the largest ν so far. A relative equilibrium is a
+/// critical point of H among the states with the same momenta. If |P| ≤ 10⁻⁷|ΔX|, the energy is therefore right to
+/// round-off without θ, and the step sets θ = 0. The round-off of the momenta is corrected as well (momentum_keeper.h).
 ///
 /// A Gauss–Seidel iteration on (Δv, Δq) solves the step. Each iteration makes the corrections
 ///
 ///   h G(q₁)M⁻¹G(q_m)ᵀ δλ = −γ(q₁, v₁),   G(q₁)M⁻¹G(q_m)ᵀ (h δμ + (h²/2) δλ) = −g(q₁)
 ///
-/// with the Gram matrix GM⁻¹Gᵀ. The iteration ends when the increments are round-off. The last iterations keep C
-/// constant, because a new C would add the round-off of V and of small components. Each iteration multiplies the error
-/// of an oscillation of frequency ω by (hω/2)².
+/// to the multipliers, with the corresponding changes of Δv and Δq. The iteration ends when the increments of Δv and Δq
+/// are round-off. The last iterations do not change θ and then C, because new values would contain other rounding
+/// errors. Each iteration multiplies the error of an oscillation of frequency ω by (hω/2)².
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +64,7 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// Returns the product λ·r of a multiplier and a residual, which are numbers if there is a single constraint.
+/// Returns the product λ·r of a multiplier and a residual. Both are numbers if there is a single constraint.
 inline double pairing(double lambda, double r) { return lambda * r; }
 template <class Multiplier>
 double pairing(const Multiplier& lambda, const Multiplier& r) {
@@ -89,8 +91,8 @@ struct EnergyMomentum {
   template <class S>
   static constexpr bool fits = ConservativeSystem<S>;
 
-  /// Returns a failure if a force dissipates energy or depends on velocity or time, because the energy is then not
-  /// constant.
+  /// Returns a failure if a force dissipates energy or depends on velocity or time. The energy would then not be
+  /// constant in general.
   template <ConservativeSystem S>
   static Status accepts(const S& system) {
     if (dissipative(system) || velocity_dependent(system) || time_dependent(system))
@@ -100,7 +102,7 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Makes one substep. Fails if the force, the constraint or a Gram solve fails, or if the iteration does not
+  /// Makes one step of size h. Fails if the force, the constraint or a Gram solve fails, or if the iteration does not
   /// converge. A failed step leaves the state unchanged.
   template <ConservativeSystem S>
   static Status advance(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
@@ -123,8 +125,8 @@ struct EnergyMomentum {
       axpy(-1.0, w.dv, w.dv_before);
       const double increment = std::max(max_norm(w.dq_before), max_norm(w.dv_before));
       const double step = std::max(max_norm(w.dq), max_norm(w.dv));
-      // The first iterations compute θ and C anew. When round-off stops the decrease of the increments, θ is kept. When
-      // the increments are small, or stop decreasing again, C is kept as well.
+      // The first iterations compute θ and C anew. When round-off stops the decrease of the increments, θ is no longer
+      // changed. When the increments are small, or stop decreasing again, C is no longer changed either.
       if (w.hold < 2 && (monitor.stalled(increment, 1e-6 * step) || increment <= 1e-14 * step)) {
         w.hold = increment <= 1e-14 * step ? 2 : w.hold + 1;
         monitor.start_again();
@@ -136,7 +138,7 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Does nothing, because velocities satisfy G v = 0 after every substep.
+  /// Does nothing, because the velocity satisfies G v = 0 after every step.
   template <ConservativeSystem S>
   static Status project_velocity(const S&, State<S>&, EnergyMomentumWorkspace<S>&) {
     return {};
@@ -146,7 +148,8 @@ struct EnergyMomentum {
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   /// The ratio |P|/|ΔX| below which the motion counts as a relative equilibrium.
   static constexpr double relative_equilibrium = 1e-7;
-  /// Largest |hθ| for which a correction of pure round-off is harmless, because it hardly changes the increments.
+  /// Largest |hθ| for which a correction of pure round-off is harmless. Such a correction changes P by at most this
+  /// fraction.
   static constexpr double harmless = 1e-4;
 
   static Status does_not_converge(double increment) {
@@ -156,8 +159,8 @@ struct EnergyMomentum {
   }
 
   /// Returns the largest change of V among five fixed small changes of q. Change k adds (7i + 3k) mod 5 − 2 units to
-  /// entry i = 1, 2, … of q, and a unit is 2ε max|q_i|. The round-off of V alone does not show the round-off of its
-  /// terms, which may be larger and cancel.
+  /// entry i = 1, 2, … of q, and a unit is 2ε max|q_i|. The terms of V may be larger than V and cancel. Changes of q
+  /// therefore show their round-off better than ε|V|.
   template <ConservativeSystem S>
   static double noise_of_potential(const S& system, const typename S::Vector& q) {
     const double V = system.potential_energy(q), unit = 2 * epsilon * max_norm(q);
@@ -171,8 +174,8 @@ struct EnergyMomentum {
     return noise;
   }
 
-  /// Sets the initial guess: ΔX from the acceleration of the last step, λ by extrapolation, and μ = 0. In the first
-  /// step of a run this acceleration is 0.
+  /// Sets the initial guess of the iteration: ΔX from the acceleration of the last step, λ by extrapolation, and μ = 0.
+  /// In the first step of a run, the acceleration is taken as 0.
   template <ConservativeSystem S>
   static void predict(double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     w.dv = w.acceleration;
@@ -195,8 +198,8 @@ struct EnergyMomentum {
     axpy(1.0, w.dv, w.v_end);
   }
 
-  /// Computes new Δv and Δq from their values and the multipliers of the previous iteration. Fails if a force or the
-  /// constraint fails.
+  /// Computes new Δv and Δq from the Δv, Δq, λ and μ of the previous iteration. Fails if a force or the constraint
+  /// fails.
   template <ConservativeSystem S>
   static Status improve(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     w.q_middle = state.q;
@@ -244,8 +247,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Sets C = Π D + θ P, with D = 0 if the system has no symmetries. Computes θ if w.hold is 0. Otherwise θ keeps its
-  /// value. P is computed from ΔX. Fails if a force or the constraint fails.
+  /// Sets C = Π D + θ P, with D = 0 if the system has no symmetries. Computes P from ΔX, and θ if w.hold is 0.
+  /// Otherwise θ does not change. On entry (w.A, w.B) are those at X_m. Fails if a force or the constraint fails.
   template <ConservativeSystem S>
   static Status correct(const S& system, double h, double t, EnergyMomentumWorkspace<S>& w) {
     w.P_q = w.dq;
@@ -278,7 +281,8 @@ struct EnergyMomentum {
 
   /// Sets θ from the part of the energy error that exceeds ν. Sets θ = 0 near a relative equilibrium. Fails if the
   /// constraint fails. The energy error is ΔF − (∇F(X_m) + ΠD)·ΔX plus a bounded part of the error of earlier steps.
-  /// The covectors ∇F(X_m) and ΠD vanish along the orbit, so their products with ΔX and with P are equal.
+  /// The covectors ∇F(X_m) and ΠD vanish on the tangent space of the orbit, so their products with ΔX and with P are
+  /// equal.
   template <ConservativeSystem S>
   static Status set_theta(const S& system, double h, double P, EnergyMomentumWorkspace<S>& w) {
     w.theta = 0;
@@ -299,8 +303,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Corrects the end state such that g(q₁) = 0 and γ(q₁, v₁) = 0 to first order, by reactions at q_m. Does nothing
-  /// without constraints. Fails if the constraint or a Gram solve fails.
+  /// Corrects (q₁, v₁), λ and μ such that g(q₁) = 0 and γ(q₁, v₁) = 0 to first order. The reactions act at q_m. Does
+  /// nothing without constraints. Fails if the constraint or a Gram solve fails.
   template <ConservativeSystem S>
   static Status constrain(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {
@@ -320,7 +324,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Solves G(q₁)M⁻¹G(q_m)ᵀ δ = −residual, and sets B = M⁻¹G(q_m)ᵀ δ. Fails if the Gram solve fails.
+  /// Sets w.delta to the solution δ of G(q₁)M⁻¹G(q_m)ᵀ δ = −w.residual, and w.B to M⁻¹G(q_m)ᵀ δ. Changes w.residual.
+  /// Fails if the Gram solve fails.
   template <ConservativeSystem S>
   static Status react(const S& system, EnergyMomentumWorkspace<S>& w) {
     scale(-1.0, w.residual);
@@ -333,8 +338,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Adds (Δq, Δv) to the state, and restores the momenta. Adds the energy error of the step to w.energy_gained, and
-  /// stores the values from which the next step predicts its guess.
+  /// Adds (Δq, Δv) to the state, and restores the momenta. Adds the energy error of the step to w.energy_gained. Stores
+  /// the acceleration and the multipliers for the guess of the next step.
   template <ConservativeSystem S>
   static void accept(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
     const double K_start = system.kinetic_energy(state.v);

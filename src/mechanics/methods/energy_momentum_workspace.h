@@ -1,8 +1,7 @@
 #pragma once
-/// The vectors and numbers that the method energy-momentum keeps during an integration. The state X = (q, p), with the
-/// momentum p = M v, has the values X₀, X_m and X₁ at the start, the middle and the end of a step. The changes in a
-/// step are Δq and Δv. The multipliers of the constraints g = 0 and γ = ġ = 0 are λ and μ. The header energy_momentum.h
-/// has the formulas with A, B, C, P and θ.
+/// The workspace of the method energy-momentum. The state X = (q, p), with the momentum p = M v, has the values X₀, X_m
+/// and X₁ at the start, the middle and the end of a step. The changes in a step are Δq and Δv. The multipliers of the
+/// constraints g = 0 and γ = ġ = 0 are λ and μ. The formulas for A, B, C, P and θ are in energy_momentum.h.
 
 #include "mechanics/core/conservative_system.h"
 #include "mechanics/core/orbit_complement.h"
@@ -58,10 +57,10 @@ struct EnergyMomentumWorkspace {
   OrbitComplement<S> orbit;
   MomentumKeeper<S> momenta;
   double V_start = 0, theta = 0;  // V at the start of the step; θ of the formulas
-  int hold = 0;                   // 1: θ keeps its value during the iteration; 2: θ and C keep their values
-  double energy_gained = 0;       // energy error since the first step
-  double first_noise = -1;        // round-off of V near the first state; negative: not yet measured
-  double largest_noise = 0;       // largest round-off of V near the states so far
+  int hold = 0;                   // 1: the iteration no longer changes θ; 2: it no longer changes θ and C
+  double energy_gained = 0;       // sum of the energy errors of all steps
+  double first_noise = -1;        // round-off of V at the first state; negative: not yet measured
+  double largest_noise = 0;       // largest round-off of V at the states so far
   Counters counters;
 
   /// Passes each member that a checkpoint must contain to `visit`.

@@ -1,6 +1,6 @@
 #pragma once
-/// Test for the end of a fixed-point iteration x ← Φ(x). The increments decrease by a constant factor until they
-/// consist of round-off.
+/// Test for the end of a fixed-point iteration x ← Φ(x). The increments are the norms of Φ(x) − x. If the iteration
+/// converges, they decrease by about a constant factor until they consist of round-off.
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// Decides after each increment if the iteration is done, goes on, or is stuck. `stalled` detects a decrease that
-/// round-off has stopped.
+/// Decides after each increment if the iteration is done, goes on, or is stuck. `stalled` detects that the increments
+/// no longer decrease because of round-off.
 struct FixedPointMonitor {
   static constexpr int max_iterations = 150;
   double previous = HUGE_VAL, least = HUGE_VAL;
@@ -23,16 +23,16 @@ struct FixedPointMonitor {
     least = std::min(least, increment);
     return n_since_least >= 3 && increment <= limit;
   }
-  /// Discards all increments, because the caller has changed Φ. The number of iterations is kept.
+  /// Forgets all increments; call this function after a change of Φ. The number of iterations is not reset.
   void start_again() {
     previous = least = HUGE_VAL;
     n_since_least = 0;
   }
 
   /// Judges an increment. `round_off` is the bound of increments that consist of round-off. The iteration is done if
-  /// the increment is at most `round_off`. It is also done if the increment is at most 30 · `round_off` and has not
-  /// decreased. The iteration is stuck if an increment of at least 1e-3 internal units has grown tenfold. It is also
-  /// stuck after a NaN, or if 150 iterations are not enough.
+  /// the increment is at most `round_off`. It is also done if the increment is at most 30 · `round_off` and not smaller
+  /// than the previous one. The iteration is stuck if an increment of at least 1e-3 internal units is at least ten
+  /// times the previous one. It is also stuck after a NaN, or if 150 iterations are not enough.
   ConvergenceMonitor::Verdict judge(double increment, double round_off) {
     using Verdict = ConvergenceMonitor::Verdict;
     if (increment <= round_off || (increment >= previous && increment <= 30 * round_off)) return Verdict::done;

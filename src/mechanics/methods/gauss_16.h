@@ -1,35 +1,35 @@
 #pragma once
 /// Gauss collocation with 8 stages, of order 16, for q̈ = a(t, q, q̇). It is described in Hairer, Lubich, Wanner,
-/// Geometric Numerical Integration, II.1 and IV.2. Stages in the lanes of vectors are an idea of Antoñana, Alberdi,
-/// Makazaga and Murua. With the step h, the accelerations a_j of the stages, the coefficients of gauss_coefficients.h
-/// and A = (a_ij),
+/// Geometric Numerical Integration, II.1 and IV.2. The computation of the stages in the lanes of SIMD vectors is an
+/// idea of Antoñana, Alberdi, Makazaga and Murua. With the step h, the accelerations a_j of the stages, and the
+/// coefficients c_i, b_j and A = (a_ij) of gauss_coefficients.h,
 ///
 ///   a_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij a_j,   q_i = q + h c_i v + h² Σ_j (A²)_ij a_j
 ///   v_{n+1} = v + h Σ_j b_j a_j,    q_{n+1} = q + h v + h² Σ_j b_j (1 − c_j) a_j
 ///
 /// The method is symmetric. It is symplectic if the mass is constant and there is no constraint. Momenta that are
 /// bilinear in q and v are conserved up to round-off if the stages are iterated to round-off. Examples are the angular
-/// momentum J and the circulation Z of a body. Forces may depend on velocity and time and may dissipate. A system with
-/// constraints is integrated with its explicit multiplier (explicit_multiplier.h). The multiplier keeps g = 0 to the
-/// error of the step. Every 32 steps, and before a state is observed, the state is projected. With the mass M, G = Dg
-/// and multipliers δ and μ, the projection is
+/// momentum J and the circulation Z of a body. Forces may depend on velocity and time and may dissipate energy. A
+/// system with constraints g = 0 is integrated with its explicit multiplier (explicit_multiplier.h), so each step
+/// satisfies g = 0 up to the error of the step. Every 32 steps, and before each sample, the state is projected. With
+/// the mass M, G = Dg and multipliers δ and μ, the projection is
 ///
 ///   q ← q + M⁻¹Gᵀδ,   v ← v − M⁻¹D²(δ·g)(v),   then  v ← v + M⁻¹Gᵀμ.
 ///
-/// The first change of v is the lift of the projection of q to the momenta. Therefore the angular momentum J does not
-/// change in first order of δ.
+/// The first change of v is the cotangent lift of the change of q. Therefore the angular momentum J does not change in
+/// first order of δ.
 ///
-/// The stages are found by iteration (gauss_iteration.h). The initial guess is the polynomial through the stages of the
-/// last step. If the iteration does not converge, the step is made in two halves. The halves can be halved again, and
-/// so on. A step is also halved if its estimated error exceeds `tolerance`, because the polynomial through its stages
-/// then does not resolve the motion. The estimate uses the Legendre coefficients of the highest orders of the stages.
-/// The coefficients and therefore the halved steps do not depend on the direction of time.
+/// The stages are found by iteration (gauss_iteration.h). The initial guess is extrapolated by the polynomial through
+/// the stages of the last step. If the iteration does not converge, the step is made in two halves, which can be halved
+/// again. A step is also halved if its estimated error exceeds `tolerance`, because the polynomial through its stages
+/// then does not resolve the motion. The estimate uses the Legendre coefficients of highest order of this polynomial.
+/// Their absolute values do not depend on the direction of time, so the halving preserves the symmetry of the method.
 ///
-/// Coefficients and sums of q and v have more than double precision. Let the stages be iterated to round-off, and let
-/// the step resolve the motion. Then the errors of a step are random and below the round-off of the state. Momenta and
-/// energy then do not drift. If the step does not resolve the motion, the energy has the error of the step. If the
-/// stages are iterated to a tolerance, the momenta have the error of the iteration. The energy then has the errors of
-/// the iteration and of the step. The tolerance of the iteration alone does not bound the error of the energy.
+/// The coefficients and the sums for q and v have more than double precision. Let the stages be iterated to round-off,
+/// and let the step resolve the motion. The errors of a step are then random and below the round-off of the state, and
+/// momenta and energy do not drift. If the step does not resolve the motion, the energy has the error of the step. If
+/// the stages are iterated to a tolerance, the momenta have the error of the iteration. The energy then has the errors
+/// of the iteration and of the step. The tolerance of the iteration alone does not bound the error of the energy.
 
 #include <algorithm>
 #include <cmath>
@@ -61,21 +61,21 @@ struct Gauss16Workspace {
         scratch(GaussStages::n_scratch * n_entries) {}
 
   typename Field::Workspace system;
-  /// Bound of the estimated error of a step; a step with a larger error is halved. The default only requires that the
-  /// polynomial resolves the motion.
+  /// Bound of the estimated error of a step. A step with a larger error is halved. The default halves only steps in
+  /// which the polynomial does not resolve the motion.
   double tolerance = coarsest_tolerance;
   static constexpr double coarsest_tolerance = 1e-2;
-  int most_halvings = 40;  ///< largest number of halvings of a step. If 0, a step that does not converge fails.
-  /// Bound of the error of the accelerations at which the iteration on the stages ends. If it is 0, the bound is the
-  /// round-off of the accelerations divided by 4096.
+  int most_halvings = 40;  ///< Largest number of successive halvings of a step. If 0, a step without convergence fails.
+  /// Error of the accelerations at which the iteration on the stages ends. If this tolerance is 0, the iteration ends
+  /// at the round-off of the accelerations divided by 4096.
   double iteration_tolerance = 0;
   Vector q_rounding, v_rounding;  // remainders of q and v, which are sums in extended precision
   Vector change;
   std::size_t n_entries;
-  std::vector<OfStages> last, stages, sums, scratch;  // `last` has the stages of the last step or part
+  std::vector<OfStages> last, stages, sums, scratch;  // `last` has the stages of the last step or part of a step
   GaussTables tables;
-  double h_last = 0;      // length of the last step or part of a step; 0: there was none
-  double scale = 0;       // largest acceleration in the first iteration of the last step or part
+  double h_last = 0;      // size of the last step or part of a step; 0: there was none
+  double scale = 0;       // largest acceleration in the first iteration of the last step or part of a step
   int n_halvings = 0;     // largest number of halvings in the last call of `advance`
   int n_unprojected = 0;  // number of calls of `advance` since the last projection
   Counters counters;
@@ -103,31 +103,32 @@ struct Gauss16 {
       "systems. Momenta are kept to round-off if Step is given, else to a part of Tolerance";
   static constexpr int order = 16;
   static constexpr int n_stages = gauss::n_stages;
-  /// Returns the cost of a step for the search of the step. The unit is the cost of one force evaluation.
+  /// Returns the cost of a step, which the step search uses. The unit is the cost of one force evaluation.
   template <class S>
   static double forces_of_step(const S& system) {
     constexpr double n_iterations = 7;  // the number is 4 to 9, and depends on the tolerance and the system
     return n_iterations * cost_of_iteration(field_of(system));
   }
 
-  /// Returns the permitted error e of the accelerations, for the tolerance of the configuration and a run of length T =
-  /// `end`. Runs of a pseudo-rigid body, a rigid body and the double pendulum were measured, with T = 100 and 3000. The
-  /// energy fell at a rate of 1e-3 to 5e-2 times e|v|, with the velocity v. The error of the configuration was at most
-  /// 0.03 e T². For the returned e, this error is less than a sixth of the tolerance.
+  /// Returns the permitted error e of the accelerations at the end of the iteration, for a run of length T = `end`.
+  /// `tolerance` is the permitted error of the configuration. In measured runs with T = 100 and 3000, the energy fell
+  /// at a rate of 1e-3 to 5e-2 times e|v|, with the velocity v. The systems were a pseudo-rigid body, a rigid body and
+  /// the double pendulum. The error of the configuration was at most 0.03 e T². For the returned e, this error is less
+  /// than a sixth of the tolerance.
   static double iteration_tolerance(double tolerance, double end) { return 5 * tolerance / (end * end); }
 
-  /// Method = auto considers the method only for systems that evaluate their stages in lanes.
+  /// The entry Method = auto considers this method only for systems that evaluate their stages in lanes.
   static constexpr bool for_stages_in_lanes = true;
   static constexpr bool symplectic = false, symmetric = true;
   static constexpr bool adaptive = false, chosen_by_auto = true;
-  /// Largest hω for which the stages need at most a dozen iterations, with the frequency ω of an oscillation. The
-  /// iteration converges for hω < 11, the inverse of the spectral radius of A.
+  /// Largest hω for which the stages of an oscillation with frequency ω need at most a dozen iterations. The iteration
+  /// converges for hω < 11, the inverse of the spectral radius of A.
   static constexpr double stability_limit = 4;
 
   template <class S>
   using Workspace = Gauss16Workspace<S>;
-  /// True for systems with dense vectors and cheap forces. Large systems do not benefit from a method that stores eight
-  /// accelerations and needs sixty force evaluations for a step.
+  /// True for systems with dense vectors whose force is not costly (has_costly_force). Large systems do not benefit
+  /// from a method that stores eight accelerations and needs sixty force evaluations for a step.
   template <class S>
   static constexpr bool fits = [] {
     if constexpr (!ConstrainedSystem<S> && !SecondOrderField<S>)
@@ -144,14 +145,13 @@ struct Gauss16 {
   }
 
   /// Makes one step, and projects the state if 32 steps have been made since the last projection. Fails if the
-  /// projection fails, if the stages cannot be found after all permitted halvings, or if the step is not finite. The
-  /// reason for missing stages may be the force.
+  /// projection fails, if the stages cannot be found after all permitted halvings, or if h is not finite. The stages
+  /// cannot be found if the force fails, for example.
   template <class S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     // A step starts with one halving less than the last step, but with at least 0 and at most 2 halvings. In a violent
-    // phase of the motion, the first trial is then a part of the step. The trial of the whole step, which would
-    // probably fail, is omitted.
-    constexpr int most_expected = 2;  // small, because all parts of the step have at least this depth
+    // phase of the motion, this omits the trial of the whole step, which would probably fail.
+    constexpr int most_expected = 2;  // small, because all parts of the step are halved at least n_expected times
     const int n_expected = std::clamp(w.n_halvings - 1, 0, most_expected);
     w.n_halvings = 0;
     if (Status status = advance_in_parts(system, {h, h, 0}, n_expected, state, w); !status) return status;
@@ -183,9 +183,9 @@ struct Gauss16 {
     int depth;
   };
 
-  /// Makes the part as one step if it has been halved n_expected times or more and its stages are found. Otherwise
-  /// makes two halves. Fails if the stages are not found in a part that must not be halved again, or if the step is not
-  /// finite.
+  /// Advances the state by one part of a step. If the part has been halved n_expected times or more and its stages are
+  /// found, it is one step of the method. Otherwise it is made in two halves. Fails if the stages of a part that must
+  /// not be halved again are not found, or if h is not finite.
   template <class S>
   static Status advance_in_parts(const S& system, Part part, int n_expected, State<S>& state, Workspace<S>& w) {
     const auto [outer_h, h, depth] = part;
@@ -223,8 +223,8 @@ struct Gauss16 {
             .scale = w.scale};
   }
 
-  /// Makes the step if its stages are found and its estimated error is permitted, and then sets `found` to true.
-  /// Returns a failure only if the force fails.
+  /// Makes the step of size h and sets `found` to true, if its stages are found and its estimated error is permitted.
+  /// Otherwise the state does not change, and `found` remains false. Fails only if the force fails.
   template <class S>
   static Status step(const S& system, double outer_h, double h, State<S>& state, Workspace<S>& w, bool& found) {
     ++w.counters.n_substeps;
@@ -247,9 +247,9 @@ struct Gauss16 {
     return {};
   }
 
-  /// Sets the guess of the stages to the polynomial of the last step. At the first step, the guess is the acceleration
-  /// at the state. The acceleration is also the guess if the step is at least 1.5 times as long as the last step, or
-  /// has the opposite sign. Fails if the acceleration fails.
+  /// Prepares the guess of the stages: the polynomial through the stages of the last step. At the first step, the guess
+  /// is the acceleration at the state in all stages. The same guess is used if the step is at least 1.5 times as long
+  /// as the last step, or has the opposite sign. Fails if this acceleration cannot be computed.
   template <class F>
   static Status begin(const F& field, const State<F>& state, auto& w, GaussStages& s) {
     constexpr double longest_look = 1.5;
@@ -273,9 +273,9 @@ struct Gauss16 {
     return same_step(ratio, power) ? power : ratio;
   }
 
-  /// Returns the estimated error of a step. If the Legendre coefficients fall like ρᵏ with the order k, s.tail is about
-  /// ρ^6.5 and the error ρ^16. The factor 1e3 was fitted to motions of a pseudo-rigid body, whose configurations are
-  /// the group SL(3).
+  /// Returns the estimated error of a step, 1000 s.tail^2.5. If the Legendre coefficients fall like ρᵏ with the order
+  /// k, s.tail is about ρ^6.5 and the error is proportional to ρ^16. The factor 1000 was fitted to motions of an
+  /// incompressible pseudo-rigid body.
   static double error_of(const GaussStages& s) { return 1e3 * s.tail * s.tail * std::sqrt(s.tail); }
 
   /// Returns the failure of the force at a stage or at the state. If the force does not fail, returns a failure with
@@ -294,8 +294,9 @@ struct Gauss16 {
     return Status::failure("the stages of a step cannot be found by iteration; use a smaller step");
   }
 
-  /// Adds the sums in extended precision, and keeps the rounding errors for the next step. In double precision, the
-  /// round-off of h v and of the sums would make energy and momenta drift by 10⁻¹⁸ per step.
+  /// Adds the increments to q and v in extended precision, and stores the remainders for the next step. In double
+  /// precision, the round-off of h v and of the sums would make energy and momenta drift by 10⁻¹⁸ per step, in internal
+  /// units.
   template <class S>
   static void add_sums(const GaussStages& s, State<S>& state, Workspace<S>& w) {
     using Real = gauss::Real;

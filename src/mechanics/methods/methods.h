@@ -1,12 +1,12 @@
 #pragma once
-/// The table of methods, for code that chooses a method at run time. To add a method, write a header and add one line
-/// to the table.
+/// The table of methods, for code that chooses a method at run time. A new method needs its own header and one line in
+/// the table.
 ///
 /// A method is an empty struct with these members:
 ///
 ///     name, documentation                  as shown in parameter files
 ///     order, n_stages, symplectic, symmetric, adaptive
-///     chosen_by_auto                       true if Method = auto may choose the method
+///     chosen_by_auto                       true if the entry Method = auto may choose the method
 ///     Workspace<S>                         with `system`, `counters` and visit_memory (memory.h)
 ///     fits<S>                              true if the method compiles for a system of type S
 ///     takes_any_vector                     optional, true if the method needs only the operations of VectorSpace
@@ -14,12 +14,12 @@
 ///
 /// A method with steps of fixed size (adaptive = false) also has
 ///
-///     stability_limit                      largest hω of a step h, with the largest frequency ω of small motions
-///     resonance_limit                      optional, a smaller bound on hω for the steps that a search tries
+///     stability_limit                      largest stable hω of a step h; ω is the largest frequency of small motions
+///     resonance_limit                      optional, hω of the first resonance (multistep_coefficients.h)
 ///     forces_of_step(system)               optional, cost of a step in force evaluations; the default is n_stages
 ///     for_stages_in_lanes                  optional, declared if Method = auto needs a system with stages in lanes
-///     advance(system, h, state, workspace) → Status            makes one step; the velocity may lack its projection
-///     project_velocity(system, state, workspace) → Status      makes the velocity valid, needed at samples
+///     advance(system, h, state, workspace) → Status            makes one step; v need not satisfy G v = 0
+///     project_velocity(system, state, workspace) → Status      makes v satisfy G v = 0, called at samples
 ///
 /// A method that chooses the sizes of its steps (adaptive = true) has instead
 ///
@@ -44,7 +44,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// The methods. Within each family the order increases.
+/// All methods. Within each family the order of accuracy increases.
 using MethodTable = std::tuple<Rattle,          //
                                Rattle4,         //
                                Rattle6,         //
@@ -56,7 +56,7 @@ using MethodTable = std::tuple<Rattle,          //
                                Gauss16,         //
                                DormandPrince8>;
 
-/// The traits that every method must declare. If a method of the table lacks one, the compiler reports an error.
+/// The traits that every method must declare. The compiler reports an error if a method of the table lacks a trait.
 template <class M>
 concept DeclaresTraits = requires {
   { M::name } -> std::convertible_to<std::string_view>;
@@ -71,8 +71,8 @@ static_assert([]<class... Methods>(std::tuple<Methods...>*) { return (DeclaresTr
                   static_cast<MethodTable*>(nullptr)),
               "a method of the table leaves out a trait");
 
-/// Largest hω of the steps that a search tries, without a safety factor. The value is the stability limit, or the first
-/// resonance if this is smaller (multistep_coefficients.h).
+/// Largest hω of the steps that a search for the step tries, without a safety factor. The value is the smaller of the
+/// stability limit and the resonance limit, if there is one.
 template <class Method>
 inline constexpr double step_limit = [] {
   if constexpr (requires { Method::resonance_limit; })
@@ -81,7 +81,7 @@ inline constexpr double step_limit = [] {
     return Method::stability_limit;
 }();
 
-/// The position of a method in the table identifies the method.
+/// The position of a method in the table, which identifies the method.
 enum class MethodId : std::size_t {};
 
 namespace detail {
@@ -104,7 +104,7 @@ constexpr void for_each_method(Visitor&& visitor) {
   std::apply([&](auto... method) { (visitor(method), ...); }, MethodTable{});
 }
 
-/// Calls visitor(Method{}) for the method `id`, and returns the visitor's result.
+/// Calls visitor(Method{}) for the method `id`, and returns the result of this call.
 template <class Visitor, std::size_t place = 0>
 constexpr decltype(auto) with_method(MethodId id, Visitor&& visitor) {
   using Method = std::tuple_element_t<place, MethodTable>;

@@ -2,8 +2,8 @@
 /// Correction of the round-off of the momenta p_i = ⟨M v, ξ_i(q)⟩, for a method that conserves them. Here M is the
 /// mass, q the position, v the velocity, and ξ_i(q) the velocity field of the i-th symmetry. By round-off, each step
 /// changes the momenta by about 10⁻¹⁸ in internal units, and these errors would accumulate. If the error of a momentum
-/// exceeds the round-off of this momentum, the correction changes the velocity along the orbit of the symmetries. In
-/// the metric of the kinetic energy this is the smallest change that restores the momenta:
+/// exceeds the round-off of this momentum, the correction changes the velocity along the fields ξ_i. In the metric of
+/// the kinetic energy, the correction is the smallest change that restores the momenta:
 ///
 ///   v ← v + Σ α_i ξ_i(q),   Σ_j ⟨M ξ_i, ξ_j⟩ α_j = p_i(0) − p_i,
 ///
@@ -24,8 +24,8 @@ namespace pseudorigid::mechanics {
 namespace detail {
 
 /// Returns the solution α of Σ_j gram_ij α_j = lost_i with the least norm. A pivot of at most 10⁻⁸ times the largest
-/// pivot counts as zero. Combinations of symmetries that do not move the body do not contribute to α. An example is a
-/// rotation of space and of the body about a common axis.
+/// pivot counts as zero. The matrix is singular if a combination of symmetries does not move the body. An example is a
+/// rotation of space and an opposite rotation of the body about the same axis.
 Eigen::VectorXd least_solution(const Eigen::MatrixXd& gram, const Eigen::VectorXd& lost);
 
 }  // namespace detail
@@ -41,7 +41,7 @@ class MomentumKeeper {
         unused_(momentum_),
         start_(xi_.size()) {}
 
-  /// Stores the momenta of the state at the first call, and does nothing later. `keep` restores the stored momenta.
+  /// Stores the momenta of the state at the first call. Later calls do nothing. `keep` restores the stored momenta.
   void begin(const S& system, const State<S>& state) {
     if (known_) return;
     known_ = true;
@@ -49,8 +49,9 @@ class MomentumKeeper {
     for (std::size_t i = 0; i < xi_.size(); ++i) start_[i] = dot(momentum_, xi_[i]);
   }
 
-  /// Corrects state.v by the formula at the head of this file. v_rounding is the remainder of the compensated sum of
-  /// state.v. Does nothing without symmetries, or if all errors of momenta are round-off.
+  /// Corrects state.v by the formula at the head of this file. `v_rounding` is the remainder of the compensated sum
+  /// state.v. Does nothing if there are no symmetries, or if the errors of all momenta are round-off. Call `begin`
+  /// before.
   void keep(const S& system, State<S>& state, Vector& v_rounding) {
     const auto n = static_cast<Eigen::Index>(xi_.size());
     if (n == 0) return;
@@ -82,7 +83,7 @@ class MomentumKeeper {
       system.symmetry(static_cast<int>(i), state.q, state.v, xi_[i], unused_);
   }
 
-  /// Adds Σ α_i ξ_i to the velocity, such that the momenta increase by `lost`.
+  /// Adds Σ α_i ξ_i to the velocity, such that momentum i increases by lost[i].
   void give_back(const S& system, const Eigen::VectorXd& lost, State<S>& state, Vector& v_rounding) {
     const Eigen::Index n = lost.size();
     Eigen::MatrixXd gram(n, n);

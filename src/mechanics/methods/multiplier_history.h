@@ -11,9 +11,9 @@
 
 namespace pseudorigid::mechanics {
 
-/// The last multipliers and their extrapolation. The polynomial is linear for systems with dense vectors, because a
-/// constraint solve of such a small system costs no more than the extrapolation. For systems with distributed vectors
-/// the polynomial is cubic.
+/// The last multipliers and their extrapolation. The extrapolating polynomial is linear for systems with dense vectors
+/// and cubic for systems with distributed vectors. In a small system, extrapolation of higher order would cost as much
+/// as the constraint solves that it saves.
 template <class S>
 struct MultiplierHistory {
   static constexpr int n_values = VectorSpace<typename S::Vector>::dense ? 2 : 4;
@@ -44,9 +44,9 @@ struct MultiplierHistory {
     visit(n_known);
   }
 
-  /// Sets lambda ← Σ ℓ_i(t) λ(t_i) with as many of the latest times as possible such that Σ|ℓ_i| is at most 16. Without
-  /// this bound, an extrapolation far beyond close times would amplify round-off. If no multiplier is known, lambda is
-  /// set to the latest entry of the history, which is zero at the start of a run.
+  /// Sets lambda to Σ ℓ_i(t) λ(t_i). The sum contains as many of the latest times as possible such that Σ|ℓ_i(t)| is at
+  /// most 16. Without this bound, an extrapolation far beyond close times would amplify round-off. If n_known is 0,
+  /// sets lambda to the latest entry of `values`, which is zero at the start of a run.
   void guess(double t, typename S::Multiplier& lambda) const {
     std::array<double, n_values> weights{};
     for (int n = n_known; n > 0; --n)
@@ -59,14 +59,14 @@ struct MultiplierHistory {
   }
 
  private:
-  /// Sets `weights` to ℓ_i(t) for the latest n times. Returns false if Σ|ℓ_i| exceeds 16, or if two times are equal.
+  /// Sets `weights` to ℓ_i(t) for the latest n times. Returns false if Σ|ℓ_i(t)| exceeds 16, or if two times are equal.
   ///
   /// If t is one interval after n equidistant times, Σ|ℓ_i| = 2ⁿ − 1 is at most 15 and permitted. Only steps of unequal
   /// lengths can exceed the limit. Examples are the substeps of compositions, and steps that were halved and become
   /// longer again. The effect of the limit was measured for linear extrapolation, in motions of a pseudo-rigid body
-  /// with the steps h = 0.2, 0.05, 0.01. With limits of 7 to 40 the numbers of iterations agree within 0.5 %. A limit
-  /// of 3 needs up to 2.5 % more iterations. A limit of 1 (no extrapolation) needs up to 5 % more in compositions and
-  /// 16 % more in RATTLE.
+  /// with the steps h = 0.2, 0.05, 0.01. The numbers of constraint iterations agree within 0.5 % for limits from 7 to
+  /// 40. A limit of 3 needs up to 2.5 % more iterations. A limit of 1, which means no extrapolation, needs up to 5 %
+  /// more in compositions and 16 % more in RATTLE.
   bool lagrange(double t, int n, std::array<double, n_values>& weights) const {
     constexpr double most = 16;
     double sum = 0;

@@ -5,23 +5,24 @@
 ///
 ///   Σ_j α_j q_{n+j} = h² Σ_j β_j a_{n+j},   ρ(ζ) = (ζ − 1)² ∏_i (ζ² − 2 a_i ζ + 1),   α_j = α_{k−j}, β_j = β_{k−j}.
 ///
-/// The a_{n+j} are accelerations. The coefficients of ρ(ζ) = Σα_j ζ^j are α_j, and its parameters are the k/2 − 1
-/// numbers a_i. All roots of ρ lie on the unit circle. They are simple except for the double root 1. The order
-/// conditions give β_j. With indices counted from the middle, i = j − k/2, only the conditions for even s remain:
+/// The a_{n+j} in the sum are accelerations. The a_i in the product are k/2 − 1 parameters of the polynomial ρ(ζ) =
+/// Σα_j ζ^j. All roots of ρ are on the unit circle, and all except the double root 1 are simple. The order conditions
+/// determine the β_j. With indices counted from the middle, i = j − k/2, only the conditions for even s remain:
 ///
 ///   Σ_i α_i i^s = s(s − 1) Σ_i β_i i^{s−2},   s = 2, 4, …, k   (order k).
 ///
-/// For constraints the roots of σ(ζ) = Σβ_j ζ^j other than 0 must also be simple and on the unit circle. The reason is
-/// that the multipliers obey a recursion with σ (Console, Hairer, Lubich, Numer. Math. 124 (2013) 517). The a_i of
-/// orders 8 and 12 result from a search among numbers with two decimals. The roots of ρ and the roots of σ are well
-/// separated. The step is stable for hω ≤ stability_limit, and the error constant is small. Order 4 has a = 0. The
-/// roots ±i of ρ are then midway between 1 and −1, at which the two roots would coincide.
+/// For systems with constraints, the roots of σ(ζ) = Σβ_j ζ^j other than 0 must also be simple and on the unit circle.
+/// The reason is that the multipliers satisfy a recursion with the coefficients of σ (Console, Hairer, Lubich, Numer.
+/// Math. 124 (2013) 517). The a_i of orders 8 and 12 result from a search among numbers with two decimals. With these
+/// a_i, the roots of ρ are well separated, as are those of σ, and the error constant is small. The step is stable for
+/// hω ≤ stability_limit. Order 4 has the parameter 0. The roots ±i of ρ are then midway between 1 and −1, at which they
+/// would coincide.
 ///
 /// Parasitic roots are the roots of ρ other than 1. A motion of frequency ω couples two parasitic roots e^{iθ}, e^{iθ'}
 /// if hω is the difference of θ and θ'. This resonance is described by G. D. Quinlan (arXiv:astro-ph/9901136, 1999). At
 /// such a step the error is larger than at slightly longer and shorter steps. For order 8 at hω = 0.305, the error is 7
-/// times the error of a step that is longer by a tenth. The smallest difference of θ and θ' for two parasitic roots is
-/// resonance_limit.
+/// times the error of a step that is longer by a tenth. `resonance_limit` is the smallest difference of θ and θ' for
+/// two parasitic roots.
 
 #include <array>
 
@@ -29,11 +30,11 @@ namespace pseudorigid::mechanics {
 
 template <int k>
 struct MultistepFormula {
-  /// Formula for the differences d_n = q_n − q_{n−1}, the newest first:
+  /// Coefficients of the differences d_n = q_n − q_{n−1} and of the accelerations a_n, the newest first:
   ///   d_{n+1} = Σ_i difference[i] d_{n−i} + h² Σ_i acceleration[i] a_{n−i},   i = 0 … k − 2.
   std::array<double, k - 1> difference{}, acceleration{};
-  /// Formula for the velocity from the last difference and the last k accelerations. The formula is exact if the motion
-  /// is a polynomial in time of degree at most k + 1:
+  /// Coefficients of the last k accelerations in the formula for the velocity. The formula is exact if the motion is a
+  /// polynomial in time of degree at most k + 1:
   ///   v_n = d_n/h + h Σ_i velocity[i] a_{n−i},   i = 0 … k − 1.
   std::array<double, k> velocity{};
 };
@@ -69,7 +70,7 @@ constexpr std::array<long double, n> solve(std::array<std::array<long double, n>
 
 constexpr long double power(long double x, int n) { return n == 0 ? 1 : x * power(x, n - 1); }
 
-/// Returns the k + 1 coefficients of ρ for the given a_i, the lowest power first.
+/// Returns the k + 1 coefficients of ρ for the given parameters a_i, the lowest power first.
 template <int k>
 constexpr std::array<long double, k + 1> first_polynomial(const std::array<long double, k / 2 - 1>& a) {
   std::array<long double, k + 1> rho{1, -2, 1};
@@ -78,7 +79,8 @@ constexpr std::array<long double, k + 1> first_polynomial(const std::array<long 
   return rho;
 }
 
-/// Returns β_0, …, β_{k/2−1} for given coefficients of ρ. Their indices are counted from the middle, and β_{k/2} = 0.
+/// Returns the β_i with i = 0, …, k/2 − 1 counted from the middle, for given coefficients of ρ. For i = k/2, β_i = 0,
+/// because the method is explicit.
 template <int k>
 constexpr std::array<long double, k / 2> second_polynomial(const std::array<long double, k + 1>& rho) {
   constexpr int m = k / 2;
@@ -92,8 +94,8 @@ constexpr std::array<long double, k / 2> second_polynomial(const std::array<long
   return solve<m>(A, b);
 }
 
-/// Returns the weights c_i of the accelerations a_{n−i} in the formula for the velocity. The difference v_n − d_n/h is
-/// an integral of the polynomial through the a_{n−i}. The formula is exact for a = (t − t_n)^s with h = 1:
+/// Returns the weights c_i of the accelerations a_{n−i} in the formula for the velocity. The c_i follow from the
+/// condition that the formula is exact for a = (t − t_n)^s and h = 1:
 ///   Σ_i c_i (−i)^s = v_n − (q_n − q_{n−1}) = (−1)^s / ((s + 1)(s + 2)),   s = 0 … k − 1.
 template <int k>
 constexpr std::array<long double, k> velocity_weights() {
@@ -116,7 +118,7 @@ constexpr MultistepFormula<k> multistep_formula(const std::array<long double, k 
   const auto beta = detail::second_polynomial<k>(rho);
   const auto velocity = detail::velocity_weights<k>();
   MultistepFormula<k> formula;
-  long double sum = rho[k];  // runs through the coefficients of ρ/(ζ − 1), the highest power first
+  long double sum = rho[k];  // becomes each coefficient of ρ/(ζ − 1) in turn, the highest power first
   for (int i = 0; i < k - 1; ++i) {
     sum += rho[k - 1 - i];
     formula.difference[i] = static_cast<double>(-sum);

@@ -1,15 +1,15 @@
 #pragma once
-/// The start of a symmetric multistep method with k steps (symmetric_multistep.h): its first k − 1 steps are made by
-/// another method. For orders 8 and 12 this method is the explicit method of order 8 with a tolerance at round-off. For
-/// order 4 it is a composition of RATTLE of order 4.
+/// The start of a symmetric multistep method with k steps (symmetric_multistep.h). Another method, the starting method,
+/// makes its first k − 1 steps. For orders 8 and 12 the starting method is the explicit method of order 8 with a
+/// tolerance at round-off. For order 4 it is a composition of RATTLE of order 4.
 ///
-/// Each starting method is a type Start<S> for a system S. The argument w is the workspace of the multistep method. An
-/// object exists as long as the run and has these functions:
+/// A starting method for a system of type S is a type Start<S>. The workspace of the multistep method contains an
+/// object of this type, which has the following functions. The argument w is the workspace of the multistep method.
 ///
 ///   begin(system, w)                       prepares steps from a new state or with a new h
 ///   acceleration(system, state, w, a)      sets a to the acceleration at the state, including the reaction
 ///   step(system, h, state, w)              makes one step of size h
-///   project(system, state, w)              makes the velocity valid if the steps do not
+///   project(system, state, w)              projects the velocity onto G v = 0 if `step` does not
 ///   visit_memory(visit)                    passes the members that a checkpoint must contain to `visit`
 
 #include <limits>
@@ -37,8 +37,8 @@ struct ExplicitStart {
     return field.acceleration(state.t, state.q, state.v, workspace.system, a);
   }
   Status step(const S&, double h, State<S>& state, RattleWorkspace<S>& w) {
-    // A step h that accuracy or stability permits needs a few tens of small steps. The limit is needed because the
-    // small steps cannot be interrupted.
+    // If accuracy and stability permit h, a few tens of small steps are enough. The limit is needed because the small
+    // steps cannot be interrupted.
     constexpr int most = 2000;
     const double t_end = state.t + h;
     for (int n = 0; state.t != t_end; ++n) {
@@ -50,7 +50,8 @@ struct ExplicitStart {
     w.q_rounding = workspace.q_rounding;
     return {};
   }
-  Status project(const S&, State<S>&, RattleWorkspace<S>&) const { return {}; }  // the velocity is valid already
+  /// Does nothing, because `step` projects the velocity.
+  Status project(const S&, State<S>&, RattleWorkspace<S>&) const { return {}; }
   template <class Visit>
   void visit_memory(Visit&& visit) {
     workspace.visit_memory(visit);

@@ -11,8 +11,9 @@
 /// projection (SHAKE) therefore has the same positions. `advance` omits the projection, and `project_velocity` projects
 /// at samples.
 ///
-/// λ_n is multiplied by the sum of the half steps before and after q_n, or by the half step after q_n if v_n is
-/// projected. With Λ for this product, Newton's iteration is
+/// Let Λ be the product of λ_n and the length of the half steps in which λ_n acts. This length is the sum of the half
+/// steps before and after q_n, or only the half step after q_n if v_n is projected. Newton's iteration for g(q_{n+1}) =
+/// 0 is
 ///
 ///   G(q) M⁻¹ G(q_n)ᵀ δ = −g(q),   v ← v + M⁻¹G(q_n)ᵀδ/h,   q ← q + M⁻¹G(q_n)ᵀδ,   Λ ← Λ + δ/h.
 ///
@@ -21,20 +22,22 @@
 /// If a force depends on the velocity, the first half step evaluates the force at v_n. The second half step evaluates
 /// the force at v_{n+1} and is implicit:
 ///   v_{n+1} = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}, v_{n+1}) + Gᵀμ_n].
-/// rattle_velocity.h solves this equation together with the projection. The step remains symmetric and of order 2; a
-/// linear drag −cv gives Cayley's factor (1 − hc/2)/(1 + hc/2). Damping does not limit the step: an oscillator ẍ = −ω²x
-/// − cẋ is stable up to hω = 2 for every c. If the fixed-point iteration is already slow in the first step, the first
-/// half step is implicit as well. An explicit half step would start the motion of an overdamped body with a fast
-/// transient.
+/// rattle_velocity.h solves this equation together with the projection. The step remains symmetric and of order 2. For
+/// unit mass, a linear drag −cv multiplies v by Cayley's factor (1 − hc/2)/(1 + hc/2). Damping does not limit the step:
+/// an oscillator ẍ = −ω²x − cẋ is stable up to hω = 2 for every c. If the fixed-point iteration for v is already slow
+/// in the first step of a run, its first half step is implicit as well. An explicit half step would start the motion of
+/// an overdamped body with a fast transient.
 ///
 /// The coordinates of companions move along Kepler orbits in place of straight lines (orbiting_system.h). The step then
 /// resolves only the forces that disturb the orbits.
 ///
-/// Internal variables z (relaxation.h) relax for the time h between the two half steps. The strain is then the mean of
-/// the strains at q_n and q_{n+1}. This splitting is symmetric and of order 2, and needs no further force.
+/// Internal variables z (relaxation.h) follow their flow for the time h between the two half steps. For this flow, the
+/// strain is constant and the mean of the strains at q_n and q_{n+1}. The splitting is symmetric and of order 2. It
+/// does not need additional force evaluations.
 ///
-/// The increments of q and v are small compared with q and v, and are summed with compensation (vector_space.h). If the
-/// system supports it (`resolves_rounding`), the constraint is solved for the sum q + q_rounding.
+/// The increments of q and v are small compared with q and v. They are added with compensation (vector_space.h), which
+/// leaves the remainders q_rounding and v_rounding. If `resolves_rounding` is true for the system
+/// (constrained_system.h), the constraint is solved for the sum q + q_rounding.
 
 #include <cmath>
 #include <string>
@@ -67,9 +70,9 @@ struct Rattle {
     return {};
   }
 
-  /// Makes one substep. The final projection of the velocity is omitted unless a force depends on the velocity. Fails
-  /// if the force, the constraint or a Gram solve fails, or if the iteration for the constraint or for the velocity
-  /// does not converge. After a failure the state is not valid.
+  /// Makes one step of size h. The final projection of the velocity is omitted unless a force depends on the velocity.
+  /// Fails if the force, the constraint or a Gram solve fails, or if the iteration for the constraint or for the
+  /// velocity does not converge. After a failure the state is not valid.
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if (Status status = kick(system, h, state, w); !status) return status;
@@ -82,8 +85,8 @@ struct Rattle {
     return kick_again(system, h, state, w);
   }
 
-  /// Completes the step of RATTLE by the projection of v (rattle_velocity.h). Fails if a Gram solve fails or the
-  /// projection does not converge.
+  /// Projects v onto G v = 0, which completes the step of RATTLE (rattle_velocity.h). Fails if a Gram solve fails or
+  /// the projection does not converge.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
     return RattleVelocity::project_velocity(system, state, w);
@@ -116,9 +119,9 @@ struct Rattle {
     return {};
   }
 
-  /// Makes the first half step. If a force depends on the velocity, w.settling.half is v_n afterwards. The very first
-  /// half step is implicit if the system is damped and stiff. Fails if the force fails, or if the equation of the
-  /// implicit half step is not solved.
+  /// Makes the first half step. If a force depends on the velocity, also sets w.settling.half to v_n. The first half
+  /// step of a run is implicit if the system is damped and the fixed-point iteration is slow. Fails if the force fails,
+  /// or if the equation of the implicit half step is not solved.
   template <ConstrainedSystem S>
   static Status kick(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if (velocity_dependent(system)) w.settling.half = state.v;
@@ -139,8 +142,8 @@ struct Rattle {
     return {};
   }
 
-  /// Returns a correction of the dissipated energy. An implicit kick of length s from v_0 to v dissipates ½s (v_0 +
-  /// v)ᵀS v, but the system has counted s vᵀS v. S is the operator of the secant (damping.h).
+  /// Returns the correction of the dissipated energy after an implicit half step of length s from v_0 to v. This half
+  /// step dissipates ½s (v_0 + v)ᵀS v, but the system has counted s vᵀS v. S is the operator of the secant (damping.h).
   template <Damped S>
   static double taken_beyond_power(const S& system, double s, const State<S>& state, const typename S::Vector& start,
                                    DampingTemporaries<S>& w) {
@@ -183,12 +186,12 @@ struct Rattle {
     }
   }
 
-  /// Returns the largest |g| that a step may leave. If sums are not compensated, this is w.constraint_tolerance. If
+  /// Returns the tolerance of |g|_∞ in a step. If sums are not compensated, the result is w.constraint_tolerance. If
   /// sums are compensated, |g| is the largest error of a step and accumulates, so w.constraint_tolerance is too coarse.
   /// If the constraint is solved for q + q_rounding (`resolves_rounding`), the result is 1/256 of
-  /// w.constraint_tolerance. Otherwise the result is 0, and g(q) is iterated to its round-off. In measurements, the
-  /// energy of a pseudo-rigid body drifted by 7e-12 in 10⁶ periods if the result was w.constraint_tolerance. If g(q)
-  /// was iterated to its round-off, the drift was 1e-12. There was no drift if |g(q + q_rounding)| was less than this
+  /// w.constraint_tolerance. Otherwise the result is 0, and g(q) is iterated to its round-off. In measurements with the
+  /// tolerance w.constraint_tolerance, the energy of a pseudo-rigid body drifted by 7e-12 in 10⁶ periods. If g(q) was
+  /// iterated to its round-off, the drift was 1e-12. There was no drift if |g(q + q_rounding)| was less than this
   /// round-off.
   template <ConstrainedSystem S>
   static double position_tolerance(const RattleWorkspace<S>& w) {
@@ -200,8 +203,9 @@ struct Rattle {
       return w.constraint_tolerance;
   }
 
-  /// Divides w.impulse = Λ by `weight`, the length of the half steps that Λ contains. Records the quotient as λ(t). If
-  /// consecutive substeps have opposite signs, `weight` may be nearly 0. The function then does nothing.
+  /// Divides w.impulse = Λ by `weight`, the length of the half steps in which λ acts. Records the quotient as λ(t). If
+  /// consecutive substeps of a composition have opposite signs, `weight` may be nearly 0. The function then does
+  /// nothing.
   template <ConstrainedSystem S>
   static void record_multiplier(double t, double weight, double h, RattleWorkspace<S>& w) {
     if (std::abs(weight) < 0.1 * std::abs(h)) return;

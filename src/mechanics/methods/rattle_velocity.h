@@ -6,9 +6,9 @@
 ///
 /// If f depends on v, a fixed-point iteration on the force solves this equation together with the projection. If the
 /// iteration is slow and the force is damping, linear systems replace it (damping.h). Damping that is linear in v needs
-/// one linear system. Other damping, such as friction, needs Newton's method. The residual is the negative derivative
-/// of a convex function of v (Ψ in damping.h). Each correction is therefore shortened until it does not pass the
-/// minimum of this function by far, and the iteration converges from every v. The accepted velocity satisfies the
+/// one linear system. Other damping, such as friction, needs Newton's method. The residual of the equation is the
+/// negative derivative of a convex function of v (Ψ in damping.h). A correction that passes the minimum of this
+/// function by far is shortened. The iteration therefore converges from every v. The accepted velocity satisfies the
 /// nonlinear equation up to the tolerance of the constraints or round-off.
 
 #include <algorithm>
@@ -21,8 +21,9 @@
 namespace pseudorigid::mechanics {
 
 struct RattleVelocity {
-  /// Repeats v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v until G v is below the tolerance or round-off. This projection completes the
-  /// step of RATTLE. Fails if a Gram solve fails or the projection does not converge. Does nothing without constraints.
+  /// Repeats v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v until |G v|_∞ is at most w.constraint_tolerance or round-off. This projection
+  /// completes the step of RATTLE. Fails if a Gram solve fails or the projection does not converge. Does nothing
+  /// without constraints.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {
@@ -44,8 +45,8 @@ struct RattleVelocity {
   /// Sets w.acceleration to M⁻¹f at the state, unless it is known. Fails if the force fails.
   template <ConstrainedSystem S>
   static Status ensure_acceleration(const S& system, const State<S>& state, RattleWorkspace<S>& w) {
-    // After a step the time loop sets the time again, with another round-off. A checkpoint contains this second time,
-    // so a resumed run gives the same results only if the acceleration belongs to the second time.
+    // After a step, the time loop computes the time anew, with another rounding error. A checkpoint contains this time.
+    // A resumed run therefore gives the same results only if the acceleration is computed at this time.
     if (w.acceleration_known && (!time_dependent(system) || w.acceleration_time == state.t)) return {};
     if (Status status = find_force(system, state, w); !status) return status;
     system.apply_inverse_mass(w.acceleration, w.acceleration);
@@ -54,9 +55,9 @@ struct RattleVelocity {
     return {};
   }
 
-  /// Sets v to the solution of v = w.settling.half + (h/2) M⁻¹[f(v) + Gᵀμ] with G v = 0. For damping, linear systems
-  /// replace the fixed-point iteration if the iteration is slow. Fails if the force or a projection fails, or if no
-  /// iteration converges.
+  /// Sets v to the solution of v = v_half + (h/2) M⁻¹[f(q, v) + Gᵀμ] with G v = 0. On entry w.settling.half is v_half,
+  /// and v is the guess. If the force is damping and the fixed-point iteration is slow, linear systems replace the
+  /// iteration. Fails if the force or a projection fails, or if no iteration converges.
   template <ConstrainedSystem S>
   static Status settle_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (Damped<S>) {
@@ -78,8 +79,8 @@ struct RattleVelocity {
 
  private:
   /// Sets w.acceleration to f at the state, and fails if the force fails. If the damping is linear and no force depends
-  /// on time, f(q, v) is the sum of f(q, 0) and the damping. The vector f(q, 0) is kept from the first call at q, so
-  /// the iterations for v do not evaluate the other forces again.
+  /// on time, f(q, v) is the sum of f(q, 0) and the damping. The first call at q stores f(q, 0), so the iterations for
+  /// v evaluate only the damping again.
   template <ConstrainedSystem S>
   static Status find_force(const S& system, const State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (Damped<S>) {
@@ -103,9 +104,9 @@ struct RattleVelocity {
   }
 
   /// Solves the equation of `settle_velocity` if the force is damping. If the damping is not linear in v, Newton's
-  /// method solves it. If the damping is linear, one solve suffices up to a residual, and a second solve removes this
-  /// residual. The last force and its dissipated power then belong to a v that is final up to the residual. Fails if
-  /// the force, a projection or a linear system fails.
+  /// method solves the equation. If the damping is linear, one correction suffices up to a residual, which a second
+  /// correction removes. The last evaluated force and its dissipated power then belong to a v that is final up to this
+  /// residual. Fails if the force, a projection or a linear system fails.
   template <Damped S>
   static Status solve_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     const typename S::Vector rounding_half = w.v_rounding;
@@ -123,10 +124,10 @@ struct RattleVelocity {
   }
 
   /// Solves the equation of `settle_velocity` for damping that is not linear in v. On entry, v is the extrapolation 2
-  /// v_half − v_n from the velocity v_n before the step. The iteration starts from v_n. If a body sticks, v_n has the
-  /// right size, but v_half and the extrapolation do not. The iteration ends if the residual is small enough, or if the
-  /// last correction was round-off. Fails if 100 corrections are not enough, or if the force, a projection or a linear
-  /// system fails.
+  /// v_half − v_n from the velocity v_n before the step. The iteration starts from v_n. If a body sticks by friction,
+  /// the solution has the size of v_n, but v_half and the extrapolation are much larger. The iteration ends if the
+  /// residual is small enough, or if the last correction was round-off. Fails if 100 corrections are not enough, or if
+  /// the force, a projection or a linear system fails.
   template <Damped S>
   static Status solve_velocity_by_newton(const S& system, double h, const typename S::Vector& rounding_half,
                                          State<S>& state, RattleWorkspace<S>& w) {
@@ -146,10 +147,10 @@ struct RattleVelocity {
   }
 
   /// Adds a correction αu to v, with the solution u of the linear system for the residual r at v. The convex function
-  /// of the head of this file, as a function of α, has the derivative −uᵀM r. The factor α is 1 if v + u is not far
-  /// beyond the minimum, and is found by bisection otherwise. Sets w.damping.residual to r at the new v, and `change`
-  /// to the size of αu. After 60 bisections, the last α is used. Fails if the force, a projection or the linear system
-  /// fails.
+  /// Ψ(v + αu) has the derivative −uᵀM r with respect to α, with r at v + αu. The factor α is 1 if v + u is not far
+  /// beyond the minimum of Ψ, and is found by bisection otherwise. Sets w.damping.residual to r at the new v, and
+  /// `change` to the size of αu. After 60 bisections, the last α is used. Fails if the force, a projection or the
+  /// linear system fails.
   template <Damped S>
   static Status search_along_correction(const S& system, double h, const typename S::Vector& rounding_half,
                                         State<S>& state, RattleWorkspace<S>& w, double& change) {
@@ -181,15 +182,15 @@ struct RattleVelocity {
     return {};
   }
 
-  /// Returns the size below which the residual of v is small enough. The size is a tenth of the constraint tolerance,
-  /// or the round-off of v if this is larger.
+  /// Returns the size in the maximum norm up to which the residual of v is small enough. This size is a tenth of the
+  /// constraint tolerance, or the round-off of v if this is larger.
   template <ConstrainedSystem S>
   static double enough_for_velocity(const State<S>& state, const RattleWorkspace<S>& w) {
     return std::max(std::numeric_limits<double>::epsilon() * max_norm(state.v), w.constraint_tolerance / 10);
   }
 
   /// Sets w.damping.residual to the projected residual of the equation of `settle_velocity` at v. `rounding_half` is
-  /// the remainder of v_half. Fails if the force or the projection fails.
+  /// the remainder of the compensated sum v_half. Fails if the force or the projection fails.
   template <Damped S>
   static Status find_residual(const S& system, double h, const typename S::Vector& rounding_half, State<S>& state,
                               RattleWorkspace<S>& w) {
@@ -219,8 +220,8 @@ struct RattleVelocity {
   }
 
   /// Solves the equation of `settle_velocity` by alternate evaluations of the force and projections, until v no longer
-  /// changes. If the force is damping and the iteration is slow, sets w.stiff and returns success without a solution.
-  /// Fails if the force or a projection fails, or if the iteration does not converge.
+  /// changes. If the force is damping and the iteration is slow, sets w.stiff to true and returns success without a
+  /// solution. Fails if the force or a projection fails, or if the iteration does not converge.
   template <ConstrainedSystem S>
   static Status iterate_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     auto& [half, before, free, reaction] = w.settling;

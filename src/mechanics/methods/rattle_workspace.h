@@ -1,7 +1,6 @@
 #pragma once
-/// The workspace of RATTLE (rattle.h): counters, temporaries, cached values and initial guesses. A step begins at q_n
-/// and v_n, and the velocity after its first half step is v_{n+1/2}. Λ is the multiplier times the length of the half
-/// steps in which it acts (rattle.h).
+/// The workspace of RATTLE (rattle.h). A step begins at q_n and v_n, and the velocity after its first half step is
+/// v_{n+1/2}. Λ is the multiplier times the length of the half steps in which it acts (rattle.h).
 
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/core/constraint_newton.h"
@@ -11,7 +10,9 @@
 
 namespace pseudorigid::mechanics {
 
-/// Numbers of steps, substeps, force evaluations, corrections of q, projections of v, and iterations of Gram solvers.
+/// Total numbers of steps, substeps, force evaluations, corrections of q, projections of v, and iterations of Gram
+/// solvers. A composition counts each step of RATTLE as a substep. The methods explicit-8 and gauss-16 count each trial
+/// as a substep.
 struct Counters {
   long n_steps = 0, n_substeps = 0, n_force = 0, n_position_iterations = 0, n_projections = 0, n_gram_iterations = 0;
 };
@@ -28,7 +29,8 @@ typename S::Vector make_rounding(const S& system) {
 /// Temporaries of the iteration on a force that depends on the velocity. They are empty for other forces.
 template <class S>
 struct VelocityIteration {
-  /// True if a solve for multipliers is costly. Each iteration then starts from the reactions of the iterations before.
+  /// True if a solve for multipliers is costly, as for distributed vectors. Each iteration then starts from the sum of
+  /// the reactions of all earlier iterations.
   static constexpr bool keeps_reactions = !unconstrained<S> && !VectorSpace<typename S::Vector>::dense;
 
   explicit VelocityIteration(const S& system)
@@ -37,9 +39,9 @@ struct VelocityIteration {
         free(vector_if(keeps_reactions && velocity_dependent(system), system)),
         reaction(vector_if(keeps_reactions && velocity_dependent(system), system)) {}
 
-  typename S::Vector half;            // v_n in the first half step, v_{n+1/2} in the second
+  typename S::Vector half;            // v_n in the first half step, v_{n+1/2} in the second half step
   typename S::Vector before;          // v_{n+1} of the previous iteration
-  typename S::Vector free, reaction;  // v_{n+1} before the last projection; sum of changes of v_{n+1} by projections
+  typename S::Vector free, reaction;  // v_{n+1} before the last projection; sum of the changes by all projections
 
  private:
   static typename S::Vector vector_if(bool wanted, const S& system) {
@@ -71,12 +73,12 @@ struct RattleWorkspace {
   detail::ConstraintTemporaries<S> constraint;
   typename S::Multiplier impulse;  // Λ; after record_multiplier (rattle.h) the multiplier λ
   MultiplierHistory<S> history;
-  double constraint_tolerance;   // permitted |g|_∞ and |G v|_∞; the default is that of the system
+  double constraint_tolerance;   // permitted |g|_∞ and |G v|_∞; by default system.constraint_tolerance()
   double pending_weight = 0;     // length of the last half step, if its reaction is not yet in v; otherwise 0
   double acceleration_time = 0;  // time at which `acceleration` was computed
   bool acceleration_known = false;
   bool begun = false;  ///< true after the first step of a damped system
-  bool stiff = false;  ///< true if linear systems replace the fixed-point iteration, which is slow for this damping
+  bool stiff = false;  ///< true if the fixed-point iteration is slow, so that linear systems replace it
   Counters counters;
 
   /// Passes each member that a checkpoint must contain to `visit`. A resumed run computes the other members again.

@@ -1,7 +1,7 @@
 #pragma once
-/// Sums Σ_j c_j k_j over the vectors k_j of the stages, with coefficients c_j known to the compiler. Zero coefficients
-/// are omitted. One loop over the entries of dense Eigen vectors computes all sums of a stage, without a temporary
-/// vector.
+/// Sums Σ_j c_j k_j over the dense Eigen vectors k_j of the stages, with coefficients c_j that are known at compile
+/// time. The sums are computed entry by entry, so that a single loop can compute all sums of a stage without a
+/// temporary vector. Terms with zero coefficients are omitted.
 
 #include <Eigen/Core>
 #include <array>

@@ -4,33 +4,34 @@
 ///
 ///   Σ_j α_j q_{n+j} = h² Σ_j β_j M⁻¹[f(q_{n+j}) + G(q_{n+j})ᵀ λ_{n+j}],   g(q_{n+k}) = 0,   β_0 = β_k = 0.
 ///
-/// A step needs one force evaluation and one constraint solve for the newest multiplier λ_{n+k−1}. Let
-/// d_n = q_n − q_{n−1} be the differences and a_n = M⁻¹[f + Gᵀλ]_n the accelerations. With α̂ and β̂ for `difference`
-/// and `acceleration` of multistep_coefficients.h, the step is
+/// A step needs one force evaluation and one constraint solve for the newest multiplier λ_{n+k−1}. Let d_n = q_n −
+/// q_{n−1} be the differences and a_n = M⁻¹[f + Gᵀλ]_n the accelerations. Let α̂ and β̂ be the coefficients
+/// `difference` and `acceleration` of multistep_coefficients.h. The step is
 ///
 ///   d_{n+1} = Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i},   q_{n+1} = q_n + d_{n+1}.
 ///
-/// The sum for q is compensated, except for finite elements. The steps do not use the velocity. The first k − 1 steps,
-/// also after a change of h, are made by another method (multistep_start.h). With c_i for `velocity` of
+/// The sum for q is compensated, except for finite elements. The steps do not use the velocity. A starting method makes
+/// the first k − 1 steps of a run and after a change of h (multistep_start.h). With the coefficients c_i, `velocity` in
 /// multistep_coefficients.h, the velocity at a sample is
 ///
 ///   v_n = d_n/h + h Σ_i c_i a_{n−i}   (order k + 1),   then projected onto G v = 0.
 ///
-/// An error of λ_n changes v only along M⁻¹G(q_n)ᵀ, and the projection removes this part. The projection needs less
-/// work if a_n contains an extrapolated λ_n. The energy errors of the states oscillate along a motion. After a change
-/// of h, the method starts again from one of these states. The energy error of this state then remains, and shifts the
-/// phase more and more.
+/// An error of λ_n changes v only along M⁻¹G(q_n)ᵀ, and the projection removes this part. The projection needs fewer
+/// iterations if a_n contains an extrapolated λ_n. The energy error oscillates along a motion. After a change of h, the
+/// method starts again from a state with some energy error. This error then remains, and causes a phase error that
+/// grows with time.
 ///
-/// For small systems the errors of energy and momenta oscillate within bounds of size h^order. For a finite-element
-/// ball, the energy error is of the same order but grows as the motion spreads to modes of high frequency
-/// (step_search.h). Order 4 was measured for such a ball at 0.8 of the stability limit, in a release from a deformation
-/// of 0.3. The unit of time is r/c, with the radius r and the speed c of shear waves. The relative energy error is 2e-5
-/// at t = 100 r/c and 1e-2 at 1430 r/c. The error of the mean deformation Q at 100 r/c is 1e-5. RATTLE with the same
-/// step has the error 7e-3.
+/// For small systems the errors of energy and momenta oscillate within bounds proportional to h^order. For a
+/// finite-element ball, the energy error is of the same order but grows as the motion spreads to modes of high
+/// frequency (step_search.h). Order 4 was measured for such a ball at 0.8 of the stability limit, in a release from a
+/// deformation of 0.3. The unit of time is r/c, with the radius r and the speed c of shear waves. The relative energy
+/// error is 2e-5 at t = 100 r/c and 1e-2 at 1430 r/c. The error of the mean deformation Q at 100 r/c is 1e-5. RATTLE
+/// with the same step has the error 7e-3.
 ///
 /// A round-off error ε of the constraint causes an error ε/h² of the multipliers. The step multiplies this error by the
-/// coefficients β̂, whose largest absolute value is 5 for order 8 and 62 for order 12. The resulting error of the motion
-/// grows as the square root of the number of steps. Therefore use order 8 for long runs.
+/// coefficients β̂, whose largest absolute value is 5 for order 8 and 62 for order 12. The resulting error of the
+/// motion grows as the square root of the number of steps. Therefore use order 8, not 12, for long runs with
+/// constraints.
 
 #include <algorithm>
 #include <array>
@@ -48,13 +49,13 @@
 
 namespace pseudorigid::mechanics {
 
-/// Workspace of a symmetric multistep method. The history is a ring of k − 1 slots. It contains d_i and a_i for the
-/// last k − 1 steps. The slot of the newest step contains the old value a_{n−(k−1)} until a_n is computed. The base
-/// class has the members that RATTLE uses as well.
+/// Workspace of a symmetric multistep method. The members `d` and `a` are the history, a ring of k − 1 slots with d_i
+/// and a_i of the last k − 1 steps. In the slot of the newest step, `a` contains the old value a_{n−(k−1)} until a_n is
+/// computed. The base class has the members that RATTLE also uses.
 template <ConstrainedSystem S, int k, template <class> class Start>
 struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_slots = k - 1;
-  /// Largest number of multipliers from which the next multiplier is extrapolated, by the polynomial through them.
+  /// Largest number of previous multipliers from which a polynomial extrapolates the next multiplier.
   static constexpr int n_extrapolated = S::n_constraints == dynamic_constraints ? 5 : 6;
 
   explicit SymmetricMultistepWorkspace(const S& system)
@@ -69,7 +70,7 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   std::array<typename S::Vector, n_slots> d, a;
   std::array<typename S::Multiplier, n_extrapolated> multipliers;  // λ of the last steps, in a ring of slots
   double h = 0;               // size of the steps in the history; 0: there was no step
-  int newest = 0;             // slot of d_n, the difference of the last step to q_n
+  int newest = 0;             // slot of d_n = q_n − q_{n−1}, the difference of the last step
   int n_known = 0;            // number of differences d in the history
   int newest_multiplier = 0;  // slot of λ_{n−1}
   int n_multipliers = 0;      // number of multipliers in the history
@@ -107,25 +108,26 @@ struct SymmetricMultistep {
   template <class S>
   static constexpr bool fits = ConstrainedSystem<S>;
 
-  /// Returns a failure if a force dissipates energy or depends on velocity or time, or if the system has contact.
+  /// Returns a failure if a force dissipates energy, if a force depends on velocity or time, or if the system has
+  /// contact.
   template <ConstrainedSystem S>
   static Status accepts(const S& system) {
     if (velocity_dependent(system) || dissipative(system) || time_dependent(system))
       return Status::failure(
           "symmetric multistep methods are for conservative forces that depend on the position alone; use explicit-8");
-    // Contact forces are not smooth. In the closed form for affine bodies (loads/ellipsoid_contact.h), the second
-    // derivative of the force jumps at the beginning and the end of a contact. In a sum over points (loads/contact.h),
-    // the first derivative jumps when a point touches or leaves a plane. Each jump leaves an oscillation of the
-    // velocity from step to step.
+    // Contact forces are not smooth. For affine bodies, the contact force has a closed form
+    // (loads/ellipsoid_contact.h). Its second derivative jumps at the beginning and the end of a contact. For other
+    // bodies, it is a sum over points (loads/contact.h). Its first derivative jumps when a point touches or leaves a
+    // plane. After each jump, the velocity oscillates from step to step.
     if constexpr (requires { system.has_contact(); })
       if (system.has_contact())
         return Status::failure("symmetric multistep methods are for smooth forces, not for contact; use rattle");
     return {};
   }
 
-  /// Makes one step. The velocity is valid only after a call of `project_velocity`. Fails if the force or the starting
-  /// method fails, or if an iteration for the constraints does not converge. For dense vectors, also fails if the
-  /// result is not finite.
+  /// Makes one step. state.v is the velocity of the new state only after a call of `project_velocity`. Fails if the
+  /// force or the starting method fails, or if an iteration for the constraints does not converge. For dense vectors,
+  /// also fails if the result is not finite.
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     if (!same_step(h, w.h)) {
@@ -140,8 +142,8 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Sets state.v to the projected velocity v_n. During the first k − 1 steps, the starting method makes its velocity
-  /// valid. Fails if the force or the projection fails.
+  /// Sets state.v to the projected velocity v_n. During the first k − 1 steps, the starting method sets it. Fails if
+  /// the force or the projection fails.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, Workspace<S>& w) {
     if (w.n_known < w.n_slots) return w.start.project(system, state, w);
@@ -193,9 +195,10 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Sets w.acceleration to M⁻¹f at the state, and fails if the force fails. If the system computes f + Gᵀλ at little
-  /// cost, sets w.acceleration to M⁻¹(f + Gᵀλ) with the extrapolated λ. At the end of the start-up no λ is known and λ
-  /// = 0, so a known M⁻¹f is valid.
+  /// Sets w.acceleration to M⁻¹f at the state. If the system has `force_with_reaction`, sets it to M⁻¹(f + Gᵀλ) with
+  /// the extrapolated λ. If an acceleration is already known, does nothing. At the end of the start, a known M⁻¹f is
+  /// also valid for systems with `force_with_reaction`, because no λ is known and λ counts as 0. Fails if the force
+  /// fails.
   template <class S>
   static Status ensure_predicted_acceleration(const S& system, const State<S>& state, Workspace<S>& w) {
     if constexpr (FindsForceWithReaction<S>) {
@@ -214,9 +217,9 @@ struct SymmetricMultistep {
 
   /// Computes d_{n+1} and q_{n+1} with a_n from the extrapolated multiplier. Then corrects a_n, d_{n+1} and q_{n+1}
   /// until g(q_{n+1}) = 0. Fails if the constraint or a Gram solve fails, or if the iteration for the constraint does
-  /// not converge. For dense vectors, also fails if the result is not finite. All calls are inlined, because calls kept
-  /// the temporaries of small systems in memory. In a measurement, accesses to these temporaries took a sixth of the
-  /// time of a step of the pseudo-rigid body.
+  /// not converge. For dense vectors, also fails if the result is not finite. All calls are inlined, so that the
+  /// temporaries of small systems are in registers. In a measurement with function calls, accesses to these temporaries
+  /// in memory took a sixth of the time of a step of the pseudo-rigid body.
   template <class S>
   PSEUDORIGID_FLATTEN static Status make_step(const S& system, State<S>& state, Workspace<S>& w) {
     constexpr bool dense = VectorSpace<typename S::Vector>::dense;
@@ -236,7 +239,8 @@ struct SymmetricMultistep {
     sum_history<S>(w, increment);
     add(1.0, increment, state.q, w.q_rounding);
     if constexpr (!unconstrained<S>) {
-      const double per_shift = 1 / (w.h * w.h * formula.acceleration[0]);  // converts δ to a change of λ_n
+      // The factor between a change of q_{n+1} and the change of a_n, and between δ and the change of λ_n.
+      const double per_shift = 1 / (w.h * w.h * formula.acceleration[0]);
       const auto apply = [&] {
         add(1.0, w.constraint.reaction, state.q, w.q_rounding);
         axpy(1.0, w.constraint.reaction, increment);
@@ -259,9 +263,9 @@ struct SymmetricMultistep {
   }
 
   /// Returns the residual |g| below which the iteration ends after one more correction, without evaluating g again. For
-  /// a fixed number of constraints the Gram matrix is exact. An iteration of Newton then reduces the residual to its
-  /// square times the curvature of g. The factor 1e-4 permits curvatures up to 10⁴. For a dynamic number of
-  /// constraints, the result is 0, so that every residual is checked.
+  /// a fixed number of constraints, Gram solves are exact. A Newton iteration then replaces the residual by its square
+  /// times the curvature of g. The factor 1e-4 permits curvatures up to 10⁴. For a dynamic number of constraints, the
+  /// result is 0, so that every residual is evaluated.
   template <class S>
   static double foregone(const S&, const Workspace<S>& w) {
     return S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * w.constraint_tolerance);
@@ -271,7 +275,7 @@ struct SymmetricMultistep {
   template <class S>
   static void sum_history(Workspace<S>& w, typename S::Vector& sum) {
     const auto slot = [&](int i) { return w.newest >= i ? w.newest - i : w.newest - i + w.n_slots; };
-    if constexpr (VectorSpace<typename S::Vector>::dense) {  // newest terms last, because they are computed last
+    if constexpr (VectorSpace<typename S::Vector>::dense) {  // newest terms last, because they are known last
       sum = w.d[slot(w.n_slots - 1)];
       scale(formula.difference[w.n_slots - 1], sum);
       axpy(w.h * w.h * formula.acceleration[w.n_slots - 1], w.a[slot(w.n_slots - 1)], sum);
@@ -304,7 +308,7 @@ struct SymmetricMultistep {
     }
   }
 
-  /// Sets w.multiplier to λ_n, extrapolated by the polynomial through the last multipliers.
+  /// Sets w.multiplier to λ_n, extrapolated by the polynomial through the last n_multipliers multipliers.
   template <class S>
   static void extrapolate_multiplier(Workspace<S>& w) {
     constexpr double weights[7][6]{
@@ -315,8 +319,8 @@ struct SymmetricMultistep {
     else
       sum_multipliers<S>(w, weights[w.n_multipliers], w.n_multipliers);
   }
-  /// Sets w.multiplier to the sum of the last n multipliers with the weights. If n is 0, sets it to the latest entry of
-  /// the ring, which is then zero.
+  /// Sets w.multiplier to the sum of the last n multipliers with the weights. If n is 0, sets w.multiplier to the
+  /// latest entry of the ring, which is then zero.
   template <class S>
   [[gnu::always_inline]] static void sum_multipliers(Workspace<S>& w, const double* weights, int n) {
     const auto before = [&w](int i) -> const typename S::Multiplier& {

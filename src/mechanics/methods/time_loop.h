@@ -1,7 +1,7 @@
 #pragma once
-/// The time loop over a run of length T with the samples t_k = k T/N, k = 0 … N. If the steps have a fixed size, each
-/// interval contains a whole number n of steps, h = (t_{k+1} − t_k)/n. The steps therefore end at the samples, and the
-/// last sample is exactly at T.
+/// The time loop over a run of length T with the samples t_k = k T/N, k = 0 … N. A method with steps of fixed size
+/// makes a whole number n of steps from each sample to the next, with h = (t_{k+1} − t_k)/n. The steps therefore end at
+/// the samples, and the last sample is exactly at T.
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,8 @@ struct SampleTimes {
   long n_samples = 1;
   double operator[](long k) const { return end * (static_cast<double>(k) / static_cast<double>(n_samples)); }
   double interval() const { return end / static_cast<double>(n_samples); }
-  /// Returns the least number of equal steps that fill an interval and are not longer than `step` up to round-off. The
-  /// number is at least 1.
+  /// Returns the least number of equal steps that fill the time between two samples and are not longer than `step`, up
+  /// to round-off. The number is at least 1.
   long steps_per_interval(double step) const {
     const double n = std::ceil(interval() / step * (1 - 1e-12));
     constexpr double most = 9e18;  // below the largest long; a run cannot make so many steps
@@ -36,13 +36,12 @@ struct Cursor {
 
 struct RunResult {
   Outcome outcome = Outcome::finished;
-  std::string reason;  ///< the reason of a failure in one sentence, or "interrupted"; empty for a finished run
+  std::string reason;  ///< the reason of a failure in one sentence, or "interrupted"; empty if the run is finished
   double t = 0;        ///< time that the run reached
 };
 
-/// Functions of the caller during the loop. If the loop begins at the start of the run, `sample` is also called for k =
-/// 0, with the initial velocity.
-///   sample(k, state, workspace) → Status: called at sample k, with the projected velocity;
+/// Functions of the caller that the loop calls.
+///   sample(k, state, workspace) → Status: called at sample k, with the initial velocity (k = 0) or the projected one;
 ///   steps_per_interval(k, state, workspace) → long: steps from sample k to k+1, not called for adaptive methods;
 ///   step_done(cursor, state, workspace) → bool: called after each step; false interrupts the loop.
 /// For steps of fixed size, `sample` is called after step_done. For adaptive methods, `sample` is called before
@@ -54,9 +53,9 @@ concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cur
   { hooks.step_done(cursor, state, w) } -> std::same_as<bool>;
 };
 
-/// Runs from `cursor` (the start or a checkpoint) to the last sample, to an interruption or to a failure. Advances
-/// `cursor` and `state`, and returns the outcome and the time reached. Fails if a hook, a step or the projection of the
-/// velocity fails, or if a step is shorter than the round-off of the time. After a failed step `state` is not valid.
+/// Runs from `cursor`, the start or a checkpoint, to the last sample, an interruption or a failure. Advances `cursor`
+/// and `state`, and returns the outcome and the time reached. Fails if a hook, a step or the projection of the velocity
+/// fails, or if a step is shorter than the round-off of the time. After a failed step `state` is not valid.
 template <class Method, class S, TimeLoopHooks<S, typename Method::template Workspace<S>> Hooks>
 requires(!Method::adaptive) RunResult
     run_time_loop(const S& system, const SampleTimes& times, State<S>& state, Cursor& cursor,
@@ -86,9 +85,9 @@ requires(!Method::adaptive) RunResult
   return {Outcome::finished, "", state.t};
 }
 
-/// Does the same as the function above for a method that chooses the sizes of its steps. The steps do not end at the
-/// samples, so the state at a sample is interpolated. The last step ends at T. cursor.step counts the steps since the
-/// last sample.
+/// The time loop for an adaptive method. The steps do not end at the samples, so the state at a sample is interpolated.
+/// Only the last step ends at T. cursor.step is the number of steps after the step that passed the last sample. Fails
+/// if a hook, a step or an interpolation fails. A failed step does not change `state`.
 template <class Method, class F, TimeLoopHooks<F, typename Method::template Workspace<F>> Hooks>
 requires(Method::adaptive) RunResult
     run_time_loop(const F& field, const SampleTimes& times, State<F>& state, Cursor& cursor,

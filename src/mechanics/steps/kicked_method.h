@@ -4,8 +4,8 @@
 ///   x ← x (1 ± ε part)   for each component x of q and q̇,
 ///
 /// with `part` = 1, or −1 to reverse all kicks. The signs are irregular but the same in every run, and ε is the spacing
-/// of floating-point numbers at 1. Other rounding errors could also cause the perturbed motion. As in floating-point
-/// arithmetic, an exact 0 remains 0.
+/// of floating-point numbers at 1. Kicks of this size could also be rounding errors. The perturbed motion therefore
+/// shows the effect of round-off. As in floating-point arithmetic, an exact 0 remains 0.
 
 #include <Eigen/Core>
 #include <bit>
@@ -25,8 +25,8 @@ struct Kicked : Method {
     std::uint64_t n_kicks = 0;
   };
 
-  /// Makes a step of Method and then perturbs the state. If the step of Method fails, there is no perturbation, and the
-  /// failure is returned.
+  /// Makes a step of Method and then perturbs the state. If the step fails, returns its failure and does not perturb
+  /// the state.
   template <SecondOrderField F>
   static Status step(const F& field, double t_limit, State<F>& state, Workspace<F>& w) {
     if (Status status = Method::step(field, t_limit, state, w); !status) return status;
@@ -38,8 +38,8 @@ struct Kicked : Method {
   }
 
  private:
-  /// Returns the sign of kick k. The product of k and the odd number next to 2⁶⁴/φ, modulo 2⁶⁴, has irregular bits; φ
-  /// is the golden ratio. The sign is positive if an even number of these bits is 1.
+  /// Returns the sign of kick k as 1 or −1. The product of k and the odd number next to 2⁶⁴/φ, modulo 2⁶⁴, has
+  /// irregular bits. Here φ is the golden ratio. The sign is positive if an even number of these bits is 1.
   static double sign(std::uint64_t k) { return std::popcount(k * 0x9e3779b97f4a7c15u) % 2 == 0 ? 1 : -1; }
 };
 

@@ -4,19 +4,19 @@
 ///
 ///   ω² = max over G u = 0 of  uᵀK u / uᵀM u,     K u = −D_q[f + G(q)ᵀλ] u   (by differences, λ and v fixed).
 ///
-/// The stability limit of a method is a bound of hω. If forces dissipate, the largest damping rate γ is
+/// The stability limit of a method with the step h bounds hω. If forces dissipate energy, the largest damping rate γ is
 ///
 ///   γ = max over G u = 0 of  uᵀC u / uᵀM u,      C u = −D_v f u.
 ///
-/// The damping rate γ limits the step of a method that iterates on the damping. Both ω and γ are computed by Lanczos'
-/// iteration for M⁻¹K or M⁻¹C in the inner product of M. The projection
+/// γ limits the step of a method that finds the velocity by an iteration on the damping. Lanczos' iteration for M⁻¹K or
+/// M⁻¹C in the inner product of M gives ω² or γ. The projection
 ///
 ///   u ← u − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G u,
 ///
-/// keeps u tangent to the constraints. Each u is stored together with w = M u, so only M⁻¹ is needed, and ⟨u, u'⟩_M =
-/// uᵀw'. M⁻¹ may have zeros for components that are held fixed, because u is 0 in these components for every w. For
-/// dense vectors, differences are central, with errors of about 1e-10. For distributed vectors, whose force evaluations
-/// are costly, differences are forward, with errors of about 1e-8.
+/// makes u tangent to the constraints. Each u is stored together with w = M u, so only M⁻¹ is needed, and ⟨u, u'⟩_M =
+/// uᵀw'. If components are held fixed, M⁻¹ may be 0 for them, so that u is 0 in these components. For dense vectors,
+/// differences are central, with errors of about 1e-10. For distributed vectors, whose force evaluations are costly,
+/// differences are forward, with errors of about 1e-8.
 
 #include <algorithm>
 #include <cmath>
@@ -60,9 +60,9 @@ struct MassPair {
   double norm() const { return std::sqrt(std::max(0.0, dot(u, w))); }
 };
 
-/// Fills x with pseudo-random numbers in [−1, 1), so that x has a component along every mode. The numbers are the same
-/// at every call, so that results are reproducible. A system with distributed vectors has its own function, whose
-/// numbers do not depend on the number of ranks.
+/// Fills x with pseudo-random numbers in [−1, 1). Such a vector has a component along every mode. The numbers are the
+/// same at every call, so that results are reproducible. A system with distributed vectors has its own member
+/// `fill_irregular`, whose numbers do not depend on the number of ranks.
 template <class S>
 void fill_irregular(const S& system, typename S::Vector& x) {
   if constexpr (requires { system.fill_irregular(x); }) return system.fill_irregular(x);
@@ -75,13 +75,13 @@ void fill_irregular(const S& system, typename S::Vector& x) {
   }
 }
 
-/// The operator K, or C if `of_velocity` is true. Both are computed by differences of the force, except the C of
-/// damping that is not linear in v.
+/// The operator K, or C if `of_velocity` is true. Both are computed by differences of the force. If the damping is not
+/// linear in v, the system itself applies C.
 template <ConstrainedSystem S>
 class TangentOperator {
  public:
-  /// `scale` is the size of the vector that the differences change: q for K, and v for C. A scale of 0 is replaced by
-  /// 1. The references must stay valid as long as the object.
+  /// `scale` is the size of the vector that the differences change: |q| for K, and |v| for C. If `scale` is 0, 1 is
+  /// used. The object refers to `system`, `state` and `workspace`.
   TangentOperator(const S& system, const State<S>& state, typename S::Workspace& workspace, bool of_velocity,
                   double scale)
       : system_(system),
@@ -105,9 +105,9 @@ class TangentOperator {
     return evaluate(force_at_state_);
   }
 
-  /// Sets result.w to K u and result.u to M⁻¹K u, and projects both. If the operator is C, C replaces K. If the force
-  /// fails, the increment of the difference is divided by 10, up to five times. The force can fail for a body that is
-  /// thin compared with its length. Fails if the force fails with the smallest increment, or if the Gram solve fails.
+  /// Sets result.w to K u (or C u) and result.u to M⁻¹ times this vector, and projects both. If the force fails, the
+  /// increment of the difference is divided by 10, up to five times. The force can fail for a body that is thin
+  /// compared with its length. Fails if the force fails with the smallest increment, or if the Gram solve fails.
   Status apply(const typename S::Vector& u, MassPair<S>& result) {
     Status status = difference(u, result.w);
     for (int n_smaller = 0; !status && n_smaller < 5; ++n_smaller) {
@@ -138,7 +138,7 @@ class TangentOperator {
 
  private:
   /// Computes w = K u, or w = C u if `of_velocity_` is true, by a difference of forces. If the damping is not linear in
-  /// the velocity, the system computes its tangent C. A difference would need changes far below the slip speed of
+  /// the velocity, the system applies C itself, because a difference would need changes far below the slip speed of
   /// friction. Fails if the force fails.
   Status difference(const typename S::Vector& u, typename S::Vector& w) {
     if constexpr (Damped<S>)
@@ -188,18 +188,18 @@ class TangentOperator {
   typename S::Multiplier lambda_, residual_, delta_;
 };
 
-/// Largest eigenvalue of the Lanczos matrix T_n, and the residual of its eigenvector s. T_n is tridiagonal with the
-/// diagonal `alpha`. Its off-diagonal has all numbers of `beta` but the last, β_n. The residual is |β_n s_n|. The
+/// The largest eigenvalue `value` of the Lanczos matrix T_n, and the residual |β_n s_n| of its eigenvector s. T_n is
+/// tridiagonal with the diagonal `alpha`. Its off-diagonal consists of the numbers in `beta` except the last, β_n. The
 /// operator has an eigenvalue that differs from `value` by at most `residual`.
 struct RitzValue {
   double value = 0, residual = 0;
 };
-/// Returns the eigenvalue and its residual after n = alpha.size() steps of Lanczos. The list `beta` has the same size.
+/// Returns the largest eigenvalue and its residual after n = alpha.size() ≥ 1 steps of Lanczos. `beta` must have the
+/// same size as `alpha`.
 RitzValue largest_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta);
 
 /// Returns the number of independent displacements tangent to the constraints, or the largest int for distributed
-/// vectors. Lanczos' iteration is complete after this number of steps. Further vectors would consist of round-off,
-/// which can grow without bound.
+/// vectors. After this number of steps, Lanczos' iteration is exact. Further vectors would consist of round-off.
 template <ConstrainedSystem S>
 int most_directions(const S& system) {
   if constexpr (VectorSpace<typename S::Vector>::dense) {
@@ -210,10 +210,10 @@ int most_directions(const S& system) {
   return std::numeric_limits<int>::max();
 }
 
-/// Computes the largest eigenvalue with at most `n_iterations` steps of Lanczos, and sets `value` to the sum of the
-/// eigenvalue and its residual. If this sum is negative, `value` is 0. The iteration ends earlier if the residual is at
-/// most `accuracy` times the eigenvalue, or if the next vector would be round-off. Fails if the force or a Gram solve
-/// fails.
+/// Sets `value` to an upper estimate of the largest eigenvalue of M⁻¹K or M⁻¹C, with at most `n_iterations` steps of
+/// Lanczos. The estimate is the sum of the largest Ritz value and its residual, or 0 if this sum is negative. The
+/// iteration ends earlier if the residual is at most `accuracy` times the eigenvalue, or if the next vector would be
+/// round-off. Fails if the force or a Gram solve fails.
 template <ConstrainedSystem S>
 Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_iterations, double accuracy,
                           double& value) {
@@ -250,9 +250,9 @@ Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_ite
 }  // namespace detail
 
 /// Returns ω from at most `n_iterations` steps of Lanczos. The iteration ends earlier if the relative uncertainty of ω²
-/// is at most `accuracy`. The residual is added to the eigenvalue. A short iteration therefore usually gives an ω that
-/// is too large and a step that is too small, which is safe. If the number of steps is the number of modes, only the
-/// differences have errors. If the sum of the eigenvalue and its residual is negative, ω is 0.
+/// is at most `accuracy`. The residual of the eigenvalue is added to ω². A short iteration therefore usually gives an ω
+/// that is too large and a step that is too small, which is safe. If the number of steps is the number of modes, only
+/// the differences of the force cause errors. If this estimate of ω² is negative, ω is 0.
 template <ConstrainedSystem S>
 FrequencyReport largest_frequency(const S& system, const State<S>& state, typename S::Workspace& workspace,
                                   int n_iterations, double accuracy = 0) {
@@ -263,8 +263,9 @@ FrequencyReport largest_frequency(const S& system, const State<S>& state, typena
   return {std::move(status), std::sqrt(omega_squared)};
 }
 
-/// Returns the largest damping rate γ, computed like ω. `omega` is the largest frequency. The velocity that the
-/// differences change has the size |v| or ω|q|, whichever is larger. If the system does not dissipate energy, γ is 0.
+/// Returns the largest damping rate γ, with `n_iterations` and `accuracy` as in largest_frequency. `omega` is the
+/// largest frequency ω. The increments of the differences are proportional to the larger of |v| and ω|q|. If the system
+/// does not dissipate energy, γ is 0.
 template <ConstrainedSystem S>
 DampingReport largest_damping(const S& system, const State<S>& state, typename S::Workspace& workspace, double omega,
                               int n_iterations, double accuracy = 0) {

@@ -19,7 +19,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// The conditions under which a method and a step are chosen. Times are in the unit of time of the system.
+/// The request for a method and a step. All times are in the system's unit of time.
 struct StepRequest {
   double end = 0;        ///< end T of the run, which starts at 0
   double window = 0;     ///< length w of the pilot runs
@@ -29,10 +29,10 @@ struct StepRequest {
   double rattle_limit = 0;
   double step_bound = HUGE_VAL;  ///< largest length of a step with all its substeps that the user permits
   double interval = HUGE_VAL;    ///< time between samples, which bounds the step of methods with fixed steps
-  bool stiff = false;            ///< true if the damping would limit the step of all methods except RATTLE
-  /// True if force evaluations are costly. The search then first tries shorter pilot runs. The search omits methods
-  /// that cannot save more than 20 % of the force evaluations of the best method so far, and does not measure how
-  /// adaptive methods amplify round-off.
+  bool stiff = false;            ///< true if the damping would make the steps of all methods except RATTLE too small
+  /// True if force evaluations are costly. The search then saves pilot runs. It tries shorter pilot runs first. It
+  /// omits methods that cannot save more than 20 % of the force evaluations of the best method so far. It does not
+  /// measure how the motion amplifies round-off.
   bool spare_pilots = false;
   std::optional<MethodId> method{};    ///< the requested method; empty: the cheapest method
   std::function<bool()> give_up = {};  ///< called after every pilot step; the search ends if it returns true
@@ -43,8 +43,8 @@ namespace detail {
 inline constexpr double error_safety = 0.5;  ///< fraction of the tolerance that the error estimate may use
 /// Largest number of samples in a pilot run.
 inline constexpr long max_pilot_samples = 32;
-/// Largest difference of two pilot runs, in the system's unit of length, that is assumed to follow the order of the
-/// method. Collisions and chaos cause larger differences.
+/// Largest difference of the configurations of two pilot runs that is assumed to decrease with the step according to
+/// the order of the method. Collisions and chaos cause larger differences.
 inline constexpr double asymptotic_difference = 0.1;
 /// Largest number of force evaluations in one pilot run, and in all pilot runs for one method with fixed steps. The
 /// steps of a collapsing body shrink, so a run without a bound would never end.
@@ -54,8 +54,9 @@ inline constexpr long max_pilot_forces = 4'000'000;
 /// step changed by 4 %.
 inline constexpr double pilot_constraint = 5e-3;
 
-/// Result of a pilot run. `q` has the configuration at each sample, or the pair of kinetic and potential energy if the
-/// run records energies. `speed` is the largest |v|_∞ at the samples, and `n_force` the number of force evaluations.
+/// Result of a pilot run. `q` has the configuration at each sample, or the kinetic and the potential energy if the run
+/// records energies. `speed` is the largest |v|_∞ at the samples, and `n_force` the number of force evaluations. After
+/// a failure, the results are those of the samples before the failure.
 struct PilotRun {
   Status status;
   double t = 0;  ///< time that the pilot run reached
@@ -67,8 +68,9 @@ struct PilotRun {
 /// Type of the argument `energies_of` if the caller does not give a function for kinetic and potential energy.
 struct NoEnergies {};
 
-/// A method with steps of fixed size, with functions that make pilot runs of one system. `n_stages` is the cost of a
-/// step in force evaluations. `step_limit` is the largest hω, with the step h and the largest frequency ω.
+/// A method with steps of fixed size, and functions that make pilot runs of one system with it. `n_stages` is the cost
+/// of a step in force evaluations. `step_limit` is the largest permitted hω, with the step h and the largest frequency
+/// ω.
 struct FixedStepMethod {
   MethodId id;
   double order, n_stages, step_limit;
@@ -78,7 +80,8 @@ struct FixedStepMethod {
   /// empty if the method is symplectic or if the caller does not give the energies.
   std::function<PilotRun(double window, long n_samples, long n_steps)> energies{};
 };
-/// An adaptive method, with functions that make pilot runs of one system with a given local tolerance.
+/// An adaptive method, and functions that make pilot runs of one system with it. The length of these runs is
+/// pilot_window(request).
 struct AdaptiveMethod {
   MethodId id;
   std::function<PilotRun(double local_tolerance)> pilot;
@@ -86,11 +89,12 @@ struct AdaptiveMethod {
   std::function<PilotRun(double local_tolerance, double part)> kicked_pilot;
 };
 
-/// Returns the length of the pilot runs, which is at most that of the run.
+/// Returns the length of the pilot runs: `window`, but at most the length of the run.
 inline double pilot_window(const StepRequest& request) { return std::min(request.window, request.end); }
 
-/// Functions that the time loop calls (time_loop.h), to record a pilot run. The recorded configuration is Q_of(state).
-/// The run is interrupted if it needs max_pilot_forces force evaluations or if give_up returns true.
+/// Functions that record a pilot run in `run`; the time loop calls them (time_loop.h). The recorded configuration is
+/// Q_of(state). The pilot run is interrupted if it needs max_pilot_forces force evaluations, or if give_up returns
+/// true.
 template <class S, class QOf>
 struct PilotHooks {
   const QOf& Q_of;
@@ -116,15 +120,16 @@ struct PilotHooks {
   }
 };
 
-/// Returns the failure of a pilot run that did not reach its end: the failure of the run, or its interruption.
+/// Returns a failure with the reason why a pilot run did not reach its end.
 inline Status failure_of(RunResult result) {
   return Status::failure(result.outcome == Outcome::failed ? std::move(result.reason)
                                                            : "it takes too many steps to look ahead");
 }
 
-/// Makes a pilot run over `window` with n_samples samples and n_steps steps between samples. An adaptive method ignores
-/// n_steps. `form` is the form of the system that the method integrates (field_of.h). The function calls
-/// `prepare(workspace)` before the first step. A failure is in the status of the result.
+/// Makes a pilot run from `state` over the time `window`, with n_samples samples and n_steps steps from each sample to
+/// the next. An adaptive method ignores n_steps. `form` is the form of the system that the method integrates
+/// (field_of.h). The function calls `prepare(workspace)` before the first step. If the run fails or is interrupted, the
+/// status of the result is a failure.
 template <class Method, class Form, class QOf, class Prepare>
 PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& request, const QOf& Q_of, double window,
                    long n_samples, long n_steps, Prepare&& prepare) {
@@ -139,10 +144,10 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
   return std::move(hooks.run);
 }
 
-/// Returns the longest step of a pilot run with perturbations: the limit of RATTLE, but at least 1/4096 of the window.
-/// If `rattle_limit` is 0, it is not known and the result is infinite. An adaptive step does not react to perturbations
-/// far below its tolerance. Without this bound, the steps of a body at rest would exceed the stability limit, and the
-/// method itself would amplify the perturbations.
+/// Returns the longest permitted step of a pilot run with kicks (kicked_method.h): `rattle_limit`, but at least 1/4096
+/// of the pilot run. If `rattle_limit` is 0, it is not known, and the result is infinite. The error control of an
+/// adaptive method does not notice perturbations far below its tolerance. Without this bound, the steps for a body at
+/// rest would exceed the stability limit, and the method itself would amplify the perturbations.
 inline double longest_kicked_step(const StepRequest& request) {
   constexpr double most_steps = 4096;
   if (request.rattle_limit == 0) return HUGE_VAL;  // the limit is not known
@@ -158,13 +163,14 @@ double forces_of_step(const S& system) {
     return Method::n_stages;
 }
 
-/// Returns a FixedStepMethod, whose functions keep references to the arguments.
+/// Returns a FixedStepMethod for the system. Its functions refer to the arguments, which must exist as long as the
+/// result.
 template <class Method, class S, class QOf, class EnergiesOf>
 FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                   const QOf& Q_of, const EnergiesOf& energies_of) {
   const auto prepare = [&request](auto& workspace) {
-    // If steps were halved, the steps of both pilot runs could become equal. The difference of the runs would then be
-    // meaningless.
+    // If the method halved steps, the two pilot runs that are compared could have the same steps. Their difference
+    // would then be meaningless.
     if constexpr (requires { workspace.most_halvings; }) {
       workspace.most_halvings = 0;
       workspace.iteration_tolerance = Method::iteration_tolerance(request.tolerance, request.end);
@@ -185,7 +191,8 @@ FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& 
     };
   return method;
 }
-/// Returns an AdaptiveMethod, whose functions keep references to the arguments.
+/// Returns an AdaptiveMethod for the system. Its functions refer to the arguments, which must exist as long as the
+/// result.
 template <class Method, class S, class QOf>
 AdaptiveMethod adaptive_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                const QOf& Q_of) {
@@ -215,28 +222,28 @@ inline double largest_difference(const PilotRun& a, const PilotRun& b) {
   return d;
 }
 
-/// Returns the error of the configuration at the time `end` that the random walk of round-off over n_substeps substeps
-/// causes. `speed` is the size |v|_∞ of the velocity. Every substep rounds the velocity. If sums are compensated, only
-/// the increments of the velocity have round-off. The random walk is then smaller by the factor min(1, hω), with the
-/// size h of a substep and the largest frequency ω.
+/// Returns an estimate of the error of the configuration at the time `end` that round-off causes. The rounding errors
+/// of the velocity in n_substeps substeps make a random walk. `speed` is the size |v|_∞ of the velocity. If sums are
+/// compensated, only the increments of the velocity have round-off. The random walk is then smaller by the factor
+/// min(1, hω). `h_omega` is hω, with the size h of a substep and the largest frequency ω.
 inline double round_off_walk(bool compensated, double speed, double end, double n_substeps, double h_omega) {
   const double part = compensated ? std::min(1.0, h_omega) : 1.0;
   return 0.5 * std::numeric_limits<double>::epsilon() * (1 + part * std::sqrt(n_substeps) * std::max(1.0, speed * end));
 }
 
 /// Result of the search for the step or the local tolerance of one method. The verdict `dearer` means that the method
-/// would need too many force evaluations compared with other methods. If the verdict is `failed`, `reason` contains the
-/// reason in one sentence.
+/// would need too many force evaluations compared with another method (step_size.h). If the verdict is `failed`,
+/// `reason` contains the reason in one sentence.
 struct Trial {
   enum class Verdict { accepted, dearer, failed } verdict = Verdict::failed;
   MethodId method = id_of<Rattle>;
-  double limit = 0, step = 0;  ///< permitted and chosen step; for an adaptive method both are step_bound
-  double local_tolerance = 0;  ///< for adaptive methods only
+  double limit = 0, step = 0;  ///< largest permitted and chosen step; both are step_bound for an adaptive method
+  double local_tolerance = 0;  ///< tolerance of one step of an adaptive method; otherwise 0
   /// Estimated error of the configuration over the run, and number of force evaluations of the run.
   double error = 0, n_forces_of_run = 0;
   bool at_round_off = false;   ///< true if round-off prevents the method from meeting the tolerance
   bool set_by_energy = false;  ///< true if the error of the energy determines the step
-  /// Time after which round-off exceeds the tolerance; empty if no such time is known.
+  /// Time after which the effect of round-off exceeds the tolerance; empty if no such time is known.
   std::optional<double> round_off_rules_from{};
   std::string reason{};
 };

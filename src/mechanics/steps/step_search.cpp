@@ -11,9 +11,9 @@ constexpr int max_step_halvings = 12;
 /// Largest number of force evaluations in a run. With 100 ns for a force, such a run takes 3 hours.
 constexpr double max_run_forces = 1e11;
 
-/// Division of a window into n_samples intervals of n_steps steps, none longer than h. If a window needs at most 32
-/// steps, each step ends at a sample. Otherwise the constructor chooses the number of samples from 16 to 32 such that
-/// the total number of steps is smallest.
+/// Division of a window into n_samples intervals with n_steps equal steps each, which are not longer than h. If the
+/// window needs at most 32 steps, each step ends at a sample. Otherwise the constructor chooses the number of samples
+/// from 16 to 32 such that the total number of steps is smallest.
 struct Grid {
   long n_samples, n_steps;
   Grid(double window, double h) {
@@ -32,11 +32,12 @@ struct Grid {
 /// of RATTLE, which is 2.
 bool is_multistep(const FixedStepMethod& method) { return method.n_stages == 1 && method.order > 2; }
 
-/// Returns the change of the energy over the whole run, extrapolated from a pilot run that covers the fraction `part`
-/// of the run. The change is relative to the energy of the motion above the least potential energy. The oscillating
-/// part is the largest change in the pilot run. The lasting part is the difference of the means over both halves, which
-/// is assumed to grow like t^(3/2). Returns 0 if the largest change is round-off, or if the motion has no energy above
-/// the least potential energy.
+/// Returns the change of the energy over the whole run, extrapolated from a pilot run over the fraction `part` of the
+/// run. The pilot run records the energies. The result is relative to the energy of the motion above the least
+/// potential energy. It is the sum of an oscillating and a lasting change. The oscillating change is the largest change
+/// in the pilot run. The lasting change follows from the difference of the means over both halves, and is assumed to
+/// grow like t^(3/2). Returns 0 if the largest change is round-off, or if the motion has no energy above the least
+/// potential energy.
 double change_of_energy(const PilotRun& run, double part) {
   const double of_halves = 0.8 - 0.2 * std::sqrt(2.0);  // difference of the means of t^(3/2) over both halves of [0, 1]
   const double start = run.q.front().sum();
@@ -59,16 +60,16 @@ double change_of_energy(const PilotRun& run, double part) {
 }
 
 /// Returns true if the runs with steps h and h/2 fail at nearly the same time, more than 8 steps h after the start. The
-/// motion then ends at this time, and a smaller step does not help. Steps beyond the stability limit would fail within
-/// the first few steps.
+/// motion itself then ends at this time, and a smaller step does not help. An unstable step would fail earlier.
 bool motion_ends(const PilotRun& coarse, const PilotRun& fine, double h) {
   return !coarse.status && !fine.status && coarse.t > 8 * h && std::abs(coarse.t - fine.t) <= 0.2 * coarse.t;
 }
 
 }  // namespace
 
-/// Finds the step that meets the tolerance of the configuration (step_search.h), without regard to the energy. If the
-/// verdict is `failed`, the result has the reason.
+/// Finds the step for which the error of the configuration meets the tolerance (step_search.h), without regard to the
+/// error of the energy. The verdict of the result is `dearer` if the run would need n_forces_to_beat force evaluations
+/// or more.
 Trial StepSearch::meet_tolerance(const FixedStepMethod& method, double n_forces_to_beat) {
   Trial trial{.method = method.id, .limit = limit(method)};
   if (!(least_forces(method) <= max_run_forces)) {
@@ -110,18 +111,20 @@ double StepSearch::window_of(const FixedStepMethod& method) const {
   return std::min(request_.end, std::max(pilot_window(request_), least));
 }
 
-/// Returns the number of force evaluations of the run at the step that meets the tolerance, if the difference d of the
-/// pilot runs with h and h/2 decreases according to the order. Large errors saturate, so the true number may be larger
-/// than this prediction. A method that is too costly according to the prediction is therefore too costly in fact.
+/// Returns the predicted number of force evaluations of the run at the step that meets the tolerance. The prediction
+/// assumes that the difference d of the pilot runs with h and h/2 decreases according to the order. Large differences
+/// are limited by the size of the motion, so the true number may be larger. A method that is too costly by this
+/// prediction is therefore too costly in fact.
 double StepSearch::predicted_forces(const FixedStepMethod& method, double h, double d) const {
   const double e = d * std::max(1.0, request_.end / window_), target = allowed_error();
   return run_forces(method, h) * std::max(1.0, std::pow(e / target, 1 / method.order));
 }
 
-/// Estimates the error with the largest permitted step over a part of the window. Multiplies the estimate by its
-/// possible growth in the rest of the window. If the product is permitted, accepts this step and returns true. Tries
-/// the longer part only if the estimate of the shorter part would be permitted with the smaller factor. Returns false
-/// if no part is sufficient, if a part would be longer than the window, or if a pilot run fails.
+/// Makes the shorter estimate of step_search.h with the largest permitted step, first over 1/8 and then over 1/2 of the
+/// window. Multiplies the estimate by its possible growth in the rest of the window. If the product is at most the
+/// target, accepts the step and returns true. Tries the longer part only if the estimate of the shorter part meets the
+/// target with the smaller factor. Returns false if no part is sufficient, if a part would be longer than the window,
+/// or if a pilot run fails.
 bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
   double error = 0;
   for (double part : {1.0 / 8, 1.0 / 2}) {
@@ -171,9 +174,9 @@ PilotRun StepSearch::pilot(const FixedStepMethod& method, double window, long n_
 }
 
 /// Sets the step and returns true if the difference d of the pilot runs with h and h/2 is sufficient. One sufficient
-/// condition is that the error estimate from d is at most the target or the round-off. The other condition is that d is
-/// small and has decreased according to the order from d_before, the difference at 2h. If d_before is 0, no earlier
-/// difference is known. `speed` is the largest |v|_∞ of the pilot run.
+/// condition is that the error estimate from d is at most the target or the error by round-off. The other condition is
+/// that d is small and has decreased according to the order. `d_before` is the difference of the pilot runs with 2h and
+/// h, or 0 if these runs were not made. `speed` is the largest |v|_∞ of the pilot run.
 bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, double d, double d_before,
                         double speed) const {
   const double p = method.order;
@@ -196,8 +199,8 @@ bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, d
   return accept(method, trial, step, e * std::pow(step / h, p), round_off(method, speed, step));
 }
 
-/// Sets the trial to `accepted` with this step and returns true. The estimated error is the sum of `truncation`, the
-/// error of the method, and `walk`, the error of round-off.
+/// Sets `trial` to `accepted` with this step, and returns true. The estimated error is the sum of `truncation`, the
+/// error of the method, and `walk`, the error by round-off.
 bool StepSearch::accept(const FixedStepMethod& method, Trial& trial, double step, double truncation,
                         double walk) const {
   trial.verdict = Trial::Verdict::accepted;
@@ -210,8 +213,8 @@ bool StepSearch::accept(const FixedStepMethod& method, Trial& trial, double step
 
 /// Returns the error e₀ that round-off causes in the configuration over the run with the step h (step_search.h).
 double StepSearch::round_off(const FixedStepMethod& method, double speed, double h) const {
-  // If the system has no constrained form, its frequency is not known and rattle_limit is infinite. hω then counts as
-  // 1.
+  // If the system has no constrained form, its largest frequency is not known and rattle_limit is infinite. hω is then
+  // taken as 1.
   const double h_omega = std::isfinite(request_.rattle_limit)
                              ? Rattle::stability_limit * h / (method.n_stages * request_.rattle_limit)
                              : 1;

@@ -19,8 +19,8 @@ double affine_rate(const Eigen::Matrix3d& Q, const Eigen::Matrix3d& Qdot) {
 namespace detail {
 namespace {
 
-/// The search for a method stops if the method needs this multiple of the least cost of a later method of higher order.
-/// If force evaluations are costly, the search compares the method with all later methods.
+/// The search for the step of a method stops if the method needs this multiple of the least cost of a later method. If
+/// force evaluations are cheap, only later methods of higher order count.
 constexpr double clearly_dearer = 4;
 /// If force evaluations are costly, a method is tried only if its least cost is below this fraction of the cost of the
 /// best method so far. Otherwise its pilot runs would cost more than the method can save.
@@ -29,8 +29,8 @@ constexpr double worth_dear_pilots = 0.8;
 /// evaluation of an adaptive method.
 constexpr double price_of_invariants = 2;
 
-/// Returns the sentence for the log. It contains the chosen method, its step with the reason, its error and cost, and
-/// the costs of the other methods.
+/// Returns the sentence for the log. The sentence contains the chosen method, its step with the reason, its error and
+/// cost, and the costs of the other methods.
 std::string describe(const Trial& chosen, const StepRequest& request, const std::vector<Trial>& others) {
   std::ostringstream s;
   s.precision(3);
@@ -54,12 +54,14 @@ std::string describe(const Trial& chosen, const StepRequest& request, const std:
   return s.str();
 }
 
+/// Tries methods and chooses the best of them.
 class MethodChoice {
  public:
   MethodChoice(bool compensated, const StepRequest& request) : compensated_(compensated), request_(request) {}
 
-  /// Searches for the local tolerance of each adaptive method, and keeps the method if it is accepted. The table has
-  /// one such method. Sets `hopeless_` to true if the method fails or its error is above asymptotic_difference.
+  /// Searches for the local tolerance of each adaptive method, and sets `adaptive_` if the method is accepted. The
+  /// table of methods has one adaptive method. Sets `hopeless_` to true if the method fails or its error is above
+  /// asymptotic_difference.
   void try_adaptive(const std::vector<AdaptiveMethod>& methods) {
     for (const AdaptiveMethod& method : methods) {
       trials_.push_back(search_tolerance(request_, compensated_, method, n_force_));
@@ -69,8 +71,8 @@ class MethodChoice {
     }
   }
 
-  /// Searches for the step of each method with fixed steps in the order of likely_forces, and keeps the cheapest
-  /// method.
+  /// Searches for the step of each method with fixed steps, in the order of likely_forces. Sets `best_` to the cheapest
+  /// of them.
   void try_fixed_steps(std::vector<FixedStepMethod> methods) {
     StepSearch search(request_, compensated_);
     std::stable_sort(methods.begin(), methods.end(), [&](const FixedStepMethod& a, const FixedStepMethod& b) {
@@ -114,13 +116,14 @@ class MethodChoice {
   }
 
  private:
-  /// Returns the cost by which the methods are ordered. The cost of a method of order 2 is doubled, since accuracy
-  /// seldom permits a step near its limit.
+  /// Returns the cost by which the methods are ordered: the least number of force evaluations. For a method of order 2
+  /// this number is doubled, because accuracy seldom permits a step near its limit.
   static double likely_forces(const StepSearch& search, const FixedStepMethod& method) {
     return search.least_forces(method) * (method.order == 2 ? 2 : 1);
   }
-  /// Returns the cost of the adaptive method in the comparison, with the factor price_of_invariants. The cost is
-  /// infinite if no adaptive method is accepted, or if round-off prevents it from meeting the tolerance.
+  /// Returns the cost of the adaptive method that is compared with other methods: price_of_invariants times its number
+  /// of force evaluations. The cost is infinite if no adaptive method is accepted, or if round-off prevents it from
+  /// meeting the tolerance.
   double adaptive_cost() const {
     return adaptive_ && !adaptive_->at_round_off ? price_of_invariants * adaptive_->n_forces_of_run : HUGE_VAL;
   }
@@ -130,7 +133,7 @@ class MethodChoice {
   const StepRequest& request_;
   std::vector<Trial> trials_;
   std::optional<Trial> best_, adaptive_;
-  bool hopeless_ = false;  // no more methods are tried: the motion ends early or is too sensitive
+  bool hopeless_ = false;  // true if no more methods are tried, because the motion ends early or is too sensitive
   long n_force_ = 0;
 };
 

@@ -11,16 +11,16 @@ namespace {
 /// Returns |q|_∞ of the configuration q at the first sample, or 0 if the run has no samples.
 double size_of(const PilotRun& pilot) { return pilot.q.empty() ? 0 : max_norm<Eigen::VectorXd>(pilot.q.front()); }
 
-/// Largest distance of a pilot run from two pilot runs that are perturbed by round-off in opposite directions.
+/// Effect of round-off on a pilot run. `difference` is the largest distance in the configuration from two pilot runs
+/// that are perturbed by round-off in opposite directions.
 struct RoundOff {
   double difference = 0;
-  bool magnified = false;               ///< true if the distance is more than 1000 times that of a random walk
-  std::optional<double> beyond_from{};  ///< time of the first sample at which the distance exceeds the bound
+  bool magnified = false;               ///< true if `difference` is more than 1000 times that of a random walk
+  std::optional<double> beyond_from{};  ///< time of the first sample with a distance above the bound; empty if none
 };
 
 /// Makes the two perturbed pilot runs with the local tolerance `tau` and compares them with `pilot`. `bound` is the
-/// distance above which a sample counts for `beyond_from`. Adds the number of force evaluations of the two runs to
-/// n_force.
+/// bound of the distance for `beyond_from`. Adds the number of force evaluations of the two runs to n_force.
 RoundOff round_off_of(const StepRequest& request, const AdaptiveMethod& method, double tau, const PilotRun& pilot,
                       double bound, long& n_force) {
   constexpr double much = 1000;
@@ -42,8 +42,8 @@ RoundOff round_off_of(const StepRequest& request, const AdaptiveMethod& method, 
   return found;
 }
 
-/// Returns true if the body rests in the pilot run: all velocities are round-off, and all positions equal the initial
-/// ones up to round-off.
+/// Returns true if the system is at rest in the pilot run: all velocities are zero, and all configurations equal the
+/// first one, up to round-off.
 bool rests(const PilotRun& pilot) {
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * std::max(1.0, size_of(pilot));
   return pilot.speed <= round_off && std::ranges::all_of(pilot.q, [&](const Eigen::VectorXd& q) {
