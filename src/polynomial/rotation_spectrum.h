@@ -65,7 +65,9 @@ class RotationSpectrum {
   /// the constraint.
   struct ClassEquation {
     const Part* part;
-    Eigen::MatrixXd T, stiffness, coriolis;  ///< T; TᵀKT; the matrix of Ω ê₃×u
+    Eigen::MatrixXd T;
+    Eigen::MatrixXd stiffness;  ///< TᵀKT
+    Eigen::MatrixXd coriolis;   ///< matrix of the map u ↦ Ω ê₃×u in the coordinates z
   };
   /// The equations of all classes that have a motion.
   std::vector<ClassEquation> equations(const EquilibriumFigure& rotation) const;

@@ -18,9 +18,9 @@ namespace pseudorigid::scene {
 /// [1e-12, 1e12], and entries of Qdot0 above 1e12/t. The bounds keep products of such numbers finite and accurate.
 std::optional<Refusal> refuses_initial_state(const Scene& scene);
 
-/// Refuses an own figure or a small motion without a relative equilibrium. A small motion has a number that depends on
-/// the model and its discretisation. It is therefore also refused with several models or degrees, with a search for the
-/// discretisation, and if a model with motions that are not affine does not start from its own figure.
+/// Refuses an own figure or a small motion without a relative equilibrium. Also refuses a small motion of a model with
+/// motions that are not affine, if the model does not start from its own figure. The number of a small motion depends
+/// on the model and its discretisation, so a number is refused with several models or degrees, or with a search.
 std::optional<Refusal> refuses_starting_figure(const Scene& scene);
 
 /// Projects the initial state of the scene, whose body must be incompressible. If a condition in the head of this file

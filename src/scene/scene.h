@@ -35,8 +35,8 @@ enum class Family {
   riemann_planar_dual,
   at_rest
 };
-/// The figure from which a model starts if the scene gives a relative equilibrium: the ellipsoid of the pseudo-rigid
-/// body, or the model's own figure of the same family and parameter.
+/// The figure from which a model starts if the scene gives a relative equilibrium. The value `affine` selects the
+/// ellipsoid of the pseudo-rigid body, and `own` the model's own figure of the same family and parameter.
 enum class StartingFigure { affine, own };
 enum class Graphics { none, vtu };
 /// The cells of a picture. With `linear`, an element of degree k is divided into k³ hexahedra; with `lagrange`, it is
@@ -98,7 +98,7 @@ struct Scene {
     Family equilibrium = Family::none;
     double equilibrium_parameter = 0.5;
     StartingFigure figure = StartingFigure::affine;
-    std::optional<int> mode = 0;  ///< number of the small motion that is added; 0: none; empty: the fastest growing one
+    std::optional<int> mode = 0;   ///< number of the small motion that is added, or 0; empty: the fastest growing one
     double mode_amplitude = 1e-3;  ///< its root mean square displacement over the mass, in radii
     /// Centre of mass of the body and its companions, and the velocity of this centre.
     std::vector<double> center{0, 0, 0}, center_velocity{0, 0, 0};

@@ -171,14 +171,16 @@ Status conjugate_gradients(const S& system, double s, const State<S>& state, dou
 
 /// Sets w.solution to u for the projected residual P r = w.residual and the operator C at `state`. On return w.residual
 /// is the remaining residual. The iteration ends when |w.residual|_∞ is at most the largest of `enough`, w.round_off
-/// and 64 ε |P r|_∞, with the round-off ε. The function fails if a projection fails, if 2000 iterations are not enough,
-/// or if 1 + s M⁻¹C is not positive. The last case occurs in a long step backwards in time, s < 0, and if a product
-/// with C is not finite.
+/// and 64 ε |P r|_∞, with the round-off ε. The function fails if P r is not finite, if a projection fails, if 2000
+/// iterations are not enough, or if 1 + s M⁻¹C is not positive. The last case occurs in a long step backwards in time,
+/// s < 0, and if a product with C is not finite.
 template <Damped S>
 Status solve_damping(const S& system, double s, const State<S>& state, double enough,
                      typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
                      DampingTemporaries<S>& w) {
   constexpr int most_iterations = 2000;
+  // A comparison with NaN is false, so the iteration would take such a residual for a small one.
+  if (!std::isfinite(dot(w.residual, w.residual))) return Status::failure("the damping force is not finite");
   const double round_off = 64 * std::numeric_limits<double>::epsilon() * max_norm(w.residual);
   const double sufficient = std::max({enough, w.round_off, round_off});
   if (max_norm(w.residual) <= sufficient) {

@@ -32,7 +32,7 @@ class CriticalPointFinder {
       if (Status status = try_starts(std::min(search_.n_starts, search_.n_starts_at_most - found.n_starts), found);
           !status)
         return status;
-    std::sort(found.points.begin(), found.points.end(), before);
+    sort(found.points);
     return {};
   }
 
@@ -163,10 +163,16 @@ class CriticalPointFinder {
     return d.norm() < same_place * (1 + a.q.norm());
   }
 
-  /// Order of the points by increasing V. Points with V equal up to same_place are ordered by their coordinates.
-  static bool before(const CriticalPoint& a, const CriticalPoint& b) {
-    if (std::abs(a.V - b.V) > same_place) return a.V < b.V;
-    return std::lexicographical_compare(a.q.begin(), a.q.end(), b.q.begin(), b.q.end());
+  /// Sorts the points by increasing V. Points with V equal up to same_place are then sorted by their coordinates.
+  static void sort(std::vector<CriticalPoint>& points) {
+    std::ranges::sort(points, {}, &CriticalPoint::V);
+    for (auto first = points.begin(); first != points.end();) {
+      const auto last = std::find_if(first, points.end(), [&](const auto& p) { return p.V - first->V > same_place; });
+      std::sort(first, last, [](const CriticalPoint& a, const CriticalPoint& b) {
+        return std::lexicographical_compare(a.q.begin(), a.q.end(), b.q.begin(), b.q.end());
+      });
+      first = last;
+    }
   }
 
   const AnyLandscape& landscape_;

@@ -4,10 +4,10 @@
 ///
 ///   (s² + 2sG + K) y = 0                                                      (linear_stability.h).
 ///
-/// A shape has any complex factor. A motion starts with the amplitude ε and a phase that does not depend on the
-/// discretisation: the root mean square of |y| over the mass is ε, and one component of the displacement of one point
-/// of the surface is real and positive. The point is one of seven points with simple coordinates, which every mesh has
-/// as nodes. It has the largest component.
+/// The equation determines y up to a complex factor. For the start of a motion, the root mean square of |y| over the
+/// mass is the amplitude ε. The phase is that for which the largest component of the displacements of seven points of
+/// the surface is real and positive. Every mesh has these points as nodes, so the phase does not depend on the
+/// discretisation.
 
 #include <Eigen/Core>
 #include <array>
