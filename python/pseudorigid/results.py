@@ -88,7 +88,8 @@ class Run:
 
         def files(name: str) -> list[str]:
             own = [f"{stem}{name}.csv" for stem in ("", "modes-", "love-", "equilibria-")]
-            return own + (last if name == names[-1] else [])
+            figures = ["equilibria.csv"] if name == "reduced" or "ball" not in self.manifest else []
+            return own + figures + (last if name == names[-1] else [])
         return [name for name in names if any((self.directory / file).is_file() for file in files(name))]
 
     def title(self, model: str) -> str:
@@ -103,7 +104,9 @@ class Run:
         """The text of an entry as the run had it: entry("Body/Radius")."""
         values = self.manifest.get("entries", {})
         if path not in values:
-            raise WrongInput(f"{self.directory}/manifest.json has no value of {path}; run the scene again")
+            same_name = [known for known in values if known.split("/")[-1] == path.split("/")[-1]]
+            advice = f"did you mean {' or '.join(same_name)}?" if same_name else "run the scene again"
+            raise WrongInput(f"{self.directory}/manifest.json has no value of {path}; {advice}")
         return values[path]
 
     def counter(self, model: str, name: str) -> float:
