@@ -146,6 +146,19 @@ class Companions(ProgramTest):
                       "--set", "Time/Tolerance=1e-5", "--output", "degree_3")
         self.assertAlmostEqual(self.table("degree_3/polynomial.csv").column("lag")[-1], -0.683590, delta=0.683590e-3)
 
+    def test_tidal_heating(self):
+        """The power of an eccentric orbit, (21/2) (-Im k2) (nR)^5 e^2/G, with the factor 25 of the pseudo-rigid body."""
+        self.scene((SOURCE / "params/tidal_heating.prm").read_text(), "tidal_heating.prm")
+        self.run_done("run", "tidal_heating.prm")
+        table = self.table("output/tidal_heating/reduced.csv")
+        R, rho, mu, eta, G_SI, m, a, e = 252.1e3, 1609, 3.3e9, 1e14, 6.6743e-11, 5.683e26, 238.04e6, 0.0047
+        n, g = math.sqrt(G_SI * (m + 4 / 3 * math.pi * rho * R**3) / a**3), 4 / 3 * math.pi * G_SI * rho * R
+        k2 = 1.5 / (1 + 25 * complex(mu, n * eta) / (2 * rho * g * R))
+        power = 10.5 * -k2.imag * (n * R) ** 5 * e**2 / G_SI
+        heat = np.interp([3 * 2 * math.pi / n, 5 * 2 * math.pi / n], table.column("time"), table.column("dissipated"))
+        # Terms of higher order in e, of a step that is a second-order method's, and of the samples between which this interpolates.
+        self.assertAlmostEqual((heat[1] - heat[0]) / (2 * 2 * math.pi / n) / power, 1, delta=2e-3)
+
     def test_tidal_locking(self):
         self.scene((SOURCE / "params/tidal_locking.prm").read_text(), "tidal_locking.prm")
         self.run_done("run", "tidal_locking.prm")

@@ -46,6 +46,15 @@ def linear_motion(rheology, times, strain=0.0, load=0.0, tide=0.0, frequency=0.0
 
 
 class Viscoelastic(RefusedInputTest, RanksTest):
+    def test_a_small_motion_dissipates_its_own_energy(self):
+        """What a step leaves of the constraint changes from step to step, and the viscosity would dissipate it."""
+        ball = {"Material/Viscosity": 0.3, "Initial state/Deformation": "$(1+1e-6), 0, 0; 0, $(1/(1+1e-6)), 0; 0, 0, 1", "Time/End": 20,
+                "Time/Tolerance": 1e-3, "Output/Samples": 40}
+        for model in "polynomial", "continuum":
+            table = self.run_model({**ball, **MODELS[model]}, model)
+            initial, dissipated = table.column("elastic")[0], table.column("dissipated")
+            self.assertTrue(0.9 * initial < dissipated[-1] < 1.01 * initial, (model, initial, dissipated[-1]))
+
     def run_model(self, entries, model="reduced", *options, output="out"):
         shutil.rmtree(self.scratch / output, ignore_errors=True)
         self.scene({"Models": model, "Continuum/Error estimate": "none", **entries})

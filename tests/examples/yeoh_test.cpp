@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "materials/law_checks.h"
-#include "mechanics/core/lanes.h"
 #include "reduced/turning_point.h"
 
 namespace pseudorigid::testing {
@@ -36,24 +35,7 @@ TEST(Yeoh, EnergyIsThatOfItsDefinition) {
   }
 }
 
-/// The finite elements compute with SIMD vectors: each lane is what a number gives.
-TEST(Yeoh, LanesAreNumbers) {
-  using L = mechanics::Lanes<mechanics::native_lanes>;
-  RandomDeformations random;
-  materials::Tensor<double> F[mechanics::native_lanes];
-  materials::Tensor<L> wide;
-  for (int lane = 0; lane < mechanics::native_lanes; ++lane) {
-    F[lane] = materials::to_tensor(random.deformation());
-    for (int k = 0; k < 9; ++k) wide(k / 3, k % 3).set(lane, F[lane](k / 3, k % 3));
-  }
-  for (int lane = 0; lane < mechanics::native_lanes; ++lane) {
-    const double W = law.energy(F[lane]);
-    EXPECT_NEAR(law.energy(wide)[lane], W, 1e-13 * (1 + W));
-    const auto P = law.stress(F[lane]);
-    for (int k = 0; k < 9; ++k)
-      EXPECT_NEAR(law.stress(wide)(k / 3, k % 3)[lane], P(k / 3, k % 3), 1e-13 * std::sqrt(materials::dot(P, P)));
-  }
-}
+TEST(Yeoh, LanesAreNumbers) { expect_lanes_are_numbers(law); }
 
 /// In units μ = ρ = r = 1, so κ = 5. The energy is a function of d that rises with d: a ball let go turns where its d
 /// is that of the start, for every s: ℓ² + 2/ℓ is 5 at ℓ = 2 and at √2 − 1.

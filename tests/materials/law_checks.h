@@ -9,6 +9,7 @@
 #include <random>
 
 #include "materials/eigen_tensor.h"
+#include "mechanics/core/lanes.h"
 
 namespace pseudorigid::testing {
 
@@ -110,6 +111,36 @@ void expect_free_of_stress_at_rest_with_moduli(const Law& law, double mu, double
     const Eigen::Matrix3d hooke = mu * (H + H.transpose()) + lambda * H.trace() * Eigen::Matrix3d::Identity();
     const Eigen::Matrix3d tangent = materials::to_matrix(law.tangent(Id, materials::to_tensor(H)));
     EXPECT_LE((tangent - hooke).norm(), 1e-14 * hooke.norm());
+  }
+}
+
+/// The finite elements compute with SIMD vectors: each lane is the result of a number.
+template <class Law>
+void expect_lanes_are_numbers(const Law& law) {
+  constexpr int n_lanes = mechanics::native_lanes;
+  using L = mechanics::Lanes<n_lanes>;
+  RandomDeformations random;
+  materials::Tensor<double> F[n_lanes], H[n_lanes];
+  materials::Tensor<L> wide_F, wide_H;
+  for (int lane = 0; lane < n_lanes; ++lane) {
+    F[lane] = materials::to_tensor(random.deformation());
+    H[lane] = materials::to_tensor(random.matrix(1));
+    for (int k = 0; k < 9; ++k) {
+      wide_F(k / 3, k % 3).set(lane, F[lane](k / 3, k % 3));
+      wide_H(k / 3, k % 3).set(lane, H[lane](k / 3, k % 3));
+    }
+  }
+  const L W = law.energy(wide_F);
+  const materials::Tensor<L> P = law.stress(wide_F), A = law.tangent(wide_F, wide_H);
+  for (int lane = 0; lane < n_lanes; ++lane) {
+    const double own_W = law.energy(F[lane]);
+    EXPECT_NEAR(W[lane], own_W, 1e-13 * (1 + own_W));
+    const auto own_P = law.stress(F[lane]), own_A = law.tangent(F[lane], H[lane]);
+    for (int k = 0; k < 9; ++k) {
+      const int i = k / 3, j = k % 3;
+      EXPECT_NEAR(P(i, j)[lane], own_P(i, j), 1e-13 * std::sqrt(materials::dot(own_P, own_P)));
+      EXPECT_NEAR(A(i, j)[lane], own_A(i, j), 1e-13 * std::sqrt(materials::dot(own_A, own_A)));
+    }
   }
 }
 

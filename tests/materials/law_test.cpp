@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <optional>
+#include <ostream>
 #include <set>
 #include <string>
 #include <variant>
@@ -74,6 +75,9 @@ struct Case {
   NamedLaw entry;
   bool incompressible;
   AnyLaw law() const { return entry.make(parameters(), incompressible); }
+  friend void PrintTo(const Case& c, std::ostream* out) {
+    *out << c.entry.name << (c.incompressible ? ", incompressible" : ", compressible");
+  }
 };
 class EveryLaw : public ::testing::TestWithParam<Case> {
  protected:
@@ -124,6 +128,10 @@ TEST_P(EveryLaw, IsObjectiveAndIsotropic) {
 }
 
 /// Exactly zero: round-off of a stress-free body is no motion. The law printed in 5.7.9(3) has the stress 2μ Id.
+TEST_P(EveryLaw, LanesAreNumbers) {
+  with_law([](const auto& law) { testing::expect_lanes_are_numbers(law); });
+}
+
 TEST_P(EveryLaw, IdentityIsFreeOfEnergyAndOfStressButForTheOneAsPrinted) {
   with_law([&](const auto& law) {
     const Real Id = to_tensor(Matrix3d::Identity());

@@ -16,7 +16,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using loads::Plane;
 using Body = BodyOnPlanes;
-using State = StateOnPlanes;
 
 loads::RigidPlanes oblique_plane(double damping, double friction) {
   return {.normals = {0.6, 0, 0.8},
@@ -26,7 +25,7 @@ loads::RigidPlanes oblique_plane(double damping, double friction) {
           .friction = friction,
           .slip_speed = 0.05};
 }
-State thrown_and_turning(const Vector3d& velocity) {
+StateOnPlanes thrown_and_turning(const Vector3d& velocity) {
   const Matrix3d turn = (Matrix3d() << 0, 0.2, 0.3, -0.2, 0, 0, -0.3, 0, 0).finished();
   return Body::state_of({0, Matrix3d::Identity(), turn}, Vector3d::Zero(), velocity);
 }
@@ -74,7 +73,7 @@ TEST(MovingPlane, IsAPlaneAtRestForAnotherObserver) {
                b = run<mechanics::Rattle>(moving, thrown_and_turning(velocity), end, 10, 300);
     ASSERT_TRUE(a.finished() && b.finished());
     for (std::size_t k = 0; k < a.states.size(); ++k) {
-      const State &x = a.states[k], &y = b.states[k];
+      const StateOnPlanes &x = a.states[k], &y = b.states[k];
       EXPECT_LT((Body::matrix(x.q) - Body::matrix(y.q)).norm(), 1e-10);
       EXPECT_LT((Body::center(x.q) + u * x.t * n - Body::center(y.q)).norm(), 1e-10);
       EXPECT_LT((Body::center(x.v) + u * n - Body::center(y.v)).norm(), 1e-10);
@@ -98,7 +97,7 @@ TEST(MovingPlane, GivesTheWorkOfItsForce) {
   ASSERT_TRUE(r.finished());
   double work = 0;
   for (std::size_t k = 0; k < r.states.size(); ++k) {
-    const State& s = r.states[k];
+    const StateOnPlanes& s = r.states[k];
     EXPECT_NEAR(energy_of(body, s), 0, 1e-5);
     const double ends = k == 0 || k + 1 == r.states.size() ? 0.5 : 1;
     const loads::EllipsoidContact lower(Plane{.position = -1 + u * s.t, .stiffness = 50}, Matrix3d::Identity(),
@@ -117,13 +116,13 @@ TEST(MovingPlane, CarriesABall) {
   plate.amplitudes = {A};
   plate.frequency = Omega;
   const Body body = ball_on(loads::Loads(plate, loads::Acceleration{{0, 0, -g}}, loads::Viscosity{0.3}));
-  State start = Body::state_of({0, Matrix3d::Identity(), Matrix3d::Zero()}, {0, 0, 0}, {0, 0, A * Omega});
+  StateOnPlanes start = Body::state_of({0, Matrix3d::Identity(), Matrix3d::Zero()}, {0, 0, 0}, {0, 0, A * Omega});
   start.q(2, 3) = -std::sqrt(4 * g / 300);
   const auto r = run<mechanics::Rattle>(body, start, 4 * std::numbers::pi / Omega, 200, 400);
   ASSERT_TRUE(r.finished());
   double least = 1, most = -1;
   for (std::size_t k = 100; k < r.states.size(); ++k) {  // after the ball has come to rest on the plate
-    const State& s = r.states[k];
+    const StateOnPlanes& s = r.states[k];
     const double above = Body::center(s.q)[2] - A * std::sin(Omega * s.t);
     least = std::min(least, above);
     most = std::max(most, above);

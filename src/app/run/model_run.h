@@ -331,12 +331,12 @@ class ModelRun final : public ModelRunBase {
       }
     if constexpr (has_constraints && traits.has_costly_force && requires { workspace.constraint_tolerance; })
       workspace.constraint_tolerance =
-          std::max(workspace.constraint_tolerance, constraint_tolerance() * model_.constraint_scale());
+          std::max(workspace.constraint_tolerance, constraint_tolerance(form) * model_.constraint_scale());
     const mechanics::SampleTimes times{sample == times_.n_samples ? times_.end : times_[sample], sample};
     auto result = mechanics::run_time_loop<Method>(form, times, state_, position_.cursor, workspace, *this);
     if (!verdict_) result = {Outcome::failed, verdict_.reason(), result.t};
     counters_ = workspace.counters;
-    if (position_.time_error) statistics_.counters["estimated_time_error"] = *position_.time_error;
+    note_time_error();
     const typename System::Workspace* of_system = nullptr;
     if constexpr (has_workspace_of_system<decltype(workspace)>) of_system = &workspace.system;
     model_.report(counters_, of_system, statistics_);

@@ -92,12 +92,23 @@ class ModelStepping {
 
   /// Tolerance of the constraint divided by constraint_scale, for systems with a costly force. It is the value of
   /// Time/Constraint tolerance if the scene gives one. Otherwise it is 1e-4 of Time/Tolerance, or 0 if the scene gives
-  /// the step. The method uses the larger of this tolerance and the tolerance of the system. Compared with 1e-13, a
-  /// factor of 1e-4 changes errors and steps by less than a thousandth.
-  double constraint_tolerance() const {
+  /// the step or if forces dissipate energy. The method uses the larger of this tolerance and the tolerance of the
+  /// system. Compared with 1e-13, a factor of 1e-4 changes errors and steps by less than a thousandth. However, the
+  /// error ε of ln J changes from step to step, so a viscosity η dissipates about 2η(ε/h)² with the step h. This power
+  /// may exceed that of a slow and small motion.
+  template <class S>
+  double constraint_tolerance(const S& system) const {
     const auto& time = context_.scene.time;
     constexpr double part = 1e-4;
-    return time.constraint_tolerance.value_or(time.step ? 0 : part * time.tolerance);
+    const bool dissipates = mechanics::dissipative(system) || mechanics::relaxes(system);
+    return time.constraint_tolerance.value_or(time.step || dissipates ? 0 : part * time.tolerance);
+  }
+  /// Writes the estimate of the time error into the statistics, or removes an earlier one that is no longer valid.
+  void note_time_error() {
+    if (position_.time_error)
+      statistics_.counters["estimated_time_error"] = *position_.time_error;
+    else
+      statistics_.counters.erase("estimated_time_error");
   }
 
   /// Ratio of a step to the stability limit above which the step is halved. When a step is chosen, the ratio is at most
