@@ -166,8 +166,8 @@ void visit_time(S& scene, Visit& visit) {
           "Largest mean of |ln J| that a step of an incompressible body may leave: over a cell of the continuum, over "
           "a polynomial body. The next step starts from it, so it does not accumulate. At samples it also bounds "
           "the rate of this mean. "
-          "auto: 1e-4 of Tolerance if the step is found from Tolerance, and 1e-13 if Step is given or if the body "
-          "dissipates energy. The reduced body keeps its volume to round-off."});
+          "auto: 1e-13 if Step is given, otherwise 1e-4 of Tolerance, or 1e-8 of it if the body dissipates energy (at "
+          "least 1e-13). The reduced body keeps its volume to round-off."});
 }
 
 template <SceneOrConst S, class Visit>

@@ -91,17 +91,16 @@ class ModelStepping {
   int halvings_within(double rattle_limit) const;
 
   /// Tolerance of the constraint divided by constraint_scale, for systems with a costly force. It is the value of
-  /// Time/Constraint tolerance if the scene gives one. Otherwise it is 1e-4 of Time/Tolerance, or 0 if the scene gives
-  /// the step or if forces dissipate energy. The method uses the larger of this tolerance and the tolerance of the
-  /// system. Compared with 1e-13, a factor of 1e-4 changes errors and steps by less than a thousandth. However, the
-  /// error ε of ln J changes from step to step, so a viscosity η dissipates about 2η(ε/h)² with the step h. This power
-  /// may exceed that of a slow and small motion.
+  /// Time/Constraint tolerance if the scene gives one. Otherwise it is 0 if the scene gives the step, and else 1e-4 of
+  /// Time/Tolerance, or 1e-8 of it if forces dissipate energy. The method uses the larger of this tolerance and the
+  /// tolerance of the system. Compared with 1e-13, a factor of 1e-4 changes errors and steps by less than a thousandth.
+  /// However, the error ε of ln J changes from step to step, so a viscosity η dissipates about 2η(ε/h)² with the step
+  /// h. This power may exceed that of a slow and small motion, such as a tide.
   template <class S>
   double constraint_tolerance(const S& system) const {
     const auto& time = context_.scene.time;
-    constexpr double part = 1e-4;
-    const bool dissipates = mechanics::dissipative(system) || mechanics::relaxes(system);
-    return time.constraint_tolerance.value_or(time.step || dissipates ? 0 : part * time.tolerance);
+    const double part = mechanics::dissipative(system) || mechanics::relaxes(system) ? 1e-8 : 1e-4;
+    return time.constraint_tolerance.value_or(time.step ? 0 : part * time.tolerance);
   }
   /// Writes the estimate of the time error into the statistics, or removes an earlier one that is no longer valid.
   void note_time_error() {
