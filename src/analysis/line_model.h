@@ -31,7 +31,8 @@ class LineModel {
   std::vector<double> bases;  ///< free frequencies; call project() after a change of `bases` or `waves`
   std::vector<Wave> waves;
 
-  /// Computes the coefficients c = argmin |y − A c| for the current frequencies.
+  /// Computes the matrix A, the coefficients c = argmin |y − A c| and the residual y − A c for the current waves and
+  /// frequencies.
   void project();
 
   enum class Accuracy { rough, full };

@@ -39,7 +39,7 @@ struct Manifest {
   std::vector<std::string> command;       ///< arguments of the program (argv)
   std::string title;                      ///< the entry Title of the scene
   std::string scene;                      ///< result of scene::summary, one line
-  std::vector<scene::UsedValue> entries;  ///< result of scene::used_values
+  std::vector<scene::UsedValue> entries;  ///< paths and values of all entries of the system (scene::used_values)
   /// Lines for the user: the parts of the program that the scene needs, the skipped parts, and warnings.
   std::vector<std::string> needed, skipped, warnings;
   std::string system;                                         ///< name of the CSV file of a system; empty for the ball

@@ -94,8 +94,9 @@ struct DenseKernels {
   /// Returns the sum of w W_b over the points and the branches.
   double (*branch_energy)(const materials::MaxwellBranches& branches, int n, const double* w, const double* metrics,
                           const double* F);
-  /// Replaces the metrics by their values after a step of the length h. The strain during the step is the mean of the
-  /// strains of F0 and F1. Returns the energy that each branch has lost, summed over the points with the weights w.
+  /// Replaces the metrics by their values after a step of the length h from F0 to F1. During the step the strain is
+  /// constant: the mean of F0ᵀF0 and F1ᵀF1, scaled to determinant 1 (materials::mean_strain). Returns the energy that
+  /// each branch has lost, summed over the points with the weights w.
   materials::BranchEnergies (*relax_branches)(const materials::MaxwellBranches& branches, double h, int n,
                                               const double* w, const double* F0, const double* F1, double* metrics);
 

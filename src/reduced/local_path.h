@@ -17,8 +17,9 @@ template <class System>
 mechanics::Status local_path(const System& system, const mechanics::State<System>& state, double h,
                              LocalPath<System>& path) {
   using Vector = typename System::Vector;
-  // Number of steps between two states. The errors of the states are of the order (h/8)⁴. The errors of the differences
-  // along the path are of the order h⁸.
+  // Number of Runge–Kutta steps between two states. The error of a derivative along the path has two parts: (h/8)⁴ in
+  // order of magnitude from these steps, and h⁸ from the differences of the nine states. The steps reduce the first
+  // part.
   constexpr int n_substeps = 8;
   const mechanics::ExplicitMultiplier<System> field(system);
   auto w = field.make_workspace();

@@ -1,8 +1,8 @@
 #pragma once
 /// Steady motions as zeros of a function of eight numbers. A steady motion has the deformation A, the angular velocity
-/// ω, the internal rotation Λ and the multiplier λ per m̄ (steady_motion.h). By Riemann's theorem
-/// (ellipsoidal_motions.h), rotations can make A diagonal in every steady motion, with ω and Λ in the plane of axes 2
-/// and 3. With A = diag(a) and the residual R of the equation of motion, the unknowns u and the function F are
+/// ω, the internal rotation Λ and the multiplier λ per m̄, with the inertia E₀ = m̄ Id (steady_motion.h). By Riemann's
+/// theorem (ellipsoidal_motions.h), rotations can make A diagonal in every steady motion, with ω and Λ in the plane of
+/// axes 2 and 3. With A = diag(a) and the residual R of the equation of motion, the unknowns u and the function F are
 ///
 ///   u = (ln a₁, ln a₂, ln a₃, ω₂, ω₃, Λ₂, Λ₃, λ),
 ///   F = ((RA)₁₁, (RA)₂₂, (RA)₃₃, (RA)₂₃, (RA)₃₂, ln a₁a₂a₃)      (on GL⁺(3): λ in the last place).

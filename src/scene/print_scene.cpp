@@ -23,8 +23,9 @@ Name split(std::string_view path) {
   return {path.substr(0, slash), path.substr(slash + 1)};
 }
 
-/// Writes `set` lines. If the section of an entry differs from the section before, closes this section and opens the
-/// new section. Muted entries have no effect for the system of the scene, and are written as comments.
+/// Makes the text of a parameter file from comments and `set` lines. Before the lines of an entry, the caller calls
+/// enter_section_of. If the entry is in another section than the one before, this function closes the open section and
+/// opens the new one. Muted entries have no effect for the system of the scene, and are written as comments.
 class PrmWriter {
  public:
   void comment(std::string_view text) { text_ += fmt::format("{}# {}\n", indent(), text); }

@@ -233,9 +233,9 @@ int run_program(int argc, char** argv, const Executable& executable) {
   } catch (const std::exception& error) {
     const Failure failure = failure_of(error);
     const Ranks& ranks = *process.executable.ranks;
-    // If all ranks have an error, the first rank reports it. If only a later rank has an error, this rank reports the
-    // error and aborts all ranks. Otherwise the first rank would wait for it forever. A process that MPI has not
-    // connected to other processes reports its own error.
+    // If all ranks have an error, the first rank reports it. If only a later rank has an error, this rank reports it
+    // and aborts all ranks, because the first rank would wait for this rank forever. If the launcher does not give the
+    // number of ranks, and MPI connects this process to no other process, every process reports its own error.
     const bool alone = ranks.rank() > 0 && !dynamic_cast<const FailureOnAllRanks*>(&error);
     const bool unconnected = process.several && ranks.size() == 1 && launch.n_ranks == Launch::unknown;
     const bool is_first = ranks.rank() == 0 && launch.rank == 0;

@@ -192,7 +192,8 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
                      goes_on ? "; what was written before is kept, and --resume goes on from the last checkpoint" : "");
   try {
     if (manifest) manifest->finish(mechanics::Outcome::failed, failure.exit_code, failure.message);
-  } catch (const io::WriteError&) {  // the message is in the log already
+  } catch (
+      const io::WriteError&) {  // ignored: the log already has failure.message, which the manifest would have repeated
   }
   return failure.exit_code;
 }

@@ -82,7 +82,7 @@ class DiscretizationSearch {
   scene::Scene written_scene_, silent_scene_;  ///< scene of the runs that write results, and of the other runs
   std::vector<scene::Discretization> ladder_;
 
-  // These members are the contents of the checkpoint.
+  // The checkpoint contains these members, the length of ladder_, and the scene of the run.
   std::size_t position_ = 0;  ///< index of the present run in the ladder
   bool settled_ = false;      ///< true if the present run is the final one and writes the results
   int n_failures_ = 0;        ///< number of successive runs, up to the last one, that ended early

@@ -56,7 +56,8 @@ class CellBatches {
     for (int i = 0; i < n_nodes; ++i) L::load_triples(x, offsets[i].data(), u[0][i], u[1][i], u[2][i]);
   }
 
-  /// Prefetches the entries of x at the nodes of the next batch in one layer, if there is a next batch.
+  /// Prefetches the entries of x at one layer of nodes of the next batch, if there is a next batch. A layer has the n²
+  /// nodes with the index `layer` in the third local direction.
   void prefetch_layer(const double* x, std::size_t batch, int layer) const {
     if (batch + 1 == batches.size()) return;
     const auto* offsets = &offsets_[(batch + 1) * n_nodes + layer * n * n];

@@ -33,8 +33,9 @@ const std::array<Eigen::Vector3d, 7>& phase_points();
 /// The displacements of the phase points, one in each column.
 using PhaseDisplacements = Eigen::Matrix<std::complex<double>, 3, 7>;
 
-/// The factor by which a shape is multiplied for the amplitude ε and the phase of the opening comment. `mean_square` is
-/// the mean of |y|² over the mass.
+/// The factor by which the shape y is multiplied, so that it has the amplitude ε and the phase of the opening comment.
+/// If several components are within 10 % of the largest, the first of them becomes real. `mean_square` is the mean of
+/// |y|² over the mass, and `displacements` are those of y.
 std::complex<double> factor_of_shape(double amplitude, double mean_square, const PhaseDisplacements& displacements);
 
 }  // namespace pseudorigid::mechanics
