@@ -31,7 +31,9 @@ struct FigureCondition {
 struct EquilibriumFigure {
   Eigen::VectorXd x, lambda;
   double drive = 0;     ///< the drive ν
-  double residual = 0;  ///< |r|_∞ divided by the largest entry of a term of r; 0 if these terms are round-off
+  /// |r|_∞ divided by the largest entry of a term of r. If all terms are round-off, it is 0 for polynomial bodies. For
+  /// finite elements, the divisor is at least a typical elastic force on a node.
+  double residual = 0;
 };
 
 /// Adds factor · change to x, λ and ν of `figure`.
