@@ -148,7 +148,7 @@ void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   const auto [i, j] = (by_reference ? c : r).liveliest_component();
   out.signal = fmt::format("C{}{}", i + 1, j + 1);
   out.signal_reason =
-      fmt::format("component of C = Q^T Q with the largest variance in the {}",
+      fmt::format("entry of C = Q^T Q that varies most in the {}",
                   by_reference ? fmt::format("{} (the {} model keeps its shape)", out.reference.name, out.model.name)
                                : out.model.name + " model");
   const bool loads_rise = w.options.facts.loads_rise;

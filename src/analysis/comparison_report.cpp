@@ -237,8 +237,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 7> shown{{
     {"q_difference", "Q, relative to |Q|"},
     {"strain_difference", "C, relative to its amplitude"},
     {"phase_difference", "phase, in periods"},
-    {"kinetic_difference", "kinetic energy, relative to E0"},
-    {"elastic_difference", "elastic energy, relative to E0"},
+    {"kinetic_difference", "kinetic energy, relative to E_ref"},
+    {"elastic_difference", "elastic energy, relative to E_ref"},
     {"nonaffine_kinetic_fraction", "non-affine part of the kinetic energy"},
     {"nonaffine_displacement", "non-affine part of the position"},
 }};

@@ -107,7 +107,9 @@ function keySections() {
   const charts = [], E = energyUnit(), table = tables.comparison;
   if (table && table.has("q_difference")) charts.push(chart({title: "Difference of Q, over |Q|", xLabel: timeLabel, series: [{x: table.columns.time, y: table.columns.q_difference, name: "", style: "other"}]}));
   if (E) {
-    const names = MODELS.filter(m => m.table.has("energy") && (manifest.models[m.key] || {}).symplectic === false).map(m => m.name);
+    // A model whose energy hardly changes next to that of the others needs no explanation.
+    const change = m => largest(energyChange(m, E)), models = MODELS.filter(m => m.table.has("energy")), seen = Math.max(...models.map(change)) / 10;
+    const names = models.filter(m => (manifest.models[m.key] || {}).symplectic === false && change(m) >= seen).map(m => m.name);
     charts.push(chart({title: "Change of the energy, over E_ref", xLabel: timeLabel, series: energyChanges(E),
       note: `E_ref = ${show(E)}.${names.length ? ` The method of the ${names.join(" and of the ")} is not symplectic, so its energy can drift.` : ""}`}));
   }
@@ -118,7 +120,8 @@ function keySections() {
   if (!charts.length && !spectrum && !words.length) return [];
   return [make("h2", {}, "Differences, conservation, frequencies"), legend(MODELS), make("div", {class: "charts"}, charts), spectrum ? make("div", {class: "charts wide"}, spectrum) : null, ...words].filter(Boolean);
 }
-const energyChanges = E => seriesOf(m => m.table.has("energy") ? column(m, "energy").map(e => (e - column(m, "energy")[0]) / E) : null);
+const energyChange = (m, E) => column(m, "energy").map(e => (e - column(m, "energy")[0]) / E);
+const energyChanges = E => seriesOf(m => m.table.has("energy") ? energyChange(m, E) : null);
 
 function energySections() {
   const withEnergies = MODELS.filter(m => m.table.has("energy")), withMomenta = MODELS.filter(m => m.table.has("J1"));
