@@ -116,7 +116,8 @@ void describe_output(const Scene& scene, Needs& needs) {
              "graphics: Output/Graphics is none; no folder is made");
     return;
   }
-  if (scene.analysis == Analysis::equilibrium && needs.discretized)
+  const bool finds_figures = scene.analysis == Analysis::equilibrium || starts_from_own_figure(scene);
+  if (finds_figures && needs.discretized)
     needs.needed.push_back("tangent stiffness of finite elements: Newton's iteration with a factorisation, GMRES");
   else
     needs.skipped.push_back(

@@ -185,6 +185,13 @@ inline bool finds_static_equilibria(const Scene& scene) {
   return scene.analysis == Analysis::equilibrium && scene.equilibria.family == Family::at_rest;
 }
 
+/// True if each model of a motion starts from its own figure of a family.
+inline bool starts_from_own_figure(const Scene& scene) {
+  const Scene::InitialState& start = scene.initial_state;
+  return scene.analysis == Analysis::motion && start.figure == StartingFigure::own &&
+         (start.origin || start.equilibrium != Family::none);
+}
+
 /// The largest degree of a tide that Love numbers/Degrees accepts.
 inline constexpr int largest_love_degree = 24;
 

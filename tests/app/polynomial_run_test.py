@@ -58,6 +58,14 @@ class PolynomialRun(ProgramTest):
         finer = self.table("finer/polynomial.csv").column("Q33")
         self.assertLess(max(abs(a - b) for a, b in zip(got, finer)), 1e-2)
 
+    def test_companion_of_a_run_with_an_adaptive_method(self):
+        """It has the local tolerance of the run."""
+        self.scene({"Models": "reduced, polynomial", "Polynomial/Degree": 3, "Body/Incompressible": "false", "Material/Lame lambda": 3,
+                    "Initial state/Deformation": "1.1, 0, 0; 0, 0.95, 0; 0, 0, 1", "Time/End": 5, "Time/Method": "explicit-8"})
+        result = self.run_done("run", "scene.prm")
+        self.assertIn("discretisation error of Q", result.stdout)
+        self.assertNotIn("warning", result.stderr)
+
     def test_the_octant_is_the_whole_ball(self):
         self.run_release({"Polynomial/Degree": 3, "Time/Step": 0.02, "Time/Method": "rattle"})
         self.run_release({"Polynomial/Degree": 3, "Time/Step": 0.02, "Time/Method": "rattle", "Continuum/Symmetry": "none"},

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 
 #include "mechanics/conservative_systems.h"
 #include "mechanics/core/central_difference.h"
 #include "mechanics/core/small_cholesky.h"
+#include "mechanics/equilibria/small_motion.h"
 #include "mechanics/steps/step_size.h"
 #include "support/runs.h"
 
@@ -96,6 +98,42 @@ TEST(MultiplierHistory, SavesIterations) {
   EXPECT_LT(iterations_per_substep<mechanics::Rattle>(400), 2.1);
   EXPECT_LT(iterations_per_substep<mechanics::Rattle>(4000), 1.7);
   EXPECT_LT(iterations_per_substep<mechanics::Rattle8>(400), 1.8);
+}
+
+/// Two oscillators of frequencies 1 and 2 that a gyroscope of strength g couples: s⁴ + (5 + 4g²)s² + 4 = 0.
+TEST(SmallMotion, IsTheOneWithTheNearestRate) {
+  const double g = 0.7, b = 5 + 4 * g * g, root = std::sqrt(b * b - 16);
+  Eigen::Matrix2d K, G;
+  K << 1, 0, 0, 4;
+  G << 0, -g, g, 0;
+  for (const double exact : {std::sqrt((b - root) / 2), std::sqrt((b + root) / 2)}) {
+    mechanics::SmallMotion motion;
+    const auto status = mechanics::motion_near(K, G, {1e-3, exact + 2e-3}, motion);
+    ASSERT_TRUE(status) << status.reason();
+    EXPECT_NEAR(std::abs(motion.rate - std::complex<double>(0, exact)), 0, 1e-13);
+    const auto s = motion.rate;
+    EXPECT_LT(((s * s * Eigen::Matrix2cd::Identity() + 2.0 * s * G + K) * motion.shape).norm(), 1e-12);
+    EXPECT_NEAR(motion.shape.norm(), 1, 1e-14);
+  }
+}
+
+/// An unstable direction: s² = 1/4.
+TEST(SmallMotion, MayGrow) {
+  mechanics::SmallMotion motion;
+  ASSERT_TRUE(mechanics::motion_near(Eigen::Vector2d(-0.25, 3).asDiagonal(), Eigen::Matrix2d::Zero(), 0.5, motion));
+  EXPECT_NEAR(std::abs(motion.rate - 0.5), 0, 1e-13);
+  EXPECT_NEAR(std::abs(motion.shape[0]), 1, 1e-12);
+}
+
+/// The largest component becomes real and positive, and the mean square becomes ε².
+TEST(SmallMotion, HasItsAmplitudeAndPhase) {
+  mechanics::PhaseDisplacements u = mechanics::PhaseDisplacements::Zero();
+  u(1, 4) = {3, 4};
+  u(2, 5) = {1, -1};
+  const auto factor = mechanics::factor_of_shape(0.1, 9, u);
+  EXPECT_NEAR(std::abs(factor), 0.1 / 3, 1e-15);
+  EXPECT_NEAR((factor * u(1, 4)).imag(), 0, 1e-15);
+  EXPECT_GT((factor * u(1, 4)).real(), 0);
 }
 
 /// Where the motion itself ends, no step helps: the search sees it from two pilot runs, and does not halve on.

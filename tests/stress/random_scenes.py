@@ -131,6 +131,8 @@ def ball(rng, with_continuum):
         look_for_equilibria(rng, entries, rate)
     elif rng.random() < 0.3:
         bend(rng, entries)
+    if incompressible and rng.random() < 0.12:
+        start_from_a_figure(rng, entries, rate)
     choose_method(rng, entries, 1 / rate, reduced_only)
     if "Material/Branch moduli" in entries and "Time/Tolerance" in entries:  # RATTLE has order 2: less takes minutes
         entries["Time/Tolerance"] = repr(max(float(entries["Time/Tolerance"]), 1e-6))
@@ -140,6 +142,21 @@ def ball(rng, with_continuum):
     if "Gravity/Constant" in entries and "Analysis" not in entries and not planes and rng.random() < 0.5:
         put_companions(rng, entries, radius, rate, density)
     return entries, ranks
+
+
+def start_from_a_figure(rng, entries, rate):
+    """A spinning figure of each model in place of the initial state, some with a small motion. Many have none, or loads that
+    forbid one."""
+    entries.update({"Initial state/Equilibrium": rng.choice(("spinning", "spinning", "maclaurin")), "Initial state/Figure": rng.choice(("own", "affine")),
+                    "Initial state/Deformation": text(diagonal(1, 1, 1)), "Initial state/Velocity": text(diagonal(0, 0, 0)),
+                    "Continuum/Degree": rng.randint(2, 3)})
+    size = rng.uniform(0, 2.2)
+    entries["Initial state/Equilibrium parameter"] = repr(size * rate if entries["Initial state/Equilibrium"] == "spinning" else min(size / 2.2, 0.97))
+    for load in "Loads/Tidal matrix", "Loads/Nominal traction", "Material/Drag", "Material/Branch moduli", "Material/Branch times":
+        if rng.random() < 0.9:
+            entries.pop(load, None)
+    if rng.random() < 0.5:
+        entries.update({"Initial state/Mode": rng.choice(("1", "2", "7", "10", "auto")), "Initial state/Mode amplitude": repr(10 ** rng.uniform(-8, -1))})
 
 
 def stay_at_rest(rng, entries, unit_of_gravity, with_continuum):

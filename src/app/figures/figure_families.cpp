@@ -40,10 +40,9 @@ int negative_directions(const FigureMember& member) {
 }  // namespace
 
 bool needs_own_figures(const scene::Scene& scene) {
-  const scene::Scene::InitialState& start = scene.initial_state;
-  if (scene.analysis == scene::Analysis::equilibrium) return true;
-  return scene.analysis == scene::Analysis::motion && start.equilibrium != Family::none &&
-         start.figure == scene::StartingFigure::own;
+  // After the equilibrium has been replaced by explicit values, its family has been checked.
+  return scene.analysis == scene::Analysis::equilibrium ||
+         (scene::starts_from_own_figure(scene) && scene.initial_state.equilibrium != Family::none);
 }
 
 std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model,

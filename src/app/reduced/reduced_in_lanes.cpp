@@ -95,7 +95,7 @@ class RunInLanes {
       counters["forces"] = static_cast<double>(motions.counters.n_force);
       counters["pilot_forces"] = static_cast<double>(choice.n_force);
       counters["estimated_time_error"] = choice.error;
-      outcome.stepping = Stepping{choice.method, choice.step};
+      outcome.stepping = Stepping{choice.method, choice.step, choice.local_tolerance};
       outcomes.push_back(std::move(outcome));
     }
     return outcomes;

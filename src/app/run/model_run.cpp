@@ -248,7 +248,7 @@ ModelOutcome ModelRunBase::outcome(Outcome end, const std::string& message, Cloc
   }
   statistics_.timers["run"] = std::chrono::duration<double>(Clock::now() - start).count();
   ModelOutcome outcome{end, message.empty() ? message : any_model_.name + " " + message, std::move(statistics_),
-                       Stepping{position_.method, position_.step}};
+                       Stepping{position_.method, position_.step, position_.local_tolerance}};
   outcome.is_over = !verdict_;
   return outcome;
 }

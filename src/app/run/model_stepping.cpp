@@ -194,6 +194,7 @@ void ModelStepping::plan_look(double stable_rattle_step) {
 mechanics::Status ModelStepping::take_over(const Stepping& known) {
   position_.method = known.method;
   position_.step = known.step;
+  position_.local_tolerance = known.local_tolerance;
   if (traits_.constrained_form) {
     double limit = 0;
     if (Status status = rattle_limit(reserve, limit); !status) return status;

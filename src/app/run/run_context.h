@@ -79,7 +79,8 @@ inline io::ColumnTable table_of(const RunContext& context, const std::string& na
 /// Method and step of a run.
 struct Stepping {
   mechanics::MethodId method;
-  double step;  ///< upper bound of the step, in internal time
+  double step;                 ///< upper bound of the step, in internal time
+  double local_tolerance = 0;  ///< tolerance per step of an adaptive method
 };
 
 /// Result of a model's run.
