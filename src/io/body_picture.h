@@ -36,9 +36,10 @@ struct PicturedContact {
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();  ///< semi-axes of the reference surface
 };
 
-/// Returns the grid with the fields that `wanted` selects. `body` has values in internal units at the points to which
-/// `blocks` refers. `time` is in the units of the user. `units` converts all other quantities to the units of the user.
-/// `cells` selects linear or Lagrange cells.
+/// Returns the grid with the fields that `wanted` selects in groups: the displacements and reference coordinates, the
+/// velocity, the stresses and pressures, the deformation, and the energies. `body` has values in internal units at the
+/// points to which `blocks` refers. `time` is in the units of the user. `units` converts all other quantities to the
+/// units of the user. `cells` selects linear or Lagrange cells.
 UnstructuredGrid body_picture(const mechanics::PointBlocks& blocks, const mechanics::BodyFields& body, double time,
                               const Units& units, const scene::Fields& wanted, scene::Cells cells,
                               const PicturedContact& contact = {});

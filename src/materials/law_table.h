@@ -1,7 +1,7 @@
 #pragma once
 /// Table of the material laws by name, and their entries in parameter files. A new law needs a header with operator==,
-/// and with energy, stress and tangent for any scalar type. law_limits.h and stress_coefficients.h describe the
-/// optional declarations. In this file, add the type of the law to AnyLaw, its parameters to LawParameters and
+/// and with energy, stress and tangent for any scalar type of tensor.h. law_limits.h and stress_coefficients.h describe
+/// the optional declarations. In this file, add the type of the law to AnyLaw, its parameters to LawParameters and
 /// law_entries, and a line to law_table.
 
 #include <concepts>

@@ -1,9 +1,9 @@
 #pragma once
 /// Maxwell branches of a viscoelastic body. A branch is a spring of shear modulus μ_b in series with a dashpot. The
 /// relaxation time of the branch is τ_b. All branches are parallel to the elastic law. The internal metric C_i
-/// describes the strain of the dashpot. It is symmetric and positive definite with det C_i = 1. The symbols are F =
-/// ∂x/∂X, J = det F, C = FᵀF and the isochoric strain Ĉ = J^{−2/3} C. A branch has the stored energy W_b per reference
-/// volume, the first Piola–Kirchhoff stress P_b and the flow Ċ_i:
+/// describes the strain of the dashpot. It is symmetric and positive definite, with det C_i = 1. The symbols are
+/// F = ∂x/∂X, J = det F, C = FᵀF and the isochoric strain Ĉ = J^{−2/3} C. A branch has the stored energy W_b per
+/// reference volume, the first Piola–Kirchhoff stress P_b and the flow Ċ_i:
 ///
 ///   W_b = (μ_b/2)(tr(Ĉ C_i⁻¹) − 3),
 ///   P_b = ∂W_b/∂F = μ_b J^{−2/3} (F C_i⁻¹ − ⅓ tr(C C_i⁻¹) F⁻ᵀ),
@@ -20,8 +20,8 @@
 ///   α = tr(Ĉ C_i(0)⁻¹) − 3,   β = tr(Ĉ⁻¹C_i(0)) − 3,
 ///   s − I(w) = t/τ_b,   w = 1 − e^{−s},   I(w) = ∫₀^w w'[α(1 − w') + βw']/(D + D² + D³) dw'.
 ///
-/// The equation for s follows from ẇ = (1 − w) D/τ_b, which results if Y/D is inserted into the flow. Until the
-/// time t, the branch loses the following energy per reference volume:
+/// The equation for s follows from ẇ = (1 − w) D/τ_b, which results if Y/D is inserted into the flow. Until the time t,
+/// the branch loses the following energy per reference volume:
 ///
 ///   (μ_b/2)[(α + 3)(D² − 1) + w(α(2 − w) − 2β(1 − w))]/D².
 ///
@@ -299,8 +299,8 @@ Symmetric<T> mean_strain(const Tensor<T>& F0, const Tensor<T>& F1) {
   return unimodular(plus(gram(F0), T(1.0), gram(F1)));
 }
 
-/// Replaces C_i(0) = `metric` by C_i(t) for constant Ĉ = `strain`, with x = t/τ_b ≥ 0. Returns the energy that the
-/// branch loses per reference volume, divided by μ_b.
+/// Replaces C_i(0) = `metric` by C_i(t) for constant Ĉ = `strain`, with x = t/τ_b ≥ 0. Both matrices must have the
+/// determinant 1. Returns the energy that the branch loses per reference volume, divided by μ_b.
 template <class T>
 T relax(const Symmetric<T>& strain, double x, Symmetric<T>& metric) {
   const T alpha = dot(adjugate(metric), strain) - 3.0, beta = dot(adjugate(strain), metric) - 3.0;

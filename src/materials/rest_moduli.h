@@ -4,8 +4,8 @@
 ///
 ///   C(H) = DP(Id)[H] + p Hᵀ  (incompressible),      C(H) = DP(Id)[H]  (compressible; Id is at rest only if p = 0).
 ///
-/// The moduli follow from the stiffness H : C(H). It is μ for the shear H = e₁⊗e₂, and λ + 2μ for the stretch H =
-/// e₁⊗e₁.
+/// The moduli follow from the stiffness H : C(H). The stiffness is μ for the shear H = e₁⊗e₂, and λ + 2μ for the
+/// stretch H = e₁⊗e₁.
 
 #include <variant>
 
