@@ -16,8 +16,8 @@
 ///                                 k is the stiffness and β the damping of a plane (loads/plane.h), and ḋ is the rate
 ///                                 of d; 0 at points that are not on the surface; only if there are planes
 ///
-/// The picture has three constants of the whole body: the time TimeValue, the centre of mass center_of_mass, and the
-/// rotation R as nine entries row by row.
+/// The picture has three constants of the whole body: the time (TimeValue), the centre of mass (center_of_mass), and
+/// the rotation R as nine entries row by row (rotation).
 
 #include <Eigen/Core>
 
@@ -30,15 +30,16 @@
 namespace pseudorigid::io {
 
 /// The rigid planes that the body can touch, and the ellipsoid that is the surface of the reference body, in internal
-/// units.
+/// units. The planes must have their positions and speeds at the time of the picture (loads::Plane::at).
 struct PicturedContact {
   loads::Planes planes{};
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();  ///< semi-axes of the reference surface
 };
 
-/// Returns the grid with the fields that `wanted` selects. `body` has values in internal units at the points to which
-/// `blocks` refers. `time` is in the units of the user. `units` converts all other quantities to the units of the user.
-/// `cells` selects linear or Lagrange cells.
+/// Returns the grid with the fields that `wanted` selects in groups: the displacements and reference coordinates, the
+/// velocity, the stresses and pressures, the deformation, and the energies. `body` has values in internal units at the
+/// points to which `blocks` refers. `time` is in the units of the user. `units` converts all other quantities to the
+/// units of the user. `cells` selects linear or Lagrange cells.
 UnstructuredGrid body_picture(const mechanics::PointBlocks& blocks, const mechanics::BodyFields& body, double time,
                               const Units& units, const scene::Fields& wanted, scene::Cells cells,
                               const PicturedContact& contact = {});

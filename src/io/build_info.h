@@ -7,10 +7,12 @@
 
 namespace pseudorigid::io {
 
-/// Texts from CMake. `flags` contains the flags of the compiler for the build type.
+/// Texts from CMake. `compiler` is its name and version, and `flags` are its flags for the build type.
 struct BuildInfo {
   std::string_view version;
-  std::string_view git_hash;  ///< "unknown" without a git checkout; ends in "-dirty" if there were uncommitted changes
+  /// The hash of the commit, or "unknown" without a git checkout. The hash ends in "-dirty" if the sources or the files
+  /// of CMake had uncommitted changes at build time.
+  std::string_view git_hash;
   std::string_view compiler, flags, build_type;
 };
 BuildInfo build_info();

@@ -3,9 +3,10 @@
 /// format of the file is
 ///
 ///   header   magic "PSRGCKPT" | endianness tag u32 | version u32 | payload size u64 | FNV-1a of the payload u64
-///   payload  a section for each value: type u8 | name length u32 | name | count u64 | count values (f64, i64 or char)
+///   payload  a section for each value: type u8 | name length u32 | name | count u64 | count values
 ///
-/// All numbers have the byte order of the machine that wrote the file.
+/// The type is 0 for a list of f64, 1 for one i64 and 2 for a text of chars. All numbers have the byte order of the
+/// machine that wrote the file.
 
 #include <concepts>
 #include <cstdint>
@@ -24,8 +25,8 @@ std::uint64_t checksum(std::string_view bytes);
 
 class Checkpoint {
  public:
-  /// Sets the entry `name` to a list of numbers, a text, a number or an integer. The new value replaces an old value of
-  /// this entry.
+  /// Sets the entry `name` to a list of numbers, a text, a number or an integer. A number is stored as a list of
+  /// size 1. The new value replaces an old value of this entry.
   void set(const std::string& name, std::span<const double> values);
   void set(const std::string& name, std::vector<double> values);
   void set(const std::string& name, std::string text);
@@ -36,8 +37,9 @@ class Checkpoint {
   }
 
   bool has(const std::string& name) const { return values_.contains(name); }
-  /// The value of the entry `name`. A number is a list of size 1. If the entry is missing or has another type or size,
-  /// throws a UserError that names the file and the entry.
+  /// The value of the entry `name`. If the entry is missing, or has another type or another number of values than
+  /// expected, throws a UserError that names the file and the entry. The references are valid until the entry is set
+  /// again.
   const std::vector<double>& get_doubles(const std::string& name) const;
   const std::vector<double>& get_doubles(const std::string& name, std::size_t expected_size) const;
   double get_double(const std::string& name) const { return get_doubles(name, 1)[0]; }

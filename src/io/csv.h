@@ -69,7 +69,7 @@ class CsvWriter {
   void append(std::span<const double> row);
   /// Writes the collected rows to the file. Throws WriteError if this fails.
   void flush();
-  /// The number of rows in the file and in memory, with the rows that were in the file before resume().
+  /// The number of rows in the file and in memory. After resume(), it includes the first `n_rows` rows of the old file.
   std::int64_t n_rows() const { return n_rows_; }
 
  private:

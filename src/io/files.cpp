@@ -60,9 +60,9 @@ bool is_file(int file_descriptor) {
 }
 
 /// The path at the end of the chain of symbolic links that starts at `path`. A file with the resulting path need not
-/// exist. Throws WriteError if the chain has more than 40 links.
+/// exist. Throws WriteError if the chain has 40 links or more.
 fs::path behind_links(fs::path path) {
-  constexpr int most = 40;  // Linux follows at most 40 links in a path
+  constexpr int most = 40;  // the limit of Linux for the links in a path
   for (int n = 0; n < most; ++n) {
     std::error_code is_no_link;
     const fs::path target = fs::read_symlink(path, is_no_link);

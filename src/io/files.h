@@ -10,7 +10,7 @@
 
 namespace pseudorigid::io {
 
-/// A failed write, for example to a full disk or a removed folder. A run cannot continue after this error, and ends
+/// A failed write, for example to a full disk or a removed folder. After this error, a run cannot continue and ends
 /// with exit code 3.
 struct WriteError : std::runtime_error {
   /// The message contains the path and the text of the error number (strerror).
@@ -26,8 +26,9 @@ inline constexpr std::string_view partial_suffix = ".partial";
 /// An open file, which the destructor closes.
 class Descriptor {
  public:
-  /// Opens the file with the flags of open(2), but does not wait for the other end of a pipe. If this fails, the object
-  /// converts to false, and errno has the reason.
+  /// Opens the file with `flags` of open(2) and additionally O_NONBLOCK, O_NOCTTY and O_CLOEXEC. Opening a pipe
+  /// therefore does not wait for the other end. If opening fails, the object converts to false, and errno has the
+  /// reason.
   Descriptor(const std::filesystem::path& path, int flags);
   ~Descriptor();
   Descriptor(const Descriptor&) = delete;
@@ -64,7 +65,8 @@ inline void write_file_atomically(const std::filesystem::path& path, std::initia
 /// Directories, pipes, sockets and devices also cause a UserError, because some pipes and devices never end.
 std::string read_file(const std::filesystem::path& path);
 
-/// Calls write(2) until all bytes are written. If a call fails, throws a WriteError that names `path`.
+/// Calls write(2) until all bytes are written, also after an interruption by a signal. If a call fails for another
+/// reason, throws a WriteError that names `path`.
 void write_fully(int file_descriptor, std::string_view bytes, const std::filesystem::path& path);
 
 }  // namespace pseudorigid::io

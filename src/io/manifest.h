@@ -1,6 +1,6 @@
 #pragma once
-/// The file manifest.json of a run. It describes the scene, the program, the machine, and the duration and end of the
-/// run.
+/// The file manifest.json of a run. It describes the scene, the program, the machine, the columns of the CSV files, and
+/// the duration, counters and end of the run.
 
 #include <chrono>
 #include <cstdint>
@@ -35,21 +35,23 @@ struct Manifest {
     std::string method{};     ///< name of the method of integration; empty without integration in time
     bool symplectic = false;  ///< true if the method is symplectic; not written if `method` is empty
   };
-  BuildInfo build;                        ///< result of build_info()
-  std::vector<std::string> command;       ///< arguments of the program (argv)
-  std::string title;                      ///< the entry Title of the scene
-  std::string scene;                      ///< result of scene::summary, one line
-  std::vector<scene::UsedValue> entries;  ///< paths and values of all entries of the system (scene::used_values)
+  BuildInfo build;                   ///< result of build_info()
+  std::vector<std::string> command;  ///< arguments of the program (argv)
+  std::string title;                 ///< the entry Title of the scene
+  std::string scene;                 ///< result of scene::summary, one line
+  /// The paths and values of all entries that concern the system of the scene (scene::used_values).
+  std::vector<scene::UsedValue> entries;
   /// Lines for the user: the parts of the program that the scene needs, the skipped parts, and warnings.
   std::vector<std::string> needed, skipped, warnings;
-  std::string system;                                         ///< name of the CSV file of a system; empty for the ball
-  std::map<std::string, std::vector<scene::Column>> columns;  ///< columns without the time, by name of the CSV file
+  std::string system;  ///< name of the CSV file of a system, without ".csv"; empty for the ball
+  /// The columns of each CSV file, by the name of the file with ".csv". A list for a motion omits the column `time`.
+  std::map<std::string, std::vector<scene::Column>> columns;
   /// The internal units of a ball, in the units of the user; empty for other systems.
   std::optional<Units> units;
   std::map<std::string, std::string> libraries;  ///< versions of the libraries in use, by name
   std::string instructions;             ///< instruction set of the compiled kernels in use; empty without kernels
   std::vector<BallRun> ball;            ///< models of the ball in the order of their runs
-  std::map<std::string, Model> models;  ///< results of the runs, by the name of their files
+  std::map<std::string, Model> models;  ///< results of the runs, by the name of their CSV file without ".csv"
 };
 
 /// Writes manifest.json. The constructor writes the file with the state "running", and `finish` writes the file with
@@ -88,10 +90,10 @@ class ManifestFile {
 /// does not have the ManifestFile calls this function if it aborts the run. Errors are ignored.
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
-/// The names of the trajectories in a manifest: the name of the CSV file of a system, or the names of the runs of the
-/// ball (BallRun). Throws UserError if the file cannot be read, is not a manifest of this program, or contains a name
-/// with a slash. Also throws UserError if the manifest lacks the entries of the scene, which a report needs. Earlier
-/// versions of the program did not write them.
+/// The names of the trajectories in a manifest: the name of the CSV file of a system without ".csv", or the names of
+/// the runs of the ball (BallRun). Throws UserError if the file cannot be read, is not a manifest of this program, or
+/// contains a name with a slash. Also throws UserError if the manifest lacks the entries of the scene, which a report
+/// needs. Earlier versions of the program did not write them.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
 /// The names of the runs of the ball in a manifest whose motion is affine (BallRun::affine). The result is empty if the
 /// file does not exist, is not a manifest, or belongs to a system other than the ball. Throws UserError if the file

@@ -11,8 +11,8 @@ namespace pseudorigid::io {
 
 class Progress {
  public:
-  /// The line begins with `label`. `unit` is the name of the steps in the line. If `enabled` is false, the object does
-  /// not write a line.
+  /// The line begins with `label`. `unit` is the word for the steps in the text “steps/s” of the line. If `enabled` is
+  /// false, the object does not write a line.
   explicit Progress(std::string label, bool enabled = stderr_is_terminal(), std::string unit = "steps");
   ~Progress() { finish(); }
   Progress(const Progress&) = delete;
@@ -44,8 +44,8 @@ class Progress {
   bool drawn_ = false;
 };
 
-/// The text of the line after the label, for example " 42 % 1.3e+05 steps/s 3 min left". The function is separate from
-/// the class, so that tests can call it.
+/// The text of the line after the label, for example " 42 %  1.3e+05 steps/s  3 min left". The function is separate
+/// from the class, so that tests can call it.
 std::string progress_text(double fraction, double steps_per_second, double seconds_left,
                           std::string_view unit = "steps");
 

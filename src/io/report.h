@@ -21,9 +21,9 @@ std::string_view report_page();
 
 /// Returns the page `empty` with the texts of the files in the directory. `movers` contains the names of the
 /// trajectories, as movers_in in manifest.h returns them. An element with {mover} in its file name is repeated for each
-/// trajectory, with the name of the trajectory in place of {mover}. Throws UserError if the page shows a file of the
-/// run that exists but cannot be read. If a picture cannot be read, the table of its trajectory is empty
-/// (table_of_frames).
+/// trajectory, with the name of the trajectory in place of {mover}. Throws UserError if manifest.json or
+/// another file of the run that the page shows exists but cannot be read. If a picture cannot be read, the table of its
+/// trajectory is empty (table_of_frames).
 std::string report_of(const RunDirectory& directory, std::span<const std::string> movers,
                       std::string_view empty = report_page());
 

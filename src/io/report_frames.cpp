@@ -42,7 +42,8 @@ std::vector<std::size_t> lattice_of_face(std::size_t n, int direction, bool is_f
   return places;
 }
 
-/// A face of a block, and the number of blocks that have this face. A face of only one block is on the surface.
+/// A face of a block, and the number of blocks that have this face (`n_elements`). A face of only one block is on the
+/// surface.
 struct Candidate {
   PictureFace face;
   int n_elements = 0;
@@ -133,10 +134,10 @@ std::vector<PvdCollection::Frame> some_of(const std::vector<PvdCollection::Frame
   return chosen;
 }
 
-/// The rows of table_of_frames without the header. The text is empty if a picture does not have the two fields or all
-/// points of the faces. If `is_affine` is false, the text is also empty if the first picture has no faces, or if two
-/// pictures would have more than most_rows rows. `frames` must not be empty. Throws UserError if a picture cannot be
-/// read.
+/// The rows of table_of_frames without the header. The text is empty if a picture does not have all points of the
+/// faces, or lacks one of the fields reference_coordinates and von_mises. If `is_affine` is false, the text is also
+/// empty if the first picture has no faces, or if two pictures would have more than most_rows rows. `frames` must not
+/// be empty. Throws UserError if a picture cannot be read.
 std::string rows_of_frames(std::vector<PvdCollection::Frame> frames, bool is_affine) {
   std::string text;
   std::vector<PictureFace> faces;

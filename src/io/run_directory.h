@@ -28,7 +28,8 @@ class RunDirectory {
 
   /// Creates and locks the folder, and removes the results of an earlier run. Results have fixed names such as
   /// `manifest.json`, or names such as `<name>.csv` and `modes-<name>.csv` with a model or system <name> in `movers`.
-  /// Checkpoints, and pictures of these models in the folder graphics, are also results. Other files remain. The folder
+  /// Checkpoints are also results. In the folder graphics, the pictures of these models and of modes are results.
+  /// Incomplete files of results and temporary files of locks are removed as well. Other files remain. The folder
   /// graphics is removed if it is then empty and not a link. Throws UserError, with path and reason, if the folder
   /// cannot be created, written or cleared. Also throws UserError if a pipe, a socket or a device has the name of a
   /// result. Throws the UserError of RunLock if another run uses or may use the folder. Throws WriteError if the lock
@@ -36,7 +37,8 @@ class RunDirectory {
   RunLock prepare_fresh(std::span<const std::string> movers = {}) const;
   /// Locks the folder for a resumed run. Results remain. Removes the temporary files of locks (RunLock) that killed
   /// runs have left. Throws UserError if the folder does not exist or does not contain a checkpoint. Also throws the
-  /// errors of prepare_fresh. The folder is locked until the returned object is destroyed.
+  /// errors of prepare_fresh, but does not examine the folder graphics. The folder is locked until the returned object
+  /// is destroyed.
   RunLock prepare_resume(std::span<const std::string> movers = {}) const;
 
   const std::filesystem::path& path() const { return path_; }

@@ -26,9 +26,10 @@ namespace fs = std::filesystem;
 
 using Identity = std::map<std::string, std::string>;
 
-/// Names of the lines in the file of the lock. Together the lines identify a process. The line `numbering` identifies
-/// the namespace of process numbers, which is different in a container. The number of a process is not sufficient,
-/// because another process may have the same number later, in another container, or after a restart of the machine.
+/// Names of the lines in the file of the lock. The line `since` has the time of the lock, for messages. The other lines
+/// together identify a process. The line `numbering` identifies the namespace of process numbers, which is different in
+/// a container. The number of a process is not sufficient, because another process may have the same number later, in
+/// another container, or after a restart of the machine.
 constexpr const char *host = "host", *machine = "machine", *boot = "boot", *numbering = "numbering",
                      *process = "process", *process_start = "process start", *since = "since";
 
@@ -90,7 +91,8 @@ Identity from_text(const std::string& text) {
   return identity;
 }
 
-/// State of the run that has a lock. The state is unknown if this process cannot see the processes of that run.
+/// State of the run that has a lock. The state is unknown if this process cannot see the processes of that run, or if
+/// the file of the lock is incomplete or cannot be read.
 enum class Judgement { at_work, ended, unknown };
 
 /// The state of the run with the identity `holder`. The run has ended if its machine was restarted, or if its process

@@ -1,13 +1,13 @@
 #pragma once
 /// The lock of a run directory, which ensures that only one run at a time uses the directory. The lock is the file
-/// `run.lock` in the directory. It identifies the run by host, process and start of the process. The run removes the
-/// file at its end.
+/// `run.lock` in the directory. The file identifies the run by the host, the machine and its last start, and by the
+/// number, namespace and start of the process. The run removes the file at its end.
 ///
 /// A killed run does not remove the file. The next run on the same host replaces the lock if the process of the killed
-/// run does not exist, or if another process now has its number. The next run also replaces the lock after a restart of
-/// the machine. The file /etc/machine-id distinguishes machines with the same name. A run cannot check processes on
-/// another host or in another container. In this case the run stops with a message that names the file, and the user
-/// decides whether to remove the file.
+/// run does not exist, or if another process now has its number. A zombie counts as a process that does not exist. The
+/// next run also replaces the lock after a restart of the machine. The file /etc/machine-id distinguishes machines with
+/// the same name. A run cannot check processes on another host or in another container. In this case the run stops with
+/// a message that names the file, and the user decides whether to remove the file.
 
 #include <filesystem>
 #include <string>

@@ -12,7 +12,8 @@ namespace pseudorigid::io {
 void open_standard_descriptors();
 
 /// Writes the text to standard output without a buffer. Throws WriteError if this fails. If standard output is a pipe
-/// without a reader, the function discards the text and does not throw.
+/// without a reader and SIGPIPE is ignored (signals.h), the function discards the text and does not throw. If SIGPIPE
+/// is not ignored, the signal ends the program.
 void print(std::string_view text);
 
 }  // namespace pseudorigid::io

@@ -29,7 +29,8 @@ class Trajectory {
 
   /// Names of the columns. The first name is `time`.
   const std::vector<std::string>& names() const { return names_; }
-  /// The request for the observables that the columns need. A model passes it to its function `observe`.
+  /// The request for the observables that the columns need. The caller passes the request to the function `observe` of
+  /// the model.
   const mechanics::ObservableRequest& request() const { return request_; }
   /// Replaces `row` by the values of the columns for a sample, and reuses the memory of `row`. The observables
   /// `internal` are in internal units, and `physical_time` is in the units of the user. The row is in the units of the

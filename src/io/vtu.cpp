@@ -66,7 +66,8 @@ std::string compressed(std::string_view bytes) {
 class Document {
  public:
   void add(std::string_view xml) { parts_.push_back({.xml = std::string(xml)}); }
-  /// Adds an array, and its element in the XML. Each point or cell has `n_components` values.
+  /// Adds an array, and its element in the XML. `n_components` is the number of values per point for the points and the
+  /// fields, and 1 for the three arrays of cells.
   template <class T>
   void add_array(std::string_view name, int n_components, std::span<const T> values) {
     parts_.push_back({.xml = fmt::format(R"(<DataArray type="{}" Name="{}"{} format="appended" offset=")", vtk_type<T>,

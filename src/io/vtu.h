@@ -1,7 +1,7 @@
 #pragma once
-/// Writer of unstructured grids in VTK's XML format for ParaView: file version 1.0, one piece, Float64, appended arrays
-/// compressed by zlib. Equal grids give equal files. A test checks that VTK and meshio read the same data from a file
-/// (tests/support/check_vtu.py).
+/// Writer of unstructured grids in VTK's XML format for ParaView: file version 1.0, one piece, coordinates and fields
+/// as Float64, appended arrays compressed by zlib. Equal grids give equal files. A test checks that VTK and meshio read
+/// the same data from a file (tests/support/check_vtu.py).
 
 #include <cstdint>
 #include <filesystem>

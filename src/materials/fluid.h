@@ -1,6 +1,6 @@
 #pragma once
-/// A law without stored energy: W = 0 and P = 0. With this law, an incompressible body is an ideal fluid. An ideal
-/// fluid in affine motion is Dirichlet's fluid ellipsoid.
+/// A law without stored energy: W = 0 and P = 0. With this law, an incompressible body is an ideal fluid, and a
+/// compressible body consists of free particles. An ideal fluid in affine motion is Dirichlet's fluid ellipsoid.
 
 #include "materials/tensor.h"
 

@@ -12,7 +12,8 @@
 ///   DP(F)[H] = DP_CG(F)[H] + μ [J_m ḋ/(J_m − d)² F + d/(J_m − d) H],   ḋ = 2 F:H
 ///
 /// The law is stress-free at Id. The shear modulus at Id is μ, and the first Lamé modulus is λ + 2μ/J_m. As J_m → ∞,
-/// the law tends to the neo-Hookean law. W is infinite at d = J_m, so d ≥ J_m is not possible.
+/// the law tends to the neo-Hookean law. W is infinite at d = J_m, so d ≥ J_m is not possible. For incompressible
+/// bodies, F ∈ SL(3), the bulk term is 0 and therefore omitted: λ = 0.
 
 #include <string_view>
 

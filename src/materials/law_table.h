@@ -1,7 +1,7 @@
 #pragma once
 /// Table of the material laws by name, and their entries in parameter files. A new law needs a header with operator==,
-/// and with energy, stress and tangent for any scalar type. law_limits.h and stress_coefficients.h describe the
-/// optional declarations. In this file, add the type of the law to AnyLaw, its parameters to LawParameters and
+/// and with energy, stress and tangent for any scalar type of tensor.h. law_limits.h and stress_coefficients.h describe
+/// the optional declarations. In this file, add the type of the law to AnyLaw, its parameters to LawParameters and
 /// law_entries, and a line to law_table.
 
 #include <concepts>
@@ -90,8 +90,9 @@ struct NamedLaw {
   /// Documentation of the law in parameter files: the formula for W, and remarks. The documentation of Material/Law
   /// defines the symbols, such as the bulk term B (scene/choices.h).
   std::string_view energy;
-  /// Makes the law. `bulk` is the modulus λ of the bulk term; `make` passes 0 for an incompressible body. Some laws
-  /// ignore `bulk` and always use lame_lambda.
+  /// Makes the law. `bulk` is the modulus λ of the bulk term; `make` passes 0 for an incompressible body. Both forms of
+  /// ciarlet-geymonat and of saint-venant-kirchhoff ignore `bulk` and always use lame_lambda. The law `none` ignores
+  /// both arguments.
   AnyLaw (*of)(const LawParameters&, double bulk);
   /// Warnings to the user about the choice of this law for an incompressible and for a compressible body; empty if
   /// there is none.
@@ -104,8 +105,8 @@ struct NamedLaw {
   }
 };
 
-/// The table of laws. For incompressible bodies, ciarlet-geymonat keeps its bulk term, because the term and its stress
-/// are 0 at J = 1.
+/// The table of laws. Both forms of ciarlet-geymonat have their bulk term even for an incompressible body, because the
+/// term and its stress are 0 at J = 1.
 inline constexpr NamedLaw law_table[] = {
     {.name = "neo-hookean",
      .energy = "(mu/2) (I - 3 - 2 ln J) + B.",
@@ -164,14 +165,15 @@ inline constexpr NamedLaw law_table[] = {
      .of = [](const LawParameters&, double) -> AnyLaw { return Fluid{}; }},
 };
 
-/// Returns the line of the table with this name. Throws std::invalid_argument if there is none.
+/// Returns the line of the table with this name. Throws std::invalid_argument if there is no such line.
 inline const NamedLaw& find_law(std::string_view name) {
   for (const NamedLaw& law : law_table)
     if (law.name == name) return law;
   throw std::invalid_argument("no material law is called " + std::string(name));
 }
 
-/// Makes the law with this name. Throws std::invalid_argument if there is none.
+/// Makes the law with this name for an incompressible or a compressible body. Throws std::invalid_argument if there is
+/// no law with this name.
 inline AnyLaw make_law(std::string_view name, const LawParameters& p, bool incompressible = true) {
   return find_law(name).make(p, incompressible);
 }

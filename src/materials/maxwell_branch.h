@@ -1,31 +1,32 @@
 #pragma once
-/// Maxwell branches of a viscoelastic body. A branch is a spring of shear modulus μ_b in series with a dashpot of the
-/// relaxation time τ_b. All branches are parallel to the elastic law. The strain of the dashpot is the internal metric
-/// C_i, which is symmetric and positive with det C_i = 1. With F = ∂x/∂X, J = det F, C = FᵀF and the isochoric strain Ĉ
-/// = J^{−2/3} C, the stored energy, the stress and the flow of a branch are
+/// Maxwell branches of a viscoelastic body. A branch is a spring of shear modulus μ_b in series with a dashpot. The
+/// relaxation time of the branch is τ_b. All branches are parallel to the elastic law. The internal metric C_i
+/// describes the strain of the dashpot. It is symmetric and positive definite, with det C_i = 1. The symbols are
+/// F = ∂x/∂X, J = det F, C = FᵀF and the isochoric strain Ĉ = J^{−2/3} C. A branch has the stored energy W_b per
+/// reference volume, the first Piola–Kirchhoff stress P_b and the flow Ċ_i:
 ///
 ///   W_b = (μ_b/2)(tr(Ĉ C_i⁻¹) − 3),
 ///   P_b = ∂W_b/∂F = μ_b J^{−2/3} (F C_i⁻¹ − ⅓ tr(C C_i⁻¹) F⁻ᵀ),
-///   Ċ_i = (1/τ_b)(Ĉ − ⅓ tr(Ĉ C_i⁻¹) C_i),
+///   Ċ_i = (1/τ_b)(Ĉ − ⅓ tr(Ĉ C_i⁻¹) C_i).
 ///
-/// which is the finite viscoelasticity of Simo (1987) and Reese and Govindjee (1998) for one neo-Hookean spring. The
-/// branch dissipates (μ_b/(2τ_b))(tr (Ĉ C_i⁻¹)² − ⅓ tr²(Ĉ C_i⁻¹)) ≥ 0 per reference volume. For small strains, the
-/// strain ε_i of the dashpot and the deviatoric strain ε of the body satisfy ε̇_i = (ε − ε_i)/τ_b.
+/// This is the finite viscoelasticity of Simo (1987) and Reese and Govindjee (1998) for one neo-Hookean spring. The
+/// branch dissipates the power (μ_b/(2τ_b))(tr (Ĉ C_i⁻¹)² − ⅓ tr²(Ĉ C_i⁻¹)) ≥ 0 per reference volume. For small
+/// strains, the strain ε_i of the dashpot and the deviatoric strain ε of the body satisfy ε̇_i = (ε − ε_i)/τ_b.
 ///
-/// For constant Ĉ the flow has an exact solution C_i(t). Up to the factor D, C_i(t) is on the straight line from C_i(0)
-/// to Ĉ. With α and β at the time 0,
+/// For constant Ĉ the flow has an exact solution C_i(t). Up to the factor 1/D, C_i(t) is on the straight line from
+/// C_i(0) to Ĉ. The share w of Ĉ on this line increases from 0 to 1. The numbers α and β belong to C_i(0):
 ///
 ///   C_i(t) = Y/D,   Y = (1 − w) C_i(0) + w Ĉ,   D³ = det Y = 1 + w(1 − w)[α(1 − w) + βw],
-///   α = tr(Ĉ C_i⁻¹) − 3,   β = tr(Ĉ⁻¹C_i) − 3,
+///   α = tr(Ĉ C_i(0)⁻¹) − 3,   β = tr(Ĉ⁻¹C_i(0)) − 3,
 ///   s − I(w) = t/τ_b,   w = 1 − e^{−s},   I(w) = ∫₀^w w'[α(1 − w') + βw']/(D + D² + D³) dw'.
 ///
-/// The equation for s follows from ẇ = (1 − w) D/τ_b, which results if Y/D is inserted into the flow. Per reference
-/// volume, the branch loses the energy
+/// The equation for s follows from ẇ = (1 − w) D/τ_b, which results if Y/D is inserted into the flow. Until the time t,
+/// the branch loses the following energy per reference volume:
 ///
 ///   (μ_b/2)[(α + 3)(D² − 1) + w(α(2 − w) − 2β(1 − w))]/D².
 ///
-/// until the time t. The functions are templates for doubles and for SIMD vectors (mechanics/core/lanes.h) with one
-/// point in each lane.
+/// The functions are templates for doubles and for SIMD vectors (mechanics/core/lanes.h) with one material point in
+/// each lane.
 
 #include <algorithm>
 #include <array>
@@ -126,7 +127,8 @@ template <class T>
   const T y = 1.0 + p * (1.0 / 3 + p * ((5.0 / 81) * p - 1.0 / 9)), y3 = y * y * y, u = 1.0 + p;
   return y * (y3 + 2.0 * u) / (2.0 * y3 + u);
 }
-/// Returns the cube root of u. If u is not near 1 in all lanes, std::cbrt computes it lane by lane.
+/// Returns the cube root of u. If |u − 1| is larger than `near_one` in any lane, std::cbrt computes the roots of all
+/// lanes.
 template <class T>
 T cube_root(const T& u) {
   const T p = u - 1.0;
@@ -148,15 +150,17 @@ inline constexpr GaussRule<8> eight_points{
      0.15685332293894364, 0.11119051722668724, 0.050614268145188130}};
 
 /// Returns an upper bound of λ − 1 for the eigenvalues λ > 1 of a matrix. The matrix is Ĉ C_i⁻¹ if `excess` is α, and
-/// its inverse if `excess` is β. With λ = e^h the bound follows from h²/2 ≤ e^h − 1 − h ≤ α. The bound is needed
-/// because the integrand of I(w) has singularities at the distances 1/(λ − 1) below 0 and above 1.
+/// its inverse if `excess` is β. With λ = e^h the bound follows from h²/2 ≤ e^h − 1 − h ≤ `excess`. The bound is needed
+/// because the integrand of I(w) has singularities where D = 0. Their distances from [0, 1] are 1/(λ − 1): below 0 for
+/// Ĉ C_i⁻¹, and above 1 for its inverse.
 inline double largest_stretch(double excess) {
   const double positive = std::max(excess, 0.0);
   return positive + std::sqrt(2 * positive);
 }
 
-/// Computes w after the time x = t/τ_b, for any α and β. `share(x)` returns w. It solves s − I(w) = x for s by Newton's
-/// method, with bisections if an iterate leaves its bounds.
+/// Computes w at the time t = xτ_b, for any α and β. Negative α and β result from round-off and are replaced by 0. The
+/// function `share(x)` returns w. It solves s − I(w) = x for s by Newton's method, with a bisection if an iterate
+/// leaves the interval that contains s.
 class FlowLine {
  public:
   FlowLine(double alpha, double beta) : alpha_(std::max(alpha, 0.0)), beta_(std::max(beta, 0.0)) {}
@@ -197,15 +201,16 @@ class FlowLine {
   double alpha_, beta_;
 };
 
-/// Computes w after the time x = t/τ_b, for SIMD vectors α and β. The result is accurate if one panel of Gauss points
-/// is sufficient and D is near 1. `one_panel` checks these conditions and must be called before `share`.
+/// Computes w at the time t = xτ_b, for all lanes of α and β together. The result is accurate if the Gauss rule on one
+/// panel [0, w] is sufficient for I(w), and if D is near 1. Call `one_panel` before `share`: it checks these
+/// conditions.
 template <class T>
 class ShortFlow {
  public:
   ShortFlow(const T& alpha, const T& beta, double x) : alpha_(alpha), beta_(beta), x_(x) {}
 
-  /// Returns true if `share` is accurate to round-off in all lanes, and false if α or β is not finite. Also chooses the
-  /// number of Gauss points. The check uses the bound w ≤ x(α + 3)/3.
+  /// Returns true if α and β are finite and `share` is accurate to round-off in all lanes. Also chooses the number of
+  /// Gauss points, 4 or 8. The check uses the bound w ≤ x(α + 3)/3.
   bool one_panel() {
     double worst = 0, largest = 0;
     bool all_numbers = true;
@@ -237,7 +242,7 @@ class ShortFlow {
  private:
   T excess(const T& w) const { return w * (alpha_ + w * (beta_ - alpha_)); }
 
-  /// Returns the mean of the integrand of I over [0, w].
+  /// Returns the mean of the integrand of I over [0, w], which is I(w)/w.
   template <std::size_t n>
   T mean(const GaussRule<n>& rule, const T& w) const {
     T sum(0.0);
@@ -265,7 +270,7 @@ class ShortFlow {
   bool few_points_ = false;
 };
 
-/// Returns w after the time x = t/τ_b. Uses FlowLine in each lane if ShortFlow is not accurate in all lanes.
+/// Returns w at the time t = xτ_b ≥ 0. If ShortFlow is not accurate in some lane, FlowLine computes w in every lane.
 template <class T>
 T share_of_flow(const T& alpha, const T& beta, double x) {
   constexpr double forever = 60;  // 1 − e^{−60} is 1 in double precision
@@ -286,15 +291,16 @@ template <class T>
 Symmetric<T> isochoric_strain(const Tensor<T>& F) {
   return unimodular(gram(F));
 }
-/// Returns C/(det C)^{1/3} for the mean C = ½(F0ᵀF0 + F1ᵀF1). Unlike the strain of the mean ½(F0 + F1), it does not
-/// depend on rotations of F0 and F1.
+/// Returns C/(det C)^{1/3} for the mean C = ½(F0ᵀF0 + F1ᵀF1). F0 and F1 are the deformation gradients at the beginning
+/// and the end of a time step. The mean C does not change if F0 and F1 are multiplied from the left by different
+/// rotations. The isochoric strain of ½(F0 + F1) would change.
 template <class T>
 Symmetric<T> mean_strain(const Tensor<T>& F0, const Tensor<T>& F1) {
   return unimodular(plus(gram(F0), T(1.0), gram(F1)));
 }
 
-/// Replaces C_i(0) = `metric` by C_i(t) for constant Ĉ = `strain`, with x = t/τ_b ≥ 0. Returns the energy that the
-/// branch loses per reference volume, divided by μ_b.
+/// Replaces C_i(0) = `metric` by C_i(t) for constant Ĉ = `strain`, with x = t/τ_b ≥ 0. Both matrices must have the
+/// determinant 1. Returns the energy that the branch loses per reference volume, divided by μ_b.
 template <class T>
 T relax(const Symmetric<T>& strain, double x, Symmetric<T>& metric) {
   const T alpha = dot(adjugate(metric), strain) - 3.0, beta = dot(adjugate(strain), metric) - 3.0;
@@ -306,13 +312,13 @@ T relax(const Symmetric<T>& strain, double x, Symmetric<T>& metric) {
   return 0.5 * ((alpha + 3.0) * D2_minus_1 + w * (alpha * (1.0 + v) - 2.0 * beta * v)) / D2;
 }
 
-/// Adds μ_b C_i⁻¹ of one branch to the sum A of all branches.
+/// Adds μ_b C_i⁻¹ of one branch to the sum A over the branches, with μ_b = `modulus` and C_i = `metric`.
 template <class T>
 [[gnu::always_inline]] inline void add_branch(double modulus, const Symmetric<T>& metric, Symmetric<T>& A) {
   A = plus(A, T(modulus), adjugate(metric));
 }
 
-/// Returns the stress Σ P_b for A = Σ μ_b C_i⁻¹.
+/// Returns the first Piola–Kirchhoff stress Σ P_b of all branches for A = Σ μ_b C_i⁻¹.
 template <class T>
 Tensor<T> stress_of_branches(const Tensor<T>& F, const Symmetric<T>& A) {
   const Tensor<T> cof = cofactor(F);

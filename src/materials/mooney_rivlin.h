@@ -12,7 +12,7 @@
 ///   DP(F)[H] = DP_CG(F)[H] + bμ(ḋ F + d H − H D − F Ḋ),   Ḋ = HᵀF + FᵀH, ḋ = 2 F:H
 ///
 /// The law is stress-free at Id. The shear modulus at Id is μ, and the first Lamé modulus is λ + 2bμ, because the term
-/// in II also resists changes of volume. For incompressible bodies, F ∈ SL(3), the bulk term is constant and therefore
+/// in II also resists changes of volume. For incompressible bodies, F ∈ SL(3), the bulk term is 0 and therefore
 /// omitted: λ = 0. For b = 0 the law is the neo-Hookean law.
 
 #include "materials/ciarlet_geymonat.h"
@@ -21,7 +21,7 @@ namespace pseudorigid::materials {
 
 struct MooneyRivlin {
   double mu, lambda, b;
-  static constexpr double surface_limit = biot_ratio;
+  static constexpr double surface_limit = biot_ratio;  ///< for the law at J = 1 (law_limits.h)
   bool operator==(const MooneyRivlin&) const = default;
 
   /// Energy W(F) per reference volume; F must have J > 0.

@@ -17,9 +17,9 @@
 
 namespace pseudorigid::materials {
 
-/// Appends the values at the material point X to the fields. The point has the position x, the velocity v and the
-/// deformation gradient F. `pressure` is p, or 0 for a compressible body. Returns a failure and appends nothing if det
-/// F is not positive and finite.
+/// Appends X, x, v, F, σ and W of a material point to the fields. The point has the reference position X, the position
+/// x, the velocity v and the deformation gradient F. `pressure` is p, or 0 for a compressible body. Returns a failure
+/// and appends nothing if det F is not positive and finite.
 inline mechanics::Status add_point(const AnyLaw& law, const Eigen::Vector3d& X, const Eigen::Vector3d& x,
                                    const Eigen::Vector3d& v, const Eigen::Matrix3d& F, double pressure,
                                    const BranchesAtPoint& branches, mechanics::BodyFields& fields) {

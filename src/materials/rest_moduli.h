@@ -4,7 +4,8 @@
 ///
 ///   C(H) = DP(Id)[H] + p Hᵀ  (incompressible),      C(H) = DP(Id)[H]  (compressible; Id is at rest only if p = 0).
 ///
-/// The moduli follow from C. The stiffness of the shear e₁⊗e₂ is μ, and the stiffness of the stretch e₁⊗e₁ is λ + 2μ.
+/// The moduli follow from the stiffness H : C(H). The stiffness is μ for the shear H = e₁⊗e₂, and λ + 2μ for the
+/// stretch H = e₁⊗e₁.
 
 #include <variant>
 
@@ -18,7 +19,7 @@ inline double pressure_at_rest(const AnyLaw& law) {
   return std::visit([&](const auto& known) { return trace(known.stress(Id)) / 3; }, law);
 }
 
-/// Returns the second variation C(H).
+/// Returns the second variation C(H) at F = Id.
 inline Tensor<double> tangent_at_rest(const AnyLaw& law, bool incompressible, const Tensor<double>& H) {
   constexpr Tensor<double> Id{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   Tensor<double> C = std::visit([&](const auto& known) { return known.tangent(Id, H); }, law);

@@ -1,5 +1,6 @@
 #pragma once
-/// The Saint Venant–Kirchhoff law in the form printed in Oliva 5.7.9(3), with d = I − 3 = tr(FᵀF − Id):
+/// The Saint Venant–Kirchhoff law in the form printed in Oliva 5.7.9(3), per unit reference volume, with I = |F|² and
+/// d = I − 3 = tr(FᵀF − Id):
 ///
 ///   W = (λ/2) d² + μ d
 ///   P = ∂W/∂F = 2(λd + μ) F

@@ -1,6 +1,6 @@
 #pragma once
-/// Functions of scalars for the material laws, for real and complex numbers. For SIMD vectors, log1p is in
-/// mechanics/core/lanes.h.
+/// Functions of scalars for the material laws: for real and complex numbers, and as templates for SIMD vectors. The
+/// function log1p of SIMD vectors is in mechanics/core/lanes.h.
 
 #include <cmath>
 #include <complex>
@@ -22,7 +22,7 @@ T x_minus_log1p_series(const T& x) {
 }
 }  // namespace detail
 
-/// Returns x − ln(1+x), which is about x²/2. For real and complex x, there is no cancellation for small x. For SIMD
+/// Returns x − ln(1+x), about x²/2 for small x. For real and complex x, there is no cancellation for small x. For SIMD
 /// vectors, the result is computed as the difference of the two terms, and its absolute error is about |x| ε with ε =
 /// 2⁻⁵².
 template <class T>

@@ -1,7 +1,7 @@
 #pragma once
-/// Strains computed from H = F − Id. If H is small, its strain has no cancellation. If the body is rotated, H is not
-/// small, and the absolute error of the strain is of the order of round-off. With C = FᵀF, I = tr C and a change K of
-/// F,
+/// Strains computed from H = F − Id. If H is small, the computation of the strain has no cancellation. If the body is
+/// rotated, H is not small, and the absolute error of the strain is of the order of round-off. With C = FᵀF, I = tr C
+/// and a variation K of F,
 ///
 ///   D = C − Id = FᵀF − Id = H + Hᵀ + HᵀH  (twice Green's strain),   tr D = I − 3 = 2 tr H + |H|²
 ///   DD(F)[K] = KᵀF + FᵀK, with the trace 2 F:K

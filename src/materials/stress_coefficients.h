@@ -17,6 +17,7 @@ struct StressCoefficients {
   T of_F, of_cofactor;
 };
 
+/// True if the law declares `stress_coefficients`.
 template <class Law>
 inline constexpr bool has_stress_coefficients = requires(const Law law, double J) {
   law.stress_coefficients(J);
