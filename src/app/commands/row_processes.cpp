@@ -27,8 +27,8 @@ namespace {
 /// Kind of an answer of the child process: a row, or the kind of the exception that the task has thrown.
 enum class Answer : std::int64_t { row, wrong_input, no_memory, failure };
 
-/// The first part of an answer: its kind, the outcome `end` of the run, and the numbers of values, columns and letters
-/// that follow. The message has n_letters letters.
+/// The first part of an answer: its kind, the outcome `end` of the run, and the sizes of the parts that follow. The row
+/// has n_row values, the samples have n_columns columns and n_values values, and the message has n_letters letters.
 struct Header {
   Answer answer;
   std::int64_t end, n_row, n_columns, n_values, n_letters;
