@@ -40,11 +40,11 @@ double n_nodes_of_images(int n_octants, double n) {
 /// resident memory for degrees k = 2 … 8 and r = 0 … 3 refinements. The memory of a process that has only loaded the
 /// libraries was subtracted.
 constexpr double bytes_of_unknown = 600, bytes_of_pair_of_multipliers = 60;
-/// Number of doubles in a checkpoint per unknown and per multiplier: positions, velocities, and the memory of
-/// symmetric-4. Among the methods for the ball, symmetric-4 stores the largest number of past steps. If the program
-/// chooses the step, a checkpoint also has the last sample, and its size doubles.
+/// Number of doubles in a checkpoint per unknown and per multiplier: positions, velocities, and the past steps that the
+/// method symmetric-4 stores. Among the methods for the ball, symmetric-4 stores the largest number of past steps. If
+/// the program chooses the step, a checkpoint also has the last sample, and its size doubles.
 constexpr double remembered_of_unknown = 11, remembered_of_multiplier = 5;
-constexpr double most_unknowns = std::numeric_limits<int>::max();  // largest index in PETSc and deal.II
+constexpr double most_unknowns = std::numeric_limits<int>::max();  // the indices of PETSc and deal.II have 32 bits
 
 std::string count(double n) { return n < 1e7 ? fmt::format("{:.0f}", n) : fmt::format("{:.3g}", n); }
 
@@ -90,8 +90,8 @@ double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs
   return n_steps * a_step * (1 + (scene.time.step ? 0 : pilots) + (needs.companion ? companion : 0));
 }
 
-/// Adds a line with the number of force evaluations of the pseudo-rigid body and their time. A method of order 8 with
-/// the tolerance 1e-6 needs 73 evaluations per internal unit of time (measured). The number is proportional to the
+/// Adds a line with the number of force evaluations of the pseudo-rigid body and their total time. A method of order 8
+/// with the tolerance 1e-6 needs 73 evaluations per internal unit of time (measured). The number is proportional to the
 /// tolerance to the power −1/8. If the scene gives the step, the number is at least that of these steps. Adds nothing
 /// without a motion of this model.
 void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
@@ -127,7 +127,7 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
   const int n_octants = 8 / scene::sector(scene).n_images();
   const bool builtin = n_coarse_cells == 0;
   const double n_coarse = builtin ? octant.n_cells * n_octants : static_cast<double>(n_coarse_cells);
-  // For a mesh file, the estimate is the number of nodes of a cube with the same number of cells.
+  // For a mesh file, the number of nodes is estimated as that of a cube with the same number of cells.
   const double n_nodes = builtin ? n_nodes_of_images(n_octants, n) : std::pow(std::cbrt(n_coarse) * n + 1, 3);
   const double n_cells = n_coarse * std::ldexp(1, 3 * d.refinements);
   const double n_pressure = scene.body.incompressible ? k * (k + 1) * (k + 2) / 6 : 0;
