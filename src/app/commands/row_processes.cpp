@@ -47,8 +47,8 @@ bool write_all(int file, const void* data, std::size_t size) {
   return true;
 }
 
-/// Writes the header, the row, the values of the samples and the message. The names of the columns follow, each after
-/// its length. Returns false if a part cannot be written.
+/// Writes the header, the row, the values of the samples and the message. The names of the columns of the samples
+/// follow, each after its length. Returns false if a part cannot be written.
 bool write_answer(int file, Answer answer, const FinishedRun& run) {
   const Header header{answer,
                       static_cast<std::int64_t>(run.end),
@@ -68,7 +68,7 @@ bool write_answer(int file, Answer answer, const FinishedRun& run) {
 }
 
 /// Computes run k. If the task throws an exception, the answer has the kind of the exception, and the FinishedRun has
-/// only its message. For std::bad_alloc the message is empty.
+/// only the message of the exception. For std::bad_alloc the message is empty.
 std::pair<Answer, FinishedRun> answer_of(const SweepTask& task, int k) {
   try {
     return {Answer::row, task.run(k)};

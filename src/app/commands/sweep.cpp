@@ -140,7 +140,7 @@ class Workers {
  private:
   static constexpr int group = 8;  ///< runs of a group, as many as SIMD lanes (app/reduced/reduced_in_lanes.h)
 
-  /// The runs begin, …, end − 1. The runs next, …, end − 1 do not have a row yet.
+  /// Consecutive runs with the numbers `begin` to `end` − 1. The runs from `next` on do not have a row yet.
   struct Group {
     int begin, next, end;
   };

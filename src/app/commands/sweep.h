@@ -6,9 +6,9 @@
 ///   estimated_time_error (0 if it is not known);
 ///   for the ball, if its file has the columns of Q: frequency (angular; of the component of C = QᵀQ that varies most;
 ///   0 if there is none) and amplitude of C, with the definitions of analysis/motion.h;
-///   for every column c of the model's own CSV file except the time: the last, least and greatest value over the samples
-///   in c_end, c_min, c_max. If the motion conserves c, the columns are c, with the value at the start, and c_drift, the
-///   difference of the greatest and the least value.
+///   for every column c of the model's own CSV file except the time: the last, least and greatest value over the
+///   samples in c_end, c_min, c_max. If the motion conserves c, the columns are c, with the value at the start, and
+///   c_drift, the difference of the greatest and the least value.
 ///
 /// If Sweep/Trajectories is true, the program also writes trajectories.csv (kept_trajectories.h).
 ///
