@@ -48,7 +48,7 @@ constexpr double most_unknowns = std::numeric_limits<int>::max();  // the indice
 
 std::string count(double n) { return n < 1e7 ? fmt::format("{:.0f}", n) : fmt::format("{:.3g}", n); }
 
-/// The numbers of unknowns and multipliers and the memory as text.
+/// The numbers of unknowns and multipliers and the memory as text. The text has at least 1 MB of memory.
 std::string in_words(const Effort& e) {
   const std::string multipliers = e.n_multipliers > 0 ? " and " + count(e.n_multipliers) + " multipliers" : "";
   return fmt::format("{} unknowns{}, about {}", count(e.n_unknowns), multipliers, in_bytes(std::max(1e6, e.bytes)));
@@ -59,9 +59,9 @@ double step_of_mesh(const scene::Discretization& d) {
   return 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
 }
 
-/// Seconds per step and unknown of the finite-element model, for an incompressible and for a compressible body. The
-/// true times differ by a factor of at most 3. They were measured on cores of 2 to 4 GHz for degrees k = 3 … 6 and r =
-/// 0 … 1 refinements.
+/// Seconds per step and unknown of the finite-element model, for an incompressible and for a compressible body.
+/// Measured times differ from these values by a factor of at most 3. They were measured on cores of 2 to 4 GHz for
+/// degrees k = 3 … 6 and r = 0 … 1 refinements.
 constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
 /// Typical ratio of the step to the stability limit at rest, if the program chooses the step for a tolerance.
 constexpr double usual_part_of_limit = 0.6;
