@@ -19,10 +19,10 @@ struct Options {
   std::vector<std::string> overrides;  ///< arguments of --set, for example "Time/End=10"
   std::optional<std::filesystem::path>
       output;  ///< argument of --output: the results directory of `run`, or the path of the page of `report`
-  std::filesystem::path run_directory;  ///< argument DIR of `report`
-  bool resume = false;                  ///< --resume: true if the run continues from its last checkpoint
-  io::Verbosity verbosity = io::Verbosity::normal;
-  scene::Format format = scene::Format::markdown;  ///< argument of --format, for the command `parameters`
+  std::filesystem::path run_directory;              ///< argument DIR of `report`
+  bool resume = false;                              ///< --resume: true if the run continues from its last checkpoint
+  io::Verbosity verbosity = io::Verbosity::normal;  ///< changed by --quiet and --verbose
+  scene::Format format = scene::Format::markdown;   ///< argument of --format, for the command `parameters`
   std::string help;  ///< text that Command::help prints: help for the program, or for a command followed by --help
 };
 

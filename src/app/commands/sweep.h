@@ -40,10 +40,11 @@ void check_sweep(const scene::ReadScene& raw);
 /// validation. The result is empty if there is no sweep or no self-gravity, or if the system is not the ball.
 std::optional<std::pair<double, double>> gammas_of_sweep(const scene::ReadScene& raw);
 
-/// Computes the runs of the sweep, or of its part Sweep/Part, and writes the files. `context` is the context of the
-/// first run. The outcome is `failed` if the input of a run is wrong, and `interrupted` after an interrupt. A run that
-/// stops early does not end the sweep: its row has the value 0 in the column finished. Rethrows the first exception of
-/// a run that is not a UserError.
+/// Computes the runs of the sweep, or of its part Sweep/Part, and writes their rows. `raw` is the scene before
+/// validation, and `context` is the context of the first run. The outcome is `failed` if the input of a run is wrong,
+/// and `interrupted` after an interrupt. A run that stops early does not end the sweep. Its row has 0 in the column
+/// finished, or for compared models in the columns m_finished of the models without all samples. Rethrows the first
+/// exception of a run that is not a UserError.
 ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
                        bool shows_progress);
 

@@ -54,8 +54,8 @@ class SweepRows {
   /// The first run whose row is not yet written.
   int next_run() const { return first_run_ + n_written_; }
 
-  /// Stores the row of a run, and writes each stored row when all earlier rows are written. Several threads may call
-  /// this function at the same time.
+  /// Stores the row and the samples of a run, and writes each stored row when all earlier rows are written. Several
+  /// threads may call this function at the same time.
   void deliver(int run, FinishedRun finished) {
     const std::lock_guard lock(mutex_);
     waiting_.emplace(run, std::move(finished));
