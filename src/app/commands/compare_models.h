@@ -3,8 +3,8 @@
 /// polynomial model. Each run is compared with the last run, whose model has the most degrees of freedom. For two runs
 /// the files are comparison.csv and comparison.json. For more runs, each comparison has the files
 /// `comparison-<run>.csv` and `comparison-<run>.json`, with the name of the run that is compared with the last one. The
-/// file comparison.json is then an overview. If a scene has only one model, the program prints a summary of its last
-/// run on the terminal.
+/// file comparison.json is then an overview. If a motion has only one run, the program prints a summary of this run on
+/// the terminal.
 
 #include <functional>
 #include <map>

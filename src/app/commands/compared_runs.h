@@ -13,10 +13,10 @@
 ///                m_frequency_ratio, m_frequency_ratio_error, m_tenth_of_period_after, m_phase_after_1_period,
 ///                m_phase_after_10_periods, m_phase_difference_max, m_q_difference_error, and m_c_max, m_c_rms (over
 ///                the samples) for every other column c of comparison.csv that compares m with the last model;
-///   for the last model  nonaffine_kinetic_fraction (mean of the non-affine fraction of the kinetic energy),
-///                nonaffine_displacement (largest), min_jacobian (least det F, with the deformation gradient F),
-///                volume_error (largest root mean square of ln det F in the body), and surface_limit_time (first time
-///                at which the surface reaches Biot's limit).
+///   for the last model  nonaffine_kinetic_fraction (mean non-affine fraction of the kinetic energy, weighted by
+///                the kinetic energy), nonaffine_displacement (largest), min_jacobian (least det F, with the
+///                deformation gradient F), volume_error (largest root mean square of ln det F in the body), and
+///                surface_limit_time (first time at which the surface reaches Biot's limit).
 ///
 /// A quantity that does not exist is 0. An error, a drift, a phase or a time that is not known is −1. However, if
 /// compared is 0, all columns from the first m_frequency_ratio on are 0. The column m_tenth_of_period_after is the time
