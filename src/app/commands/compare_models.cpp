@@ -44,9 +44,10 @@ std::optional<double> counter(const io::Manifest::Model& statistics, const char*
   return found == statistics.counters.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// The errors that a run of `model` has estimated, and the motion on another discretisation. An error is empty if the
-/// run has not estimated it. The error in space and the quadrature error of the pseudo-rigid body are 0. The quadrature
-/// error of finite elements is 0 as well, because their error in space contains it.
+/// The errors that a run of `model` has estimated, and the motion of the model on another discretisation. An error is
+/// empty if the run has not estimated it. The error in space, which is relative to |Q|, and the quadrature error of the
+/// pseudo-rigid body are 0. The quadrature error of finite elements is 0 as well, because their error in space contains
+/// it.
 analysis::RunErrors errors_of(const scene::ModelDescription& model, const io::Manifest::Model& statistics,
                               const OtherResolutions& others) {
   const auto other = others.find(model.name);

@@ -1,8 +1,10 @@
 #pragma once
-/// The comparison of the models of a run. Each run of a model is compared with the last one, whose model has the most
-/// degrees of freedom. For two runs the files are comparison.csv and comparison.json. For more runs, each comparison
-/// has two files with the name of its run, `comparison-<run>.csv` and `comparison-<run>.json`. The file comparison.json
-/// is then an overview. If a motion has only one run, the program prints a summary on the terminal.
+/// The comparison of the models of a scene. A model can have several runs, for example one for each degree of the
+/// polynomial model. Each run is compared with the last run, whose model has the most degrees of freedom. For two runs
+/// the files are comparison.csv and comparison.json. For more runs, each comparison has the files
+/// `comparison-<run>.csv` and `comparison-<run>.json`, with the name of the run that is compared with the last one. The
+/// file comparison.json is then an overview. If a motion has only one run, the program prints a summary of this run on
+/// the terminal.
 
 #include <functional>
 #include <map>
@@ -16,17 +18,17 @@
 
 namespace pseudorigid::app {
 
-/// Maps the name of a model to its motion on another discretisation. The difference between the frequencies of both
-/// motions gives the error in space of the frequency.
+/// Maps the name of a model to the motion of its last run on another discretisation. The difference between the
+/// frequencies of both motions gives the error in space of the frequency.
 using OtherResolutions = std::map<std::string, analysis::OtherResolution, std::less<>>;
 
 /// A run of a model, with the table of its samples.
 struct RunOfModel {
   const scene::ModelDescription* model;
   std::string name;                ///< name of the files of the run
-  std::string adjective;           ///< adjective of the ball in tables and sentences (adjective_of)
+  std::string adjective;           ///< adjective of the ball in tables and sentences (`adjective_of`)
   io::Manifest::Model statistics;  ///< counters of the run, among them its estimated errors
-  io::Table table;
+  io::Table table;                 ///< samples of the run
 };
 
 /// The adjective of the ball in a run for tables and sentences, for example "elastic". If the program has chosen the
@@ -41,9 +43,9 @@ std::vector<analysis::Comparison> comparisons_of(const RunContext& context, std:
                                                  const OtherResolutions& others);
 
 /// Compares the runs that have an entry in the manifest. Writes the comparison files, and prints a table unless `quiet`
-/// is true. Logs a warning for each model whose energy changes by more than its bound. Does nothing for fewer than two
-/// runs, or fewer than two common samples. Returns the reason if printing fails, otherwise an empty string. Throws
-/// UserError for the reasons of analysis::compare, and io::WriteError if a file cannot be written.
+/// is true. Logs a warning for each model whose energy changes by more than its bound (analysis/motion.h). Does nothing
+/// for fewer than two runs, or fewer than two common samples. Returns the reason if printing fails, otherwise an empty
+/// string. Throws UserError for the reasons of analysis::compare, and io::WriteError if a file cannot be written.
 std::string compare_models(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others,
                            bool quiet);
 

@@ -103,14 +103,15 @@ constexpr std::array columns_of_model{
 };
 
 /// Time after which the phases of the two motions differ by a tenth of a period, in the user's units. The result is −1
-/// if the ratio of the frequencies is not known, or if both frequencies are equal.
+/// if the comparison has no ratio of the frequencies, or if both frequencies are equal.
 double tenth_of_period_after(const Comparison& c) {
   if (!c.ratio) return unknown;
   const double apart = std::abs(c.model.frequency.dominant().frequency - c.reference.frequency.dominant().frequency);
   return apart > 0 ? 0.2 * std::numbers::pi / apart : unknown;
 }
 
-/// |phase_difference| in periods after n periods of the reference, or −1 if it is not known.
+/// |phase_difference| in periods after n periods of the reference, which is the last model. The result is −1 if the
+/// phase is not known, for example because the run is shorter.
 template <int n>
 double phase_after(const Comparison& c) {
   const auto found = c.phase_after_periods.find(n);
@@ -138,6 +139,7 @@ constexpr std::array columns_of_pair{
     ColumnOfPair{"q_difference_error", [](const Comparison& c) { return c.error.total().value_or(unknown); }},
 };
 
+/// The columns of the last model, the reference of all comparisons.
 constexpr std::array columns_of_reference{
     ColumnOfPair{"nonaffine_kinetic_fraction",
                  [](const Comparison& c) { return c.mean_nonaffine_kinetic_fraction.value_or(none); }},

@@ -1,19 +1,22 @@
 #pragma once
-/// The runs of a sweep with several models. Each run computes all models and compares each model with the last one. Let
-/// m be the name of a model's files, with "_" in place of "-". The columns of sweep.csv are then
+/// The runs of a sweep with several models. Each run computes all models and compares each model with the last one. A
+/// polynomial model with several degrees counts as several models here. Let m be the name of a model's files, with "_"
+/// in place of "-". The columns of sweep.csv are then
 ///
 ///   run, the parameters, compared (1 if all models have at least two common samples, otherwise 0);
 ///   for every m  m_finished (1 if all samples exist, otherwise 0), m_time (of the last sample), m_steps, m_forces
 ///                (evaluations of the force), m_time_error, m_space_error, m_frequency (angular frequency of the
-///                dominant line), m_frequency_error, m_second_line (its amplitude over that of the dominant line),
-///                m_amplitude (of C = QᵀQ, with the deformation Q), m_energy_drift, with the values of comparison.json;
+///                dominant line), m_frequency_error, m_second_line (amplitude of the second line over that of
+///                the dominant line), m_amplitude (of C = QᵀQ, with the affine part Q of the motion), m_energy_drift,
+///                with the values of comparison.json;
 ///   for every m but the last
 ///                m_frequency_ratio, m_frequency_ratio_error, m_tenth_of_period_after, m_phase_after_1_period,
-///                m_phase_after_10_periods, m_phase_difference_max, m_q_difference_error, and m_c_max, m_c_rms for
-///                every other column c of comparison.csv that compares the two models;
-///   for the last model  nonaffine_kinetic_fraction (mean), nonaffine_displacement (largest), min_jacobian,
-///                volume_error (largest), and surface_limit_time (first time at which the surface reaches Biot's
-///                limit).
+///                m_phase_after_10_periods, m_phase_difference_max, m_q_difference_error, and m_c_max, m_c_rms (over
+///                the samples) for every other column c of comparison.csv that compares m with the last model;
+///   for the last model  nonaffine_kinetic_fraction (mean non-affine fraction of the kinetic energy, weighted by
+///                the kinetic energy), nonaffine_displacement (largest), min_jacobian (least det F, with the
+///                deformation gradient F), volume_error (largest root mean square of ln det F in the body), and
+///                surface_limit_time (first time at which the surface reaches Biot's limit).
 ///
 /// A quantity that does not exist is 0. An error, a drift, a phase or a time that is not known is −1. However, if
 /// compared is 0, all columns from the first m_frequency_ratio on are 0. The column m_tenth_of_period_after is the time

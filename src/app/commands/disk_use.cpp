@@ -51,7 +51,7 @@ double values_of_sweep(const scene::Scene& scene, const scene::Needs& needs) {
   return n_runs * (more + per_column * n_columns + (scene.sweep_trajectories ? n_samples(scene) * (n_columns + 1) : 0));
 }
 
-/// Number of entries in all tables that have a row for every sample, including the comparisons.
+/// Number of entries in all tables that have a row for every sample, including the tables of comparisons.
 double values_of_motion(const scene::Scene& scene, const scene::Needs& needs) {
   if (needs.system) return n_samples(scene) * static_cast<double>(columns_of_run(scene, needs).size());
   constexpr double of_comparison = 16;  // about the number of columns of a comparison file
@@ -62,7 +62,7 @@ double values_of_motion(const scene::Scene& scene, const scene::Needs& needs) {
   return n_samples(scene) * (n + (needs.comparison ? (n_runs - 1) * of_comparison : 0));
 }
 
-/// Number of entries in the tables of equilibria of the ball.
+/// Number of entries in the tables of equilibria of the ball, if each table has a row for each member of the family.
 double values_of_families(const scene::Scene& scene, const scene::Needs& needs) {
   double n = 0;
   for (const scene::ModelDescription* model : needs.models) n += static_cast<double>(model->equilibria.columns.size());

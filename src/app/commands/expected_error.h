@@ -1,6 +1,7 @@
 #pragma once
-/// The error of the pseudo-rigid model and of polynomial bodies that `pseudorigid check` predicts without a run. The
-/// predicted error is the relative error of the frequency of small pulsations of degree 2,
+/// The error of the pseudo-rigid model and of polynomial bodies that `pseudorigid check` predicts without a run. Small
+/// motions about rest have modes, and the slowest pulsation is a spheroidal mode of degree 2. The predicted error is
+/// the relative error of the frequency of this mode,
 ///
 ///   ω_model/ω_exact − 1,
 ///

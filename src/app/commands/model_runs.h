@@ -45,18 +45,18 @@ class ModelRuns : public SweepTask {
   virtual std::vector<std::string> columns_of(const scene::Scene& scene, const scene::Needs& needs) const = 0;
 
   /// Runs the models in `context`, and sets the outcome and the message of `run`. The models write their tables into
-  /// `tables`. Appends the results to the row of `run`, unless the run is interrupted. A caller does not use the row of
-  /// an interrupted run.
+  /// `tables`. The row of `run` has the values of first_columns. The function appends the results to this row, unless
+  /// the run is interrupted. A caller does not use the row of an interrupted run.
   virtual void compute(const RunContext& context, Tables& tables, FinishedRun& run) const = 0;
 
   const RunContext& context_;
   const scene::ReadScene& raw_;
-  std::shared_ptr<io::Logger> silent_;
+  std::shared_ptr<io::Logger> silent_;  ///< log without output
 };
 
 /// Adds the outcome of a model to the outcome `end` and the message of a run of the sweep. If the model has not
-/// finished, `end` becomes the outcome of the model, and its message is appended. Otherwise both do not change. Returns
-/// true if the model was interrupted.
+/// finished, `end` becomes the outcome of the model, and its message is appended. If the model has finished, neither of
+/// them changes. Returns true if the model was interrupted.
 bool add_outcome(const ModelOutcome& outcome, mechanics::Outcome& end, std::string& message);
 
 }  // namespace pseudorigid::app

@@ -81,7 +81,7 @@ class Opener {
   }
 
   std::vector<fs::path> directories_ = search_path();
-  std::set<std::string> seen_;
+  std::set<std::string> seen_;  ///< names of the libraries that need no further attempt
 };
 
 }  // namespace

@@ -27,8 +27,8 @@ namespace {
 /// Kind of an answer of the child process: a row, or the kind of the exception that the task has thrown.
 enum class Answer : std::int64_t { row, wrong_input, no_memory, failure };
 
-/// The first part of an answer: its kind, the outcome `end` of the run, and the numbers of values, columns and letters
-/// that follow. The message has n_letters letters.
+/// The first part of an answer: its kind, the outcome `end` of the run, and the sizes of the parts that follow. The row
+/// has n_row values, the samples have n_columns columns and n_values values, and the message has n_letters letters.
 struct Header {
   Answer answer;
   std::int64_t end, n_row, n_columns, n_values, n_letters;
@@ -47,8 +47,8 @@ bool write_all(int file, const void* data, std::size_t size) {
   return true;
 }
 
-/// Writes the header, the row, the values of the samples and the message. The names of the columns follow, each after
-/// its length. Returns false if a part cannot be written.
+/// Writes the header, the row, the values of the samples and the message. The names of the columns of the samples
+/// follow, each after its length. Returns false if a part cannot be written.
 bool write_answer(int file, Answer answer, const FinishedRun& run) {
   const Header header{answer,
                       static_cast<std::int64_t>(run.end),
@@ -68,7 +68,7 @@ bool write_answer(int file, Answer answer, const FinishedRun& run) {
 }
 
 /// Computes run k. If the task throws an exception, the answer has the kind of the exception, and the FinishedRun has
-/// only its message. For std::bad_alloc the message is empty.
+/// only the message of the exception. For std::bad_alloc the message is empty.
 std::pair<Answer, FinishedRun> answer_of(const SweepTask& task, int k) {
   try {
     return {Answer::row, task.run(k)};

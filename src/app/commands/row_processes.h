@@ -26,10 +26,10 @@ class RowProcess {
   RowProcess(const RowProcess&) = delete;
   RowProcess& operator=(const RowProcess&) = delete;
 
-  /// Computes the row of run k. If `task` throws a UserError or std::bad_alloc in the child process, this function
-  /// throws the same type. For other exceptions it throws std::runtime_error. Except for std::bad_alloc, the exception
-  /// has the text of the original exception. If the child process ends without an answer, this function throws
-  /// std::runtime_error.
+  /// Computes the row of run k. Only one thread may call this function at a time. If `task` throws a UserError or
+  /// std::bad_alloc in the child process, this function throws the same type. For other exceptions it throws
+  /// std::runtime_error. Except for std::bad_alloc, the exception has the text of the original exception. If the child
+  /// process ends without an answer, this function throws std::runtime_error.
   FinishedRun run(int k);
 
  private:
@@ -50,6 +50,8 @@ class RowProcess {
 /// call `run` at the same time. If more threads call `run`, it throws std::logic_error.
 class TaskInProcesses : public SweepTask {
  public:
+  /// Starts the child processes, so the calling process must have a single thread. `task` must exist as long as the
+  /// object. Throws std::system_error if a child process cannot be created.
   TaskInProcesses(const SweepTask& task, int n_processes);
 
   std::vector<std::string> columns() const override { return task_.columns(); }

@@ -64,8 +64,8 @@ std::string print(const std::string& results) try {
   return error.what();
 }
 
-/// Writes the last line of the log, and the outcome of the run into the manifest. If the run has not finished, the last
-/// line is `message` followed by `advice`. Returns the exit code.
+/// Writes the end of the run into the log, and the outcome into the manifest. For a finished run, the line of the log
+/// has the results directory. Otherwise it has `message` followed by `advice`. Returns `exit_code`.
 int end_run(mechanics::Outcome outcome, int exit_code, const std::string& message, const char* advice,
             const RunContext& context, io::ManifestFile& manifest) {
   if (outcome == mechanics::Outcome::finished)
@@ -77,8 +77,8 @@ int end_run(mechanics::Outcome outcome, int exit_code, const std::string& messag
 }
 
 /// Runs the system or the models, compares the models, and prints the results unless `quiet` is true. If a model does
-/// not finish, the later models do not run. A run whose results cannot be printed counts as failed. Returns the exit
-/// code.
+/// not finish, the later models do not run. After a failure of a model, the existing samples are still compared. A run
+/// whose results cannot be printed counts as failed. Returns the exit code.
 int run_models(const RunContext& context, const Executable& executable, io::ManifestFile& manifest, bool quiet) {
   using enum mechanics::Outcome;
   ModelOutcome last;
@@ -179,7 +179,8 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
   return content;
 }
 
-/// Writes report.html from the other files. This function must therefore be called at the end of the run.
+/// Writes report.html from the other files of the run. A caller must have written these files and the outcome in the
+/// manifest before.
 void add_report(const RunContext& context) {
   io::write_report(context.directory, io::movers_in(context.directory.manifest()));
   context.log->info("the report is {}", context.directory.report().string());

@@ -7,8 +7,8 @@
 
 namespace pseudorigid::app {
 
-/// Validates the scene and replaces an initial equilibrium by explicit initial values. Throws UserError if the scene is
-/// not valid, or if the equilibrium does not exist.
+/// Validates the scene and replaces the entry Initial state/Equilibrium by explicit initial values of the deformation Q
+/// and its rate (with_equilibrium). Throws UserError if the scene is not valid, or if the equilibrium does not exist.
 inline scene::Scene scene_to_run(const scene::Scene& read, const scene::Origins& origins) {
   scene::Scene scene = scene::validate(read, origins);
   if (scene.initial_state.equilibrium == scene::Family::none) return scene;

@@ -130,7 +130,7 @@ class Workers {
     return static_cast<int>(threads.size()) + 1;
   }
 
-  /// Number of runs with the outcome `failed`.
+  /// Number of runs with the outcome `failed`. Runs that an earlier part of a resumed sweep has written do not count.
   int n_failed() const { return n_failed_; }
   /// Number of runs that were computed together in SIMD lanes.
   int n_together() const { return n_together_; }
@@ -140,7 +140,7 @@ class Workers {
  private:
   static constexpr int group = 8;  ///< runs of a group, as many as SIMD lanes (app/reduced/reduced_in_lanes.h)
 
-  /// The runs begin, …, end − 1. The runs next, …, end − 1 do not have a row yet.
+  /// Consecutive runs with the numbers `begin` to `end` − 1. The runs from `next` on do not have a row yet.
   struct Group {
     int begin, next, end;
   };
@@ -234,8 +234,8 @@ class Workers {
   std::atomic<int> n_together_ = 0;
 };
 
-/// The number of threads: Sweep/Threads if it is set, otherwise the number of cores, but at most n_runs. The result is
-/// at least 1, because a part of the sweep (Sweep/Part) may have no runs.
+/// The number of threads: Sweep/Threads if it is set, otherwise the number of cores. The result is at most n_runs. It
+/// is at least 1, because a part of the sweep (Sweep/Part) may have no runs.
 int n_threads_of(const scene::Scene& scene, int n_runs) {
   const auto n_cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   return std::clamp(scene.sweep_threads.value_or(n_cores), 1, std::max(1, n_runs));

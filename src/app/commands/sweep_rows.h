@@ -1,6 +1,6 @@
 #pragma once
-/// Output of sweep.csv, and of trajectories.csv if the scene requests it. Several threads add rows in any order. The
-/// rows are written in the order of the runs, with a checkpoint every few seconds.
+/// Output of sweep.csv, and of trajectories.csv if Sweep/Trajectories is true. Several threads add rows in any order.
+/// The rows are written in the order of the runs, with a checkpoint every few seconds.
 
 #include <chrono>
 #include <cstdint>
@@ -54,8 +54,8 @@ class SweepRows {
   /// The first run whose row is not yet written.
   int next_run() const { return first_run_ + n_written_; }
 
-  /// Stores the row of a run, and writes each stored row when all earlier rows are written. Several threads may call
-  /// this function at the same time.
+  /// Stores the row and the samples of a run, and writes each stored row when all earlier rows are written. Several
+  /// threads may call this function at the same time.
   void deliver(int run, FinishedRun finished) {
     const std::lock_guard lock(mutex_);
     waiting_.emplace(run, std::move(finished));
@@ -134,7 +134,7 @@ class SweepRows {
   io::Progress progress_;
   std::optional<io::CsvWriter> csv_, samples_;
   std::map<int, FinishedRun>
-      waiting_;  ///< runs whose rows wait for the rows of earlier runs; the key is the run number
+      waiting_;  ///< runs whose rows wait for the rows of earlier runs; the key is the run number, from 0
   std::mutex mutex_;
   Clock::time_point last_save_{};
 };

@@ -28,16 +28,17 @@ scene::Scene scene_of_run(const scene::ReadScene& raw, const scene::ParameterVal
 std::set<int> corners(const scene::Sweep& sweep);
 
 /// Names of the columns of the ball that the motion conserves. The energy, which includes the energies of loads and
-/// dissipation, is always conserved. Angular momentum J and circulation Z are conserved if `is_free` is true: no load
-/// acts. The volume is conserved if `incompressible` is true.
+/// dissipation, is always conserved. If `is_free` is true, no load acts, and angular momentum J and circulation Z are
+/// conserved. The volume is conserved if `incompressible` is true.
 std::set<std::string> names_conserved(bool is_free, bool incompressible);
 
-/// The names "frequency" and "amplitude" of two columns of sweep.csv. Only sweeps of the ball have these columns. The
-/// files of the ball must have the columns Q11 to Q33 of the deformation Q.
+/// The names "frequency" and "amplitude" of two columns of sweep.csv. Only sweeps of the ball have these columns, and
+/// only if the files of the ball have the columns Q11 to Q33 of the deformation Q.
 std::vector<std::string> columns_of_frequencies();
 
-/// The names of the columns of sweep.csv for one model or system (sweep.h). A column in `conserved` gives the initial
-/// value and the drift. Any other column gives the last, the least and the greatest value.
+/// The names of the columns of sweep.csv for one model or system (sweep.h). Two columns have the initial value and the
+/// drift of a column in `conserved`. For any other column of the model or system, three columns have the last, the
+/// least and the greatest value.
 std::vector<std::string> columns_of_sweep(const scene::Scene& scene, const scene::Needs& needs,
                                           const std::set<std::string>& conserved);
 
@@ -45,6 +46,8 @@ std::vector<std::string> columns_of_sweep(const scene::Scene& scene, const scene
 /// offers them and Sweep/Lanes is true.
 class SweepRun : public SweepTask {
  public:
+  /// `together` is null if the model does not offer runs in SIMD lanes. `raw` and `context` must exist as long as the
+  /// object. `context` is the context of the first run of the sweep.
   SweepRun(const scene::ReadScene& raw, RunModel run, RunTogether together, const RunContext& context);
 
   std::vector<std::string> columns() const override {
@@ -74,8 +77,8 @@ class SweepRun : public SweepTask {
   RunModel run_;
   RunTogether together_;
   const RunContext& context_;
-  std::set<std::string> conserved_;  ///< columns that the motion conserves in all runs of `corners`
-  std::shared_ptr<io::Logger> silent_;
+  std::set<std::string> conserved_;     ///< columns that the motion conserves in all runs of `corners`
+  std::shared_ptr<io::Logger> silent_;  ///< log without output
 };
 
 }  // namespace pseudorigid::app

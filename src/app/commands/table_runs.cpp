@@ -33,7 +33,7 @@ std::vector<std::string> names_of(const std::vector<scene::Column>& columns) {
   return names;
 }
 
-/// The part for a table whose first column has the numbers of its rows.
+/// The part for a table whose first column has the numbers of its rows. sweep.csv receives the rows with `numbers`.
 Part numbered_part(std::string file, const std::string& run, const std::vector<scene::Column>& columns,
                    const std::vector<int>& numbers) {
   Part part{std::move(file), column_prefix(run), names_of(columns), 1, {}, false};
@@ -42,7 +42,8 @@ Part numbered_part(std::string file, const std::string& run, const std::vector<s
 }
 
 /// The part for the table of equilibria of a model, for the model's run number k. If the model has several runs, each
-/// run has another degree. The family has one member, so the table has no special points between members.
+/// run has a different degree. In a sweep the family has one member, so the table has no special points between
+/// members.
 Part equilibrium_part(const scene::ModelDescription& model, const scene::Scene& scene, std::size_t k) {
   const std::vector<scene::ModelRun> runs = scene::runs_of(model, scene);
   Part part{

@@ -27,7 +27,7 @@ struct BallModel {
 
   scene::ModelDescription description;
   RunModel run;
-  RunTogether together;  ///< null if each run of a sweep is computed separately
+  RunTogether together;  ///< null if the model computes each run of a sweep separately
 };
 
 /// The pseudo-rigid model, the polynomial bodies and the finite-element model.

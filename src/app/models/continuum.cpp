@@ -20,7 +20,7 @@ using scene::Family;
 using scene::Refusal;
 using scene::Scene;
 
-/// The line for the user about the mesh, the degree and the part of the ball that is computed.
+/// The line for the user about the mesh, the discretisation and the part of the ball that is computed (scene/sector.h).
 std::string continuum_needed(const Scene& scene) {
   const auto found = [](const std::optional<int>& value) { return value ? std::to_string(*value) : "auto"; };
   const auto fixed = scene::fixed_discretization(scene);
@@ -48,7 +48,7 @@ std::optional<std::string> continuum_companion(const Scene& scene) {
 std::string continuum_skipped(const Scene&) { return "continuum: not among Models; no mesh, no deal.II, MPI or PETSc"; }
 
 /// Refuses modes, Love numbers and equilibria if the scene does not set degree and refinements, or if the mesh is
-/// graded. Also refuses Love numbers of degrees that the mesh does not resolve.
+/// graded. Also refuses Love numbers of tides of a degree that the mesh does not resolve.
 std::optional<Refusal> refuses_modes(const Scene& scene) {
   if (scene.analysis == scene::Analysis::motion) return {};
   if (!scene::fixed_discretization(scene))
@@ -68,10 +68,11 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
   return {};
 }
 
-/// Refuses families, bodies and loads whose equilibria the finite-element model cannot compute, for the analysis of
-/// equilibria and for a motion that starts from a figure of the model. The model computes only one octant, so the
-/// reflection of every axis must be a symmetry of the loads. The symmetry planes of the octant exclude rigid motions of
-/// the body.
+/// Refuses families, meshes, bodies and loads whose equilibria the finite-element model cannot compute. The function
+/// applies to the analysis of equilibria and to a motion that starts from a figure of the model. For the analysis, the
+/// function also refuses dissipation, and values of Continuum/Symmetry other than auto and octant. The model computes
+/// figures on one octant only, so the reflection of every axis must be a symmetry of the loads. The symmetry planes of
+/// the octant exclude rigid motions of the body.
 std::optional<Refusal> refuses_equilibria(const Scene& scene) {
   if (!needs_own_figures(scene)) return {};
   if (auto refusal = refuses_family(scene, "finite elements",

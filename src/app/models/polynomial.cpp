@@ -20,7 +20,7 @@ namespace {
 using scene::Refusal;
 using scene::Scene;
 
-/// The line for the user about the degree and the part of the ball that is computed.
+/// The line for the user about the degrees and the part of the ball that is computed (scene/sector.h).
 std::string polynomial_needed(const Scene& scene) {
   const auto& degrees = scene.polynomial.degrees;
   std::string of_degree = "degree";
@@ -38,7 +38,7 @@ std::string polynomial_needed(const Scene& scene) {
 }
 
 /// The degree of the companion run as text; empty if a search chooses the degree. The companion run estimates the error
-/// in space.
+/// in space of the run with the last degree that the scene lists.
 std::optional<std::string> polynomial_companion(const Scene& scene) {
   const auto& degrees = scene.polynomial.degrees;
   return degrees.empty() ? std::nullopt
@@ -83,8 +83,8 @@ std::optional<Refusal> refuses_body(const Scene& scene) {
   return {};
 }
 
-/// Refuses modes and Love numbers if the scene does not set the degree, or if the body is not a ball. Also refuses
-/// modes of several degrees, and Love numbers of degrees that no polynomial body resolves.
+/// Refuses modes and Love numbers if the scene does not set the degree N, or if the body is not a ball. Also refuses
+/// modes of several degrees N, and Love numbers of tides of a degree that no polynomial body resolves.
 std::optional<Refusal> refuses_modes(const Scene& scene) {
   if (!scene::is_linear(scene.analysis)) return {};
   if (scene.polynomial.degrees.empty())

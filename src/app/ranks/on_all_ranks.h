@@ -2,7 +2,7 @@
 /// Functions that end all ranks if one rank fails. Otherwise the other ranks would wait for the failed one forever. An
 /// exception may leave a collective operation only if every rank throws it. There are two cases:
 ///   - Work of one rank without the others, for example with files, can fail. `on_all_ranks` runs such work and then
-///     throws the exception on all ranks.
+///     throws FailureOnAllRanks on all ranks.
 ///   - Any other exception occurs while the other ranks wait in a collective operation that this rank will not enter.
 ///     `together_or_not_at_all` then aborts all ranks.
 /// In a single process exceptions pass unchanged.

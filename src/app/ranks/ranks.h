@@ -14,6 +14,7 @@ class Ranks {
   virtual ~Ranks() = default;
   /// The number of this process, from 0.
   virtual int rank() const { return 0; }
+  /// The number of processes.
   virtual int size() const { return 1; }
   /// True if `mine` is true on any rank. Collective.
   virtual bool any(bool mine) const { return mine; }

@@ -1,7 +1,7 @@
 #pragma once
-/// Description of one run of the finite-element model. A scene may need several runs. One run writes the results. The
-/// other runs do not write observables, files or messages. They only give the history of Q, which has the affine part Q
-/// of the motion, a 3×3 matrix, at the samples.
+/// Description of one run of the finite-element model. A scene may need several runs. Some runs write results. The
+/// other runs do not write observables, files or messages. They only give the history of Q, the values of the affine
+/// part Q of the motion at the samples. Q is a 3×3 matrix.
 
 #include <functional>
 #include <optional>
@@ -14,10 +14,10 @@
 
 namespace pseudorigid::app {
 
-/// The discretisation of a run, its method and step, and the place for its history of Q.
+/// The discretisation of a run, its method and step, and the destination of its history of Q.
 struct ContinuumTask {
   scene::Discretization discretization;
-  std::optional<Stepping> stepping{};  ///< method and step of another run; if empty, the run searches for them
+  std::optional<Stepping> stepping{};  ///< method and step of another run; if empty, the run chooses its own
   DeformationTrace* trace = nullptr;   ///< receives the history of Q; null if the history is not requested
 };
 

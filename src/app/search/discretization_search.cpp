@@ -18,7 +18,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Largest tolerance of the time error, as a fraction of Continuum/Tolerance.
+/// Largest tolerance of the time error of Q, as a fraction of Continuum/Tolerance.
 constexpr double time_part = 0.05;
 /// A run writes its results if its predicted error is at most this factor times the tolerance. The factor is above 1,
 /// because predicted errors are usually too large.

@@ -6,24 +6,26 @@
 /// successive runs give the error of the last run and predict the error of the next run (analysis/space_error.h). If
 /// the predicted error of a run is at most twice the tolerance, the run writes its results. The last run of the ladder
 /// also writes its results. The other runs only give their history of Q, which has Q at each sample. If the error that
-/// is estimated after the run exceeds the tolerance, the search continues. The next run that writes its results then
-/// replaces the files.
+/// is estimated after a run exceeds the tolerance, the search continues on the next discretisation of the ladder. The
+/// next run that writes its results then replaces the files. After two successive runs that end early, the second
+/// discretisation is run again and writes its results. The search ends if a run that writes its results ends early.
 ///
 /// Time errors must be much smaller than errors in space. A run that writes its results finds its own method and step.
-/// The tolerance of this run is the smaller of Time/Tolerance and a twentieth of Continuum/Tolerance. The first run
-/// that does not write finds its method and step for a twentieth of Continuum/Tolerance. Later runs that do not write
-/// use the same method, with a step h inversely proportional to the resolution N (scene/discretization.h). The highest
-/// frequencies ω of a shear front in Q are proportional to N, so hω remains constant. If the scene gives the step, all
-/// runs use this step and have the same time error.
+/// Its tolerance of the time error is the smaller of Time/Tolerance and a twentieth of Continuum/Tolerance. The first
+/// run that does not write finds its method and step for a twentieth of Continuum/Tolerance. Later runs that do not
+/// write use the method of the first run that reached its end. Their step h is inversely proportional to the resolution
+/// N (scene/discretization.h). The highest frequencies ω of Q, which come from shear fronts, are proportional to N. The
+/// product hω, which determines the time error, therefore remains constant. If the scene gives the step, all runs use
+/// this step and have the same time error.
 ///
 /// No decision depends on the clock, so all ranks of a parallel run make the same decisions. A checkpoint contains the
 /// errors and the last two histories of Q. A resumed search therefore does not repeat the runs, and a resumed final run
 /// does not repeat the search.
 ///
-/// The run that wrote the results has the counters degree, refinements, estimated_space_error, relative_space_error and
-/// work. The counter search_work is the work of all other runs. The counter search_runs is the number of other
-/// discretisations with a run that did not end early. If fewer than two runs reached their end, the two errors are
-/// missing.
+/// The run that wrote the results has the counters degree, refinements and work (silent_run.h). Its counter
+/// estimated_space_error is the largest error of an entry of Q, and relative_space_error is the error relative to |Q|.
+/// If fewer than two runs reached their end, these two errors are missing. The counter search_work is the work of all
+/// other runs. The counter search_runs is the number of other discretisations with a run that did not end early.
 
 #include "analysis/space_error.h"
 #include "app/search/continuum_run.h"
@@ -54,14 +56,15 @@ class DiscretizationSearch {
   /// Method and step of a run that does not write results. Empty if no run has reached its end yet, because the run
   /// then finds its own method and step.
   std::optional<Stepping> silent_stepping() const;
-  /// Adds the present run to the series of errors. If the run ended early, only counts the failure.
+  /// Adds the present run to `errors_`, and stores its method, step and history of Q. If the run ended early, only
+  /// counts the failure.
   void note(const ModelOutcome& outcome, DeformationTrace trace);
   /// True if the present run is the final one: no further discretisation is tried. A final run that has not written its
   /// results is repeated.
   bool settles() const;
   /// Adds the counters of the search to the outcome, and logs the estimated error. Also adds the history of Q of the
-  /// previous run that reached its end. If fewer than two runs have reached their end, adds only the counters of the
-  /// discretisation and of the work.
+  /// previous run that reached its end. If fewer than two runs have reached their end, adds only the counters without
+  /// the two errors.
   void report(ModelOutcome& outcome) const;
   // The next three functions are collective.
   // `start_afresh` prepares the next run of the search. `load` reads the state of the search from its checkpoint, if
@@ -87,8 +90,9 @@ class DiscretizationSearch {
   bool settled_ = false;      ///< true if the present run is the final one and writes the results
   int n_failures_ = 0;        ///< number of successive runs, up to the last one, that ended early
   analysis::SpaceErrorLadder errors_;
-  /// Ratio of the largest |Q − Q'|/|Q| to the largest entry of |Q − Q'|, with Q' of the previous run that reached its
-  /// end. It is 0 for the first run, and if Q = Q'. It converts the error of Q to a relative error.
+  /// Factor that converts the largest error of an entry of Q to the relative error. Let Q' be the matrix of the
+  /// previous run that reached its end. The factor is max |Q − Q'|/|Q| divided by max |Q_ij − Q'_ij|, with the maxima
+  /// over the samples (app/run/deformation_trace.h). The factor is 0 for the first run, and if Q = Q'.
   double relative_to_largest_ = 0;
   DeformationTrace trace_;                  ///< history of Q in the last run that reached its end
   DeformationTrace trace_before_;           ///< history of Q in the last but one run that reached its end

@@ -40,15 +40,15 @@ double n_nodes_of_images(int n_octants, double n) {
 /// resident memory for degrees k = 2 … 8 and r = 0 … 3 refinements. The memory of a process that has only loaded the
 /// libraries was subtracted.
 constexpr double bytes_of_unknown = 600, bytes_of_pair_of_multipliers = 60;
-/// Number of doubles in a checkpoint per unknown and per multiplier: positions, velocities, and the memory of
-/// symmetric-4. Among the methods for the ball, symmetric-4 stores the largest number of past steps. If the program
-/// chooses the step, a checkpoint also has the last sample, and its size doubles.
+/// Number of doubles in a checkpoint per unknown and per multiplier: positions, velocities, and the past steps that the
+/// method symmetric-4 stores. Among the methods for the ball, symmetric-4 stores the largest number of past steps. If
+/// the program chooses the step, a checkpoint also has the last sample, and its size doubles.
 constexpr double remembered_of_unknown = 11, remembered_of_multiplier = 5;
-constexpr double most_unknowns = std::numeric_limits<int>::max();  // largest index in PETSc and deal.II
+constexpr double most_unknowns = std::numeric_limits<int>::max();  // the indices of PETSc and deal.II have 32 bits
 
 std::string count(double n) { return n < 1e7 ? fmt::format("{:.0f}", n) : fmt::format("{:.3g}", n); }
 
-/// The numbers of unknowns and multipliers and the memory as text.
+/// The numbers of unknowns and multipliers and the memory as text. The text has at least 1 MB of memory.
 std::string in_words(const Effort& e) {
   const std::string multipliers = e.n_multipliers > 0 ? " and " + count(e.n_multipliers) + " multipliers" : "";
   return fmt::format("{} unknowns{}, about {}", count(e.n_unknowns), multipliers, in_bytes(std::max(1e6, e.bytes)));
@@ -59,9 +59,9 @@ double step_of_mesh(const scene::Discretization& d) {
   return 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
 }
 
-/// Seconds per step and unknown of the finite-element model, for an incompressible and for a compressible body. The
-/// true times differ by a factor of at most 3. They were measured on cores of 2 to 4 GHz for degrees k = 3 … 6 and r =
-/// 0 … 1 refinements.
+/// Seconds per step and unknown of the finite-element model, for an incompressible and for a compressible body.
+/// Measured times differ from these values by a factor of at most 3. They were measured on cores of 2 to 4 GHz for
+/// degrees k = 3 … 6 and r = 0 … 1 refinements.
 constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
 /// Typical ratio of the step to the stability limit at rest, if the program chooses the step for a tolerance.
 constexpr double usual_part_of_limit = 0.6;
@@ -90,8 +90,8 @@ double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs
   return n_steps * a_step * (1 + (scene.time.step ? 0 : pilots) + (needs.companion ? companion : 0));
 }
 
-/// Adds a line with the number of force evaluations of the pseudo-rigid body and their time. A method of order 8 with
-/// the tolerance 1e-6 needs 73 evaluations per internal unit of time (measured). The number is proportional to the
+/// Adds a line with the number of force evaluations of the pseudo-rigid body and their total time. A method of order 8
+/// with the tolerance 1e-6 needs 73 evaluations per internal unit of time (measured). The number is proportional to the
 /// tolerance to the power −1/8. If the scene gives the step, the number is at least that of these steps. Adds nothing
 /// without a motion of this model.
 void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
@@ -127,7 +127,7 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
   const int n_octants = 8 / scene::sector(scene).n_images();
   const bool builtin = n_coarse_cells == 0;
   const double n_coarse = builtin ? octant.n_cells * n_octants : static_cast<double>(n_coarse_cells);
-  // For a mesh file, the estimate is the number of nodes of a cube with the same number of cells.
+  // For a mesh file, the number of nodes is estimated as that of a cube with the same number of cells.
   const double n_nodes = builtin ? n_nodes_of_images(n_octants, n) : std::pow(std::cbrt(n_coarse) * n + 1, 3);
   const double n_cells = n_coarse * std::ldexp(1, 3 * d.refinements);
   const double n_pressure = scene.body.incompressible ? k * (k + 1) * (k + 2) / 6 : 0;

@@ -45,21 +45,22 @@ std::string in_bytes(double bytes);
 double stable_step(const scene::Scene& scene, const scene::Discretization& discretization);
 
 /// The result of scene::needs with lines about the cost of the run. They have the force evaluations of the pseudo-rigid
-/// model, and the size, the steps and the time of a finite-element run. If the scene gives a method and an unstable
-/// step, there is also a warning. For analyses other than a motion, there is only the size. There is no line for finite
-/// elements on a mesh file or without a fixed discretisation.
+/// model, and the size, the steps and the time of a finite-element run. For a sweep with finite elements, a further
+/// line has the time of all runs. If the scene gives a method and an unstable step, there is also a warning. For
+/// analyses other than a motion, there is only the size. There is no line for finite elements on a mesh file or without
+/// a fixed discretisation.
 scene::Needs needs_with_effort(const scene::Scene& scene);
 
 /// The reason why this machine cannot compute with a discretisation; empty if it can. One reason is lack of memory. The
 /// other reason is that a 32-bit index cannot number the unknowns or the multipliers. `n_coarse_cells` is the number of
-/// cells in the mesh file, or 0 for the builtin mesh. `share` is the part of the run's memory that the ranks on this
-/// machine need.
+/// cells in the mesh file, or 0 for the builtin mesh. `share` is the fraction of the run's memory that the ranks on
+/// this machine need.
 std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene::Discretization& discretization,
                                           std::size_t n_coarse_cells, double share);
 
 /// Throws UserError if this machine cannot compute with the scene's discretisation, or with the coarsest one of a
-/// search. Analyses other than a motion are computed in one process, so `share` then counts as 1. Does nothing if no
-/// finite elements are computed.
+/// search (exceeds_memory). Analyses other than a motion are computed in one process, so `share` then counts as 1. Does
+/// nothing if no finite elements are computed.
 void require_memory(const scene::Scene& scene, const scene::Origins& origins, std::size_t n_coarse_cells, double share);
 
 }  // namespace pseudorigid::app

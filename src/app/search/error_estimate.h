@@ -5,8 +5,9 @@
 /// uses the motion of the companion to estimate the error of the frequency.
 ///
 /// Q is the affine part of the motion, a 3×3 matrix. The counters are estimated_space_error, the largest error of an
-/// entry of Q, and relative_space_error, the error relative to |Q|. Further counters are companion_degree,
-/// companion_work, and for finite elements companion_refinements.
+/// entry of Q, and relative_space_error, the error relative to |Q|. Further counters are work and companion_work, the
+/// costs of both runs (silent_run.h). The discretisation of the companion has the counters companion_degree, and for
+/// finite elements companion_refinements. A caller of run_with_companion adds these two counters itself.
 
 #include <functional>
 #include <string>
@@ -34,18 +35,19 @@ using RunOfPair = std::function<ModelOutcome(const RunContext& context, bool is_
                                              const std::optional<Stepping>& stepping, DeformationTrace* trace)>;
 
 /// Runs the scene on the discretisation, and then on its companion if the first run has finished. The companion does
-/// not write files or messages. Returns the outcome of the first run with the estimate of its error. If the companion
-/// fails, the program logs a warning and does not estimate the error. If the companion is interrupted, the outcome is
-/// `interrupted`.
+/// not write files or messages. Returns the outcome of the first run with the estimate of its error and the motion of
+/// the companion. If the companion fails, the program logs a warning and does not estimate the error. If the companion
+/// is interrupted, the outcome is `interrupted`.
 ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& pair, const RunOfPair& run);
 
-/// Runs the scene on its fixed discretisation, and also on the companion if the scene requests error estimates. The
-/// scene must set degree and refinements. Returns the outcome of the first run. Collective.
+/// Runs the scene on its fixed discretisation, and also on the companion if the scene requests error estimates
+/// (`needs.companion`). The scene must set degree and refinements. Returns the outcome of the run on the fixed
+/// discretisation. Collective.
 ModelOutcome run_with_estimate(const RunContext& context, const ContinuumRun& run);
 
-/// Data for the comparison of the models: the history `trace` of Q as a table, and a factor. The factor times the
-/// difference between the run and `trace` is an error of the run with the given resolution. It is based on the
-/// assumption that this error decreases with the resolution at the rate `least_rate`.
+/// Data for the comparison of the models: the history `trace` of Q as a table, and a factor. Consider a quantity of a
+/// run with the given resolution. The factor times its difference from the quantity of `trace` estimates its error. The
+/// factor assumes that this error decreases with the resolution at the rate `least_rate`.
 analysis::OtherResolution other_resolution(const DeformationTrace& trace, double resolution, double resolution_of_trace,
                                            double least_rate, const RunContext& context);
 

@@ -11,7 +11,7 @@
 namespace pseudorigid::app {
 
 /// Runs the model with `scene`, in which only the section Time may differ from the scene of the context. `task` is the
-/// second argument of `run`, for example a ContinuumTask.
+/// second argument of `run`, for example a ContinuumTask, whose member `trace` receives the history of Q.
 template <class Run, class Task>
 ModelOutcome run_silently(const Run& run, const RunContext& context, const scene::Scene& scene, const Task& task) {
   scene::Needs needs = context.needs;
@@ -25,7 +25,8 @@ ModelOutcome run_silently(const Run& run, const RunContext& context, const scene
 }
 
 /// Cost of a run, independent of the machine: the number of unknowns times the number of force evaluations. The
-/// evaluations in pilot runs are included.
+/// evaluations in pilot runs are included. The outcome must have the counters `unknowns` and `forces`; otherwise the
+/// cost is 0.
 inline double work(const ModelOutcome& outcome) {
   const auto& c = outcome.statistics.counters;
   const auto count = [&c](const char* name) { return c.contains(name) ? c.at(name) : 0.0; };

@@ -3,9 +3,10 @@
 /// (mechanics/equilibria/critical_points.h) and writes them into equilibria.csv.
 ///
 /// The file has a row for each point, by increasing potential, with the rates of small motions of the system. The
-/// counts n_unstable and n_stable require dissipation. For these counts only, a system without dissipation has the
-/// additional force −M v/(unit of time). Here M is the mass matrix, and v is the velocity. If a point has no zero
-/// eigenvalue, the dimension of its unstable manifold is then its Morse index (Oliva, Geometric Mechanics, 5.8.3).
+/// counts n_unstable and n_stable, the dimensions of the unstable and the stable manifold, require dissipation. For
+/// these counts only, a system without dissipation has the additional force −M v/(unit of time). Here M is the mass
+/// matrix, and v is the velocity. If a point has no zero eigenvalue, the dimension of its unstable manifold is then its
+/// Morse index (Oliva, Geometric Mechanics, 5.8.3).
 
 #include <vector>
 

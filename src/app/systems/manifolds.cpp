@@ -21,9 +21,10 @@ using mechanics::CriticalPoint;
 using mechanics::PhaseVector;
 using mechanics::Status;
 
-/// Distances from a critical point in (q, q̇), in the scales of the system. If a manifold has a single direction, its
-/// motions start at the distance `start_along`. Motions in all directions of an unstable manifold start at
-/// `start_around`, measured in the slowest direction. A motion has arrived at a point if its distance is below
+/// Distances from a critical point in (q, q̇), in the scales of the system. Motions on a stable manifold, and on an
+/// unstable manifold of one dimension, start at `start_along` times a basis vector of mechanics::manifold_basis. On an
+/// unstable manifold of more dimensions, `start_around` is the initial size in the slowest direction (all_around in
+/// mechanics/equilibria/manifold_starts.h). A motion has arrived at a point if its distance is below
 /// `arrival_distance`. It has left its first point when its distance has exceeded `departure_distance`.
 constexpr double start_along = 1e-5, start_around = 1e-3, arrival_distance = 1e-6, departure_distance = 1e-2;
 /// Tolerance per step of the method explicit-8.
@@ -39,7 +40,8 @@ struct Curve {
 /// The end of a motion.
 struct End {
   int to = 0;                     ///< number of the critical point at the end; 0 if the motion does not end at one
-  double distance = 0, time = 0;  ///< distance from the nearest critical point, and internal time, at the end
+  double distance = 0, time = 0;  ///< distance from the nearest critical point, and internal time, at the end; the
+                                  ///< first point of the motion counts only after the motion has left it
   Status step{};                  ///< status of the last step; a failure ends the motion
 };
 
@@ -92,9 +94,9 @@ class ManifoldRun {
   int n_curves() const { return n_curves_; }
 
  private:
-  /// Computes the motions from all starts on one manifold of the critical point `from`. Writes their rows, and adds a
-  /// line about their ends to the results. If a motion on an unstable manifold fails, the loop continues, and
-  /// `stopped_` receives the first failure. Fails if the run is interrupted or a row cannot be computed.
+  /// Computes the motions from all starts on one manifold of the critical point with the number `from`. Writes their
+  /// rows, and adds a line about their ends to the results. If a motion on an unstable manifold fails, the loop
+  /// continues, and `stopped_` receives the first failure. Fails if the run is interrupted or a row cannot be computed.
   Status follow_all(int from, bool stable, const std::vector<PhaseVector>& starts) {
     std::vector<int> n_ends(points_.size() + 1, 0);
     int n_stopped = 0;
@@ -129,10 +131,10 @@ class ManifoldRun {
     return {};
   }
 
-  /// Integrates a motion from its start, backwards in time on a stable manifold. The motion ends at a critical point,
-  /// after the time of the scene, or when a step fails. On a stable manifold, the motion also ends if its energy
-  /// exceeds `highest_energy_`, and a failed step is not an error. Fails if the run is interrupted or a row cannot be
-  /// computed.
+  /// Integrates a motion from its start, backwards in time on a stable manifold, and sets `end`. The motion ends at a
+  /// critical point, after the time |Time/End|, or when a step fails. On a stable manifold, the motion also ends if its
+  /// energy exceeds `highest_energy_`, and a failed step is not an error. Fails if the run is interrupted or a row
+  /// cannot be computed.
   template <class Form>
   Status follow(const Form& form, systems::AnyModel& at_rest, const Curve& curve, const PhaseVector& start, End& end) {
     using Method = mechanics::DormandPrince8;

@@ -187,7 +187,7 @@ class SectionRun {
   std::size_t watched_;  ///< index of the column that defines the surface
   double end_;           ///< duration of the motion in internal time
   io::CsvWriter csv_;
-  std::vector<double> row_;
+  std::vector<double> row_;  ///< columns of the state in the last call of `level`
 };
 
 }  // namespace

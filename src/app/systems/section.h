@@ -4,9 +4,9 @@
 /// section.csv, with the columns of the motion.
 ///
 /// Within each step the column is evaluated at eight times by interpolation. If the column crosses the value between
-/// two of these times, the time of the crossing is found up to round-off. For this purpose the motion is integrated
-/// again from the start of the step. A jump of a column, for example of an angle after a full rotation, is not a
-/// crossing.
+/// two of these times in a direction that the scene requests, the time of the crossing is found up to round-off. For
+/// this purpose the motion is integrated again from the start of the step. A jump of a column, for example of an angle
+/// after a full rotation, is not a crossing.
 
 #include "app/run/run_context.h"
 #include "systems/any_system_scene.h"
