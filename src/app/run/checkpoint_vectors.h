@@ -18,6 +18,7 @@
 namespace pseudorigid::app {
 
 /// True if the vectors of the model are distributed over the ranks. Only such a model has the function rank_order().
+/// Its result collects complete vectors on the first rank, and selects the entries of a rank from complete vectors.
 template <class Model>
 inline constexpr bool is_distributed = requires(const Model& model) {
   model.rank_order();
