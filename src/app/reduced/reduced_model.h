@@ -26,6 +26,7 @@
 
 namespace pseudorigid::app {
 
+/// The pseudo-rigid model. `BodySystem` is the type of the system of one form of the body (`system_of`).
 template <class BodySystem>
 class ReducedModel final : public RunnableModelOf<BodySystem> {
   using Base = RunnableModelOf<BodySystem>;
@@ -54,8 +55,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
 
   const System& system() const override { return system_; }
   State initial_state() const override { return start_; }
-  /// The matrix Q. If the scene has contact planes, the centre of mass is a fourth column. If the scene has companions,
-  /// their positions relative to the body are further columns (with_companions).
+  /// The matrix Q. If the scene has contact planes, the centre of mass is a fourth column. If the scene has companions
+  /// but no contact planes, their scaled positions relative to the body are further columns (with_companions).
   Eigen::MatrixXd configuration(const State& state) const override {
     if constexpr (is_loaded) {
       if (system_.has_contact()) return state.q.template leftCols<4>();
@@ -301,7 +302,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
 
   System system_;
   reduced::CenterPath center_;
-  bool drag_on_center_, center_is_driven_;
+  bool drag_on_center_, center_is_driven_;  ///< whether drag, and loads that depend on time, act on the body
   materials::AnyLaw law_;
   State start_;
   const RunContext& context_;
