@@ -12,8 +12,8 @@ namespace pseudorigid::app {
 inline constexpr int n_eigenvectors_of_figure = 10;
 
 /// The setup of figures of the kind `figure`, on elements of this degree and this number of refinements of the mesh.
-/// For Equilibrium/Family = static, the loads deform the ball. In all other cases, the rotation about axis 3 deforms
-/// the ball.
+/// The figures depend on the loads if Equilibrium/Family is `static`, and on the rotation about axis 3 in all other
+/// cases.
 inline continuum::FigureSetup figure_setup(const scene::Scene& scene, int degree, int n_refinements,
                                            mechanics::Figure figure) {
   return {.degree = degree,

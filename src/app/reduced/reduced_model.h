@@ -184,6 +184,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   }
 
  private:
+  /// True for the form `loaded`, the only form with contact planes and companions.
   static constexpr bool is_loaded = requires(const System& s) { s.orbit(); };
   /// True if the scene has contact planes. The centre of mass is then a part of the state.
   bool on_planes() const {

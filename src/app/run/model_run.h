@@ -27,7 +27,7 @@ namespace pseudorigid::app {
 
 class ModelRunBase : protected ModelStepping {
  public:
-  ModelOutcome run();
+  ModelOutcome run();  ///< runs the model from its start, or from its checkpoint, to the last sample; collective
 
  protected:
   using Clock = std::chrono::steady_clock;
@@ -79,10 +79,10 @@ class ModelRunBase : protected ModelStepping {
   const std::unique_ptr<ModelSink> sink_;
   const bool has_shapes_;  ///< true if the run writes a table of shapes
   mechanics::Counters counters_;
-  Status verdict_;  ///< failure that the model found after a step; such a failure ends the run
-  Snapshot good_;   ///< time, position, memory and counters of the stored state
-  std::vector<double> row_;
-  int steps_since_look_ = 0;
+  Status verdict_;                    ///< failure that the model found after a step; such a failure ends the run
+  Snapshot good_;                     ///< time, position, memory and counters of the stored state
+  std::vector<double> row_;           ///< the row of the last sample
+  int steps_since_look_ = 0;          ///< steps since the last check of the clock and of the interrupt flag
   std::vector<double> kept_remarks_;  ///< remarks of the model at the stored state, if intervals can be repeated
   int least_halvings_ = 0;            ///< least position_.halvings if the present interval is repeated; otherwise 0
 

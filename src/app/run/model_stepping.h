@@ -16,8 +16,9 @@
 
 namespace pseudorigid::app {
 
-/// Logs a warning if the tolerance is below the accuracy of double precision over the run. Logs another warning if the
-/// motion is so unstable that round-off grows beyond the tolerance.
+/// Logs a warning if the motion is so unstable that round-off grows beyond the tolerance. Otherwise logs a warning if
+/// the tolerance is below the accuracy of double precision over the run. `model` is the name of the model for the
+/// message.
 void warn_of_round_off(const mechanics::StepChoice& choice, std::string_view model, const RunContext& context);
 
 /// Properties of the type of a system that affect the choice of the step and the run.
