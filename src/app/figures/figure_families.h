@@ -80,7 +80,7 @@ class FigureRun {
   using RowOf = std::function<mechanics::Status(int index, const mechanics::FigureMember& member,
                                                 const mechanics::SpecialFigure* special, std::vector<double>& row)>;
 
-  /// `file` is the name of the table without ".csv".
+  /// `file` is the name of the table without ".csv". The object refers to `context`.
   FigureRun(const RunContext& context, std::string_view file, const std::vector<scene::Column>& columns);
 
   /// Writes the members and the special points of the family of one degree by increasing parameter. Adds a line with
@@ -95,8 +95,9 @@ class FigureRun {
   /// Sets the outcome and the message of the run.
   void end(mechanics::Outcome how, std::string message);
   ModelOutcome& outcome() { return outcome_; }
-  /// Completes the table and the statistics. The outcome is `failed` if no figure was found. A run of a sweep has one
-  /// parameter of the family. Its outcome is `failed` if a figure is missing for one of the degrees.
+  /// Completes the table and the statistics after the last call of `add`, and returns the outcome. The outcome is
+  /// `failed` if no figure was found. A run of a sweep has one parameter of the family. Its outcome is `failed` if a
+  /// figure is missing for one of the degrees.
   ModelOutcome finish();
 
  private:

@@ -28,6 +28,8 @@ namespace pseudorigid::app {
 template <class Body>
 class RunQuadrature {
  public:
+  /// `model` is the name of the model for messages. The object refers to `context` and to the text of `model`. `setup`
+  /// is the setup of the body of the run.
   RunQuadrature(const RunContext& context, std::string_view model, polynomial::BodySetup setup)
       : context_(context), model_(model), setup_(std::move(setup)) {}
 

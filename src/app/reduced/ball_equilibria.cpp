@@ -86,7 +86,8 @@ class FamilyMaker {
   reduced::IsotropicBody<reduced::Potential> body_;
 };
 
-/// Number of rates in a row. Spheroids have 10 rates and other figures 8; missing rates are 0.
+/// Number of rates in a row. An incompressible spheroid has 10 rates, and any other incompressible figure has 8.
+/// Missing rates are 0. A compressible figure has two more rates; a row then omits the fastest two rates of a spheroid.
 constexpr int most_rates = 10;
 
 /// The rates of a figure by rising frequency. Of two conjugate rates, the one with the positive frequency is first.

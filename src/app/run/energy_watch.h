@@ -22,6 +22,7 @@ class EnergyWatch {
   using State = typename Model::State;
 
  public:
+  /// The object refers to `model`. `n_samples` is N in the condition above.
   EnergyWatch(const Model& model, long n_samples)
       : model_(model), most_(1e-3 / std::sqrt(static_cast<double>(n_samples))) {}
 

@@ -29,7 +29,7 @@ class ModelSink {
 
   /// Creates the table of rows with these columns. A resumed run calls `resume` instead.
   virtual void create(const std::vector<std::string>& /*columns*/) {}
-  /// Appends the row of a sample, in the user's units.
+  /// Appends the row of a sample, in the user's units. Requires an earlier call of `create` or `resume`.
   virtual void append(const std::vector<double>& /*row*/) {}
 
   /// True if the sink writes checkpoints, from which a stopped run can continue.
@@ -59,7 +59,7 @@ class ModelSink {
   /// Continues the table of shapes after the shapes of the first n_samples_taken samples, and discards later shapes.
   virtual void resume_shapes(const std::string& /*name*/, const std::vector<std::string>& /*columns*/,
                              long /*n_samples_taken*/) {}
-  /// Appends the block of rows of one shape.
+  /// Appends the block of rows of one shape. Requires an earlier call of `create_shapes` or `resume_shapes`.
   virtual void append_shape(const Rows&) {}
 
   /// Updates the display of the completed fraction of the run, from 0 to 1.

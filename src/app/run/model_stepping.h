@@ -97,9 +97,9 @@ class ModelStepping {
   /// Tolerance of the constraint divided by constraint_scale, for systems with a costly force. It is the value of
   /// Time/Constraint tolerance if the scene gives one. Otherwise it is 0 if the scene gives the step, and else 1e-4 of
   /// Time/Tolerance, or 1e-8 of it if forces dissipate energy. The method uses the larger of this tolerance and the
-  /// tolerance of the system. A tolerance of 1e-4 of Time/Tolerance changes errors and steps by less than a thousandth,
-  /// compared with a tolerance of 1e-13. However, the error ε of ln det F changes from step to step, so a viscosity η
-  /// dissipates about 2η(ε/h)² with the step h. This power may exceed that of a slow and small motion, such as a tide.
+  /// tolerance of the system. Compared with the tolerance 1e-13, the value 1e-4 Time/Tolerance changes errors and steps
+  /// by less than a thousandth. However, the error ε of ln det F changes from step to step, so a viscosity η dissipates
+  /// about 2η(ε/h)² with the step h. This power may exceed that of a slow and small motion, such as a tide.
   template <class S>
   double constraint_tolerance(const S& system) const {
     const auto& time = context_.scene.time;

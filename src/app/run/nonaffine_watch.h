@@ -18,6 +18,7 @@ namespace pseudorigid::app {
 
 class NonaffineWatch {
  public:
+  /// `model` is the name of the model for messages. The object refers to `context` and to the text of `model`.
   NonaffineWatch(const RunContext& context, std::string_view model)
       : context_(context),
         model_(model),

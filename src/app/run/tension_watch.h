@@ -17,6 +17,7 @@ namespace pseudorigid::app {
 
 class TensionWatch {
  public:
+  /// `model` is the name of the model for messages. The object refers to `context` and to the text of `model`.
   TensionWatch(const RunContext& context, std::string_view model)
       : context_(context),
         model_(model),
