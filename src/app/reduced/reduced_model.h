@@ -316,7 +316,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   mechanics::ReducedObservables observables_;
   ContactWatch contacts_;
   CollisionWatch collisions_;
-  std::optional<reduced::Bipolar> bipolar_;  ///< bipolar quantities at the last sample; empty before the first one
+  std::optional<reduced::Bipolar> bipolar_;  ///< decomposition Q = TᵀAS at the last sample; empty before the first one
   std::optional<io::BallBlocks> ball_;       ///< blocks of the pictures; empty until the first picture
 };
 

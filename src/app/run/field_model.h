@@ -277,8 +277,9 @@ class FieldModel : public RunnableModelOf<S> {
       throw UserError("Initial state/Mode amplitude: the volume cannot be restored: " + status.reason());
   }
   /// The motion of the companions at the start of a pilot run. It is the last motion that is at least half a pilot run
-  /// ahead of the closest approach to the body. If there is no such motion, or if the companions hardly approach the
-  /// body, it is their motion at the start of the run (Orbit::near_closest_approach).
+  /// ahead of the closest approach to the body. If there is no such motion, it is their motion at the start of the run.
+  /// It is also the motion at the start if the closest approach exceeds 0.9 of the least distance at the start
+  /// (Orbit::near_closest_approach).
   mechanics::Orbit::Motion near_pericentre(const mechanics::Orbit& orbit) const {
     const double end = context_.internal_time(context_.scene.time.end);
     return orbit.near_closest_approach(end, pilot_window(end) / 2);
