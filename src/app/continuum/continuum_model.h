@@ -23,7 +23,7 @@
 namespace pseudorigid::app {
 
 /// The finite-element model on one discretisation. `Ball` is continuum::ElasticBall for an incompressible body and
-/// continuum::CompressibleBall for a compressible one.
+/// continuum::CompressibleBall for a compressible body.
 template <class Ball>
 class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   using Base = FieldModel<Ball, continuum::MaterialFaces>;
@@ -48,7 +48,8 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   const continuum::RankOrder& rank_order() const { return rank_order_; }
   Eigen::Vector2d energies(const State& state) const override { return continuum::energies(ball_, state); }
 
-  /// Text with the least det F and its place in the body, with the deformation gradient F. Collective.
+  /// Text with the least det F over the quadrature points and its place in the body, with the deformation gradient F.
+  /// Collective.
   std::string place_of_least_jacobian(const State& state) const override {
     return "least " + continuum::in_words(ball_.least_jacobian(state.q));
   }

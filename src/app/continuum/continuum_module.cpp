@@ -55,9 +55,9 @@ ModelOutcome run_within_memory(const RunContext& context) try {
   throw std::bad_alloc();
 }
 
-/// Runs the finite-element model on all ranks. If only one rank fails, it writes the failure to the manifest, removes
-/// the lock of the run directory, and aborts all ranks. The first rank, which usually does this, can then not do it.
-/// Collective.
+/// Runs the finite-element model on all ranks. If only one rank fails, this rank writes the failure to standard error
+/// and to the manifest, removes the lock of the run directory, and aborts all ranks. The first rank usually does this,
+/// but it may wait in a collective operation for the failed rank. Collective.
 ModelOutcome run_on_all_ranks(const RunContext& context) {
   return together_or_not_at_all(
       *context.ranks, [&] { return run_within_memory(context); },

@@ -7,10 +7,13 @@
 
 namespace pseudorigid::app {
 
-/// Number of eigenvectors of each parity in the basis of the small motions.
+/// Number of eigenvectors of each parity in the basis of the small motions about a figure. The parity is that under the
+/// reflections of the three axes.
 inline constexpr int n_eigenvectors_of_figure = 10;
 
-/// The setup of the figures with this degree and number of refinements of the mesh.
+/// The setup of figures of the kind `figure`, on elements of this degree and this number of refinements of the mesh.
+/// The figures depend on the loads if Equilibrium/Family is `static`, and on the rotation about axis 3 in all other
+/// cases.
 inline continuum::FigureSetup figure_setup(const scene::Scene& scene, int degree, int n_refinements,
                                            mechanics::Figure figure) {
   return {.degree = degree,

@@ -8,7 +8,8 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Adds the small motion of the scene to the positions x and the velocities v in the turning frame.
+/// Adds the small motion of the scene to the positions x and the velocities v in the turning frame. Fails if this
+/// motion cannot be computed, or if it does not have the symmetry planes of the sector.
 mechanics::Status add_motion(const scene::Scene& scene, const continuum::BallFigures& figures, const OwnFigure& own,
                              const continuum::OctantContinuation& continuation, const continuum::BallSpace& space,
                              continuum::Vector& x, continuum::Vector& v) {

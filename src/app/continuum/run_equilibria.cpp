@@ -18,11 +18,12 @@ namespace {
 using mechanics::FigureFamily, mechanics::FigureMember, mechanics::SpecialFigure;
 
 /// The small motions about a figure are computed in a basis of n_eigenvectors_of_figure eigenvectors of each parity.
-/// The difference from the rates in a basis of n_fewer_eigenvectors is regarded as a bound of the error that the basis
-/// causes.
+/// The difference from the rates in a basis of n_fewer_eigenvectors of each parity is regarded as a bound of the error
+/// that the basis causes.
 constexpr int n_fewer_eigenvectors = 6;
 
-/// The largest difference between the rates of small motions of two figures, among the n_slowest_rates rates of a row.
+/// The largest difference |s_a − s_b| between the rates s of small motions about two figures, among the n_slowest_rates
+/// rates of a row.
 double difference_of_rates(const FigureMember& a, const FigureMember& b) {
   const auto rates = slowest_rates(a), others = slowest_rates(b);
   double largest = 0;
@@ -72,8 +73,9 @@ class FamilyOnMesh {
     constexpr double resolution = 1e-7;
     return {figures_, analyse, family_, resolution};
   }
-  /// The figure at rest under the loads times `factor`. If there is none, the figure with the largest factor for which
-  /// one is found; `missing` then has the reason. If this largest factor is 0, the family has no member.
+  /// The family with the figure at rest under the loads times `factor`. If this figure is not found, the family has the
+  /// figure with the largest factor that was reached, and `missing` has the reason. The family has no member if this
+  /// largest factor is 0, or if the stability of the figure cannot be computed.
   FigureFamily at_rest(double factor) const {
     FigureFamily found;
     FigureMember member;
@@ -105,10 +107,12 @@ class Companion {
         family_(mesh_.family(factor)),
         round_off_(1e-11 * (1 + gravity_to_elasticity(context.scene))) {}
 
-  /// Appends the four errors of a row with these numbers. `special` is null for an ordinary member. `of_basis` is the
-  /// error that the basis of the small motions causes. If the companion mesh does not have such a figure, each error is
-  /// as large as the value. The errors contain the tolerances of Newton's iteration and of the eigenvalues, because
-  /// both meshes may agree to round-off. Fails if the numbers on the companion mesh cannot be computed.
+  /// Appends the errors of a row with these numbers: those of the parameter, the spin, the semi-axes and the rates. The
+  /// error of the parameter is 0 for an ordinary member, for which `special` is null. `of_basis` is the error of the
+  /// rates that the basis of the small motions causes. If the companion mesh does not have such a figure, the other
+  /// errors are at least as large as the values. The errors contain the tolerances of Newton's iteration and of the
+  /// eigenvalues, because both meshes may agree to round-off. Fails if the numbers on the companion mesh cannot be
+  /// computed.
   mechanics::Status append_errors(const FigureMember& member, const SpecialFigure* special,
                                   const FigureNumbers& numbers, double of_basis, std::vector<double>& row) {
     const FigureMember* other = special ? match(*special) : match(member);

@@ -76,8 +76,8 @@ ModelOutcome run_modes(const RunContext& context) {
   const std::vector<ModeFrequency> rows = rows_of(frequencies);
   outcome.message = !status ? status.reason() : instability(rows, context.units);
   // The copies of a mode are the 2n + 1 modes of degree n that the sphere has at one frequency. A mesh breaks the
-  // symmetry of the sphere, so the frequencies of the copies differ. If the mesh resolves the mode, their relative
-  // differences are less than a tenth.
+  // symmetry of the sphere, so the frequencies of the copies differ. A mesh whose copies differ relatively by more than
+  // a tenth does not resolve the mode. A difference of more than a hundredth gives a warning.
   constexpr double most = 0.1;
   constexpr const char* remedy = "raise Continuum/Degree or Continuum/Refinements";
   if (const std::string copies = differing_copies(rows, most); outcome.message.empty() && !copies.empty())

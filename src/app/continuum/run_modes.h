@@ -1,6 +1,6 @@
 #pragma once
-/// Runs `Analysis = modes` for the finite-element model. The file modes.csv has the frequencies about rest. If the
-/// scene requests pictures, the modes are also written as pictures.
+/// Runs `Analysis = modes` for the finite-element model. The file modes.csv has the frequencies of small vibrations
+/// about the undeformed ball at rest. If the scene requests pictures, the modes are also written as pictures.
 
 #include "app/run/run_context.h"
 

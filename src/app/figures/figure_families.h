@@ -20,14 +20,14 @@ bool needs_own_figures(const scene::Scene& scene);
 
 /// The refusal if the scene requests a family that is not in `offered`, otherwise empty. The family is that of the
 /// analysis or, for a motion, that of the initial state. The message begins with `model`, the subject of its sentence.
-/// It recommends the models `others`.
+/// The refusal recommends the models `others`.
 std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model,
                                              const std::vector<scene::Family>& offered,
                                              std::vector<std::string_view> others);
 
-/// A family of figures. Its `condition` maps a value of the parameter, in the unit of the family, to the condition that
-/// determines the figure. For Jacobi's family, the pseudo-rigid figure is the initial guess. The scene must exist as
-/// long as the result.
+/// A family of figures. Its `condition` maps a value of the parameter to the condition that determines the figure. If
+/// the parameter is a spin, the value has the user's unit; the other parameters are dimensionless. For Jacobi's family,
+/// the pseudo-rigid figure is the initial guess. The scene must exist as long as the result.
 mechanics::FamilyOfFigures family_of_figures(const scene::Scene& scene, scene::Family family);
 
 /// The values of the parameter that the scene requests, in the unit of the family.
@@ -64,8 +64,8 @@ struct FigureNumbers {
   mechanics::ContinuumObservables observables;
 };
 
-/// A row with the columns of figure_columns in internal units. Only the parameter has the unit of its family. `special`
-/// is the special point whose figure is `member`; null for an ordinary member of the family.
+/// A row with the columns of figure_columns in internal units. Only a parameter that is a spin has the user's unit.
+/// `special` is the special point whose figure is `member`; null for an ordinary member of the family.
 std::vector<double> figure_row(int index, const mechanics::FigureMember& member,
                                const mechanics::SpecialFigure* special, const FigureNumbers& numbers);
 
@@ -75,16 +75,19 @@ using NameOfClass = std::function<std::string(const mechanics::MotionClass& moti
 /// The table and the results of a run that computes one family of figures for each degree of a model.
 class FigureRun {
  public:
+  /// A function that sets `row` to the row of a figure, and fails if it cannot compute the row. `special` is null for
+  /// an ordinary member.
   using RowOf = std::function<mechanics::Status(int index, const mechanics::FigureMember& member,
                                                 const mechanics::SpecialFigure* special, std::vector<double>& row)>;
 
-  /// `file` is the name of the table without ".csv".
+  /// `file` is the name of the table without ".csv". The object refers to `context`.
   FigureRun(const RunContext& context, std::string_view file, const std::vector<scene::Column>& columns);
 
   /// Writes the members and the special points of the family of one degree by increasing parameter. Adds a line with
   /// the number of members, and a line for each special point, to the results. The first line and the warnings begin
-  /// with the text `of_degree`. Parameters without a figure give warnings. Sets the outcome to `interrupted` if an
-  /// interrupt left the family incomplete, and to `failed` if a row cannot be computed.
+  /// with the text `of_degree`. Warns of each parameter without a figure, and of each member before which a special
+  /// point was not located. Sets the outcome to `interrupted` if an interrupt left the family incomplete, and to
+  /// `failed` if a row cannot be computed.
   void add(const std::string& of_degree, const mechanics::FigureFamily& family, const NameOfClass& name_of,
            const RowOf& row_of);
   /// True if the outcome is `finished` so far.
@@ -92,8 +95,9 @@ class FigureRun {
   /// Sets the outcome and the message of the run.
   void end(mechanics::Outcome how, std::string message);
   ModelOutcome& outcome() { return outcome_; }
-  /// Completes the table and the statistics. The outcome is `failed` if no figure was found. A run of a sweep has one
-  /// parameter of the family. Its outcome is `failed` if a figure is missing for one of the degrees.
+  /// Completes the table and the statistics after the last call of `add`, and returns the outcome. The outcome is
+  /// `failed` if no figure was found. A run of a sweep has one parameter of the family. Its outcome is `failed` if a
+  /// figure is missing for one of the degrees.
   ModelOutcome finish();
 
  private:

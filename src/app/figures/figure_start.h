@@ -1,7 +1,7 @@
 #pragma once
 /// The start of a motion from the model's own figure of a family (Initial state/Figure = own), with a small motion
-/// about this figure (Initial state/Mode). In the inertial frame, with the positions φ of the figure, its spin Ω and
-/// the small motion Re(y exp(st)) in the turning frame, the motion starts at
+/// about this figure (Initial state/Mode). The figure has the positions φ and the spin Ω. The small motion in the
+/// turning frame is Re(y exp(st)), with the complex field y. In the inertial frame, the motion starts at
 ///
 ///   x = φ + Re y,   v = Ω ê₃×x + Re(s y).
 
@@ -12,7 +12,8 @@
 
 namespace pseudorigid::app {
 
-/// The figure of a scene whose initial state has the family and parameter `origin`.
+/// The figure from which a motion starts, and its small motion. The family and the parameter of the figure are those of
+/// scene.initial_state.origin.
 struct OwnFigure {
   mechanics::FigureMember member;
   RateOfClass motion{};  ///< rate and class of the small motion; not set without a small motion

@@ -99,8 +99,9 @@ class DegreeSearch {
   std::filesystem::path path() const { return context_.directory.checkpoint(degree_checkpoint_name); }
   /// False for a run of a sweep, which does not write checkpoints.
   bool keeps_states() const { return context_.scene.sweep.empty(); }
-  /// Writes the checkpoint: the chosen degree, its estimated error, the work of the search, and the history of Q for
-  /// the previous degree. Does nothing in a run of a sweep.
+  /// Writes the checkpoint: the entries of the scene, the chosen degree, its estimated error with the factor for the
+  /// relative error, the work of the search, and the history of Q for the previous degree. Does nothing in a run of a
+  /// sweep.
   void save() const {
     if (!keeps_states()) return;
     io::Checkpoint c;

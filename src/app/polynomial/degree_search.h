@@ -19,9 +19,9 @@
 /// estimates, a companion run of another degree estimates the error of this body (search/error_estimate.h).
 ///
 /// A search or a companion run adds the counters estimated_space_error (the largest error of an entry of Q) and
-/// relative_space_error (the error relative to |Q|). A search also adds search_runs, the number of its runs, and
-/// search_work, their cost (silent_run.h). If a resumed run does not repeat the search, search_runs is 0. A companion
-/// run also adds companion_degree and companion_work.
+/// relative_space_error (the error relative to the Frobenius norm of Q). A search also adds search_runs, the number of
+/// its runs, and search_work, their cost (search/silent_run.h). If a resumed run does not repeat the search,
+/// search_runs is 0. A companion run also adds companion_degree and companion_work.
 
 #include <functional>
 
@@ -35,11 +35,12 @@ using PolynomialRun = std::function<ModelOutcome(const RunContext& context, cons
 /// Name of the checkpoint that contains the degree chosen by a search.
 inline constexpr const char* degree_checkpoint_name = "degree";
 
-/// Runs a scene that lists one or several degrees, and returns the outcome of the last degree. If another degree fails,
-/// logs a warning and continues. After an interrupt, returns the outcome of the interrupted run at once.
+/// Runs a scene that lists one or several degrees, and returns the outcome of the last degree. Its member `of_rungs`
+/// has the statistics of the other degrees. If another degree fails, logs a warning and continues. After an interrupt,
+/// returns the outcome of the interrupted run at once.
 ModelOutcome run_listed_degrees(const RunContext& context, const PolynomialRun& run);
 
-/// Runs a scene that leaves the degree open. Returns the outcome of the run with the chosen degree, or of an
+/// Runs a scene with Polynomial/Degree = auto. Returns the outcome of the run with the chosen degree, or of an
 /// interrupted search.
 ModelOutcome run_degree_search(const RunContext& context, const PolynomialRun& run);
 

@@ -19,7 +19,7 @@ std::vector<scene::Column> polynomial_equilibria_columns();
 /// for an ellipsoid. The half turn is the rotation by π about axis 3.
 std::string name_of(const polynomial::MotionClass& motions, polynomial::Figure figure);
 
-/// Makes the rows for the figures of one polynomial body.
+/// Makes the rows for the figures of one polynomial body, with the columns of polynomial_equilibria_columns.
 class EquilibriumRows {
  public:
   /// The object refers to `spectrum`, which must exist as long as the object.

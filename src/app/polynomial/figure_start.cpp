@@ -9,7 +9,8 @@ namespace {
 
 using polynomial::PolynomialSpace;
 
-/// The displacements of the phase points. `shape` has the coefficients of the whole body.
+/// The displacements of the phase points, which determine the phase of a small motion (mechanics::factor_of_shape).
+/// `shape` has the coefficients of the motion in `space`, the space of the whole body.
 mechanics::PhaseDisplacements at_phase_points(const PolynomialSpace& space, const Eigen::VectorXcd& shape) {
   mechanics::PhaseDisplacements u;
   Eigen::Index k = 0;
@@ -21,7 +22,8 @@ mechanics::PhaseDisplacements at_phase_points(const PolynomialSpace& space, cons
   return u;
 }
 
-/// Adds the small motion to the coefficients x of the positions and v of the velocities in the turning frame.
+/// Adds the small motion to the coefficients x of the positions and v of the velocities in the turning frame. Fails if
+/// this motion cannot be computed.
 mechanics::Status add_motion(const scene::Scene& scene, const polynomial::RotationSpectrum& spectrum,
                              const OwnFigure& own, Eigen::VectorXd& x, Eigen::VectorXd& v) {
   mechanics::SmallMotion motion;

@@ -41,6 +41,7 @@ class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces>
         quadrature_(context, this->name, body_setup(context.scene, context.needs.sector.reflect, task.degree)) {}
 
   const System& system() const override { return body_; }
+  /// The kinetic energy includes that of the companions.
   Eigen::Vector2d energies(const State& state) const override {
     const double of_orbit = 0.5 * body_.companions(state.v).squaredNorm();
     return {body_.kinetic_energy(state.v) + of_orbit, body_.potential_energies(state.t, state.q).total()};
@@ -87,8 +88,8 @@ class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces>
   }
 
  private:
-  /// The ball divided into blocks, and the fields at their points. If the blocks are divided into cells, a quarter of a
-  /// circle has 8 straight edges.
+  /// The ball divided into blocks, and the evaluation of the fields at the points of the blocks. If the blocks are
+  /// divided into cells, a quarter of a circle has 8 straight edges.
   struct Picture {
     explicit Picture(const polynomial::PolynomialSpace& space) : ball(io::ball_blocks(4, 2)), at(space, ball.points) {}
     io::BallBlocks ball;

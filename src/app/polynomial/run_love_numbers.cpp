@@ -13,7 +13,7 @@ namespace pseudorigid::app {
 namespace {
 
 /// Computes the rows of the body of this degree, with error bounds from a companion body of another degree. Fails if
-/// the Love numbers of one of both bodies cannot be computed.
+/// the Love numbers of either body cannot be computed.
 mechanics::Status find(const scene::Scene& scene, int degree, std::vector<LoveRow>& rows) {
   const std::vector<int> degrees = scene::love_degrees(scene);
   std::vector<gravity::LoveNumbers> numbers, other;

@@ -28,11 +28,14 @@ namespace pseudorigid::app {
 template <class Body>
 class RunQuadrature {
  public:
+  /// `model` is the name of the model for messages. The object refers to `context` and to the text of `model`. `setup`
+  /// is the setup of the body of the run.
   RunQuadrature(const RunContext& context, std::string_view model, polynomial::BodySetup setup)
       : context_(context), model_(model), setup_(std::move(setup)) {}
 
   /// If follows() is true, adds the points that the tolerance requires, and replaces `body` by the body with these
-  /// points. Must be called before the search for the step. `state` is the initial state of the run.
+  /// points. Also stores the estimated error of the rule. Must be called before the search for the step. `state` is the
+  /// initial state of the run.
   void choose(Body& body, const polynomial::BodyState& state) {
     if (!follows()) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, 0, true)), state.t, body);
@@ -45,9 +48,9 @@ class RunQuadrature {
   }
 
   /// Three numbers for a checkpoint. The first is the number of points in each direction of an octant, and the second
-  /// is the error of Q. The third is the duration, in internal time, of the run for which this error was estimated. The
-  /// error is −1 if it was not estimated, and `failed` if the estimate failed. A resumed run uses the rule of the
-  /// checkpoint even if the end of the run has changed.
+  /// is the estimated error of Q. The third is the duration, in internal time, of the run for which this error was
+  /// estimated. The error is −1 if it was not estimated, and `failed` if the estimate failed. A resumed run uses the
+  /// rule of the checkpoint even if the end of the run has changed.
   static constexpr std::size_t n_numbers = 3;
   std::array<double, n_numbers> numbers(const Body& body) const {
     return {static_cast<double>(body.space().n_points_in_direction()), error_.value_or(is_known_ ? failed : -1),

@@ -67,8 +67,9 @@ class FamilyMaker {
     return {};
   }
 
-  /// Sets `motion` to the small motion about a figure whose rate is nearest to `rate`, in internal units. Its shape has
-  /// the entries of H, column by column.
+  /// Sets `motion` to the small motion Re(H exp(st)) about a figure whose rate s is nearest to `rate`, in internal
+  /// units. `motion.shape` has the entries of the matrix H, column by column (add_motion below). Fails if the motion is
+  /// not found.
   mechanics::Status small_motion(const reduced::SteadyMotion& figure, std::complex<double> rate,
                                  mechanics::SmallMotion& motion) const {
     const reduced::SmallMotionEquation of = reduced::linearisation(body_, figure);
@@ -76,7 +77,7 @@ class FamilyMaker {
     motion.shape = of.T * motion.shape;
     return status;
   }
-  /// The second moment of the ball, divided by its mass.
+  /// The second moment ∫ρX₁² dX of the ball, divided by its mass.
   double moment_by_mass() const { return body_.m_bar / scene_.body.volume; }
 
  private:
@@ -85,7 +86,8 @@ class FamilyMaker {
   reduced::IsotropicBody<reduced::Potential> body_;
 };
 
-/// Number of rates in a row. Spheroids have 10 rates and other figures 8; missing rates are 0.
+/// Number of rates in a row. An incompressible spheroid has 10 rates, and any other incompressible figure has 8.
+/// Missing rates are 0. A compressible figure has two more rates; a row then omits the fastest two rates of a spheroid.
 constexpr int most_rates = 10;
 
 /// The rates of a figure by rising frequency. Of two conjugate rates, the one with the positive frequency is first.
@@ -259,11 +261,12 @@ struct Start {
   Eigen::Matrix3d Q, Qdot;
 };
 
-/// Sets `start` to the start from a figure with the scene's small motion Re(H exp(st)),
+/// Sets `start` to the start from a figure with the scene's small motion Re(H exp(st)) at t = 0,
 ///
 ///   Q = A + Re H,   Q̇ = ω̂Q − QΛ̂ + Re(sH),
 ///
-/// projected onto the constraint. Fails if the figure does not have the small motion.
+/// with the constants A, ω and Λ of the figure. If the body is incompressible, Q and Q̇ are then projected onto the
+/// constraint det Q = 1. Fails if the figure does not have the small motion.
 mechanics::Status add_motion(const FamilyMaker& maker, const scene::Scene& scene, const EquilibriumPoint& figure,
                              Start& start) {
   const std::optional<int>& number = scene.initial_state.mode;

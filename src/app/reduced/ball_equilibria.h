@@ -17,9 +17,9 @@ namespace pseudorigid::app {
 /// The columns of equilibria.csv for the ball.
 std::vector<scene::Column> ball_equilibria_columns();
 
-/// Computes the family of the scene and writes equilibria.csv. The outcome is `failed` if the family has no member in
-/// the range; no file is then written. After an interrupt, the outcome is `interrupted`, and the file has the members
-/// that were found before.
+/// Computes the family of the scene and writes equilibria.csv. The outcome is `failed` if the family has no member for
+/// the requested parameters; no file is then written. After an interrupt, the outcome is `interrupted`, and the file
+/// has the members that were found before.
 ModelOutcome run_ball_equilibria(const RunContext& context);
 
 /// Sets `figure` to the member of the family with this parameter, in internal units. If the parameter is a spin,
@@ -36,8 +36,9 @@ std::string parameter_name(scene::Family family);
 ///
 /// with the constants A, ω and Λ of the equilibrium Q(t) = exp(tω̂) A exp(−tΛ̂) in the user's units, and ω̂x = ω × x. D
 /// and V are the entries Deformation and Velocity of the scene. If all models of the scene are affine, the start also
-/// has the small motion of the entry Initial state/Mode. Returns the new scene, or an unchanged scene if the entry is
-/// `none`. Throws UserError if there is no such equilibrium or small motion.
+/// has the small motion of the entry Initial state/Mode. Stores the family, its parameter, D and V in
+/// initial_state.origin. Returns the new scene, or an unchanged scene if the entry is `none`. Throws UserError if there
+/// is no such equilibrium or small motion.
 scene::Scene with_equilibrium(scene::Scene scene, const scene::Origins& origins);
 
 }  // namespace pseudorigid::app

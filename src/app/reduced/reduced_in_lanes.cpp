@@ -174,8 +174,9 @@ class RunInLanes {
     return run;
   }
 
-  /// True if the step is stable during the whole motion. A step below a quarter of the stability limit at the start is
-  /// assumed to be stable. Another step is checked at 16 samples, because runs in lanes cannot reduce their step.
+  /// True if the step is stable during the whole motion. A step below a quarter of the step limit at the start is
+  /// assumed to be stable. Any other step must be at most 0.9 of the stability limit at each of 16 samples, because
+  /// runs in lanes cannot reduce their step.
   bool is_stable(const mechanics::StepChoice& choice, const reduced::MotionsInLanes& motions) const {
     constexpr double much = 4, little_reserve = 0.9;
     constexpr long n_looks = 16;

@@ -26,6 +26,7 @@
 
 namespace pseudorigid::app {
 
+/// The pseudo-rigid model. `BodySystem` is the type of the system of one form of the body (`system_of`).
 template <class BodySystem>
 class ReducedModel final : public RunnableModelOf<BodySystem> {
   using Base = RunnableModelOf<BodySystem>;
@@ -54,8 +55,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
 
   const System& system() const override { return system_; }
   State initial_state() const override { return start_; }
-  /// The matrix Q. If the scene has contact planes, the centre of mass is a fourth column. If the scene has companions,
-  /// their positions relative to the body are further columns (with_companions).
+  /// The matrix Q. If the scene has contact planes, the centre of mass is a fourth column. If the scene has companions
+  /// but no contact planes, their scaled positions relative to the body are further columns (with_companions).
   Eigen::MatrixXd configuration(const State& state) const override {
     if constexpr (is_loaded) {
       if (system_.has_contact()) return state.q.template leftCols<4>();
@@ -183,6 +184,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   }
 
  private:
+  /// True for the form `loaded`, the only form with contact planes and companions.
   static constexpr bool is_loaded = requires(const System& s) { s.orbit(); };
   /// True if the scene has contact planes. The centre of mass is then a part of the state.
   bool on_planes() const {
@@ -301,7 +303,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
 
   System system_;
   reduced::CenterPath center_;
-  bool drag_on_center_, center_is_driven_;
+  bool drag_on_center_, center_is_driven_;  ///< whether drag, and loads that depend on time, act on the body
   materials::AnyLaw law_;
   State start_;
   const RunContext& context_;
@@ -314,7 +316,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   mechanics::ReducedObservables observables_;
   ContactWatch contacts_;
   CollisionWatch collisions_;
-  std::optional<reduced::Bipolar> bipolar_;  ///< bipolar quantities at the last sample; empty before the first one
+  std::optional<reduced::Bipolar> bipolar_;  ///< decomposition Q = TᵀAS at the last sample; empty before the first one
   std::optional<io::BallBlocks> ball_;       ///< blocks of the pictures; empty until the first picture
 };
 

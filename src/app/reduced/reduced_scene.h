@@ -20,7 +20,7 @@ struct ReducedScene {
   materials::AnyLaw law;
   reduced::ReferenceBody body;
   loads::Loads loads;      ///< all loads
-  loads::Forcing forcing;  ///< loads that do not depend on time
+  loads::Forcing forcing;  ///< loads that do not depend on time, and all planes
   reduced::Dissipation dissipation;
   reduced::CenterOfMass center;
   mechanics::VectorState<Eigen::Matrix3d> start;  ///< initial deformation Q₀ and its rate Q̇₀
@@ -44,7 +44,8 @@ using ElasticBody = reduced::PseudoRigidBody<materials::CiarletGeymonat, incompr
 template <bool incompressible>
 using GeneralBody = reduced::PseudoRigidBody<reduced::Potential, incompressible>;
 
-/// The sum of the potentials of all conservative forces: stored energy, self-gravity and loads.
+/// The sum of the potentials of all conservative forces: stored energy, self-gravity and loads that do not depend on
+/// time.
 inline reduced::Potential potential_of(const ReducedScene& s) { return {s.law, s.body, s.forcing}; }
 
 template <bool incompressible>

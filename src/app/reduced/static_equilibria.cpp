@@ -42,9 +42,9 @@ std::vector<double> static_row(int index, const mechanics::CriticalPoint& p, con
   return row;
 }
 
-/// Reports the equilibrium of the centre of mass x, at which ẍ = b − Tx = 0 with the acceleration b and the tidal
-/// matrix T. The centre of mass moves independently of Q. Warns if there is no equilibrium. Reports nothing if b and T
-/// are 0.
+/// Reports the equilibrium of the centre of mass x and its Morse index. At the equilibrium, ẍ = b − Tx = 0 with the
+/// acceleration b and the tidal matrix T. The centre of mass moves independently of Q. Warns if there is no
+/// equilibrium. Reports nothing if b and T are 0.
 void report_center(const ReducedScene& s, const io::Units& units, const RunContext& context, ModelOutcome& outcome) {
   const Eigen::Matrix3d& T = s.forcing.quadratic;
   const Eigen::Vector3d& b = s.forcing.acceleration;

@@ -18,6 +18,7 @@
 namespace pseudorigid::app {
 
 /// True if the vectors of the model are distributed over the ranks. Only such a model has the function rank_order().
+/// Its result collects complete vectors on the first rank, and selects the entries of a rank from complete vectors.
 template <class Model>
 inline constexpr bool is_distributed = requires(const Model& model) {
   model.rank_order();
@@ -103,7 +104,7 @@ class CheckpointVectors<Model> {
     if (!snapshot.memory.empty()) snapshot.memory = layout_->take(snapshot.memory);
   }
   /// Returns complete copies of q, v and the memory on the first rank, which writes the checkpoint. On the other ranks
-  /// they are not complete. Collective.
+  /// they are not complete. If the snapshot has a memory, requires an earlier call of `restore_memory`. Collective.
   SavedVectors collect(State& state, const Snapshot& snapshot) const {
     return {order_.collect_position(state.q), order_.collect_field(mechanics::local_values(state.v)),
             snapshot.memory.empty() ? std::vector<double>() : layout_->collect(snapshot.memory)};

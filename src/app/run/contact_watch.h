@@ -4,13 +4,13 @@
 ///
 ///   e = (n·ẋ_c − ż₀ at the end of the last contact) / (ż₀ − n·ẋ_c at the start of the first contact)
 ///
-/// with the centre of mass x_c, and the normal n and the speed ż₀ of a plane. This plane is the plane with the largest
-/// force, or the nearest plane if there is no contact. A contact starts or ends when the height of the body above the
-/// nearest plane is zero. The height is interpolated linearly within a step, but the velocity ẋ_c is not. At the start
-/// of the first contact, ẋ_c is the velocity after the last step before the contact. At the end of the last contact, it
-/// is the velocity after the step in which the contact ends. A contact that exists at time 0 starts there, with the
-/// velocity at time 0. If the denominator is 0, e is 0. Each quantity of the summary is 0 until its event occurs. All
-/// quantities are in internal units.
+/// with the centre of mass x_c, and the normal n of a plane and its speed ż₀ along n. This plane is the plane with the
+/// largest force, or the nearest plane if there is no contact. A contact starts or ends when the height of the body
+/// above the nearest plane is zero. The height is interpolated linearly within a step, but the velocity ẋ_c is not. At
+/// the start of the first contact, ẋ_c is the velocity after the last step before the contact. At the end of the last
+/// contact, it is the velocity after the step in which the contact ends. A contact that exists at time 0 starts there,
+/// with the velocity at time 0. If the denominator is 0, e is 0. Each quantity of the summary is 0 until its event
+/// occurs. All quantities are in internal units.
 
 #include <algorithm>
 #include <array>

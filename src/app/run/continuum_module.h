@@ -22,7 +22,7 @@ struct NoContinuum : std::runtime_error {
 /// The functions of the library.
 struct ContinuumModule {
   ModelOutcome (*run)(const RunContext& context);     ///< runs the finite-element model; collective
-  std::map<std::string, std::string> (*libraries)();  ///< versions of deal.II and CHOLMOD by library name
+  std::map<std::string, std::string> (*libraries)();  ///< versions of deal.II and, if used, CHOLMOD by name
   /// Returns the SIMD instructions of the kernels. Throws mechanics::NoKernels if the processor cannot run the kernels,
   /// or if the requested build of the kernels does not exist.
   std::string_view (*instructions)();

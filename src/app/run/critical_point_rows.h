@@ -18,9 +18,9 @@ std::vector<scene::Column> critical_point_columns(int n_modes);
 /// Appends the values of these columns, in internal units, to `row`.
 void append_critical_point(const mechanics::CriticalPoint& point, std::vector<double>& row);
 
-/// Adds the number of points to the results of `outcome`, and a line with the potential V of each point. Adds the
-/// counters of the search to the statistics of `outcome`. The factor `energy` converts V from internal units to the
-/// user's units.
+/// Adds a line with the numbers of points and starts to the results of `outcome`. Then adds a line for each point, with
+/// its potential V, Morse index, nullity and dimensions of manifolds. Adds the counters of the search to the statistics
+/// of `outcome`. The factor `energy` converts V from internal units to the user's units.
 void report_search(const mechanics::CriticalPoints& found, double energy, const RunContext& context,
                    ModelOutcome& outcome);
 

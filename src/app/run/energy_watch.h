@@ -1,8 +1,8 @@
 #pragma once
-/// Check that the steps between two samples conserve the energy. Only violent motions are checked, in which the least
-/// det F of the deformation gradient F falls below 0.95. Let K be the kinetic and V the potential energy, E = K + V,
-/// and N the number of samples. The indices 0 and 1 denote the ends of the interval between the samples. The condition
-/// is
+/// Check that the steps between two samples conserve the energy. An interval is checked only if the least det F is
+/// below 0.95 at one of its ends, with the deformation gradient F. Let K be the kinetic and V the potential energy, E =
+/// K + V, and N the number of samples. The indices 0 and 1 denote the ends of the interval between the samples. The
+/// condition is
 ///
 ///   |E_1 − E_0| ≤ 1e-3/√N · max(E_m, K_0 + K_1),   E_m = K + |V − V of the body at rest| at the start of the run.
 ///
@@ -22,13 +22,14 @@ class EnergyWatch {
   using State = typename Model::State;
 
  public:
+  /// The object refers to `model`. `n_samples` is N in the condition above.
   EnergyWatch(const Model& model, long n_samples)
       : model_(model), most_(1e-3 / std::sqrt(static_cast<double>(n_samples))) {}
 
-  /// Returns true if the condition holds between the states `before` and `after` at the ends of an interval. J_before
-  /// and J_after are the least det F in these states. Also returns true if forces dissipate energy or depend on time,
-  /// because E is then not constant. Also returns true if J_before and J_after are at least 0.95. Errors of the energy
-  /// then result from the chosen step and are not judged.
+  /// Returns true if the condition in the opening comment holds between the states `before` and `after` at the ends of
+  /// an interval. J_before and J_after are the least det F in these states. Also returns true if forces dissipate
+  /// energy or depend on time, because E is then not constant. Also returns true if J_before and J_after are at least
+  /// 0.95. Errors of the energy then result from the chosen step and are not judged.
   bool keeps_energy(const State& before, double J_before, const State& after, double J_after) {
     constexpr double watched = 0.95;
     if (mechanics::dissipative(model_.system()) || mechanics::time_dependent(model_.system())) return true;
@@ -44,7 +45,7 @@ class EnergyWatch {
 
  private:
   const Model& model_;
-  double most_;
+  double most_;                      ///< the factor 1e-3/√N of the formula above
   std::optional<double> of_motion_;  ///< E_m of the formula above; computed when it is first needed
 };
 

@@ -61,9 +61,9 @@ class FieldModel : public RunnableModelOf<S> {
     else
       return this->system().multiplier_scale();
   }
-  /// The matrix Q of the affine part of the positions. If the scene has companions, their positions relative to the
-  /// body are further columns (with_companions). If the scene has contact planes, the centre of mass is a fourth
-  /// column.
+  /// The matrix Q of the affine part of the positions. If the scene has companions, their scaled positions relative to
+  /// the body are further columns (with_companions). If the scene has contact planes but no companions, the centre of
+  /// mass is a fourth column.
   Eigen::MatrixXd configuration(const State& state) const final {
     if (context_.needs.orbit)
       return with_companions(affine_part(state.q), this->system().orbit(), this->system().companions(state.q));
@@ -72,6 +72,8 @@ class FieldModel : public RunnableModelOf<S> {
     configuration << affine_part(state.q), mean(state.q);
     return configuration;
   }
+  /// With companions, moves them to their motion shortly before the closest approach. With contact planes, moves the
+  /// body to the end of its flight to the first contact (flight.h). Otherwise returns `state`.
   State start_of_pilot(const State& state) const final {
     State start = state;
     if (context_.needs.orbit) {
@@ -221,8 +223,9 @@ class FieldModel : public RunnableModelOf<S> {
 
   /// The field c + A X of positions or of velocities, with the reference position X.
   virtual Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const = 0;
-  /// Adds the positions of the model's own figure (app/figures/figure_start.h) to x and its velocities to v, with the
-  /// small motion of the scene. Fails if the model does not have the figure or the small motion. Collective.
+  /// Sets x and v to the positions and velocities of the model's own figure (app/figures/figure_start.h), with the
+  /// small motion of the scene. Both vectors must be 0 before the call. Fails if the model does not have the figure or
+  /// the small motion. Collective.
   virtual mechanics::Status own_figure(Vector& x, Vector& v) const = 0;
   /// Replaces the field x by D x.
   virtual void transform(const Eigen::Matrix3d& D, Vector& x) const = 0;
@@ -246,9 +249,10 @@ class FieldModel : public RunnableModelOf<S> {
   ///
   ///   x = x_c + D φ,   v = v_c + D φ' + V X,
   ///
-  /// with the positions φ of the figure, its velocities φ', the entries D and V of the scene, and the centre of mass
-  /// x_c. A small motion changes the volume to second order of its amplitude; the state is then projected onto the
-  /// constraint. Throws UserError if the model does not have the figure or the small motion.
+  /// with the positions φ of the figure and its velocities φ'. D and V are the entries Deformation and Velocity of
+  /// Initial state, and x_c is the centre of mass with the velocity v_c. A small motion (Initial state/Mode) changes
+  /// the volume to second order of its amplitude; the state is then projected onto the constraint. Throws UserError if
+  /// the model does not have the figure or the small motion.
   void put_own_figure(State& state) const {
     const scene::Scene::InitialState& start = context_.scene.initial_state;
     const Eigen::Vector3d none = Eigen::Vector3d::Zero();
@@ -273,8 +277,9 @@ class FieldModel : public RunnableModelOf<S> {
       throw UserError("Initial state/Mode amplitude: the volume cannot be restored: " + status.reason());
   }
   /// The motion of the companions at the start of a pilot run. It is the last motion that is at least half a pilot run
-  /// ahead of the closest approach to the body. It is their motion at the start of the run if there is no such motion,
-  /// or if the companions hardly approach the body (Orbit::near_closest_approach).
+  /// ahead of the closest approach to the body. If there is no such motion, it is their motion at the start of the run.
+  /// It is also the motion at the start if the closest approach exceeds 0.9 of the least distance at the start
+  /// (Orbit::near_closest_approach).
   mechanics::Orbit::Motion near_pericentre(const mechanics::Orbit& orbit) const {
     const double end = context_.internal_time(context_.scene.time.end);
     return orbit.near_closest_approach(end, pilot_window(end) / 2);

@@ -19,9 +19,9 @@ struct LoveRow {
   double h_error = 0, l_error = 0;
 };
 
-/// Rows with bounds of their errors. `other` has the numbers of another discretisation for the same degrees. The bound
-/// for h is 2|h − h_other| + round_off |h|, and the bound for l has the same form. `round_off` is the relative
-/// round-off of the solver.
+/// Rows with bounds of their errors. `other` has the numbers of another discretisation, for the same degrees in the
+/// same order. The bound for h is 2|h − h_other| + round_off |h|, and the bound for l has the same form. `round_off` is
+/// the relative round-off of the solver.
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other, double round_off);
 

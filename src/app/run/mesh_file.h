@@ -17,12 +17,12 @@ struct CenteredMesh {
 };
 
 /// Reads, converts and shifts the mesh. Throws UserError if the file cannot be read or is not the mesh of one body.
-/// Also throws it if the largest distance of a node from the centre of mass is not between 0.1 and 10 times
+/// Also throws UserError if the largest distance of a node from the centre of mass is not between 0.1 and 10 times
 /// Body/Radius.
 CenteredMesh read_mesh_file(const scene::Scene& scene);
 
-/// Returns the number of cells of the scene's mesh file, or 0 if the scene does not use a mesh file. If the mesh cannot
-/// be used, throws a UserError that names the entry.
+/// Returns the number of cells of the scene's mesh file, or 0 if no model of the scene uses a mesh file. If the mesh
+/// cannot be used, throws a UserError that names the entry and its origin (`origins`).
 std::size_t require_mesh_file(const scene::Scene& scene, const scene::Origins& origins);
 
 /// Text that identifies the mesh in a checkpoint. If the scene uses a mesh file, the text is a checksum of the bytes of

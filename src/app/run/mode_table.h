@@ -35,21 +35,22 @@ struct BallAtRest {
 };
 
 /// Text about the first frequency whose spread() exceeds `spread`; empty if there is no such frequency. Example: "the
-/// copies of T3 differ by 5.3e-01". If the spread exceeds a hundredth, the copies belong to different modes, or the
-/// mesh is too coarse for the mode.
+/// copies of T3 differ by 5.3e-01". Copies have the same exact frequency. A large spread shows that they belong to
+/// different modes, or that the mesh is too coarse for the mode.
 std::string differing_copies(const std::vector<ModeFrequency>& frequencies, double spread = 1e-2);
-/// Text about the fastest growing motion; empty if no motion grows. The rate is in the user's unit 1/time. Example:
-/// "the ball is unstable at rest: a motion of kind T1 grows at the rate 0.3".
+/// Text about the fastest growing motion; empty if no motion grows. The text has the rate of growth in the user's unit
+/// 1/time. Example: "the ball is unstable at rest: a motion of kind T1 grows at the rate 0.3".
 std::string instability(const std::vector<ModeFrequency>& frequencies, const io::Units& units);
 
 /// The name of the CSV file of a model, without ".csv". It is "modes" for the last model of the scene, which is the
 /// most accurate one, and "modes-<model>" for any other model.
 std::string mode_file(const scene::Needs& needs, std::string_view model);
 
-/// The columns of the file with their units and texts.
+/// The columns of the file of modes with their units and texts.
 std::vector<scene::Column> mode_columns();
 
-/// Writes the CSV file <file>.csv, and adds the table for the terminal to the results of `outcome`.
+/// Writes the CSV file <file>.csv with one row for each frequency, and adds the table for the terminal to the results
+/// of `outcome`.
 void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallAtRest& ball, const RunContext& context,
                       std::string_view file, ModelOutcome& outcome);
 

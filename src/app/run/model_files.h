@@ -48,8 +48,8 @@ class ModelFiles : public ModelSink {
   bool writes() const { return context_.ranks->is_first(); }  ///< the first rank writes
   std::filesystem::path csv() const { return context_.directory.csv(model_); }
   std::filesystem::path checkpoint() const { return context_.directory.checkpoint(model_); }
-  /// A time in the user's units, half an interval between samples before the next sample. Although times have
-  /// round-off, this time separates the written samples from the next ones.
+  /// A time in the user's units, half an interval before sample number n_samples_taken, which is the first sample that
+  /// is not yet written. Despite the round-off of times, it separates the written samples from later samples.
   double next_time(long n_samples_taken) const {
     return context_.time_of_sample(n_samples_taken) - context_.time_of_sample(1) / 2;
   }

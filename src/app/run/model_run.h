@@ -27,7 +27,7 @@ namespace pseudorigid::app {
 
 class ModelRunBase : protected ModelStepping {
  public:
-  ModelOutcome run();
+  ModelOutcome run();  ///< runs the model from its start, or from its checkpoint, to the last sample; collective
 
  protected:
   using Clock = std::chrono::steady_clock;
@@ -38,8 +38,8 @@ class ModelRunBase : protected ModelStepping {
 
   /// Integrates to the sample with this number, with the method and step of `position_`.
   virtual mechanics::RunResult run_until(long sample) = 0;
-  // The stored state is the state at the last sample, or after the last step of an adaptive method. `keep_state` copies
-  // the present state to the stored state. `return_to_kept_state` copies the stored state to the present state.
+  // The stored state is the state at the last sample, or after the last step of an adaptive method. After a resumption,
+  // it is first the state of the checkpoint. `keep_state` stores the present state; `return_to_kept_state` restores it.
   virtual void keep_state() = 0;
   virtual void return_to_kept_state() = 0;
   virtual SavedVectors kept_vectors() = 0;  ///< vectors of the stored state, complete on the first rank; collective
@@ -79,10 +79,10 @@ class ModelRunBase : protected ModelStepping {
   const std::unique_ptr<ModelSink> sink_;
   const bool has_shapes_;  ///< true if the run writes a table of shapes
   mechanics::Counters counters_;
-  Status verdict_;  ///< failure that the model found after a step; such a failure ends the run
-  Snapshot good_;   ///< time, position, memory and counters of the stored state
-  std::vector<double> row_;
-  int steps_since_look_ = 0;
+  Status verdict_;                    ///< failure that the model found after a step; such a failure ends the run
+  Snapshot good_;                     ///< time, position, memory and counters of the stored state
+  std::vector<double> row_;           ///< the row of the last sample
+  int steps_since_look_ = 0;          ///< steps since the last check of the clock and of the interrupt flag
   std::vector<double> kept_remarks_;  ///< remarks of the model at the stored state, if intervals can be repeated
   int least_halvings_ = 0;            ///< least position_.halvings if the present interval is repeated; otherwise 0
 
@@ -196,7 +196,7 @@ class ModelRun final : public ModelRunBase {
     double least_jacobian;
     double rattle_limit = HUGE_VAL;  ///< largest stable step of RATTLE times less_reserve; infinite if not computed
   };
-  /// Properties of the present state `state`. The stable step is computed only if the least det F is at most 0.8.
+  /// Properties of `state`, the present state. The stable step is computed only if the least det F is at most 0.8.
   LocalVolume look_at(const State& state) const {
     constexpr double violent = 0.8;
     LocalVolume seen{model_.least_jacobian(state)};
@@ -286,8 +286,8 @@ class ModelRun final : public ModelRunBase {
     return {};
   }
 
-  /// Sets request.stiff if an explicit method needs too many steps. With the largest damping rate γ, it needs about γh
-  /// steps for each step h of RATTLE. With friction, γ is that of a body at rest in contact. Fails if γ is not found.
+  /// Sets request.stiff if an explicit method needs too many steps. It needs about γh steps for each step h of RATTLE.
+  /// γ is the largest damping rate, with friction that of a body at rest in contact. Fails if γ is not found.
   Status judge_stiffness([[maybe_unused]] mechanics::StepRequest& request) const override {
     if constexpr (mechanics::Damped<System>) {
       if (!mechanics::dissipative(model_.system())) return {};

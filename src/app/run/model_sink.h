@@ -1,7 +1,7 @@
 #pragma once
 /// Receiver of the results of one model's run. The base class discards all results. It serves runs of which only the
-/// affine part of the motion is used (search/silent_run.h). `RowsInMemory` stores the rows in memory, for sweeps.
-/// `ModelFiles` writes files into the directory of the run.
+/// affine part of the motion is used (search/silent_run.h). This part does not pass through a sink. `RowsInMemory`
+/// stores the rows in memory, for sweeps. `ModelFiles` writes files into the directory of the run.
 ///
 /// All ranks call the same functions in the same order.
 
@@ -29,7 +29,7 @@ class ModelSink {
 
   /// Creates the table of rows with these columns. A resumed run calls `resume` instead.
   virtual void create(const std::vector<std::string>& /*columns*/) {}
-  /// Appends the row of a sample, in the user's units.
+  /// Appends the row of a sample, in the user's units. Requires an earlier call of `create` or `resume`.
   virtual void append(const std::vector<double>& /*row*/) {}
 
   /// True if the sink writes checkpoints, from which a stopped run can continue.
@@ -39,7 +39,7 @@ class ModelSink {
   virtual void save(const std::function<io::Checkpoint()>& /*checkpoint*/) {}
   /// The checkpoint from which this run continues; empty if the run begins at the start.
   virtual std::optional<io::Checkpoint> state_to_resume() { return std::nullopt; }
-  /// Continues the table of rows after its first n_samples_taken rows.
+  /// Continues the table of rows after its first n_samples_taken rows, and discards later rows.
   virtual void resume(const std::vector<std::string>& /*columns*/, long /*n_samples_taken*/) {}
   /// All rows of the table after a call of `resume`.
   virtual io::Table rows_so_far() { return {}; }
@@ -56,10 +56,10 @@ class ModelSink {
   virtual bool wants_shape(long /*sample*/) const { return false; }
   /// Creates the table of shapes <name>.csv with these columns. A resumed run calls `resume_shapes` instead.
   virtual void create_shapes(const std::string& /*name*/, const std::vector<std::string>& /*columns*/) {}
-  /// Continues the table of shapes after the shapes of the first n_samples_taken samples.
+  /// Continues the table of shapes after the shapes of the first n_samples_taken samples, and discards later shapes.
   virtual void resume_shapes(const std::string& /*name*/, const std::vector<std::string>& /*columns*/,
                              long /*n_samples_taken*/) {}
-  /// Appends the block of rows of one shape.
+  /// Appends the block of rows of one shape. Requires an earlier call of `create_shapes` or `resume_shapes`.
   virtual void append_shape(const Rows&) {}
 
   /// Updates the display of the completed fraction of the run, from 0 to 1.

@@ -58,7 +58,7 @@ double limit_of(mechanics::MethodId id, double rattle_limit) {
   });
 }
 
-/// Text about the symmetry of a method, which follows its name in the log; empty for symplectic methods.
+/// Text for the log after the name of a method that is not symplectic; empty for symplectic methods.
 std::string_view promise(mechanics::MethodId id) {
   return mechanics::with_method(id, []<class Method>(Method) {
     return Method::symplectic ? std::string_view() : std::string_view(" (symmetric, not symplectic)");

@@ -16,8 +16,9 @@
 
 namespace pseudorigid::app {
 
-/// Logs a warning if the tolerance is below the accuracy of double precision over the run. Logs another warning if the
-/// motion is so unstable that round-off grows beyond the tolerance.
+/// Logs a warning if the motion is so unstable that round-off grows beyond the tolerance. Otherwise logs a warning if
+/// the tolerance is below the accuracy of double precision over the run. `model` is the name of the model for the
+/// message.
 void warn_of_round_off(const mechanics::StepChoice& choice, std::string_view model, const RunContext& context);
 
 /// Properties of the type of a system that affect the choice of the step and the run.
@@ -61,8 +62,9 @@ class ModelStepping {
   virtual mechanics::StepChoice choose_step(const mechanics::StepRequest& request) const = 0;
 
   /// Sets the method, the step and the local tolerance for the rest of the run. If the program searches for them, it
-  /// logs the choice and counts the force evaluations of the search in the statistics. Fails if the stability limit or
-  /// a rate of damping cannot be computed, or if the search is interrupted.
+  /// logs the choice and counts the force evaluations of the search in the statistics. It then adds the estimated time
+  /// error to position_.time_error; without a search, this member becomes empty. Fails if the stability limit or a rate
+  /// of damping cannot be computed, or if the search is interrupted.
   Status choose();
 
   /// True if the scene gives a step that does not exceed the present step.
@@ -71,7 +73,8 @@ class ModelStepping {
   void shorten() { position_.step = std::min(position_.step, step_bound()); }
 
   /// Checks the largest frequency of small vibrations, and halves the step until it is at most 0.9 of the stability
-  /// limit. Does nothing if the system is not in constrained form, or if the frequency is not found.
+  /// limit. Plans the sample of the next check. Does nothing if the system is not in constrained form. If the frequency
+  /// is not found, the step does not change.
   void reconsider();
 
   bool is_adaptive() const { return is_adaptive(position_.method); }
@@ -86,16 +89,17 @@ class ModelStepping {
   /// motions when the step changes. Returns true if the method has changed; the estimate of the time error is then not
   /// known.
   bool become_symplectic();
-  /// Least number of halvings after which the step is at most the stability limit of the method. `rattle_limit` is the
-  /// limit of RATTLE at the same state. If `most_halvings` halvings do not suffice, the result is `most_halvings`.
+  /// Least number of halvings after which the step is at most the step limit of the method. This limit is proportional
+  /// to `rattle_limit`, the largest permitted step of RATTLE. If `most_halvings` halvings do not suffice, the result is
+  /// `most_halvings`.
   int halvings_within(double rattle_limit) const;
 
   /// Tolerance of the constraint divided by constraint_scale, for systems with a costly force. It is the value of
   /// Time/Constraint tolerance if the scene gives one. Otherwise it is 0 if the scene gives the step, and else 1e-4 of
   /// Time/Tolerance, or 1e-8 of it if forces dissipate energy. The method uses the larger of this tolerance and the
-  /// tolerance of the system. Compared with 1e-13, a factor of 1e-4 changes errors and steps by less than a thousandth.
-  /// However, the error ε of ln J changes from step to step, so a viscosity η dissipates about 2η(ε/h)² with the step
-  /// h. This power may exceed that of a slow and small motion, such as a tide.
+  /// tolerance of the system. Compared with the tolerance 1e-13, the value 1e-4 Time/Tolerance changes errors and steps
+  /// by less than a thousandth. However, the error ε of ln det F changes from step to step, so a viscosity η dissipates
+  /// about 2η(ε/h)² with the step h. This power may exceed that of a slow and small motion, such as a tide.
   template <class S>
   double constraint_tolerance(const S& system) const {
     const auto& time = context_.scene.time;

@@ -18,6 +18,7 @@ namespace pseudorigid::app {
 
 class NonaffineWatch {
  public:
+  /// `model` is the name of the model for messages. The object refers to `context` and to the text of `model`.
   NonaffineWatch(const RunContext& context, std::string_view model)
       : context_(context),
         model_(model),
@@ -28,7 +29,7 @@ class NonaffineWatch {
   bool watches() const { return watches_; }
 
   /// Checks a sample. `time` is in the user's units. `displacement` is |x − QX| / |x|, the error relative to the size
-  /// of the body.
+  /// of the body. Positions x are relative to the centre of mass, and |x|² is the integral of x·x over the mass.
   void look(double time, double displacement) {
     if (!watches_) return;
     largest_ = std::max(largest_, displacement);
@@ -43,6 +44,7 @@ class NonaffineWatch {
   /// Three numbers for checkpoints. They are the largest displacement, the time of the warning, and 1. Without a
   /// warning, the last two are 0.
   std::array<double, 3> remarks() const { return {largest_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
+  /// Restores the numbers of `remarks`.
   void take_remarks(std::span<const double, 3> remarks) {
     largest_ = remarks[0];
     if (remarks[2] != 0) first_ = remarks[1];

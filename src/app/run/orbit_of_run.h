@@ -17,17 +17,17 @@ Eigen::MatrixXd with_companions(const Eigen::Matrix3d& Q, const mechanics::Orbit
                                 const mechanics::Orbit::Columns& s);
 
 /// The kinetic and gravitational energy of the body about its centre, in internal units. The body is regarded as the
-/// ellipsoid with the present second moment S, in the affine motion Q with the rate Q̇. The result is exact for a
-/// pseudo-rigid fluid.
+/// ellipsoid with the present second moment S = ∫ρ x xᵀ dV, in the affine motion Q with the rate Q̇. The result is
+/// exact for a pseudo-rigid fluid.
 double own_energy(const mechanics::Orbit& orbit, const Eigen::Matrix3d& S, const Eigen::Matrix3d& Q,
                   const Eigen::Matrix3d& Qdot);
 
 /// Detects collisions and disruptions in a run. The companions are assumed to move on straight lines within a step.
 class CollisionWatch {
  public:
-  /// Checks the state at the end of a step for a collision or a disruption. S is the second moment of the body, and s
-  /// has the coordinates of the companions. In the first call and after a jump back in time, the step before t is not
-  /// known, and only the positions at t count.
+  /// Checks the state at the end of a step for a collision or a disruption. S is the second moment of the body, ∫ρ x xᵀ
+  /// dV about its centre, and s has the coordinates of the companions. In the first call and after a jump back in time,
+  /// the step before t is not known, and only the positions at t count.
   ///
   /// Fails after a collision. A companion has then been nearer to the centre of the body, or to the other companion,
   /// than the longest semi-axis of the body.

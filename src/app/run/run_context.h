@@ -54,7 +54,8 @@ struct RunContext {
   bool interrupted() const { return ranks->any(io::interrupt_requested()); }
 };
 
-/// A copy of the context that refers to another scene and to other needs. Both must exist as long as the copy.
+/// A copy of the context that refers to another scene and to other needs. `scene` and `needs` must exist as long as the
+/// copy.
 inline RunContext derived(const RunContext& context, const scene::Scene& scene, const scene::Needs& needs) {
   const auto& [its_scene, its_needs, directory, units, log, sink_of, resumes, ranks, tables] = context;
   return {.scene = scene,

@@ -36,12 +36,13 @@ class RunnableModel {
   /// Data that a checkpoint contains for the model, for example about earlier warnings and contacts. The number of
   /// elements does not change during a run.
   virtual std::vector<double> remarks() const { return {}; }
-  /// Restores the data of `remarks`.
+  /// Restores the data that `remarks` returned when the checkpoint was written.
   virtual void take_remarks(std::span<const double>) {}
 
   /// Name of the table of shapes for the report; empty if the model does not have shapes. A shape contains positions of
   /// points on the surface and on the coordinate planes of the body (mechanics/core/shape_columns.h).
   virtual std::string shape_file() const { return {}; }
+  /// The names of the columns of this table, in their order; empty if the model does not have shapes.
   virtual std::vector<std::string> shape_columns() const { return {}; }
 
  protected:
@@ -49,8 +50,8 @@ class RunnableModel {
       : name(std::move(name_of_files)), steps_between_looks(between_looks), pilot_reserve(reserve) {}
 };
 
-/// Interface for one type of system. Models with distributed vectors also have the function rank_order() and the type
-/// MemoryLayout (checkpoint_vectors.h).
+/// Interface for one type of system. A model that distributes its vectors over the ranks also has the function
+/// rank_order() and the type MemoryLayout. They give the order of the entries in a checkpoint (checkpoint_vectors.h).
 template <class S>
 class RunnableModelOf : public RunnableModel {
  public:
@@ -87,8 +88,8 @@ class RunnableModelOf : public RunnableModel {
   /// `state` itself. Called only for systems with friction.
   virtual State in_contact(const State& state) const { return state; }
   /// `choose_quadrature` chooses the quadrature rule before the search for the step. `estimate_quadrature` estimates
-  /// the error of the rule after the search. `stable_step` is the stable step of RATTLE, or 0 if this step is not
-  /// known.
+  /// the error of the rule after the search. `stable_step` is the stable step of RATTLE in internal units, or 0 if this
+  /// step is not known. By default both functions do nothing.
   virtual void choose_quadrature(const State&) {}
   virtual void estimate_quadrature(const State&, double /*stable_step*/) {}
   /// Text about the place of the least det F, for messages; may be empty.
@@ -97,7 +98,8 @@ class RunnableModelOf : public RunnableModel {
   /// Writes the observables of a sample into `row`, in the order of columns() and in the user's units. `time` is the
   /// time in the user's units. Fails if an observable cannot be computed.
   virtual mechanics::Status row(double time, const State&, Workspace&, std::vector<double>& row) = 0;
-  /// Writes a picture of the state into a file. Fails if the fields cannot be computed. By default writes nothing.
+  /// Writes a picture of the state into a file. `time` is in the user's units. Fails if the fields cannot be computed.
+  /// By default writes nothing.
   virtual mechanics::Status write_frame(const std::filesystem::path&, double /*time*/, const State&, Workspace&) {
     return {};
   }

@@ -20,7 +20,7 @@ Eigen::Vector3d to_eigen(const std::vector<double>& v);
 /// The internal units of length, mass and time, measured in the user's units.
 io::Units units_of(const scene::Scene& scene);
 
-/// The initial deformation Q₀ and its rate Q̇₀. The rate is per internal unit of time.
+/// The initial deformation Q₀, and its rate Q̇₀ per internal unit of time.
 Eigen::Matrix3d initial_deformation(const scene::Scene& scene);
 Eigen::Matrix3d initial_velocity(const scene::Scene& scene, const io::Units& units);
 

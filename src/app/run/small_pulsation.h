@@ -18,9 +18,10 @@ struct SmallPulsation {
   double ratio() const { return pseudo_rigid / exact; }
 };
 
-/// Both frequencies for an elastic sphere without loads, or for an incompressible elastic sphere under its own gravity
-/// only. Empty for any other body, and for a compressible body whose law has a pressure in the undeformed state. Also
-/// empty for γ > 18, because the exact sphere then pulsates with two frequencies of degree 2 (docs/adequacy.md).
+/// Both frequencies for an elastic sphere without loads, or for an incompressible elastic sphere with its own gravity
+/// as the only load. A mesh file or Body/Inertia excludes a sphere. Empty for any other body, and for a compressible
+/// body whose law has a pressure in the undeformed state. Also empty for γ > 18, because the exact sphere then pulsates
+/// with two frequencies of degree 2 (docs/adequacy.md).
 std::optional<SmallPulsation> small_pulsation(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

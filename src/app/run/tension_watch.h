@@ -1,9 +1,10 @@
 #pragma once
-/// Monitors the tension in an incompressible fluid, whose stored energy is 0. Reports the first time at which the
-/// multiplier λ of the volume constraint is negative. An affine motion has λ = 2p_c/(ρr²), with the pressure p_c at the
-/// centre, the density ρ and the radius r. For finite elements and polynomial bodies, λ is 5/(ρr²) times the mean
-/// pressure. On affine motions both definitions give the same λ. If λ < 0, the problem of the continuum is ill-posed
-/// (docs/oliva.md, item 13). The program checks λ at samples and interpolates the time between two samples.
+/// Monitors the tension in an incompressible fluid, a body that does not resist changes of its shape. Reports the first
+/// time at which the multiplier λ of the volume constraint is negative. An affine motion has λ = 2p_c/(ρr²), with the
+/// pressure p_c at the centre, the density ρ and the radius r. For finite elements and polynomial bodies, λ is 5/(ρr²)
+/// times the mean pressure. On affine motions both definitions give the same λ. If λ < 0, the problem of the continuum
+/// is ill-posed (docs/oliva.md, item 13). The program checks λ at samples and interpolates the time between two
+/// samples.
 
 #include <optional>
 #include <string_view>
@@ -16,6 +17,7 @@ namespace pseudorigid::app {
 
 class TensionWatch {
  public:
+  /// `model` is the name of the model for messages. The object refers to `context` and to the text of `model`.
   TensionWatch(const RunContext& context, std::string_view model)
       : context_(context),
         model_(model),
@@ -24,14 +26,15 @@ class TensionWatch {
   /// True if the body is an incompressible fluid, so that the run must compute λ.
   bool watches() const { return is_fluid_; }
 
-  /// Records the samples of an interrupted run from its rows, without warnings.
+  /// Records the samples of an interrupted run from its rows, without warnings. Does nothing if the rows do not contain
+  /// λ.
   void take_up(const io::Table& rows) {
     if (!is_fluid_ || !rows.has_column("multiplier")) return;
     const std::vector<double> times = rows.column("time"), lambdas = rows.column("multiplier");
     for (std::size_t k = 0; k < times.size(); ++k) note(times[k], lambdas[k]);
   }
 
-  /// Checks a sample, and warns if it is the first one under tension, λ < 0. Both arguments are in the user's units.
+  /// Checks a sample, and warns if it is the first sample under tension, λ < 0. Both arguments are in the user's units.
   void look(double time, double lambda) {
     if (note(time, lambda))
       context_.log->warn(
