@@ -314,9 +314,9 @@ struct Gauss16 {
     }
   }
 
-  /// Projects position and velocity by the formulas at the head of this file. The velocity is not lifted if the system
-  /// has no `add_reaction_rate`. Fails if the constraint or a Gram solve fails, or if one of the iterations does not
-  /// converge.
+  /// Projects position and velocity by the formulas at the head of this file. The first change of v, the cotangent
+  /// lift, is omitted if the system has no `add_reaction_rate`. Fails if the constraint or a Gram solve fails, or if
+  /// one of the iterations does not converge.
   template <ConstrainedSystem S>
   static Status project_with_momenta(const S& system, State<S>& state, Workspace<S>& w) {
     ++w.counters.n_projections;
