@@ -5,7 +5,7 @@
 /// stages are accelerations A_j. With the coefficients of dormand_prince_8_tableau.h,
 ///
 ///   A_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j
-///   v_{n+1} = v_n + h Σ_j b_j A_j,   q_{n+1} = q_n + h v_n + h² Σ_j b̄_j A_j,   projected if the field has `project`
+///   v_{n+1} = v + h Σ_j b_j A_j,   q_{n+1} = q + h v + h² Σ_j b̄_j A_j,   projected if the field has `project`
 ///
 /// The embedded formulas of orders p = 5, 3 estimate the errors e_p = (h² Σ ē^p_j A_j, h Σ e^p_j A_j) of (q, v), and
 ///
@@ -19,8 +19,8 @@
 /// of its size. An accepted trial that follows a rejection does not increase the size of the next step.
 ///
 /// If the acceleration or the projection fails in a trial, or the acceleration is not finite, the next trial has a
-/// quarter of the size. If the size falls below the round-off of the time, the step fails. The increments of q and v
-/// are added with compensation (vector_space.h).
+/// quarter of the size. If the size of the next trial is below the round-off of the time, the step fails. The
+/// increments of q and v are added with compensation (vector_space.h).
 
 #include <algorithm>
 #include <array>

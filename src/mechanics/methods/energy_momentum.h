@@ -158,9 +158,9 @@ struct EnergyMomentum {
                            "; use a smaller step");
   }
 
-  /// Returns the largest change of V among five fixed small changes of q. Change k adds (7i + 3k) mod 5 − 2 units to
-  /// entry i = 1, 2, … of q, and a unit is 2ε max|q_i|. Terms of V may be larger than V and cancel. The round-off of
-  /// these terms is therefore estimated better by changes of q than by ε|V|.
+  /// Estimates the round-off of V at q by the largest change of V among five fixed small changes of q. Change k adds
+  /// (7i + 3k) mod 5 − 2 units to entry i = 1, 2, … of q, and a unit is 2ε max|q_i|. Terms of V may be larger than V
+  /// and cancel. The round-off of these terms is therefore estimated better by changes of q than by ε|V|.
   template <ConservativeSystem S>
   static double noise_of_potential(const S& system, const typename S::Vector& q) {
     const double V = system.potential_energy(q), unit = 2 * epsilon * max_norm(q);
@@ -339,8 +339,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Adds (Δq, Δv) to the state, and restores the momenta. Adds the energy error of the step to w.energy_gained. Stores
-  /// the acceleration and the multipliers for the guess of the next step.
+  /// Adds (Δq, Δv) to the state, and advances the time by h. Restores the momenta. Adds the energy error of the step to
+  /// w.energy_gained. Stores the acceleration and the multipliers for the guess of the next step.
   template <ConservativeSystem S>
   static void accept(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
     const double K_start = system.kinetic_energy(state.v);

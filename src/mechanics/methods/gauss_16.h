@@ -70,7 +70,7 @@ struct Gauss16Workspace {
   /// at the round-off of the accelerations divided by 4096.
   double iteration_tolerance = 0;
   Vector q_rounding, v_rounding;  // remainders of q and v, which are sums in extended precision
-  Vector change;
+  Vector change;                  // temporary: acceleration at the state, or change of v in a projection
   std::size_t n_entries;
   std::vector<OfStages> last, stages, sums, scratch;  // `last` has the stages of the last step or part of a step
   GaussTables tables;
