@@ -14,7 +14,8 @@ namespace pseudorigid::scene {
 
 struct Needs {
   const SystemDescription* system = nullptr;  ///< null for the ball
-  /// Models of the scene that offer the analysis, in the order of their runs. Empty for a system other than the ball.
+  /// Models of the scene that offer the analysis, in the order of their runs. The list is empty for a system other than
+  /// the ball.
   std::vector<const ModelDescription*> models;
   bool discretized = false;     ///< whether a model needs a mesh, deal.II, MPI and PETSc
   bool constraint = false;      ///< whether the body is incompressible

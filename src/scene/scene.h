@@ -106,8 +106,8 @@ struct Scene {
     /// Centre of mass of the body and its companions, and the velocity of this centre.
     std::vector<double> center{0, 0, 0}, center_velocity{0, 0, 0};
     /// The original `equilibrium`, `equilibrium_parameter`, D and V, if with_equilibrium
-    /// (app/reduced/ball_equilibria.h) has replaced them by explicit values of Q₀ and Q̇₀. Empty if the scene did not
-    /// give an equilibrium. No entry sets this member.
+    /// (app/reduced/ball_equilibria.h) has replaced them by explicit values of Q₀ and Q̇₀. The member `origin` is empty
+    /// if the scene did not give an equilibrium. No entry sets `origin`.
     struct Origin {
       Family family;
       double parameter;
@@ -178,7 +178,8 @@ struct Scene {
   std::optional<int> sweep_threads;  ///< number of runs at the same time; empty: number of cores
   bool sweep_lanes = true;           ///< true if similar runs are integrated together in SIMD lanes
   bool sweep_trajectories = false;   ///< true if trajectories.csv is written, with the samples of all runs
-  /// Values that contain expressions, path → text. The members of these entries have the values of the first run.
+  /// Values that contain expressions, path → text. The members of these entries have the values for the first run,
+  /// until with_parameters (scene/read_scene.h) sets them for another run.
   std::map<std::string, std::string, std::less<>> expressions;
   /// Values of the entries of systems, path → canonical text. An entry without a value here has its default.
   std::map<std::string, std::string, std::less<>> system_values;
