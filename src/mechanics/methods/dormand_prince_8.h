@@ -182,11 +182,11 @@ struct DormandPrince8 {
     return {};
   }
 
-  /// Returns the size of the first step by Hairer, Nørsett, Wanner, II.4. With the size h, h⁸ times the larger of the
-  /// norms of (v, a) and (a, ȧ) is a hundredth of the tolerance. Here a is the acceleration at the start and ȧ an
-  /// estimate of its rate. The norms are relative to 1 + |q| and 1 + |v|, and count as at least 1e-10. The size is at
-  /// most 100 times a first guess and at most the distance to t_limit. If the acceleration at the first guess fails or
-  /// is not finite, the size is a hundredth of the guess.
+  /// Returns the size of the first step by Hairer, Nørsett, Wanner, II.4. The sign of the result is that of t_limit −
+  /// t. With the size h, h⁸ times the larger of the norms of (v, a) and (a, ȧ) is a hundredth of the tolerance. Here a
+  /// is the acceleration at the start and ȧ an estimate of its rate. The norms are relative to 1 + |q| and 1 + |v|, and
+  /// count as at least 1e-10. The size is at most 100 times a first guess and at most the distance to t_limit. If the
+  /// acceleration at the first guess fails or is not finite, the size is a hundredth of the guess.
   template <class F>
   static double first_step(const F& field, double t_limit, const State<F>& state, Workspace<F>& w) {
     const auto norm = [&](const auto& x, const auto& y) {

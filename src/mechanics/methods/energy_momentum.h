@@ -198,8 +198,8 @@ struct EnergyMomentum {
     axpy(1.0, w.dv, w.v_end);
   }
 
-  /// Computes new Δv and Δq from the Δv, Δq, λ and μ of the previous iteration. Fails if a force or the constraint
-  /// fails.
+  /// Computes new Δv and Δq, and the new end of the step, from the Δv, Δq, λ and μ of the previous iteration. Fails if
+  /// a force or the constraint fails.
   template <ConservativeSystem S>
   static Status improve(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     w.q_middle = state.q;
