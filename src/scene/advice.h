@@ -16,8 +16,8 @@ namespace pseudorigid::scene {
 using Accepts = std::function<bool(Scene)>;
 
 /// Returns the scene in which the entries of `settings` have the given values. Expressions in these entries are
-/// removed. If a text is not a permitted value, the entry keeps its value. A list of words (Switches) is then not
-/// valid.
+/// removed. If a text is not a permitted value, the entry keeps its value. After an unknown word in a list of words
+/// (Switches), the value of the list must not be used.
 Scene with_settings(Scene scene, const std::vector<Setting>& settings);
 
 /// Returns the text of an error message: the sentence of the refusal, the models that accept the input if the refusal

@@ -59,9 +59,9 @@ std::optional<Refusal> refuses_relative_equilibrium(const Scene& scene) {
 }
 
 /// Returns the violated requirement of equilibria at rest, or nothing. Every model of the scene must be able to compute
-/// these equilibria. The loads must have a potential that does not depend on time. A fluid needs gravity or a load,
-/// because otherwise it is at rest in every shape. Dissipation does not change the equilibria, but changes the rates of
-/// small motions about them.
+/// these equilibria. The loads must have a potential that does not depend on time. A fluid needs self-gravity, a tidal
+/// matrix, a traction or, if it is compressible, a pressure. Otherwise it is at rest in every shape. Dissipation does
+/// not change the equilibria, but changes the rates of small motions about them.
 std::optional<Refusal> refuses_static_equilibria(const Scene& scene) {
   const auto finds = [](const ModelDescription& model) { return model.static_equilibria != nullptr; };
   if (!std::ranges::all_of(models_of(scene), [&](const auto* model) { return finds(*model); }))

@@ -1,7 +1,7 @@
 #pragma once
-/// The catalogue: the methods, the models of the ball, and the other systems with their entries and columns. Other
-/// layers define them, and parameter files contain their names. The program passes the catalogue
-/// (app/models/catalogue.h) to read_scene. The scene layer itself defines only the ball.
+/// The catalogue: the methods, the models of the ball, and the other systems with their entries and columns. Code
+/// outside src/scene defines them, and parameter files contain their names. The program passes the catalogue
+/// (app/models/catalogue.h) to read_scene. The code in src/scene defines only the system `ball`.
 
 #include <functional>
 #include <optional>
@@ -106,7 +106,7 @@ struct EquilibriaTable {
 
 /// One run of a model of the ball.
 struct ModelRun {
-  std::string name;           ///< name of its files, without prefix and ending
+  std::string name;           ///< name of its files, without ending and without a prefix such as "love-"
   std::string adjective;      ///< adjective of its ball in sentences, for example "polynomial N = 3"
   bool finds_degree = false;  ///< whether the run finds its degree N; the adjective is then without N
 };
@@ -132,17 +132,18 @@ struct ModelDescription {
   /// freedom of the pseudo-rigid body. The pointer is null if the model does not compute these equilibria.
   EquilibriaTable (*static_equilibria)(int n_modes) = nullptr;
   std::vector<Column> columns;  ///< columns of all groups, for the documentation
-  /// Names of the runs of the model in addition to the run `name`, by increasing number of degrees of freedom. A scene
-  /// may request them. Each run has its own files.
+  /// All names that a run of the model can have in addition to `name`, for example "polynomial-3". They are ordered by
+  /// increasing number of degrees of freedom. The function `runs` selects the runs of a scene. Each run has its own
+  /// files.
   std::vector<std::string> rungs{};
   /// Returns the runs of the model in a scene, by increasing number of degrees of freedom. The function is null for a
   /// model with one run, which has the name of the model.
   std::function<std::vector<ModelRun>(const Scene&)> runs{};
   /// Returns the names of the columns of the model's CSV file for the selected groups. The first name is `time`.
   std::function<std::vector<std::string>(const mechanics::Quantities&)> header;
-  /// Returns a text about the discretisation of the companion run. The program estimates the error in space from the
-  /// difference of both runs. The result is empty if a search chooses the discretisation. The function is null for a
-  /// model without an error in space.
+  /// Returns a text about the discretisation of the companion run. The program estimates the error in space of a run
+  /// from its difference from the companion run. The result is empty if a search chooses the discretisation. The
+  /// function is null for a model without an error in space.
   std::function<std::optional<std::string>(const Scene&)> companion{};
   /// Return the line about the model in the output of `pseudorigid check`: `needed` if the scene runs the model,
   /// otherwise `skipped`.

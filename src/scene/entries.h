@@ -3,7 +3,8 @@
 /// initial value of the member in scene/scene.h. The entries of a load are in its header in src/loads/. The reader, the
 /// checks of ranges, used.prm, the suggestions for misspelt names and all formats of `pseudorigid parameters` use the
 /// functions of this file. A new entry needs a member of Scene and a call of `visit` below, or in
-/// scene/analysis_entries.h for an analysis.
+/// scene/analysis_entries.h for an analysis. If the entry has an effect only for the ball, scene/owners.h must list the
+/// entry or its section.
 
 #include "scene/analysis_entries.h"
 #include "scene/catalogue.h"

@@ -14,13 +14,15 @@
 
 namespace pseudorigid::scene {
 
-/// Refuses det Q0 <= 0 and a condition number of Q0 above 1e12. Also refuses a Q0 whose largest entry is outside
-/// [1e-12, 1e12], and entries of Qdot0 above 1e12/t. The bounds keep products of such numbers finite and accurate.
+/// Refuses det Q0 <= 0 and a condition number of Q0, in the Frobenius norm, above 1e12. Also refuses a Q0 whose largest
+/// entry is outside [1e-12, 1e12], and entries of Qdot0 above 1e12/t. Sizes of entries are absolute values. The bounds
+/// keep products of such numbers finite and accurate.
 std::optional<Refusal> refuses_initial_state(const Scene& scene);
 
-/// Refuses an own figure or a small motion without a relative equilibrium. Also refuses a small motion of a model with
-/// motions that are not affine, if the model does not start from its own figure. The number of a small motion depends
-/// on the model and its discretisation, so a number is refused with several models or degrees, or with a search.
+/// Refuses a model's own figure (Initial state/Figure = own) or a small motion (Initial state/Mode) without a relative
+/// equilibrium. Also refuses a small motion of a model with non-affine motions, if the model does not start from its
+/// own figure. The number of a small motion depends on the model and its discretisation, so a number is refused with
+/// several models or degrees, or with a search.
 std::optional<Refusal> refuses_starting_figure(const Scene& scene);
 
 /// Projects the initial state of the scene, whose body must be incompressible. If a condition in the head of this file

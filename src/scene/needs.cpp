@@ -65,9 +65,9 @@ std::size_t n_runs_of_models(const Scene& scene, const Needs& needs) {
   return n;
 }
 
-/// Properties of the body that the descriptions of the loads use. For an ellipsoid with the density ρ, the volume V and
-/// the semi-axes a_i in radii r, tr E₀ = ρVr²(a₁² + a₂² + a₃²)/5. Here E₀ = ∫ρXXᵀ dV is the second moment. If the scene
-/// sets Body/Inertia, E₀ is this matrix.
+/// Properties of the body that the descriptions of the loads use. One of them is the ratio 3V/tr E₀. For an ellipsoid
+/// with the density ρ, the volume V and the semi-axes a_i in radii r, tr E₀ = ρVr²(a₁² + a₂² + a₃²)/5. Here E₀ = ∫ρXXᵀ
+/// dV is the second moment. If the scene sets Body/Inertia, E₀ is this matrix.
 loads::BodyFacts facts_of_body(const Scene& scene) {
   const auto& [radius, density, incompressible, a, inertia] = scene.body;
   const double volume = 4 * std::numbers::pi / 3 * radius * radius * radius * a[0] * a[1] * a[2];

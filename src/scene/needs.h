@@ -13,10 +13,12 @@
 namespace pseudorigid::scene {
 
 struct Needs {
-  const SystemDescription* system = nullptr;    ///< null for the ball
-  std::vector<const ModelDescription*> models;  ///< models of the ball in the order of their runs
-  bool discretized = false;                     ///< whether a model needs a mesh, deal.II, MPI and PETSc
-  bool constraint = false;                      ///< whether the body is incompressible, det F = 1
+  const SystemDescription* system = nullptr;  ///< null for the ball
+  /// Models of the scene that offer the analysis, in the order of their runs. The list is empty for a system other than
+  /// the ball.
+  std::vector<const ModelDescription*> models;
+  bool discretized = false;     ///< whether a model needs a mesh, deal.II, MPI and PETSc
+  bool constraint = false;      ///< whether the body is incompressible
   bool pressure_space = false;  ///< whether the body is incompressible and a model has motions that are not affine
   bool comparison = false;      ///< whether the runs of the models are compared with the last run
   bool companion = false;       ///< whether a companion run estimates the error in space of the last model
@@ -38,8 +40,8 @@ struct Needs {
   std::optional<std::pair<double, double>> gammas;
 };
 
-/// The needs of a scene that scene::validate has returned. The members `expected` and `gammas` remain empty; callers
-/// set them.
+/// The needs of a scene that scene::validate has returned. The members `expected` and `gammas` remain empty, and
+/// callers set them. For a system other than the ball, only `system`, `report`, `needed` and `skipped` are set.
 Needs needs(const Scene& scene);
 
 /// One line of text: the analysis, the body or system, and the end time of a motion or section.

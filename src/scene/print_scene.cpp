@@ -24,8 +24,8 @@ Name split(std::string_view path) {
 }
 
 /// Makes the text of a parameter file from comments and `set` lines. Before the lines of an entry, the caller calls
-/// enter_section_of. If the entry is in another section than the one before, this function closes the open section and
-/// opens the new one. Muted entries have no effect for the system of the scene, and are written as comments.
+/// enter_section_of. If the section of the entry is not open, enter_section_of closes the open section and opens the
+/// section of the entry. Muted entries have no effect for the system of the scene, and are written as comments.
 class PrmWriter {
  public:
   void comment(std::string_view text) { text_ += fmt::format("{}# {}\n", indent(), text); }

@@ -63,7 +63,7 @@ bool take_keyword(std::string_view& line, std::string_view small, std::string_vi
   return true;
 }
 
-/// Returns true if the line is a statement, if it is not joined to another line.
+/// Returns true if the line alone, without the lines to which it is joined, is a statement.
 bool is_statement(std::string_view line) {
   std::string text(trimmed(line.substr(0, line.find('#'))));
   std::replace(text.begin(), text.end(), '\t', ' ');

@@ -68,8 +68,8 @@ void warn_of_repetition(const Statement& statement, ReadScene& read) {
                                         statement.path, before.substr(statement.file.size() + 1)));
 }
 
-/// Sets the entry of the statement and records its origin. Throws UserError if the entry is unknown or the value is
-/// wrong.
+/// Sets the entry of the statement and records its origin. Stores an expression as text, and adds a warning if the
+/// entry already has a value in the same file. Throws UserError if the entry is unknown or the value is wrong.
 void set_entry(const Statement& statement, ReadScene& read) {
   warn_of_repetition(statement, read);
   bool known = false;

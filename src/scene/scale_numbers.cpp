@@ -20,7 +20,7 @@ struct ScaleNumbers {
   double duration = 0, gamma = 0, spin = 0, speed = 0;  ///< Time/End in the unit `time`, γ, ω²r²/c², v/c
 };
 
-/// Computes the dimensionless numbers of a scene. For a fluid, γ is infinite, and the member `gamma` is 0.
+/// Computes the dimensionless numbers of a scene. For a fluid, γ is not defined, and the member `gamma` is 0.
 ScaleNumbers scale_numbers(const Scene& scene) {
   const auto& [radius, density, incompressible, semi_axes, inertia] = scene.body;
   ScaleNumbers n{.is_fluid = is_fluid(scene), .moves = scene.analysis == Analysis::motion};

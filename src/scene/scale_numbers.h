@@ -3,10 +3,10 @@
 ///
 ///   c = √(μ/ρ),   Time/End in r/c,   γ = ρgr/μ with g = (4/3)πGρr,   ω²r²/c²,   v/c
 ///
-/// with the shear modulus μ, the density ρ, the radius r and the constant of gravity G. The spin ω is the axial vector
-/// of the antisymmetric part of Q̇₀Q₀⁻¹. The speed v = r|Q̇₀|₂ is the largest initial speed in a ball of radius r,
-/// relative to the centre of mass. A fluid has μ = 0. For a fluid, the unit of time t of scene/scales.h replaces r/c,
-/// and γ is omitted.
+/// with the shear modulus μ, the density ρ, the radius r and the constant of gravity G. The initial deformation is Q₀,
+/// and its rate is Q̇₀. The spin ω is the axial vector of the antisymmetric part of Q̇₀Q₀⁻¹. The speed v = r|Q̇₀|₂,
+/// with the spectral norm, is the largest initial speed in a ball of radius r, relative to the centre of mass. A fluid
+/// has μ = 0. For a fluid, the unit of time t of scene/scales.h replaces r/c, and γ is omitted.
 
 #include <string>
 #include <vector>

@@ -87,23 +87,27 @@ struct Scene {
     std::string law{materials::law_table[0].name};
   } material;
   loads::Loads loads;  ///< the headers in src/loads/ define the entries of the loads
-  double gamma = 0;    ///< γ of the entry Gravity/Gamma, from which validate() sets Newton's constant; 0: not given
+  /// Ratio γ of self-gravity to elasticity (scene/scale_numbers.h) of the entry Gravity/Gamma; 0: not given. From γ,
+  /// validate() sets the constant of gravity.
+  double gamma = 0;
   struct InitialState {
-    /// The body starts at x = x_c + Q₀X with the velocity ẋ_c + Q̇₀X. The centre of mass is x_c. Let D be `deformation`
-    /// and V be `velocity`. If `equilibrium` is none, Q₀ = D and Q̇₀ = V. Otherwise, the equilibrium has the shape A,
-    /// the spin ω and the circulation Λ. Then Q₀ = DA and Q̇₀ = D(ω̂A − AΛ̂) + V. Here ω̂ is the matrix of the cross
-    /// product, ω̂x = ω × x, and Λ̂ is that of Λ.
+    /// An affine body starts at x = x_c + Q₀X with the velocity ẋ_c + Q̇₀X. Here X is the reference position, and x_c
+    /// is the centre of mass of the body. Let D be `deformation` and V be `velocity`. If `equilibrium` is none, Q₀ = D
+    /// and Q̇₀ = V. Otherwise, the equilibrium has the shape A, the spin ω and the circulation Λ. Then Q₀ = DA and Q̇₀
+    /// = D(ω̂A − AΛ̂) + V. Here ω̂ is the matrix of the cross product, ω̂x = ω × x, and Λ̂ is that of Λ. If `figure` is
+    /// own, a model with non-affine motions uses its own figure instead of the ellipsoid x = AX.
     Matrix3 deformation = identity3;
     Matrix3 velocity{};
     Family equilibrium = Family::none;
     double equilibrium_parameter = 0.5;
     StartingFigure figure = StartingFigure::affine;
-    std::optional<int> mode = 0;   ///< number of the small motion that is added, or 0; empty: the fastest growing one
-    double mode_amplitude = 1e-3;  ///< its root mean square displacement over the mass, in radii
+    std::optional<int> mode = 0;   ///< number of the added small motion, or 0 for none; empty: the fastest growing one
+    double mode_amplitude = 1e-3;  ///< rms displacement of the small motion, weighted with the mass, in radii
     /// Centre of mass of the body and its companions, and the velocity of this centre.
     std::vector<double> center{0, 0, 0}, center_velocity{0, 0, 0};
-    /// The values of `equilibrium`, `equilibrium_parameter`, D and V, after explicit values of Q₀ and Q̇₀ have replaced
-    /// them (app/reduced/ball_equilibria.h). Empty if the scene did not give an equilibrium. No entry sets this member.
+    /// The original `equilibrium`, `equilibrium_parameter`, D and V, if with_equilibrium
+    /// (app/reduced/ball_equilibria.h) has replaced them by explicit values of Q₀ and Q̇₀. The member `origin` is empty
+    /// if the scene did not give an equilibrium. No entry sets `origin`.
     struct Origin {
       Family family;
       double parameter;
@@ -174,7 +178,8 @@ struct Scene {
   std::optional<int> sweep_threads;  ///< number of runs at the same time; empty: number of cores
   bool sweep_lanes = true;           ///< true if similar runs are integrated together in SIMD lanes
   bool sweep_trajectories = false;   ///< true if trajectories.csv is written, with the samples of all runs
-  /// Values that contain expressions, path → text. The members of these entries have the values of the first run.
+  /// Values that contain expressions, path → text. The members of these entries have the values for the first run,
+  /// until with_parameters (scene/read_scene.h) sets them for another run.
   std::map<std::string, std::string, std::less<>> expressions;
   /// Values of the entries of systems, path → canonical text. An entry without a value here has its default.
   std::map<std::string, std::string, std::less<>> system_values;

@@ -40,10 +40,10 @@ std::vector<std::pair<std::string_view, const Value*>> of_loads(const Scene& sce
   return found;
 }
 
-/// Describes the first entry of a matrix that breaks the symmetry about the plane with the normal x, y or z for i = 0,
-/// 1,
-/// 2. The result is empty if there is none. The function does not check vectors, which affect the centre of mass but
-/// not the deformation. It also does not check loads with a function `breaks_plane`.
+/// Describes the first entry of a matrix that breaks the symmetry about the plane with the normal e_i. The result is
+/// empty if there is no such entry. The matrices are those of the initial state, the inertia and the loads, except
+/// loads with a function `breaks_plane`. Vectors affect the centre of mass but not the deformation, and are not
+/// checked.
 std::optional<std::string> matrix_breaks_plane(const Scene& scene, int i) {
   std::vector<std::pair<std::string_view, const Matrix3*>> matrices{
       {"Initial state/Deformation", &scene.initial_state.deformation},

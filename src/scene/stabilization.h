@@ -7,10 +7,11 @@
 /// Here G is the constant of gravity. The first term is the pressure at the centre of a ball of radius r and density ρ
 /// at rest under its own gravity. The second term is the pressure under the potential ½t|x|² per mass. The number t is
 /// the largest eigenvalue of the tidal matrix (Loads/Tidal matrix, in 1/time²) if all eigenvalues are positive, and 0
-/// otherwise.
+/// otherwise. If the loads rise from 0, the tidal matrix has its full value here.
 ///
 /// The third term is only for motions of finite elements with an elastic law. Let W be the stored energy of the law, μ
-/// its shear modulus at rest, and D = sym(Q̇₀Q₀⁻¹). The energy density of deformation at the start, in units of μ, is
+/// its shear modulus at rest, and D = sym(Q̇₀Q₀⁻¹) with the initial deformation Q₀ and its rate Q̇₀. The energy density
+/// of deformation at the start, in units of μ, is
 ///
 ///   e = [W(Q₀) − W(Id)]/μ + ρ r² |D Q₀|²/(10 μ).
 ///
@@ -23,8 +24,8 @@
 /// stretches 1.2 and 1.35, and the pairs of numbers below are for these two stretches. For degree 4, κ = 3μ divides the
 /// error by 2.2 and 3.2 until the time 5 r/c. Until 10 r/c it divides the error by 1.7 and 1.4. For degree 5, the
 /// divisors are 1.2 and 1.2 until 5 r/c, and 1.5 and 0.9 until 10 r/c. No other κ is better for all of these. The least
-/// det F of degree 4 rises from 0.80 and 0.68 to 0.92 and 0.77. The number of evaluations of the force, including pilot
-/// runs, changes by −17 to +3 %.
+/// determinant of the deformation gradient at degree 4 rises from 0.80 and 0.68 to 0.92 and 0.77. The number of
+/// evaluations of the force, including pilot runs, changes by −17 to +3 %.
 
 #include "scene/scene.h"
 

@@ -34,8 +34,8 @@ namespace {
 /// at most 10¹² times those of the ball.
 constexpr double largest_axis = 1e6;
 
-/// Largest inertia, stiffness and unit of time in the units of the scene. The least values are the reciprocal of this
-/// number. Products of three such numbers are finite.
+/// Largest value of ρr⁵, μr³ and the unit of time (check_units), in the units of the user. The least permitted value is
+/// the reciprocal of this number. Products of three such numbers are finite.
 constexpr double largest_unit = 1e100;
 
 /// Largest number of steps. The fastest systems need 0.1 µs per step, and therefore about a day for this number. The
@@ -258,8 +258,8 @@ class Validator {
                          print_number(1 / largest_condition), print_number(gent_limit)));
   }
 
-  /// Throws UserError if a model of the scene refuses the scene (ModelDescription::refuses). These functions of the
-  /// models assume that the other checks have accepted the scene.
+  /// Throws UserError if a model of the scene refuses the scene (ModelDescription::refuses). The functions `refuses`
+  /// assume that all other checks have accepted the scene.
   void check_models() const {
     for (const ModelDescription* model : models_of(scene_))
       if (const auto refusal = model->refuses ? model->refuses(scene_) : std::nullopt) refuse(*refusal);

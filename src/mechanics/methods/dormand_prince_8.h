@@ -5,7 +5,7 @@
 /// stages are accelerations A_j. With the coefficients of dormand_prince_8_tableau.h,
 ///
 ///   A_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j
-///   v_{n+1} = v_n + h Σ_j b_j A_j,   q_{n+1} = q_n + h v_n + h² Σ_j b̄_j A_j,   projected if the field has `project`
+///   v_{n+1} = v + h Σ_j b_j A_j,   q_{n+1} = q + h v + h² Σ_j b̄_j A_j,   projected if the field has `project`
 ///
 /// The embedded formulas of orders p = 5, 3 estimate the errors e_p = (h² Σ ē^p_j A_j, h Σ e^p_j A_j) of (q, v), and
 ///
@@ -19,8 +19,8 @@
 /// of its size. An accepted trial that follows a rejection does not increase the size of the next step.
 ///
 /// If the acceleration or the projection fails in a trial, or the acceleration is not finite, the next trial has a
-/// quarter of the size. If the size falls below the round-off of the time, the step fails. The increments of q and v
-/// are added with compensation (vector_space.h).
+/// quarter of the size. If the size of the next trial is below the round-off of the time, the step fails. The
+/// increments of q and v are added with compensation (vector_space.h).
 
 #include <algorithm>
 #include <array>
@@ -182,11 +182,11 @@ struct DormandPrince8 {
     return {};
   }
 
-  /// Returns the size of the first step by Hairer, Nørsett, Wanner, II.4. With the size h, h⁸ times the larger of the
-  /// norms of (v, a) and (a, ȧ) is a hundredth of the tolerance. Here a is the acceleration at the start and ȧ an
-  /// estimate of its rate. The norms are relative to 1 + |q| and 1 + |v|, and count as at least 1e-10. The size is at
-  /// most 100 times a first guess and at most the distance to t_limit. If the acceleration at the first guess fails or
-  /// is not finite, the size is a hundredth of the guess.
+  /// Returns the size of the first step by Hairer, Nørsett, Wanner, II.4. The sign of the result is that of t_limit −
+  /// t. With the size h, h⁸ times the larger of the norms of (v, a) and (a, ȧ) is a hundredth of the tolerance. Here a
+  /// is the acceleration at the start and ȧ an estimate of its rate. The norms are relative to 1 + |q| and 1 + |v|, and
+  /// count as at least 1e-10. The size is at most 100 times a first guess and at most the distance to t_limit. If the
+  /// acceleration at the first guess fails or is not finite, the size is a hundredth of the guess.
   template <class F>
   static double first_step(const F& field, double t_limit, const State<F>& state, Workspace<F>& w) {
     const auto norm = [&](const auto& x, const auto& y) {

@@ -15,7 +15,7 @@
 namespace pseudorigid::mechanics::dop853 {
 
 inline constexpr int n_stages = 12;      // stages of a step
-inline constexpr int n_all_stages = 16;  // 12: the new state; 13, 14, 15: additional stages of the dense output
+inline constexpr int n_all_stages = 16;  // stage 12 is the new state; stages 13 to 15 are for the dense output only
 template <class T>
 using Row = std::array<T, n_all_stages>;
 template <int n_rows>

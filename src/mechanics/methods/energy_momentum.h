@@ -158,9 +158,9 @@ struct EnergyMomentum {
                            "; use a smaller step");
   }
 
-  /// Returns the largest change of V among five fixed small changes of q. Change k adds (7i + 3k) mod 5 − 2 units to
-  /// entry i = 1, 2, … of q, and a unit is 2ε max|q_i|. The terms of V may be larger than V and cancel. Changes of q
-  /// therefore show their round-off better than ε|V|.
+  /// Estimates the round-off of V at q by the largest change of V among five fixed small changes of q. Change k adds
+  /// (7i + 3k) mod 5 − 2 units to entry i = 1, 2, … of q, and a unit is 2ε max|q_i|. Terms of V may be larger than V
+  /// and cancel. The round-off of these terms is therefore estimated better by changes of q than by ε|V|.
   template <ConservativeSystem S>
   static double noise_of_potential(const S& system, const typename S::Vector& q) {
     const double V = system.potential_energy(q), unit = 2 * epsilon * max_norm(q);
@@ -198,8 +198,8 @@ struct EnergyMomentum {
     axpy(1.0, w.dv, w.v_end);
   }
 
-  /// Computes new Δv and Δq from the Δv, Δq, λ and μ of the previous iteration. Fails if a force or the constraint
-  /// fails.
+  /// Computes new Δv and Δq, and the new end of the step, from the Δv, Δq, λ and μ of the previous iteration. Fails if
+  /// a force or the constraint fails.
   template <ConservativeSystem S>
   static Status improve(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     w.q_middle = state.q;
@@ -248,7 +248,8 @@ struct EnergyMomentum {
   }
 
   /// Sets C = Π D + θ P, with D = 0 if the system has no symmetries. Computes P from ΔX, and θ if w.hold is 0.
-  /// Otherwise θ does not change. On entry (w.A, w.B) are those at X_m. Fails if a force or the constraint fails.
+  /// Otherwise θ does not change. On entry, w.A and w.B are the results of add_gradient at X_m. Fails if a force or the
+  /// constraint fails.
   template <ConservativeSystem S>
   static Status correct(const S& system, double h, double t, EnergyMomentumWorkspace<S>& w) {
     w.P_q = w.dq;
@@ -279,10 +280,10 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Sets θ from the part of the energy error that exceeds ν. Sets θ = 0 near a relative equilibrium. Fails if the
-  /// constraint fails. The energy error is ΔF − (∇F(X_m) + ΠD)·ΔX plus a bounded part of the error of earlier steps.
-  /// The covectors ∇F(X_m) and ΠD vanish on the tangent space of the orbit, so their products with ΔX and with P are
-  /// equal.
+  /// Sets θ from the part of the energy error that exceeds ν. P is the norm |P|. Sets θ = 0 near a relative
+  /// equilibrium. Fails if the constraint fails. The energy error is ΔF − (∇F(X_m) + ΠD)·ΔX plus a bounded part of the
+  /// error of earlier steps. The covectors ∇F(X_m) and ΠD vanish on the tangent space of the orbit, so their products
+  /// with ΔX and with P are equal.
   template <ConservativeSystem S>
   static Status set_theta(const S& system, double h, double P, EnergyMomentumWorkspace<S>& w) {
     w.theta = 0;
@@ -338,8 +339,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Adds (Δq, Δv) to the state, and restores the momenta. Adds the energy error of the step to w.energy_gained. Stores
-  /// the acceleration and the multipliers for the guess of the next step.
+  /// Adds (Δq, Δv) to the state, and advances the time by h. Restores the momenta. Adds the energy error of the step to
+  /// w.energy_gained. Stores the acceleration and the multipliers for the guess of the next step.
   template <ConservativeSystem S>
   static void accept(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
     const double K_start = system.kinetic_energy(state.v);

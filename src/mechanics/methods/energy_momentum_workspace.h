@@ -57,7 +57,7 @@ struct EnergyMomentumWorkspace {
   OrbitComplement<S> orbit;
   MomentumKeeper<S> momenta;
   double V_start = 0, theta = 0;  // V at the start of the step; θ of the formulas
-  int hold = 0;                   // 1: the iteration no longer changes θ; 2: it no longer changes θ and C
+  int hold = 0;                   // the iteration changes θ and C if 0, only C if 1, neither of them if 2
   double energy_gained = 0;       // sum of the energy errors of all steps
   double first_noise = -1;        // round-off of V at the first state; negative: not yet measured
   double largest_noise = 0;       // largest round-off of V at the states so far

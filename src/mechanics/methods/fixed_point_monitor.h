@@ -32,7 +32,7 @@ struct FixedPointMonitor {
   /// Judges an increment. `round_off` is the bound of increments that consist of round-off. The iteration is done if
   /// the increment is at most `round_off`. It is also done if the increment is at most 30 · `round_off` and not smaller
   /// than the previous one. The iteration is stuck if an increment of at least 1e-3 internal units is at least ten
-  /// times the previous one. It is also stuck after a NaN, or if 150 iterations are not enough.
+  /// times the previous one. It is also stuck after a NaN, or if it is not done after 150 iterations.
   ConvergenceMonitor::Verdict judge(double increment, double round_off) {
     using Verdict = ConvergenceMonitor::Verdict;
     if (increment <= round_off || (increment >= previous && increment <= 30 * round_off)) return Verdict::done;

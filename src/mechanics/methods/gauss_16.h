@@ -65,12 +65,14 @@ struct Gauss16Workspace {
   /// which the polynomial does not resolve the motion.
   double tolerance = coarsest_tolerance;
   static constexpr double coarsest_tolerance = 1e-2;
-  int most_halvings = 40;  ///< Largest number of successive halvings of a step. If 0, a step without convergence fails.
+  /// Largest number of successive halvings of a step. If the number is 0, a step fails if it does not converge or if
+  /// its estimated error exceeds `tolerance`.
+  int most_halvings = 40;
   /// Error of the accelerations at which the iteration on the stages ends. If this tolerance is 0, the iteration ends
   /// at the round-off of the accelerations divided by 4096.
   double iteration_tolerance = 0;
   Vector q_rounding, v_rounding;  // remainders of q and v, which are sums in extended precision
-  Vector change;
+  Vector change;                  // temporary: acceleration at the state, or change of v in a projection
   std::size_t n_entries;
   std::vector<OfStages> last, stages, sums, scratch;  // `last` has the stages of the last step or part of a step
   GaussTables tables;
@@ -184,8 +186,9 @@ struct Gauss16 {
   };
 
   /// Advances the state by one part of a step. If the part has been halved n_expected times or more and its stages are
-  /// found, it is one step of the method. Otherwise it is made in two halves. Fails if the stages of a part that must
-  /// not be halved again are not found, or if h is not finite.
+  /// found, it is one step of the method. Otherwise it is made in two halves. Fails if the stages of a part are not
+  /// found and the part must not be halved again. This is the case after w.most_halvings halvings, or if h is below the
+  /// round-off of the time. Also fails if h is not finite.
   template <class S>
   static Status advance_in_parts(const S& system, Part part, int n_expected, State<S>& state, Workspace<S>& w) {
     const auto [outer_h, h, depth] = part;
@@ -314,9 +317,9 @@ struct Gauss16 {
     }
   }
 
-  /// Projects position and velocity by the formulas at the head of this file. The velocity is not lifted if the system
-  /// has no `add_reaction_rate`. Fails if the constraint or a Gram solve fails, or if one of the iterations does not
-  /// converge.
+  /// Projects position and velocity by the formulas at the head of this file. The first change of v, the cotangent
+  /// lift, is omitted if the system has no `add_reaction_rate`. Fails if the constraint or a Gram solve fails, or if
+  /// one of the iterations does not converge.
   template <ConstrainedSystem S>
   static Status project_with_momenta(const S& system, State<S>& state, Workspace<S>& w) {
     ++w.counters.n_projections;

@@ -7,7 +7,7 @@
 ///     name, documentation                  as shown in parameter files
 ///     order, n_stages, symplectic, symmetric, adaptive
 ///     chosen_by_auto                       true if the entry Method = auto may choose the method
-///     Workspace<S>                         with `system`, `counters` and visit_memory (memory.h)
+///     Workspace<S>                         made from a system; with `system`, `counters` and visit_memory (memory.h)
 ///     fits<S>                              true if the method compiles for a system of type S
 ///     takes_any_vector                     optional, true if the method needs only the operations of VectorSpace
 ///     accepts(system) → Status             fails with the reason if the method must not integrate this system
@@ -18,10 +18,12 @@
 ///     resonance_limit                      optional, hω of the first resonance (multistep_coefficients.h)
 ///     forces_of_step(system)               optional, cost of a step in force evaluations; the default is n_stages
 ///     for_stages_in_lanes                  optional, declared if Method = auto needs a system with stages in lanes
+///     iteration_tolerance(tolerance, end)  needed if the workspace has `most_halvings` (gauss_16.h)
 ///     advance(system, h, state, workspace) → Status            makes one step; v need not satisfy G v = 0
 ///     project_velocity(system, state, workspace) → Status      makes v satisfy G v = 0, called at samples
 ///
-/// A method that chooses the sizes of its steps (adaptive = true) has instead
+/// A method that chooses the sizes of its steps (adaptive = true) has the following functions instead. Its workspace
+/// also has the permitted error `tolerance` of a step and the largest size `h_max` of a step.
 ///
 ///     step(field, t_limit, state, workspace) → Status          makes one step that ends at t_limit at the latest
 ///     interpolate(field, t, state, workspace) → Status         sets `state` to the state at a time t in the last step

@@ -41,7 +41,8 @@ class MomentumKeeper {
         unused_(momentum_),
         start_(xi_.size()) {}
 
-  /// Stores the momenta of the state at the first call. Later calls do nothing. `keep` restores the stored momenta.
+  /// At the first call, stores the momenta p_i(0) of the state. Later calls do nothing. `keep` restores the stored
+  /// momenta.
   void begin(const S& system, const State<S>& state) {
     if (known_) return;
     known_ = true;

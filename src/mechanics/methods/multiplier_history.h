@@ -18,8 +18,8 @@ template <class S>
 struct MultiplierHistory {
   static constexpr int n_values = VectorSpace<typename S::Vector>::dense ? 2 : 4;
   std::array<typename S::Multiplier, n_values> values;  ///< the multipliers λ(t_i), the latest first
-  std::array<double, n_values> times{};
-  int n_known = 0;
+  std::array<double, n_values> times{};                 ///< the times t_i
+  int n_known = 0;                                      ///< number of recorded values
 
   explicit MultiplierHistory(const S& system) {
     for (auto& value : values) value = system.make_multiplier();

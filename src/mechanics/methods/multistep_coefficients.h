@@ -15,8 +15,8 @@
 /// The reason is that the multipliers satisfy a recursion with the coefficients of σ (Console, Hairer, Lubich, Numer.
 /// Math. 124 (2013) 517). The a_i of orders 8 and 12 result from a search among numbers with two decimals. With these
 /// a_i, the roots of ρ are well separated, as are those of σ, and the error constant is small. The step is stable for
-/// hω ≤ stability_limit. Order 4 has the parameter 0. The roots ±i of ρ are then midway between 1 and −1, at which they
-/// would coincide.
+/// hω ≤ stability_limit. Order 4 has the parameter 0. The roots ±i of ρ are then midway between 1 and −1. At ±1 these
+/// two roots would coincide.
 ///
 /// Parasitic roots are the roots of ρ other than 1. A motion of frequency ω couples two parasitic roots e^{iθ}, e^{iθ'}
 /// if hω is the difference of θ and θ'. This resonance is described by G. D. Quinlan (arXiv:astro-ph/9901136, 1999). At

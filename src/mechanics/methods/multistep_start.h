@@ -4,11 +4,12 @@
 /// tolerance at round-off. For order 4 it is a composition of RATTLE of order 4.
 ///
 /// A starting method for a system of type S is a type Start<S>. The workspace of the multistep method contains an
-/// object of this type, which has the following functions. The argument w is the workspace of the multistep method.
+/// object of this type, which has the following functions. The argument w is the workspace of the multistep method. The
+/// functions `acceleration`, `step` and `project` return a Status.
 ///
 ///   begin(system, w)                       prepares steps from a new state or with a new h
-///   acceleration(system, state, w, a)      sets a to the acceleration at the state, including the reaction
-///   step(system, h, state, w)              makes one step of size h
+///   acceleration(system, state, w, a)      sets a to the acceleration with the reaction; may first project state.v
+///   step(system, h, state, w)              makes one step of size h, and sets w.q_rounding
 ///   project(system, state, w)              projects the velocity onto G v = 0 if `step` does not
 ///   visit_memory(visit)                    passes the members that a checkpoint must contain to `visit`
 
@@ -37,8 +38,8 @@ struct ExplicitStart {
     return field.acceleration(state.t, state.q, state.v, workspace.system, a);
   }
   Status step(const S&, double h, State<S>& state, RattleWorkspace<S>& w) {
-    // If accuracy and stability permit h, a few tens of small steps are enough. The limit is needed because the small
-    // steps cannot be interrupted.
+    // If h is stable and accurate for the multistep method, a few tens of small steps are enough. A limit is needed
+    // because this loop cannot be interrupted.
     constexpr int most = 2000;
     const double t_end = state.t + h;
     for (int n = 0; state.t != t_end; ++n) {

@@ -8,8 +8,8 @@
 ///
 /// The velocity projection with the multiplier μ_n changes v_{n+1} along M⁻¹G(q_{n+1})ᵀ. The next λ_{n+1} acts along
 /// the same directions. If a step omits the projection, λ_{n+1} includes the missing change. RATTLE without the
-/// projection (SHAKE) therefore has the same positions. `advance` omits the projection, and `project_velocity` projects
-/// at samples.
+/// projection (SHAKE) therefore has the same positions. `advance` omits the projection unless a force depends on the
+/// velocity. `project_velocity` projects at samples.
 ///
 /// Let Λ be the product of λ_n and the length of the half steps in which λ_n acts. This length is the sum of the half
 /// steps before and after q_n, or only the half step after q_n if v_n is projected. Newton's iteration for g(q_{n+1}) =
@@ -25,8 +25,8 @@
 /// rattle_velocity.h solves this equation together with the projection. The step remains symmetric and of order 2. For
 /// unit mass, a linear drag −cv multiplies v by Cayley's factor (1 − hc/2)/(1 + hc/2). Damping does not limit the step:
 /// an oscillator ẍ = −ω²x − cẋ is stable up to hω = 2 for every c. If the fixed-point iteration for v is already slow
-/// in the first step of a run, its first half step is implicit as well. An explicit half step would start the motion of
-/// an overdamped body with a fast transient.
+/// in the first step of a run, the first half step of this step is implicit as well. An explicit half step would start
+/// the motion of an overdamped body with a fast transient.
 ///
 /// The coordinates of companions move along Kepler orbits in place of straight lines (orbiting_system.h). The step then
 /// resolves only the forces that disturb the orbits.
@@ -35,9 +35,9 @@
 /// strain is constant and the mean of the strains at q_n and q_{n+1}. The splitting is symmetric and of order 2. It
 /// does not need additional force evaluations.
 ///
-/// The increments of q and v are small compared with q and v. They are added with compensation (vector_space.h), which
-/// leaves the remainders q_rounding and v_rounding. If `resolves_rounding` is true for the system
-/// (constrained_system.h), the constraint is solved for the sum q + q_rounding.
+/// The increments of q and v are small compared with q and v. If the type of vectors permits, they are added with
+/// compensation (vector_space.h), which leaves the remainders q_rounding and v_rounding. If `resolves_rounding` is true
+/// for the system (constrained_system.h), the constraint is solved for the sum q + q_rounding.
 
 #include <cmath>
 #include <string>
@@ -100,7 +100,8 @@ struct Rattle {
 
  private:
   /// Makes the second half step. If a force depends on the velocity, the iteration for the implicit equation starts
-  /// from the guess 2 v_{n+1/2} − v_n. Fails if the force fails or the iteration does not converge.
+  /// from the guess 2 v_{n+1/2} − v_n, and w.settling.half becomes v_{n+1/2}. Fails if the force fails or the iteration
+  /// does not converge.
   template <ConstrainedSystem S>
   static Status kick_again(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     state.t += h;
@@ -142,8 +143,9 @@ struct Rattle {
     return {};
   }
 
-  /// Returns the correction of the dissipated energy after an implicit half step of length s from v_0 to v. This half
-  /// step dissipates ½s (v_0 + v)ᵀS v, but the system has counted s vᵀS v. S is the operator of the secant (damping.h).
+  /// Returns the correction of the dissipated energy after an implicit half step of length s from the velocity v_0
+  /// (`start`) to v (`state.v`). This half step dissipates ½s (v_0 + v)ᵀS v, but the system has counted s vᵀS v. S is
+  /// the operator of the secant (damping.h).
   template <Damped S>
   static double taken_beyond_power(const S& system, double s, const State<S>& state, const typename S::Vector& start,
                                    DampingTemporaries<S>& w) {
@@ -152,8 +154,9 @@ struct Rattle {
     return 0.5 * s * (dot(state.v, w.force) - dot(start, w.force));
   }
 
-  /// Adds h v to q, with v corrected along M⁻¹G(q_n)ᵀ such that g(q) = 0 at the new q. Without constraints, v does not
-  /// change. Fails if the constraint or a Gram solve fails, or if the iteration does not converge.
+  /// Adds h v to q, with v corrected along M⁻¹G(q_n)ᵀ such that g(q) = 0 at the new q. Also records the multiplier λ_n
+  /// for later guesses. Without constraints, v does not change. Fails if the constraint or a Gram solve fails, or if
+  /// the iteration does not converge.
   template <ConstrainedSystem S>
   static Status move_on_constraint(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (unconstrained<S>) {

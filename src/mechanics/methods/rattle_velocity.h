@@ -104,9 +104,10 @@ struct RattleVelocity {
   }
 
   /// Solves the equation of `settle_velocity` if the force is damping. If the damping is not linear in v, Newton's
-  /// method solves the equation. If the damping is linear, one correction suffices up to a residual, which a second
-  /// correction removes. The last evaluated force and its dissipated power then belong to a v that is final up to this
-  /// residual. Fails if the force, a projection or a linear system fails.
+  /// method solves the equation. If the damping is linear, the first correction leaves only a small residual, and a
+  /// second correction removes this residual. The force and its dissipated power are evaluated for the last time before
+  /// the second correction. They are accurate up to the small residual. Fails if the force, a projection or a linear
+  /// system fails.
   template <Damped S>
   static Status solve_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     const typename S::Vector rounding_half = w.v_rounding;
@@ -189,8 +190,9 @@ struct RattleVelocity {
     return std::max(std::numeric_limits<double>::epsilon() * max_norm(state.v), w.constraint_tolerance / 10);
   }
 
-  /// Sets w.damping.residual to the projected residual of the equation of `settle_velocity` at v. `rounding_half` is
-  /// the remainder of the compensated sum v_half. Fails if the force or the projection fails.
+  /// Sets w.damping.residual to the residual v_half − v + (h/2) M⁻¹f(q, v) of the equation of `settle_velocity`,
+  /// projected onto G v = 0. `rounding_half` is the remainder of the compensated sum v_half. Fails if the force or the
+  /// projection fails.
   template <Damped S>
   static Status find_residual(const S& system, double h, const typename S::Vector& rounding_half, State<S>& state,
                               RattleWorkspace<S>& w) {

@@ -26,7 +26,7 @@ typename S::Vector make_rounding(const S& system) {
     return {};
 }
 
-/// Temporaries of the iteration on a force that depends on the velocity. They are empty for other forces.
+/// Temporaries of the iteration on a force that depends on the velocity. The vectors are empty for other forces.
 template <class S>
 struct VelocityIteration {
   /// True if a solve for multipliers is costly, as for distributed vectors. Each iteration then starts from the sum of
@@ -73,12 +73,12 @@ struct RattleWorkspace {
   detail::ConstraintTemporaries<S> constraint;
   typename S::Multiplier impulse;  // Λ; after record_multiplier (rattle.h) the multiplier λ
   MultiplierHistory<S> history;
-  double constraint_tolerance;   // permitted |g|_∞ and |G v|_∞; by default system.constraint_tolerance()
-  double pending_weight = 0;     // length of the last half step, if its reaction is not yet in v; otherwise 0
-  double acceleration_time = 0;  // time at which `acceleration` was computed
-  bool acceleration_known = false;
-  bool begun = false;  ///< true after the first step of a damped system
-  bool stiff = false;  ///< true if the fixed-point iteration is slow, so that linear systems replace it
+  double constraint_tolerance;      // permitted |g|_∞ and |G v|_∞; by default system.constraint_tolerance()
+  double pending_weight = 0;        // length of the last half step, if its reaction is not yet in v; otherwise 0
+  double acceleration_time = 0;     // time at which `acceleration` was computed
+  bool acceleration_known = false;  ///< true if `acceleration` belongs to the state
+  bool begun = false;               ///< true after the first step of a damped system
+  bool stiff = false;               ///< true if the fixed-point iteration is slow, so that linear systems replace it
   Counters counters;
 
   /// Passes each member that a checkpoint must contain to `visit`. A resumed run computes the other members again.

@@ -14,19 +14,19 @@
 /// the first k − 1 steps of a run and after a change of h (multistep_start.h). With the coefficients c_i, `velocity` in
 /// multistep_coefficients.h, the velocity at a sample is
 ///
-///   v_n = d_n/h + h Σ_i c_i a_{n−i}   (order k + 1),   then projected onto G v = 0.
+///   v_n = d_n/h + h Σ_i c_i a_{n−i},   then projected onto G v = 0.
 ///
-/// An error of λ_n changes v only along M⁻¹G(q_n)ᵀ, and the projection removes this part. The projection needs fewer
-/// iterations if a_n contains an extrapolated λ_n. The energy error oscillates along a motion. After a change of h, the
-/// method starts again from a state with some energy error. This error then remains, and causes a phase error that
-/// grows with time.
+/// For exact d_n and a_n, the error of v_n is of order h^{k+1}. An error of λ_n changes v only along M⁻¹G(q_n)ᵀ, and
+/// the projection removes this part. The projection needs fewer iterations if a_n contains an extrapolated λ_n. The
+/// energy error oscillates along a motion. After a change of h, the method starts again from a state with some energy
+/// error. This error then remains, and causes a phase error that grows with time.
 ///
-/// For small systems the errors of energy and momenta oscillate within bounds proportional to h^order. For a
-/// finite-element ball, the energy error is of the same order but grows as the motion spreads to modes of high
-/// frequency (step_search.h). Order 4 was measured for such a ball at 0.8 of the stability limit, in a release from a
-/// deformation of 0.3. The unit of time is r/c, with the radius r and the speed c of shear waves. The relative energy
-/// error is 2e-5 at t = 100 r/c and 1e-2 at 1430 r/c. The error of the mean deformation Q at 100 r/c is 1e-5. RATTLE
-/// with the same step has the error 7e-3.
+/// The order of a method here is k. For small systems the errors of energy and momenta oscillate within bounds
+/// proportional to h^k. For a finite-element ball, the energy error is of the same order but grows as the motion
+/// spreads to modes of high frequency (step_search.h). Order 4 was measured for such a ball at 0.8 of the stability
+/// limit, in a release from a deformation of 0.3. The unit of time is r/c, with the radius r and the speed c of shear
+/// waves. The relative energy error is 2e-5 at t = 100 r/c and 1e-2 at 1430 r/c. The error of the mean deformation Q at
+/// 100 r/c is 1e-5. For RATTLE with the same step, this error of Q is 7e-3.
 ///
 /// A round-off error ε of the constraint causes an error ε/h² of the multipliers. The step multiplies this error by the
 /// coefficients β̂, whose largest absolute value is 5 for order 8 and 62 for order 12. The resulting error of the

@@ -40,7 +40,7 @@ struct RunResult {
   double t = 0;        ///< time that the run reached
 };
 
-/// Functions of the caller that the loop calls.
+/// Functions of the caller that the loop calls, called hooks.
 ///   sample(k, state, workspace) → Status: called at sample k, with the initial velocity (k = 0) or the projected one;
 ///   steps_per_interval(k, state, workspace) → long: steps from sample k to k+1, not called for adaptive methods;
 ///   step_done(cursor, state, workspace) → bool: called after each step; false interrupts the loop.
@@ -54,8 +54,9 @@ concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cur
 };
 
 /// Runs from `cursor`, the start or a checkpoint, to the last sample, an interruption or a failure. Advances `cursor`
-/// and `state`, and returns the outcome and the time reached. Fails if a hook, a step or the projection of the velocity
-/// fails, or if a step is shorter than the round-off of the time. After a failed step `state` is not valid.
+/// and `state`, and returns the outcome and the time reached. Fails if the hook `sample`, a step or the projection of
+/// the velocity fails, or if a step is shorter than the round-off of the time. After a failed step `state` is not
+/// valid.
 template <class Method, class S, TimeLoopHooks<S, typename Method::template Workspace<S>> Hooks>
 requires(!Method::adaptive) RunResult
     run_time_loop(const S& system, const SampleTimes& times, State<S>& state, Cursor& cursor,
@@ -87,7 +88,7 @@ requires(!Method::adaptive) RunResult
 
 /// The time loop for an adaptive method. The steps do not end at the samples, so the state at a sample is interpolated.
 /// Only the last step ends at T. cursor.step is the number of steps after the step that passed the last sample. Fails
-/// if a hook, a step or an interpolation fails. A failed step does not change `state`.
+/// if the hook `sample`, a step or an interpolation fails. A failed step does not change `state`.
 template <class Method, class F, TimeLoopHooks<F, typename Method::template Workspace<F>> Hooks>
 requires(Method::adaptive) RunResult
     run_time_loop(const F& field, const SampleTimes& times, State<F>& state, Cursor& cursor,
