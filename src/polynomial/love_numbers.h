@@ -1,8 +1,8 @@
 #pragma once
 /// Love numbers (gravity/love_numbers.h) of an incompressible polynomial ball with the radius 1, the density ρ and the
-/// gravity g at its surface. The tide V = Y_nm, an orthonormal spherical harmonic, does the work f·w = ρ∮V (w·e) dS on
-/// a displacement w, with the outward normal e. The static response u solves K u = f on ker G, with the stiffness K and
-/// the derivative G of the constraint (rest_problem.h). The Love numbers are
+/// gravity g at its surface. The tide V = Y_nm, an orthonormal spherical harmonic, has the generalised force f. It does
+/// the work f·w = ρ∮V (w·e) dS on a displacement w, with the outward normal e. The static response u solves K u = f on
+/// ker G, with the stiffness K and the derivative G of the constraint (rest_problem.h). The Love numbers are
 ///
 ///   h_n = g ∮(u·e) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS.
 ///

@@ -25,7 +25,8 @@ class MaterialFaces {
   static constexpr auto columns = mechanics::shape_columns;
   static constexpr std::size_t first_length = mechanics::first_length_of_shapes;
 
-  /// One row with the entries `columns` for each point of each patch. q has the coefficients of the position.
+  /// One row with the entries of mechanics::shape_columns for each point of each patch. q has the coefficients of the
+  /// position.
   std::vector<std::vector<double>> rows(const Eigen::VectorXd& q) const;
 
  private:
