@@ -46,7 +46,7 @@ struct AccountsOfStages {
 };
 
 /// The coordinates of the body in a Gauss step: the entries of Q, the diagonal of Q, or the entries of Q and the
-/// further coordinates of dissipative_body.h.
+/// coordinates (s, s′, 0) of dissipative_body.h.
 enum class BodyEntries { matrix, diagonal, with_accounts };
 
 /// Solves for the stages of a Gauss step of the body, and sets stages.converged. `accounts` is required for

@@ -300,7 +300,7 @@ class LoadedBody {
   PlaneForces planes_;
   mechanics::Orbit orbit_;
   loads::Loads loads_;
-  bool driven_;
+  bool driven_;  ///< true if a load depends on time or a plane moves
 };
 
 }  // namespace pseudorigid::reduced
