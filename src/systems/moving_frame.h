@@ -152,8 +152,9 @@ class MovingFrame {
 
   explicit MovingFrame(Parameters parameters) : p_(std::move(parameters)) {}
 
-  /// Computes the terms at the time t. Without an attraction (μ = 0), the function never fails. With an attraction, it
-  /// fails if μ/|q − c|³ is infinite or NaN. Examples are a point at the centre c, and coordinates that are NaN.
+  /// Computes the terms at the time t, for the position Q and the velocity V = Q̇ in the frame. Without an attraction
+  /// (μ = 0), the function never fails. With an attraction, it fails if μ/|q − c|³ is infinite or NaN. Examples are a
+  /// point at the centre c, and coordinates that are NaN.
   mechanics::Status terms(double t, const Vector& Q, const Vector& V, RelativeTerms& terms) const {
     return status_of_force(terms_over(p_.forces, p_.frame.at(t), Q, V, terms));
   }
