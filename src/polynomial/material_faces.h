@@ -30,6 +30,8 @@ class MaterialFaces {
   std::vector<std::vector<double>> rows(const Eigen::VectorXd& q) const;
 
  private:
+  /// A point of a patch. `face` is the number of the patch, from 1, and `plane` is the argument of add_patch.
+  /// `functions` has the values of the basis functions at the reference position X.
   struct Point {
     int face, plane;
     Eigen::Vector3d X;

@@ -120,6 +120,7 @@ class PointTables {
   /// Index in Factors::radial for a term. It is 1 for the terms of a gradient along e_θ and e_φ, which contain R/r, and
   /// otherwise 0.
   int radial_of(int term) const { return fields_ == Fields::gradient && term > 0 ? 1 : 0; }
+  /// True if the fields of the table are constant: the gradients of a body of degree 1.
   bool is_constant() const { return fields_ == Fields::gradient && degree_ == 1; }
   void evaluate_octant(const Factors& factors, const double* c, double* const* y) const;
   void evaluate_sums(const Factors& factors, const double* c, double* const* y) const;
@@ -136,7 +137,7 @@ class PointTables {
   void transform(int n_components, double* y) const;
 
   Fields fields_;
-  int degree_, n_radii_, n_directions_, width_, stride_, n_images_;
+  int degree_, n_radii_, n_directions_, width_, stride_, n_images_;  ///< width_: number of directions with padding
   std::vector<int> shift_;
   std::vector<double> frames_;  ///< D_kt in ∂/∂X_k = Σ_t D_kt ∂_t for e_r, e_θ, e_φ: [k][t][direction]
   std::array<Factors, 8> factors_;
