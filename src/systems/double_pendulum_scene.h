@@ -84,7 +84,8 @@ struct DoublePendulumScene {
 
   DoublePendulum::Parameters parameters() const { return {m1, m2, l1, l2, gravity}; }
 
-  /// Appends the values of the columns for a state in multiplier form. Fails if the multipliers cannot be computed.
+  /// The function `append` appends the values of the columns for a state in multiplier form. It fails if the
+  /// multipliers cannot be computed.
   struct Observer {
     DoublePendulum pendulum;
 

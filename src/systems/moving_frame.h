@@ -158,7 +158,8 @@ class MovingFrame {
   mechanics::Status terms(double t, const Vector& Q, const Vector& V, RelativeTerms& terms) const {
     return status_of_force(terms_over(p_.forces, p_.frame.at(t), Q, V, terms));
   }
-  /// Computes the terms for any scalar type. Returns the result of FrameForces::in_space.
+  /// Computes the terms for any scalar type, for the position Q and the velocity V = Q̇ in the frame. Returns the
+  /// result of FrameForces::in_space.
   template <class T>
   static T terms_over(const FrameForces& forces, const FramePoseOver<T>& pose, const Space<T>& Q, const Space<T>& V,
                       RelativeTermsOver<T>& terms) {

@@ -44,7 +44,8 @@ struct SphericalPendulumOfStages {
   static constexpr int n = 3;
   double g = 1, drag = 0;  // acceleration g of gravity, and c/m
 
-  /// Computes the acceleration a. Returns |q|², which is positive if the acceleration is defined.
+  /// Computes the acceleration a at the position q and the velocity v. Returns |q|², which is positive if the
+  /// acceleration is defined.
   template <class T>
   T operator()(int, const T* q, const T* v, T* a) const {
     const T square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2], speed2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
@@ -62,8 +63,8 @@ struct PendulumOfStages {
   double m1 = 1, m2 = 1, l1 = 1, l2 = 1, g = 1;
 };
 
-/// A function that solves for the stages of a Gauss step. If it returns false, the caller must evaluate the stages one
-/// by one.
+/// A function that solves for the stages of a Gauss step and sets stages.converged. If the function returns false, it
+/// has done nothing, and the caller must evaluate the stages one by one.
 template <class S>
 using StageSolver = bool (*)(const S& system, mechanics::GaussStages& stages);
 
