@@ -95,7 +95,7 @@ struct DenseKernels {
   /// Returns the sum of w W_b over the points and the branches.
   double (*branch_energy)(const materials::MaxwellBranches& branches, int n, const double* w, const double* metrics,
                           const double* F);
-  /// Replaces the metrics by their values after a step of the length h. The deformation gradient is F0 at the begin of
+  /// Replaces the metrics by their values after a step of the length h. The deformation gradient is F0 at the start of
   /// the step and F1 at the end. During the step the strain is constant: the mean of F0ᵀF0 and F1ᵀF1, scaled to
   /// determinant 1 (materials::mean_strain). Returns the energy that each branch has lost, summed over the points with
   /// the weights w.

@@ -19,8 +19,8 @@
 /// For few functions at few points, direct sums with tables of the functions at the points take less time.
 ///
 /// The sums for gradients omit the linear functions, whose gradients are constant. The gradient of the affine part is
-/// added afterwards. It is the largest part of F, so the rounding errors of the sums are small compared with F. For a
-/// body of degree 1, each entry of F has only the rounding error of one product.
+/// added afterwards. This gradient is the largest part of F, so the rounding errors of the sums are small compared with
+/// F. For a body of degree 1, each entry of F has only the rounding error of one product.
 ///
 /// The fields of a table are functions or their derivatives. A derivative along e_r, e_θ or e_φ has the same sign at an
 /// image as the function, because these directions are reflected with the point. The derivative ∂/∂ξ_k has an

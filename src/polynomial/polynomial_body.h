@@ -53,7 +53,8 @@ struct BodySetup {
   double volumetric_stiffness = 0;  ///< stiffness κ of the volumetric stabilisation
   loads::Loads loads{};
   /// Numbers of quadrature points in each direction of an octant: on the surface for gravity, in the volume, and on the
-  /// surface for contact. If a number is empty, the body uses a default.
+  /// surface for contact. If a number is empty, the body uses BodyGravity::usual_points, PolynomialSpace::least_points
+  /// or BodyContact::usual_points.
   std::optional<int> n_gravity_points{};
   std::optional<int> n_points{};
   std::optional<int> n_contact_points{};
@@ -87,9 +88,9 @@ class PolynomialBody {
   int n_damped_entries() const { return constant_.viscosity > 0 ? space_->n_unknowns() : 0; }
   bool relaxes() const { return !constant_.branches.empty(); }
   /// Replaces the internal metrics in q by their values at the end of a step of length h. `before` and q are the
-  /// positions at the begin and end of the step, and the metrics follow the mean of their strains. Adds the energy that
-  /// the branches dissipate to two kinds of entries of v: the dissipated energy, and the energy that each branch has
-  /// dissipated.
+  /// positions at the start and at the end of the step, and the metrics follow the mean of their strains. Adds the
+  /// energy that the branches dissipate to two kinds of entries of v: the dissipated energy, and the energy that each
+  /// branch has dissipated.
   void relax(double h, const Vector& before, Vector& q, Vector& v) const;
   /// The sums Σ μ_b C_b⁻¹ and Σ μ_b over the branches at a quadrature point. Branch b has the modulus μ_b and the
   /// internal metric C_b.

@@ -12,7 +12,7 @@ class BodyVibration {
   explicit BodyVibration(const PolynomialSpace& space);
 
   /// The energy of vibration and its parts at a state. `known` must contain the centre of mass, the mass moment Q_M
-  /// (observe.h), the time derivatives of both, and the elastic energy.
+  /// (observe.h), the time derivatives of these two quantities, and the elastic energy.
   mechanics::VibrationObservables observe(const BodyState& state, const mechanics::ContinuumObservables& known) const;
 
  private:
