@@ -56,8 +56,8 @@ class StaticLandscape {
   static Eigen::Matrix3d matrix(const Vector& q) { return q.reshaped(3, 3); }
 
   /// Returns true if V increases with s at all tested points of the surface |ln S| = s > 0. Here Q = R₁SR₂ with
-  /// rotations R₁, R₂ and a diagonal S. The function tests points of 64 random descents of the slope dV/ds, over the
-  /// directions of ln S and both rotations. The result is false if a slope is not positive.
+  /// rotations R₁, R₂ and a diagonal S. The function searches for a slope dV/ds that is not positive by 64 random
+  /// descents, over the directions of ln S and both rotations. The result is false if the search finds such a slope.
   bool rises_at(double s) const;
 
  private:
