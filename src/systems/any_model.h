@@ -45,8 +45,8 @@ class AnyModel {
   /// The rate of change of the state per unit of time, which limits the step of methods. The result is that of the
   /// member `rate` of the model. Without this member, it is |v|/(1 + |q|) with the maximum norm.
   double rate(const State& state) const { return held_->rate(state); }
-  /// The potential landscape of the system. It may refer to this model, which must then exist as long as the landscape.
-  /// Throws std::logic_error if the system does not have a landscape.
+  /// The potential landscape of the system. The landscape may refer to this model. The model must then exist as long as
+  /// the landscape. Throws std::logic_error if the system does not have a landscape.
   mechanics::AnyLandscape landscape() const { return held_->landscape(); }
   /// Names and units of the coordinates of the landscape. The list is empty if the system does not have a landscape.
   std::vector<scene::Column> coordinates() const { return held_->coordinates(); }

@@ -13,10 +13,10 @@
 namespace pseudorigid::systems {
 namespace {
 
-// This file is compiled once for each instruction set. Its solvers are the table SystemKernels (systems_in_lanes.h).
-// The fields below, except FieldOfPoints, are functions (first lane, q, v, a) over a scalar type T, which is a vector
-// of SIMD lanes. These functions set the accelerations a, and return a number that is positive if the accelerations are
-// defined.
+// This file is compiled once for each instruction set. The solvers in this file are the entries of the table
+// SystemKernels (systems_in_lanes.h). The fields below, except FieldOfPoints, are functions (first lane, q, v, a) over
+// a scalar type T, which is a vector of SIMD lanes. These functions set the accelerations a, and return a number that
+// is positive if the accelerations are defined.
 
 template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;

@@ -4,8 +4,8 @@
 ///
 ///   g_h = 2(h − U) g.
 ///
-/// The scene has one of four systems. Two of them are a particle of unit mass in the plane, with U = ½k|q|² or U =
-/// −μ/|q|. The third system is a heavy particle of unit mass on an upright torus. The fourth system is a double
+/// The scene has one of four systems. The first two systems are a particle of unit mass in the plane, with U = ½k|q|²
+/// or U = −μ/|q|. The third system is a heavy particle of unit mass on an upright torus. The fourth system is a double
 /// pendulum whose first mass is 1. The arc length s̃ of the geodesic replaces the time of the scene. Time/End and the
 /// column `time` are therefore arc lengths, with the unit length²/time.
 ///

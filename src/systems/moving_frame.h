@@ -178,6 +178,7 @@ class MovingFrame {
     a = sum.sum();
     return {};
   }
+  /// Members that the templates of mechanics/core/stage_by_stage.h call for the stages of a Gauss step in SIMD lanes.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
     return solve_stages_in_lanes_of(stages_in_frame(p_, stages, true), stages);
   }
@@ -210,6 +211,7 @@ class InertialFrame {
   static T acceleration_over(const FrameForces& forces, const FramePoseOver<T>& pose, const Space<T>& q, Space<T>& a) {
     return forces.in_space<T>(q, pose.M.transpose() * (q - pose.r), pose.M, a);
   }
+  /// Members that the templates of mechanics/core/stage_by_stage.h call for the stages of a Gauss step in SIMD lanes.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
     return solve_stages_in_lanes_of(stages_in_frame(p_, stages, false), stages);
   }
