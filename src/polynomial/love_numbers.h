@@ -16,10 +16,10 @@
 
 namespace pseudorigid::polynomial {
 
-/// Sets `numbers` to the Love numbers of `degrees`, for a ball with self-gravity. `degrees` must not be empty. The
-/// numbers of a degree n > N + 1 are 0, because radial displacements of the surface in P_N have at most the degree N +
-/// 1. `setup.reflect` is not used. Fails if make_rest_problem (rest_problem.h) fails, or if the ball at rest is
-/// unstable.
+/// Sets `numbers` to the Love numbers of `degrees`, for a ball with self-gravity. `degrees` must not be empty, and each
+/// degree must be at least 2. The numbers of a degree n > N + 1 are 0, because radial displacements of the surface in
+/// P_N have at most the degree N + 1. `setup.reflect` is not used. Fails if make_rest_problem (rest_problem.h) fails,
+/// or if the ball at rest is unstable.
 mechanics::Status love_numbers(BodySetup setup, const std::vector<int>& degrees,
                                std::vector<gravity::LoveNumbers>& numbers);
 

@@ -23,6 +23,7 @@ class MaterialFaces {
   explicit MaterialFaces(const PolynomialSpace& space);
 
   static constexpr auto columns = mechanics::shape_columns;
+  /// Index of the first column that is a length. All later columns are also lengths.
   static constexpr std::size_t first_length = mechanics::first_length_of_shapes;
 
   /// One row with the entries of mechanics::shape_columns for each point of each patch. q has the coefficients of the

@@ -86,7 +86,8 @@ class PointTables {
   /// Computes the fields y at all points from the coefficients c of the blocks. Field f of component i is stored from
   /// y[(i n_fields + f) n_points] on.
   void evaluate(const std::vector<Block>& blocks, int n_components, const double* c, double* y) const;
-  /// Adds the result of the transposed map for y to c. y has the order of `evaluate` and is overwritten.
+  /// Adds the result of the transposed map for y to c. y has the order of `evaluate` and is overwritten. The entries of
+  /// y at padding points must be 0.
   void add_transposed(const std::vector<Block>& blocks, int n_components, double* y, double* c) const;
   /// The field `field` of one function of a block at the points of the octant, with stride() entries. `function` is the
   /// index of the function in the block.
