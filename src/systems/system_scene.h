@@ -4,8 +4,8 @@
 /// systems/table.cpp.
 ///
 ///     struct PendulumScene {
-///       static constexpr std::string_view name, file, section, documentation;
-///       static constexpr bool has_equilibria;
+///       static constexpr std::string_view name, file, section, documentation;   // as in scene::SystemDescription
+///       static constexpr bool has_equilibria;                             // true if the model has a landscape
 ///       double length = 1; …                                              // entries with their defaults
 ///       template <class Self, class Visit> static void visit(Self& self, Visit&& visit);   // calls visit per entry
 ///       Scales scales() const;                                            // units in which the motion is of order 1

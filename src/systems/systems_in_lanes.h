@@ -1,8 +1,9 @@
 #pragma once
-/// Systems whose fields are compiled for the eight stages of a Gauss step at once (gauss_system_kernels.cpp). To add a
-/// chart, write its functions over any scalar type, add the type to `SystemKernels`, and include its header in
-/// gauss_system_kernels.cpp. To add any other system, also write a struct of its numbers. Then add its field over any
-/// scalar type and an overload of `solve` to gauss_system_kernels.cpp.
+/// Systems whose second-order fields are compiled for the eight stages of a Gauss step at once
+/// (gauss_system_kernels.cpp). A second-order field gives the accelerations as a function of time, positions and
+/// velocities. To add a chart, write its functions over any scalar type, add the type to `SystemKernels`, and include
+/// its header in gauss_system_kernels.cpp. To add any other system, also write a struct of its numbers. Then add its
+/// field over any scalar type and an overload of `solve` to gauss_system_kernels.cpp.
 ///
 /// The types passed to the kernels must have the same memory layout for every instruction set. Eigen's types with the
 /// alignment of double meet this condition. Matrices in arrays are stored by columns, as in Eigen.
