@@ -6,8 +6,9 @@
 /// with Jacobi's polynomials P_s = P_s^{(0, l+½)} (Dunkl and Xu, Orthogonal Polynomials of Several Variables, 5.1). The
 /// real spherical harmonics Y_lm are proportional to cos mφ (m ≥ 0) or sin |m|φ (m < 0). Recurrences in Cartesian
 /// coordinates compute P_s and |ξ|^l Y_lm, so there are no singularities at the poles or the centre. The condition
-/// number of the basis is 1 at any degree. The space P_N of polynomials of degree at most N has the first C(N+3, 3) of
-/// these functions as its basis. The basis of P_{N−1} is therefore the beginning of the basis of P_N.
+/// number of the basis is 1 at any degree. The space P_N of polynomials of degree at most N has the first
+/// (N+1)(N+2)(N+3)/6 of these functions as its basis. The basis of P_{N−1} is therefore the beginning of the basis of
+/// P_N.
 ///
 /// Each polynomial is even or odd in each coordinate. With r = |ξ|, it is the product R_nl(r) Y_lm of a radial and an
 /// angular factor.

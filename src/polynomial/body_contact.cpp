@@ -96,8 +96,9 @@ void BodyContact::spread(Field& by_point, Eigen::VectorXd& f) const {
   tables_.add_transposed(space_->blocks(), 3, by_point.data(), f.data());
 }
 
-/// Adds the generalised force of an affine force to f. It follows from the coefficients of x = c + A X, which are c
-/// √Vol and A_ij √E₀_j. Vol is the volume, and the E₀_j are the diagonal entries of the inertia ∫ρXXᵀ dX.
+/// Adds the generalised force of an affine force to f. The generalised force follows from the coefficients of x = c + A
+/// X, which are c √Vol and A_ij √E₀_j. Vol is the volume, and the E₀_j are the diagonal entries of the inertia ∫ρXXᵀ
+/// dX.
 void BodyContact::spread(const loads::AffineForce& force, Eigen::VectorXd& f) const {
   Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(space_->n_unknowns());
   space_->set_affine(force.on_Q * space_->inertia().cwiseInverse().asDiagonal(), force.on_center / space_->volume(),

@@ -67,8 +67,8 @@ class BodyContact {
   /// this vector.
   Eigen::Vector3d at(const Field& field, std::size_t place) const;
   void add_at(Field& field, std::size_t place, const Eigen::Vector3d& value) const;
-  /// The sums of contact (loads/contact.h) over the points of the computed sector, one for each plane. x has the
-  /// positions of the points.
+  /// The sums of contact (loads/contact.h) over the points of the computed sector, one for each plane. The images of
+  /// the sector in the rest of the body are not included. x has the positions of the points.
   std::vector<loads::PlaneContact> of_points(const loads::Planes& planes, const Field& x) const;
   /// Calls visit(plane, place, w, d) for the points with d > 0. `place` is the index of the point in the tables.
   template <class Visit>
@@ -81,6 +81,9 @@ class BodyContact {
                       Eigen::VectorXd& f) const;
   /// The contact of the ellipsoid that the affine part of the position with the coefficients q describes.
   loads::EllipsoidContact affine_contact(const loads::Plane& plane, const Eigen::VectorXd& q) const;
+  /// Adds a generalised force to f. `by_point` has a force at each point of the computed sector, and the function
+  /// includes the images of these forces. The values of `by_point` are overwritten. `force` is an affine force on the
+  /// whole body.
   void spread(Field& by_point, Eigen::VectorXd& f) const;
   void spread(const loads::AffineForce& force, Eigen::VectorXd& f) const;
 

@@ -60,7 +60,10 @@ class BodyGravity {
   gravity::SurfacePoints with_images(const gravity::SurfacePoints& points) const;
   /// The coefficients of the affine part of q.
   Eigen::VectorXd affine_coefficients(const Eigen::VectorXd& q) const;
+  /// f ← f − ∂E/∂q for a function E of the affine part A of q. D is the derivative of E with respect to A.
   void add_affine_force(const Eigen::Matrix3d& D, Eigen::VectorXd& f) const;
+  /// `surface_energy` returns Ê_h of the whole body. The other two functions add −sign ∂Ê_h/∂q and −sign D²Ê_h(q)[u] to
+  /// f.
   double surface_energy(const Eigen::VectorXd& q) const;
   void add_surface_force(double sign, const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
   void add_surface_force_rate(double sign, const Eigen::VectorXd& q, const Eigen::VectorXd& u,
@@ -68,7 +71,7 @@ class BodyGravity {
   void spread(double factor, const SurfaceJets& x, const gravity::SurfaceDerivative& derivative,
               Eigen::VectorXd& f) const;
 
-  double constant_;
+  double constant_;  ///< gravitational constant G
   std::shared_ptr<const PolynomialSpace> space_;
   gravity::EllipsoidGravity ellipsoid_;
   PointTables tables_;

@@ -56,8 +56,9 @@ struct DenseKernels {
   /// In the following functions, w[p] is the quadrature weight of point p of n points. The entry (i, j) of a 3×3 tensor
   /// at this point is stored at (3i + j) n + p.
 
-  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/8)(J − 1/J)². Returns the least of det F
-  /// over the points. For a law with limits, returns the least of det F and of the reserve (materials/law_limits.h).
+  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and the volumetric stabilisation U = (κ/8)(J − 1/J)².
+  /// Returns the least of det F over the points. For a law with limits, returns the least of det F and of the reserve
+  /// (materials/law_limits.h).
   double (*stress)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, double* T);
   /// T ← w DP(F)[H] + w D²U(F)[H], the rate of the result of `stress` along H.
   void (*stress_rate)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F,
@@ -79,8 +80,8 @@ struct DenseKernels {
   void (*weighted_curvature)(int n, const double* w, const double* A, const double* B, double* y);
   /// T ← T − s A Bᵀ A with A = F⁻ᵀ. This adds the rate of s A for the rate B of F and constant s.
   void (*add_rate_of_inverse)(int n, const double* s, const double* A, const double* B, double* T);
-  /// Adds the viscous stress: T ← T + w 2η J d A with A = F⁻ᵀ, J = det F and d = sym(B Aᵀ). B is the gradient of the
-  /// velocity with respect to X. Returns the power Σ w 2ηJ d:d.
+  /// Adds the viscous stress for the viscosity η: T ← T + w 2η J d A with A = F⁻ᵀ, J = det F and d = sym(B Aᵀ). B is
+  /// the gradient of the velocity with respect to X. Returns the power Σ w 2ηJ d:d.
   double (*add_viscous_stress)(int n, const double* w, double eta, const double* F, const double* A, const double* B,
                                double* T);
 
@@ -94,9 +95,10 @@ struct DenseKernels {
   /// Returns the sum of w W_b over the points and the branches.
   double (*branch_energy)(const materials::MaxwellBranches& branches, int n, const double* w, const double* metrics,
                           const double* F);
-  /// Replaces the metrics by their values after a step of the length h from F0 to F1. During the step the strain is
-  /// constant: the mean of F0ᵀF0 and F1ᵀF1, scaled to determinant 1 (materials::mean_strain). Returns the energy that
-  /// each branch has lost, summed over the points with the weights w.
+  /// Replaces the metrics by their values after a step of the length h. The deformation gradient is F0 at the start of
+  /// the step and F1 at the end. During the step the strain is constant: the mean of F0ᵀF0 and F1ᵀF1, scaled to
+  /// determinant 1 (materials::mean_strain). Returns the energy that each branch has lost, summed over the points with
+  /// the weights w.
   materials::BranchEnergies (*relax_branches)(const materials::MaxwellBranches& branches, double h, int n,
                                               const double* w, const double* F0, const double* F1, double* metrics);
 

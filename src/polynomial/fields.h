@@ -26,7 +26,8 @@ class FieldsAtPoints {
   /// semi-axes.
   FieldsAtPoints(const PolynomialSpace& space, const std::vector<Eigen::Vector3d>& points);
 
-  /// Sets `fields` to the fields at the points. q and v are the coefficients of the position and of the velocity.
+  /// Sets `fields` to the centre of mass x_c, the moment ∫ρ (x − x_c) Xᵀ dX and the fields at the points. With
+  /// self-gravity, the fields include the potential. q and v are the coefficients of the position and of the velocity.
   /// `lambda` has the coefficients of λ, and is empty for a body without constraint. Fails if det F is not positive and
   /// finite at a point.
   mechanics::Status fields(const PolynomialBody& body, const Eigen::VectorXd& q, const Eigen::VectorXd& v,

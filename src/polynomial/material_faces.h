@@ -23,12 +23,16 @@ class MaterialFaces {
   explicit MaterialFaces(const PolynomialSpace& space);
 
   static constexpr auto columns = mechanics::shape_columns;
+  /// Index of the first column that is a length. All later columns are also lengths.
   static constexpr std::size_t first_length = mechanics::first_length_of_shapes;
 
-  /// One row with the entries `columns` for each point of each patch. q has the coefficients of the position.
+  /// One row with the entries of mechanics::shape_columns for each point of each patch. q has the coefficients of the
+  /// position.
   std::vector<std::vector<double>> rows(const Eigen::VectorXd& q) const;
 
  private:
+  /// A point of a patch. `face` is the number of the patch, from 1, and `plane` is the argument of add_patch.
+  /// `functions` has the values of the basis functions at the reference position X.
   struct Point {
     int face, plane;
     Eigen::Vector3d X;

@@ -4,7 +4,7 @@
 /// uses the positive half of the Gauss rule with 2q points on [−1, 1]. The nodes r_i and z_j have the weights w_i and
 /// w_j. For the longitude φ, the quadrature uses midpoints:
 ///
-///   ∫f dξ = 8 Σ_ijk w_i r_i² w_j (π/2q) f(r_i, z_j, φ_k),   φ_k = (k + ½) π/2q.
+///   ∫f dξ = 8 Σ_ijk w_i r_i² w_j π/(2q) f(r_i, z_j, φ_k),   φ_k = (k + ½) π/(2q).
 ///
 /// For polynomials that are even in every coordinate, the quadrature with q³ points is exact up to the degree 4q − 3.
 /// In cos θ and φ alone, it is exact up to the degree 4q − 1. A body of degree N uses q = ⌈(N + 3)/2⌉ points in each

@@ -24,7 +24,7 @@ static_assert(point_block % n_lanes == 0);
 }
 [[gnu::always_inline]] inline void store(const L& lanes, double* x) { std::memcpy(x, &lanes.v, sizeof lanes.v); }
 
-/// The tensors of a field with n points at the points p, p + 1, …, one in each lane.
+/// The functions for tensors read and write a field with n points at the points p, p + 1, …, one in each lane.
 [[gnu::always_inline]] inline Tensor load(const double* field, int n, int p) {
   const auto entry = [&](int k) { return load(field + static_cast<long>(k) * n + p); };
   return {{{entry(0), entry(1), entry(2)}, {entry(3), entry(4), entry(5)}, {entry(6), entry(7), entry(8)}}};

@@ -19,8 +19,8 @@
 /// For few functions at few points, direct sums with tables of the functions at the points take less time.
 ///
 /// The sums for gradients omit the linear functions, whose gradients are constant. The gradient of the affine part is
-/// added afterwards. It is the largest part of F, so the rounding errors of the sums are small compared with F. For a
-/// body of degree 1, each entry of F has only the rounding error of one product.
+/// added afterwards. This gradient is the largest part of F, so the rounding errors of the sums are small compared with
+/// F. For a body of degree 1, each entry of F has only the rounding error of one product.
 ///
 /// The fields of a table are functions or their derivatives. A derivative along e_r, e_θ or e_φ has the same sign at an
 /// image as the function, because these directions are reflected with the point. The derivative ∂/∂ξ_k has an
@@ -86,7 +86,8 @@ class PointTables {
   /// Computes the fields y at all points from the coefficients c of the blocks. Field f of component i is stored from
   /// y[(i n_fields + f) n_points] on.
   void evaluate(const std::vector<Block>& blocks, int n_components, const double* c, double* y) const;
-  /// Adds the result of the transposed map for y to c. y has the order of `evaluate` and is overwritten.
+  /// Adds the result of the transposed map for y to c. y has the order of `evaluate` and is overwritten. The entries of
+  /// y at padding points must be 0.
   void add_transposed(const std::vector<Block>& blocks, int n_components, double* y, double* c) const;
   /// The field `field` of one function of a block at the points of the octant, with stride() entries. `function` is the
   /// index of the function in the block.
@@ -120,6 +121,7 @@ class PointTables {
   /// Index in Factors::radial for a term. It is 1 for the terms of a gradient along e_θ and e_φ, which contain R/r, and
   /// otherwise 0.
   int radial_of(int term) const { return fields_ == Fields::gradient && term > 0 ? 1 : 0; }
+  /// True if the fields of the table are constant: the gradients of a body of degree 1.
   bool is_constant() const { return fields_ == Fields::gradient && degree_ == 1; }
   void evaluate_octant(const Factors& factors, const double* c, double* const* y) const;
   void evaluate_sums(const Factors& factors, const double* c, double* const* y) const;
@@ -136,7 +138,7 @@ class PointTables {
   void transform(int n_components, double* y) const;
 
   Fields fields_;
-  int degree_, n_radii_, n_directions_, width_, stride_, n_images_;
+  int degree_, n_radii_, n_directions_, width_, stride_, n_images_;  ///< width_: number of directions with padding
   std::vector<int> shift_;
   std::vector<double> frames_;  ///< D_kt in ∂/∂X_k = Σ_t D_kt ∂_t for e_r, e_θ, e_φ: [k][t][direction]
   std::array<Factors, 8> factors_;

@@ -5,11 +5,12 @@
 ///   V(q) = ∫W(F) + U(J) dX + Ê + V_e,   F = ∂x/∂X
 ///
 /// This is the generalized Newton law (Oliva 5.3–5.4) for the coefficients q_ia of an orthonormal basis φ_a, with the
-/// unit vectors e_i. The mass is therefore the identity (polynomial_space.h). The body of degree N = 1 is the
-/// pseudo-rigid body, and the limit N → ∞ is the continuum. W is the stored energy, J = det F, and Ê is the energy of
-/// self-gravity (body_gravity.h). U is the volumetric stabilisation (κ/8)(J − 1/J)² with the stiffness κ, by default 0.
-/// The loads (loads/forcing.h) have the following energies V_e or forces. d is the rate of deformation, and P_b is the
-/// stress of branch b:
+/// unit vectors e_i. The mass is therefore the identity (polynomial_space.h). The terms in brackets are those of an
+/// incompressible body: the reaction with the multipliers λ and G = Dg, and the constraints g_b with a basis ψ_b of the
+/// pressures. The body of degree N = 1 is the pseudo-rigid body, and the limit N → ∞ is the continuum. W is the stored
+/// energy, J = det F, and Ê is the energy of self-gravity (body_gravity.h). U is the volumetric stabilisation (κ/8)(J −
+/// 1/J)² with the stiffness κ, by default 0. The loads (loads/forcing.h) have the following energies V_e or forces. d
+/// is the rate of deformation, and P_b is the stress of branch b:
 ///
 ///   quadratic potential T    V = ½ T:∫ρ x xᵀ            uniform acceleration b   V = −b·∫ρ x
 ///   nominal traction P̄       V = −P̄:∫F                  pressure p               V = p ∫J
@@ -52,15 +53,16 @@ struct BodySetup {
   double volumetric_stiffness = 0;  ///< stiffness κ of the volumetric stabilisation
   loads::Loads loads{};
   /// Numbers of quadrature points in each direction of an octant: on the surface for gravity, in the volume, and on the
-  /// surface for contact. If a number is empty, the body uses a default.
+  /// surface for contact. If a number is empty, the body uses BodyGravity::usual_points, PolynomialSpace::least_points
+  /// or BodyContact::usual_points.
   std::optional<int> n_gravity_points{};
   std::optional<int> n_points{};
   std::optional<int> n_contact_points{};
 };
 
 /// Parts of the potential energy of the whole body. `external` is the energy of the quadratic potential, the
-/// acceleration, the nominal traction and the pressure. `interaction` is the energy of the gravity between the body and
-/// its companions.
+/// acceleration, the nominal traction and the pressure, including loads that depend on time. `interaction` is the
+/// energy of the gravity between the body and its companions.
 struct PotentialEnergies {
   double elastic = 0;  ///< stored energy, including the volumetric part and that of the branches
   double volumetric = 0, viscoelastic = 0, gravitational = 0, external = 0, contact = 0, interaction = 0;
@@ -86,8 +88,9 @@ class PolynomialBody {
   int n_damped_entries() const { return constant_.viscosity > 0 ? space_->n_unknowns() : 0; }
   bool relaxes() const { return !constant_.branches.empty(); }
   /// Replaces the internal metrics in q by their values at the end of a step of length h. `before` and q are the
-  /// positions at the begin and end of the step, and the metrics follow the mean of their strains. Adds the energy that
-  /// the branches dissipate to the dissipated energies in v, in total and for each branch.
+  /// positions at the start and at the end of the step, and the metrics follow the mean of their strains. Adds the
+  /// energy that the branches dissipate to two kinds of entries of v: the dissipated energy, and the energy that each
+  /// branch has dissipated.
   void relax(double h, const Vector& before, Vector& q, Vector& v) const;
   /// The sums Σ μ_b C_b⁻¹ and Σ μ_b over the branches at a quadrature point. Branch b has the modulus μ_b and the
   /// internal metric C_b.

@@ -30,8 +30,8 @@ class PolynomialSpace {
   /// of quadrature points in each direction of an octant. If `n_points` is empty, q is least_points(degree).
   PolynomialSpace(int degree, const std::array<bool, 3>& reflect,
                   const Eigen::Vector3d& semi_axes = Eigen::Vector3d::Ones(), std::optional<int> n_points = {});
-  /// The number ⌈(N + 3)/2⌉ of points in each direction. It makes integrals of polynomials of degree 2N + 3 exact
-  /// (octant_quadrature.h).
+  /// The number ⌈(N + 3)/2⌉ of points in each direction. With this number, integrals of polynomials of degree 2N + 3
+  /// are exact (octant_quadrature.h).
   static int least_points(int degree) { return (degree + 4) / 2; }
 
   int degree() const { return degree_; }

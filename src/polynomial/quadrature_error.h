@@ -4,8 +4,8 @@
 /// different rules cover the first part of a run, its window. The window has the length w, and the run has the length
 /// T. The pilot runs use RATTLE with the same long steps, so that the errors of the steps cancel. One estimate is for
 /// the rule in the volume. With self-gravity, a second estimate is for the rule on the surface, and the estimated error
-/// is the sum of both. Let Q and Q' be the results of the two runs at the times t_k, and let |…| be the largest
-/// absolute value of the entries. An estimate is
+/// is the sum of the two estimates. Let Q and Q' be the results of the two runs at the times t_k, and let |…| be the
+/// largest absolute value of the entries. An estimate is
 ///
 ///   e = 6 max_k |Q(t_k) − Q'(t_k)| (T/w)^(3/2).
 ///

@@ -1,6 +1,7 @@
 #pragma once
 /// Small motions u of a polynomial ball of degree N about rest. With the stiffness K and the derivative G of the
-/// constraint, the squares of the frequencies ω are the eigenvalues of
+/// constraint (rest_problem.h), the squares of the frequencies ω are the eigenvalues of K on ker G. For a compressible
+/// ball, ker G is the space of all motions.
 ///
 /// Motions of different parity are not coupled, so each of the eight parities (parity_parts.h) has such a problem. The
 /// problem is solved on an orthonormal basis of the motions in ker G that are orthogonal to the six rigid motions. The

@@ -5,7 +5,7 @@
 ///
 ///   K = D²V − Σ_b λ_b D²g_b   at x = X, with the multiplier λ at rest.
 ///
-/// The self-gravity of this problem is exact. The second variation of its energy at rest is
+/// The self-gravity of this problem is exact. The second variation of the energy of self-gravity at rest along u is
 ///
 ///   ρg Σ_nm (1 − 3/(2n + 1)) (∮(u·e) Y_nm dS)²,   n ≥ 1,   g = (4/3)πGρr     (continuum/modes/rest_problem.h).
 ///
@@ -27,7 +27,8 @@ namespace pseudorigid::polynomial {
 
 struct RestProblem {
   Eigen::MatrixXd stiffness;  ///< K of the whole ball, with self-gravity
-  /// The rows of G, and then the six rigid motions. All motions of the problem are orthogonal to these rows.
+  /// The rows of G, and then the six rigid motions. For a compressible body, there are no rows of G. All motions of the
+  /// problem are orthogonal to these rows.
   Eigen::MatrixXd excluded;
   /// Indices of the coefficients and of the rows of `excluded` that belong to each parity.
   std::array<std::vector<int>, n_parities> unknowns, rows;
@@ -47,9 +48,9 @@ struct SurfaceRows {
 SurfaceRows surface_rows(const PolynomialSpace& space, int max_degree);
 
 /// Sets `problem` to the problem of `body`. The space of `body` must be that of the whole ball, without symmetry
-/// planes. `body` must not have self-gravity, because the function adds it, with Newton's constant `gravity_constant`
-/// in units with ρ = r = 1. Fails if the body is not in equilibrium at rest, or if the forces or the multiplier at rest
-/// cannot be computed.
+/// planes, and `turns` must be constructed from this space. `body` must not have self-gravity, because the function
+/// adds it, with Newton's constant `gravity_constant` in units with ρ = r = 1. Fails if the body is not in equilibrium
+/// at rest, or if the forces or the multiplier at rest cannot be computed.
 mechanics::Status make_rest_problem(const IncompressibleBody& body, const Turns& turns, double gravity_constant,
                                     RestProblem& problem);
 mechanics::Status make_rest_problem(const CompressibleBody& body, const Turns& turns, double gravity_constant,

@@ -26,7 +26,8 @@ class RotationFinder {
   RotationFinder(const RotationFinder&) = delete;  // because some members refer to other members
   RotationFinder& operator=(const RotationFinder&) = delete;
 
-  /// `family` and `member` are the functions of mechanics::FigureFinder with the same names.
+  /// `family` returns the members with these parameters and the special points between successive members. `member`
+  /// sets its argument `member` to the member with this parameter. mechanics::FigureFinder describes the failures.
   FigureFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {}) {
     return finder_.family(parameters, std::move(give_up));
   }

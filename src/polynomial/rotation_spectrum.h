@@ -54,7 +54,8 @@ class RotationSpectrum {
                            mechanics::SmallMotion& motion) const;
 
  private:
-  /// A class of motions. Each column of `fields` is a motion, and the columns are a basis of the class.
+  /// A class of motions. Each column of `fields` has the coefficients of a motion of the whole body, and the columns
+  /// are a basis of the class.
   struct Part {
     MotionClass motions;
     Eigen::MatrixXd fields;

@@ -139,8 +139,9 @@ mechanics::Status SteadyRotations::equations(const FigureCondition& condition, c
   return {};
 }
 
-/// Sets the last equation, the condition with the value v. It is Ω² − v = 0 for the parameter Ω². For a ratio of axes,
-/// it is a_k − exp(v) a₁ = 0 with the diagonal entries a of the affine part of x.
+/// Sets the last equation and its derivative. This equation is the condition with the value v. For the parameter Ω²,
+/// the equation is Ω² − v = 0. For the logarithm of a ratio of axes, it is a_k − exp(v) a₁ = 0 with the diagonal
+/// entries a of the affine part of x.
 void SteadyRotations::add_condition(const FigureCondition& condition, const EquilibriumFigure& rotation,
                                     Equations& result) const {
   const Eigen::Index last = result.values.size() - 1;

@@ -38,14 +38,16 @@ namespace pseudorigid::polynomial {
 
 using mechanics::EquilibriumFigure, mechanics::Figure, mechanics::FigureCondition, mechanics::FigureParameter;
 
-/// The equations of these figures. The vectors of EquilibriumFigure are coefficients of the octant, and its drive is
-/// Ω². For a fluid, the residual of a figure contains the error of the quadrature of gravity.
+/// The equations of these figures. The members `x` and `lambda` of EquilibriumFigure contain coefficients for the
+/// octant, and the member `drive` is Ω². For a fluid, the residual of a figure contains the error of the quadrature of
+/// gravity.
 class SteadyRotations final : public mechanics::FigureEquations {
  public:
   /// `setup.reflect` is not used. The only loads that are used are self-gravity and, for a compressible body, the
   /// pressure.
   SteadyRotations(const BodySetup& setup, bool incompressible, Figure figure);
 
+  /// The figure x = A X with A = diag(a), λ = 0 and Ω² = `spin_squared`. It need not satisfy the equations.
   EquilibriumFigure affine(const Eigen::Vector3d& a, double spin_squared) const override;
 
  private:

@@ -61,7 +61,8 @@ BipolarRates rates(const Bipolar& b, const Eigen::Matrix3d& Qdot);
 
 /// The residual of Oliva (5.121) per m̄ at the middle of nine states of one motion. The times of the states have equal
 /// distances h, and u̇ is a central difference of order 8. `gradient` replaces ∂V/∂Q: it is the negative sum of all
-/// forces on Q other than the reaction. `lambda` is the multiplier per m̄. Both are for the state in the middle.
+/// forces on Q other than the reaction. `lambda` is the multiplier per m̄. The gradient and the multiplier are those of
+/// the state in the middle.
 template <class States>
 Eigen::Matrix3d residual_of_5_121(const States& states, double h, const Eigen::Matrix3d& gradient, double lambda,
                                   const Eigen::Matrix3d& E0) {

@@ -25,7 +25,7 @@ struct BodyOfStages {
   double volume = 1, inverse_m_bar = 1;  ///< volume Vol, and 1/m̄ with m̄ = ⅓ tr E₀
   Numbers9 E0{}, E0_inverse{};
 
-  bool loaded = false;          ///< true if gravity, quadratic potential, traction or pressure is not 0
+  bool loaded = false;          ///< true if self-gravity, quadratic potential, traction or pressure is not 0
   double gravity_strength = 0;  ///< (3/5) G M², with the gravitational constant G and the mass M
   Numbers9 shape{};             ///< matrix S of the shape (reference_body.h)
   Numbers9 quadratic{};         ///< quadratic potential T per mass (external_potential.h)
@@ -46,7 +46,7 @@ struct AccountsOfStages {
 };
 
 /// The coordinates of the body in a Gauss step: the entries of Q, the diagonal of Q, or the entries of Q and the
-/// further coordinates of dissipative_body.h.
+/// coordinates (s, s′, 0) of dissipative_body.h.
 enum class BodyEntries { matrix, diagonal, with_accounts };
 
 /// Solves for the stages of a Gauss step of the body, and sets stages.converged. `accounts` is required for

@@ -102,7 +102,7 @@ struct CenterPath::Integration {
   }
 
   Field field;
-  State before, next;
+  State before, next;  ///< states at the start and at the end of the last step; both are the initial state at first
   std::optional<Method::Workspace<Field>> workspace;
 };
 

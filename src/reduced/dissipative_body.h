@@ -1,8 +1,8 @@
 #pragma once
-/// The pseudo-rigid body whose energy is not constant: M Q̈ = f − ∂R/∂Q̇ − ∂V_t/∂Q + Gᵀλ, with the mass M Q̈ = Q̈ E₀.
-/// Here f + Gᵀλ are the force and the reaction of the conservative body, and R is Rayleigh's function (dissipation.h).
-/// V_t(Q, t) is the energy of the loads that depend on time. The dissipated energy D and the energy W that these loads
-/// have given are integrated with the motion:
+/// The pseudo-rigid body whose energy is not constant: M Q̈ = f − ∂R/∂Q̇ − ∂V_t/∂Q + Gᵀλ, with the mass operator M,
+/// which maps Q̈ to Q̈ E₀. Here f and Gᵀλ are the force and the reaction of the conservative body, and R is Rayleigh's
+/// function (dissipation.h). V_t(Q, t) is the energy of the loads that depend on time. The dissipated energy D and the
+/// energy W that these loads have given are integrated with the motion:
 ///
 ///   Ḋ = 2R(Q, Q̇),   Ẇ = ∂V_t/∂t.
 ///
@@ -133,7 +133,7 @@ class DissipativeBody {
   Body body_;
   Dissipation dissipation_;
   loads::Loads driving_;
-  bool driven_;
+  bool driven_;  ///< true if a load depends on time
 };
 
 }  // namespace pseudorigid::reduced

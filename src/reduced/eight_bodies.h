@@ -85,6 +85,7 @@ template <>
 struct VectorSpace<reduced::EightMatrices> {
   using V = reduced::EightMatrices;
   static constexpr bool dense = true, compensated = true;
+  /// Adds a x + c to y, and sets c to the rounding error of this sum.
   [[gnu::always_inline]] static void add(double a, const V& x, V& y, V& c) {
     for (int i = 0; i < V::n_entries; ++i) {
       const auto t = a * x.x[i].v + c.x[i].v, y_old = y.x[i].v, sum = y_old + t, t_rounded = sum - y_old;

@@ -131,7 +131,7 @@ mechanics::Status spheroid_motion(const IsotropicBody<V>& body, double a1, doubl
 
 /// Sets m to the motion of types I–III with the semi-axes a, and with ω and Λ in the plane of axes 2 and 3. The
 /// function uses the root p with |p| ≤ 1, and ω₂, ω₃ ≥ 0. Fails if p is not real, or if ω₂² or ω₃² is negative beyond
-/// round-off. The dual motion belongs to the other root.
+/// round-off. In the second case, m.A and m.lambda are also set. The dual motion belongs to the other root.
 template <SmoothPotential V>
 mechanics::Status planar_motion(const IsotropicBody<V>& body, const Eigen::Vector3d& a, SteadyMotion& m) {
   const double half = (4 * a[0] * a[0] - a[1] * a[1] - a[2] * a[2]) / (2 * a[1] * a[2]);  // p + 1/p = 2 half

@@ -2,10 +2,10 @@
 /// Quantities of one steady motion Q(t) (steady_motion.h) that the program reports. The body has the inertia m̄ Id. The
 /// kinetic energy K, the angular momentum J and the circulation Z are in internal units and are not divided by m̄,
 ///
-///   K = (m̄/2)|Q̇|²,   J_i = m̄ ε_ijk Q_jA Q̇_kA,   Z_A = m̄ ε_ABC (QᵀQ̇)_CB,   at t = 0,
+///   K = (m̄/2)|Q̇|²,   J_i = m̄ ε_ijk Q_jA Q̇_kA,   Z_A = m̄ ε_ABC (QᵀQ̇)_CB,   at t = 0.
 ///
-/// The circulation has the vorticity ζ_k = −Λ_k (a_i² + a_j²)/(a_i a_j) relative to the rotating axes. Here Λ is the
-/// internal rotation, the a_i are the semi-axes, and the indices i, j, k are different.
+/// The internal motion of matter has the vorticity ζ_k = −Λ_k (a_i² + a_j²)/(a_i a_j) relative to the rotating axes.
+/// Here Λ is the internal rotation, the a_i are the semi-axes, and the indices i, j, k are different.
 
 #include "reduced/linear_stability.h"
 
@@ -17,7 +17,7 @@ struct EquilibriumPoint {
   Eigen::Vector3d semi_axes;  ///< semi-axes a₁, a₂, a₃ of A, in this order and not sorted by size
   double kinetic = 0, potential = 0;
   Eigen::Vector3d angular_momentum, circulation;  ///< angular momentum J and circulation Z
-  Eigen::Vector3d vorticity;                      ///< vorticity ζ of the circulation
+  Eigen::Vector3d vorticity;                      ///< vorticity ζ of the internal motion
   double residual = 0;  ///< |R| of steady_motion.h, divided by the largest norm of a term of R; 0 if all terms are 0
   LinearStability stability;
 

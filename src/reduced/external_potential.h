@@ -7,7 +7,7 @@
 ///
 ///   ∂V/∂Q = T Q E₀ − Vol P̄ + p Vol cof Q      (∮P̄N·QX dA = Vol P̄:Q by the divergence theorem, with the normal N)
 ///
-/// Loads that are 0 are skipped.
+/// Loads that are 0 are not computed.
 
 #include <Eigen/Dense>
 #include <optional>

@@ -7,13 +7,14 @@
 ///   ∂V/∂F = (k/3) D F,   D = (3/2) ∫₀^∞ (C + s)⁻¹ det(C + s)^(−1/2) ds,   C = FFᵀ.
 ///
 /// The integral is computed by Carlson's duplication for matrices. Let r₁, r₂, r₃ be the elementary symmetric functions
-/// of the eigenvalues of R = √C. R³ − r₁R² + r₂R − r₃ = 0 gives R(C + r₂) = r₁C + r₃, and so
+/// of the eigenvalues of R = √C. The equation R³ − r₁R² + r₂R − r₃ = 0 (Cayley and Hamilton) gives R(C + r₂) = r₁C +
+/// r₃, and so
 ///
 ///   D(C) = 3 (r₁C + r₃)⁻¹ + 2 D(C'),   C' = C + r₂,   r₃' = r₁r₂ − r₃.
 ///
 /// R itself is not computed. The invariants are r₃ = √det C and r₂ = (r₁² − tr C)/2, and r₁ is the largest root of r₂²
 /// − 2r₁r₃ − tr cof C. Each duplication makes r₁ about twice as large. Let A = ⅓ tr C and Z = Id − C/A. If Z is small,
-/// the series of ellipsoid_integrals.h give D = A^(−3/2) (h₀ Id + h₁ Z + h₂ cof Z).
+/// the series h₀, h₁, h₂ of ellipsoid_integrals.h give D = A^(−3/2) (h₀ Id + h₁ Z + h₂ cof Z).
 ///
 /// All terms of the sum for D are positive definite, so there is no cancellation. For a flat body, D F has relative
 /// errors of cond(F) ε, with the round-off ε and the condition number cond(F).
@@ -72,10 +73,10 @@ struct RootInvariants {
   T r1, r2;
 };
 
-/// Computes r₁ and r₂ from 2r₂ = r₁² − I and r₂² = II + 2r₁r₃, with I = tr C and II = tr cof C. The iteration r₁ ↦ √(I
-/// + 2√(II + 2r₁r₃)) converges from any start, without cancellation. Near the solution, it reduces the error by the
-/// factor r₃/(r₁r₂) ≤ 1/9. Three Newton steps after n_maps iterations give most digits. A last iteration removes the
-/// round-off of the Newton steps.
+/// Computes r₁ and r₂ from 2r₂ = r₁² − I and r₂² = II + 2r₁r₃, with I = tr C and II = tr cof C. The argument `r1` is
+/// the start of the iteration r₁ ↦ √(I + 2√(II + 2r₁r₃)), and `root(x)` is √x. The iteration converges from any start,
+/// without cancellation. Near the solution, it reduces the error by the factor r₃/(r₁r₂) ≤ 1/9. Three Newton steps
+/// after n_maps iterations give most digits. A last iteration removes the round-off of the Newton steps.
 template <class T, class Root>
 [[gnu::always_inline]] inline RootInvariants<T> invariants_of_root(T r1, int n_maps, const T& I, const T& II,
                                                                    const T& r3, const Root& root) {

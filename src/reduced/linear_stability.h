@@ -12,7 +12,7 @@
 ///
 /// The rotations of space and of the reference ball give the invariant space N, which contains
 ///
-///   (H, Ḣ) = (ζ̂A, −(ω×ζ)^A)   and   (Aζ̂, −A(Λ×ζ)^),   ζ ∈ R³,
+///   (H, Ḣ) = (ζ̂A, −(ω×ζ)^A)   and   (Aζ̂, −A(Λ×ζ)^),   ζ ∈ R³.
 ///
 /// Here (…)^ is the matrix of the cross product. The growth rates on N are 0, ±i|ω| and ±i|Λ|, and contain no
 /// information on the stability. The remainder is the space of fixed angular momentum J and circulation Z, modulo the

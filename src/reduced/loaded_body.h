@@ -105,8 +105,8 @@ class LoadedBody {
     return {};
   }
   /// Replaces the metrics in q by their values at the end of a step of length h. `before` and q are the positions at
-  /// the begin and end of the step, and the metrics follow the mean of their strains. Adds the energy that the branches
-  /// dissipate to D and to the D_b in v.
+  /// the start and at the end of the step, and the metrics follow the mean of their strains. Adds the energy that the
+  /// branches dissipate to D and to the D_b in v.
   void relax(double h, const Vector& before, Vector& q, Vector& v) const {
     const Metric strain = materials::mean_strain(materials::to_tensor(matrix(before)), materials::to_tensor(matrix(q)));
     for (std::size_t b = 0; b < branches().size(); ++b) {
@@ -300,7 +300,7 @@ class LoadedBody {
   PlaneForces planes_;
   mechanics::Orbit orbit_;
   loads::Loads loads_;
-  bool driven_;
+  bool driven_;  ///< true if a load depends on time or a plane moves
 };
 
 }  // namespace pseudorigid::reduced

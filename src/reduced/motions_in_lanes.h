@@ -37,8 +37,9 @@ struct MotionsInLanes {
 bool moves_in_lanes(mechanics::MethodId method);
 
 /// Integrates the motions of eight bodies from the deformations q and the velocities v at the time 0, with n_steps
-/// steps between two samples. If one body fails, all motions end, and the result has the samples before the failure. If
-/// moves_in_lanes(method) is false, the result has no samples and no failure.
+/// steps between two samples. The first sample is the state at the time 0. If one body fails, all motions end, and the
+/// result has the samples before the failure. If moves_in_lanes(method) is false, the result has no samples and no
+/// failure.
 MotionsInLanes motions_in_lanes(const materials::AnyLaw& law, const InertiaInLanes& inertia, const MatricesInLanes& q,
                                 const MatricesInLanes& v, mechanics::MethodId method,
                                 const mechanics::SampleTimes& times, long n_steps);

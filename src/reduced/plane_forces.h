@@ -21,7 +21,7 @@ class PlaneForces {
 
   const loads::Planes& planes() const { return planes_; }
 
-  /// Summary of the contacts with all planes at the time t.
+  /// Summary of the contacts with all planes at the time t (loads/contact.h).
   loads::Contact contact(double t, const Matrix& Q, const Vector& c) const {
     const loads::Planes now = planes_.at(t);
     std::vector<loads::PlaneContact> contacts;
@@ -69,9 +69,9 @@ class PlaneForces {
       loads::EllipsoidFriction(contact, Qdot, cdot).add_change(U, u, kind, F);
     }
   }
-  /// Adds −k∮u to the force on c and −k∮u Xᵀ to the force on Q, with k = stiffness_of_all(). The arguments Q and c are
-  /// differences of two configurations, so that u = c + Q X is the displacement. The integrals are over the unit sphere
-  /// of ξ, with X = S ξ.
+  /// Adds −k∮u to the force on c and −k∮u Xᵀ to the force on Q, with k = Planes::stiffness_of_all(). The arguments Q
+  /// and c are differences of two configurations, so that u = c + Q X is the displacement. The integrals are over the
+  /// unit sphere of ξ, with X = S ξ.
   void add_springs(const Matrix& Q, const Vector& c, loads::AffineForce& F) const {
     const double k = planes_.stiffness_of_all(), area = 4 * std::numbers::pi;
     F.on_center -= k * area * c;

@@ -7,7 +7,7 @@
 /// with the stored energy W per reference volume Vol, Carlson's integral R_F, and k = (3/5) G M² for the gravitational
 /// constant G and the mass M. The reference body is the image of the unit ball under the linear map S
 /// (reference_body.h). The deformed body is then an ellipsoid, and its semi-axes a_i are the singular values of F = QS.
-/// Terms that the scene does not contain are skipped.
+/// Self-gravity and loads that are 0 are not computed.
 ///
 /// The functions `energy` and `stress` of a Tensor return V and ∂V/∂Q per reference volume, like a material law. With
 /// the stress P = ∂W/∂Q of the law, and with the self-gravity V_g as a function of F, the derivative is

@@ -6,9 +6,10 @@
 ///   Q̈ E₀ = −∂V/∂Q + Λ Q⁻ᵀ,   ln det Q = 0                                                   (5.120)
 ///
 /// E₀ and Vol are the inertia and the volume of reference_body.h, and W is the stored energy per reference volume. On
-/// SL(3) the constraint g = ln det Q has G(Q)Q̇ = tr(Q⁻¹Q̇), GᵀΛ = ΛQ⁻ᵀ and D²g(Q̇,Q̇) = −tr((Q⁻¹Q̇)²). With the mass M
-/// Q̈ = Q̈ E₀, the equation G(Q₁) M⁻¹ G(Q₀)ᵀ Λ = r is therefore tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r. Its solution is a division.
-/// The multiplier of Oliva is λ = Λ/m̄ with m̄ = ⅓ tr E₀. On GL⁺(3) there is no constraint and no multiplier.
+/// SL(3) the constraint g = ln det Q has G(Q)Q̇ = tr(Q⁻¹Q̇), GᵀΛ = ΛQ⁻ᵀ and D²g(Q̇,Q̇) = −tr((Q⁻¹Q̇)²). The mass
+/// operator M maps Q̈ to Q̈ E₀. The equation G(Q₁) M⁻¹ G(Q₀)ᵀ Λ = r is therefore tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r. Its solution
+/// is a division. The multiplier of Oliva is λ = Λ/m̄ with m̄ = ⅓ tr E₀. On GL⁺(3) there is no constraint and no
+/// multiplier.
 
 #include <Eigen/Dense>
 #include <cmath>

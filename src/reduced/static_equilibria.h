@@ -39,13 +39,14 @@ class StaticLandscape {
   Vector periods() const { return Vector::Zero(9); }
   double potential(const Vector& q) const { return potential_.energy(matrix(q)); }
   /// Sets dV to ∂V/∂Q. Fails if det Q is not positive and finite, or if the law does not admit Q. Also fails if det Q ≤
-  /// 1e-8 for a compressible body, or if a derivative is not finite.
+  /// 1e-8 for a compressible body, or if ∂V/∂Q is not finite.
   mechanics::Status gradient(const Vector& q, Vector& dV) const;
   /// Sets g to ln det Q, or to a vector without entries on GL⁺(3). Fails if det Q is not positive and finite.
   mechanics::Status constraint(const Vector& q, Vector& g) const;
   /// Sets G to the row Q⁻ᵀ, the derivative of ln det Q, or to a matrix without rows on GL⁺(3).
   void constraint_gradient(const Vector& q, Matrix& G) const;
-  /// Sets H to the second derivative of V − Λ ln det Q, with Λ = 0 on GL⁺(3). Fails in the same cases as `gradient`.
+  /// Sets H to the second derivative of V − Λ ln det Q, with Λ = 0 on GL⁺(3). Fails if H is not finite, and in the
+  /// cases in which `gradient` fails because of Q.
   mechanics::Status hessian(const Vector& q, const Vector& lambda, Matrix& H) const;
   /// Sets M to the matrix of the metric ⟨H, H⟩, which does not depend on q.
   void mass(const Vector& q, Matrix& M) const;
@@ -55,8 +56,8 @@ class StaticLandscape {
   static Eigen::Matrix3d matrix(const Vector& q) { return q.reshaped(3, 3); }
 
   /// Returns true if V increases with s at all tested points of the surface |ln S| = s > 0. Here Q = R₁SR₂ with
-  /// rotations R₁, R₂ and a diagonal S. The function tests points of 64 random descents of the slope dV/ds, over the
-  /// directions of ln S and both rotations. The result is false if a slope is not positive.
+  /// rotations R₁, R₂ and a diagonal S. The function searches for a slope dV/ds that is not positive by 64 random
+  /// descents, over the directions of ln S and both rotations. The result is false if the search finds such a slope.
   bool rises_at(double s) const;
 
  private:

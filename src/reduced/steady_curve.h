@@ -8,9 +8,10 @@
 
 namespace pseudorigid::reduced {
 
-/// Directions in the kernel of the first seven rows of DF. `first` is a null direction of these rows. `second` is the
-/// right singular vector of their smallest singular value. `second_singular_value` is this singular value divided by
-/// the largest singular value. At a crossing with another curve, both directions are null.
+/// Two directions in the space of u that the first seven rows of DF determine. `first` is a null direction of these
+/// rows. `second` is the right singular vector of the smallest singular value of these rows. `second_singular_value` is
+/// this singular value divided by the largest singular value. At a crossing with another curve, both directions are
+/// null.
 struct NullDirections {
   PlaneVector first, second;
   double second_singular_value;

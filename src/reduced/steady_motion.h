@@ -36,7 +36,7 @@ concept SmoothPotential = requires(const V potential, const Eigen::Matrix3d Q, c
   { potential.second_derivative(Q, H) } -> std::convertible_to<Eigen::Matrix3d>;  // D(∂V)(Q)[H]
 };
 
-/// A body with E₀ = m̄ Id and an isotropic potential. The body has a reference to `potential`, which must outlive it.
+/// A body with E₀ = m̄ Id and an isotropic potential. The potential must outlive the body, which has a reference to it.
 template <SmoothPotential V>
 struct IsotropicBody {
   const V& potential;

@@ -1,8 +1,8 @@
 #pragma once
 /// The model of any system (system_scene.h) as one type. Methods and outputs are therefore compiled once for all
 /// systems. AnyModel contains the initial state, and the equations of motion as an unconstrained system, a constrained
-/// system or a second-order field. Its functions compute the columns of the output, the rate of change and the
-/// coordinates of states. All numbers are in the scales of the scene.
+/// system or a second-order field. Its functions compute the columns of the output and the rate of change of states,
+/// and return the potential landscape of the system. All numbers are in the scales of the scene.
 
 #include <memory>
 #include <stdexcept>
@@ -45,13 +45,13 @@ class AnyModel {
   /// The rate of change of the state per unit of time, which limits the step of methods. The result is that of the
   /// member `rate` of the model. Without this member, it is |v|/(1 + |q|) with the maximum norm.
   double rate(const State& state) const { return held_->rate(state); }
-  /// The potential landscape of the system. It may refer to this model, which must then exist as long as the landscape.
-  /// Throws std::logic_error if the system does not have a landscape.
+  /// The potential landscape of the system. The landscape may refer to this model. The model must then exist as long as
+  /// the landscape. Throws std::logic_error if the system does not have a landscape.
   mechanics::AnyLandscape landscape() const { return held_->landscape(); }
   /// Names and units of the coordinates of the landscape. The list is empty if the system does not have a landscape.
   std::vector<scene::Column> coordinates() const { return held_->coordinates(); }
-  /// Returns the model of the same system at rest at the point q of the landscape. Its `start().q` is this point in the
-  /// coordinates of the motion.
+  /// Returns the model of the same system that starts at rest at the point q of the landscape, at the time 0. Its
+  /// `start().q` is this point in the coordinates of the motion.
   AnyModel resting_at(const Eigen::VectorXd& q) const { return held_->resting_at(q); }
 
   /// Reverses the direction of time, for a run backwards in time. Call this function at most once. The equations of

@@ -6,8 +6,8 @@
 ///   rotations of space       about an axis through the origin that is parallel to the weight and contains every
 ///                            anchor of a spring
 ///
-/// Rotations of the body, R ↦ RO with a rotation O, are not included. Such rotations map the set g = 0 of the
-/// constraints g to itself, but change the values of g outside this set.
+/// Rotations of the body, R ↦ RO with a rotation O, are not included. With the constraints g of rigid_body.h, such
+/// rotations map the set g = 0 to itself, but change the values of g outside this set.
 
 #include "systems/body_loads.h"
 #include "systems/invariant_axes.h"

@@ -57,8 +57,8 @@ class DoublePendulum {
     f.head<2>() += lambda(0) / square(p_.l1) * q.head<2>() - along_second;
     f.tail<2>() += along_second;
   }
-  /// Adds the rate of the reaction G(q)ᵀλ along v to f. G is the derivative of the constraints, which are quadratic, so
-  /// that this rate is G(v)ᵀλ.
+  /// Adds the rate of the reaction G(q)ᵀλ along v to f, with the derivative G of the constraints. The constraints are
+  /// quadratic, so this rate is G(v)ᵀλ.
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }

@@ -51,9 +51,9 @@ struct DoublePendulumScene {
   }
 
   /// The unit of length is the length l₁ of the upper rod, and the unit of mass is the mass m₁ of the upper point. The
-  /// unit of time is the smaller of two times. One is √(l/g) with the length l of the shorter rod and the acceleration
-  /// of gravity g. The other is the reciprocal of the largest absolute value of an initial rate. Without gravity and at
-  /// rest, it is 1.
+  /// unit of time is the smaller of two times. The first time is √(l/g) with the length l of the shorter rod and the
+  /// acceleration of gravity g. The second time is the reciprocal of the largest absolute value of an initial rate.
+  /// Without gravity and at rest, it is 1.
   Scales scales() const {
     const double rate = std::max({std::sqrt(gravity / std::min(l1, l2)), std::abs(rates[0]), std::abs(rates[1])});
     return {l1, m1, rate > 0 ? 1 / rate : 1};
@@ -84,7 +84,8 @@ struct DoublePendulumScene {
 
   DoublePendulum::Parameters parameters() const { return {m1, m2, l1, l2, gravity}; }
 
-  /// Appends the values of the columns for a state in multiplier form. Fails if the multipliers cannot be computed.
+  /// The function `append` appends the values of the columns for a state in multiplier form. It fails if the
+  /// multipliers cannot be computed.
   struct Observer {
     DoublePendulum pendulum;
 

@@ -31,7 +31,7 @@
 
 namespace pseudorigid::systems {
 
-/// The equation above in the chart with the angle θ as its only coordinate.
+/// The equation of motion in the head of this file, in the chart with the angle θ as its only coordinate.
 struct FixedAxis {
   static constexpr int dimension = 1;
   MassDistribution body;

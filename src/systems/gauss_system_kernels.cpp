@@ -13,10 +13,10 @@
 namespace pseudorigid::systems {
 namespace {
 
-// This file is compiled once for each instruction set. Its solvers are the table SystemKernels (systems_in_lanes.h).
-// The fields below, except FieldOfPoints, are functions (first lane, q, v, a) over a scalar type T, which is a vector
-// of SIMD lanes. These functions set the accelerations a, and return a number that is positive if the accelerations are
-// defined.
+// This file is compiled once for each instruction set. The solvers in this file are the entries of the table
+// SystemKernels (systems_in_lanes.h). The fields below, except FieldOfPoints, are functions (first lane, q, v, a) over
+// a scalar type T, which is a vector of SIMD lanes. These functions set the accelerations a, and return a number that
+// is positive if the accelerations are defined.
 
 template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;
@@ -131,7 +131,7 @@ struct PointsField {
 };
 
 /// The double pendulum in Lagrange form (double_pendulum_chart.h) with the angles q = (θ, φ), the masses m_k, the
-/// lengths l_k and the gravity g. The corrected equation (5.44) is divided by l₁, and (5.45) by m₂l₂:
+/// lengths l_k and the acceleration of gravity g. The corrected equation (5.44) is divided by l₁, and (5.45) by m₂l₂:
 ///   (m₁+m₂) l₁ θ̈ + m₂ l₂ [φ̈ cos δ + φ̇² sin δ] + (m₁+m₂) g sin θ = 0
 ///   l₂ φ̈ + l₁ [θ̈ cos δ − θ̇² sin δ] + g sin φ = 0,   δ = θ − φ.
 struct AnglesField {

@@ -4,8 +4,8 @@
 ///
 ///   g_h = 2(h − U) g.
 ///
-/// The scene has one of four systems. Two of them are a particle of unit mass in the plane, with U = ½k|q|² or U =
-/// −μ/|q|. The third system is a heavy particle of unit mass on an upright torus. The fourth system is a double
+/// The scene has one of four systems. The first two systems are a particle of unit mass in the plane, with U = ½k|q|²
+/// or U = −μ/|q|. The third system is a heavy particle of unit mass on an upright torus. The fourth system is a double
 /// pendulum whose first mass is 1. The arc length s̃ of the geodesic replaces the time of the scene. Time/End and the
 /// column `time` are therefore arc lengths, with the unit length²/time.
 ///
@@ -307,11 +307,11 @@ struct JacobiGeodesicScene {
     if (potential == Potential::kepler) return -attraction / radius();
     return with_chart([&](const auto& chart) -> double { return chart.potential(Eigen::Vector2d(position.data())); });
   }
-  /// The number √(2(h − U)) at the start. In the plane, this is the initial speed of the particle.
+  /// The number √(2(h − U)) at the start. For a particle, this is the initial speed.
   double speed() const { return std::sqrt(2 * (energy - potential_energy())); }
   /// The unit of length. In the plane, it is the initial distance from the centre. If the particle starts at the
-  /// centre, it is the amplitude of the harmonic motion. Otherwise, it is the tube radius of the torus or the length of
-  /// the first rod.
+  /// centre, it is the amplitude of the harmonic motion. For the torus, the unit is the tube radius. For the double
+  /// pendulum, it is the length of the first rod.
   double length() const {
     if (!in_plane()) return potential == Potential::torus ? r : R;
     return radius() > 0 ? radius() : std::sqrt(2 * energy / stiffness);

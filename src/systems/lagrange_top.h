@@ -4,7 +4,7 @@
 /// R_z(ψ). The angles are a chart of SO(3) with the metric g of the kinetic energy K and the potential U of the loads.
 /// With the angular velocity Ω in the body, the inertia operator A and the forces df,
 ///
-///   Ω = B(h) ḣ,   g = BᵀAB,   U = V(R(h)),   d/dt ∂K/∂ḣ_i − ∂K/∂h_i = −∂U/∂h_i = (ω_i, ∫Rξ × df)
+///   Ω = B(h) ḣ,   g = BᵀAB,   U = V(R(h)),   d/dt ∂K/∂ḣ_i − ∂K/∂h_i = −∂U/∂h_i = ⟨ω_i, ∫Rξ × df⟩
 ///
 /// with the potential V of the loads as a function of R, and the axes ω_i, which satisfy ∂R/∂h_i R⁻¹ = ω_i×. The axes
 /// of φ, θ and ψ are e_z, the nodal line, and the third axis e₃ of the body. The chart is singular at sin θ = 0, where

@@ -149,7 +149,7 @@ class MassPoints : public mechanics::Unconstrained {
 
   /// The number of symmetries of the conservative forces. The first symmetries are translations, and the others are
   /// rotations about axes through c. Internal forces have all these symmetries, and external forces can exclude some of
-  /// them. Drag does not change the number, because it has no potential. With drag, the momenta are not constant.
+  /// them. Drag does not change the number, because drag has no potential. With drag, the momenta are not constant.
   int n_symmetries() const { return static_cast<int>(translations_.size() + axes_.size()); }
   void symmetry(int i, In q, In v, Out dq, Out dv) const {
     const auto k = static_cast<std::size_t>(i);

@@ -145,8 +145,8 @@ struct MassPointsScene {
       for (const Eigen::Vector3d& a : {P, L, mean}) row.insert(row.end(), a.begin(), a.end());
       return {};
     }
-    /// The rate of change of a state per unit of time (any_model.h). Positions and velocities are relative to the
-    /// centre of mass, unless the centre c exerts forces.
+    /// The rate of change of a state per unit of time (any_model.h), |v|/(1 + |q|) with the maximum norm. If the centre
+    /// c does not exert forces, positions q and velocities v are relative to the centre of mass.
     double rate(const mechanics::State<System>& state) const {
       const auto& p = system.parameters();
       const bool has_center = p.confinement > 0 || p.central_attraction > 0;

@@ -152,12 +152,14 @@ class MovingFrame {
 
   explicit MovingFrame(Parameters parameters) : p_(std::move(parameters)) {}
 
-  /// Computes the terms at the time t. Without an attraction (μ = 0), the function never fails. With an attraction, it
-  /// fails if μ/|q − c|³ is infinite or NaN. Examples are a point at the centre c, and coordinates that are NaN.
+  /// Computes the terms at the time t, for the position Q and the velocity V = Q̇ in the frame. Without an attraction
+  /// (μ = 0), the function never fails. With an attraction, it fails if μ/|q − c|³ is infinite or NaN. Examples are a
+  /// point at the centre c, and coordinates that are NaN.
   mechanics::Status terms(double t, const Vector& Q, const Vector& V, RelativeTerms& terms) const {
     return status_of_force(terms_over(p_.forces, p_.frame.at(t), Q, V, terms));
   }
-  /// Computes the terms for any scalar type. Returns the result of FrameForces::in_space.
+  /// Computes the terms for any scalar type, for the position Q and the velocity V = Q̇ in the frame. Returns the
+  /// result of FrameForces::in_space.
   template <class T>
   static T terms_over(const FrameForces& forces, const FramePoseOver<T>& pose, const Space<T>& Q, const Space<T>& V,
                       RelativeTermsOver<T>& terms) {
@@ -176,6 +178,7 @@ class MovingFrame {
     a = sum.sum();
     return {};
   }
+  /// Members that the templates of mechanics/core/stage_by_stage.h call for the stages of a Gauss step in SIMD lanes.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
     return solve_stages_in_lanes_of(stages_in_frame(p_, stages, true), stages);
   }
@@ -208,6 +211,7 @@ class InertialFrame {
   static T acceleration_over(const FrameForces& forces, const FramePoseOver<T>& pose, const Space<T>& q, Space<T>& a) {
     return forces.in_space<T>(q, pose.M.transpose() * (q - pose.r), pose.M, a);
   }
+  /// Members that the templates of mechanics/core/stage_by_stage.h call for the stages of a Gauss step in SIMD lanes.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
     return solve_stages_in_lanes_of(stages_in_frame(p_, stages, false), stages);
   }

@@ -84,7 +84,7 @@ class RigidBody {
     f.template leftCols<3>() = turning;
   }
 
-  /// Sets g to the six constraints. Fails if det R is not positive and finite, because the constraints do not exclude
+  /// Sets g to the six constraints. Fails if det R is not finite or not positive. The constraints alone do not exclude
   /// reflections.
   mechanics::Status constraint(const Vector& q, Multiplier& g) const {
     const Eigen::Matrix3d R = rotation(q);
@@ -102,8 +102,8 @@ class RigidBody {
   void add_reaction(const Vector& q, const Multiplier& lambda, Vector& f) const {
     f.template leftCols<3>() += rotation(q) * symmetric(lambda);
   }
-  /// Adds the rate of the reaction G(q)ᵀλ along v to f. G is the derivative of the constraints, which are quadratic, so
-  /// that this rate is G(v)ᵀλ.
+  /// Adds the rate of the reaction G(q)ᵀλ along v to f, with the derivative G of the constraints. The constraints are
+  /// quadratic, so this rate is G(v)ᵀλ.
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }

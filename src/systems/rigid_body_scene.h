@@ -159,8 +159,8 @@ struct RigidBodyScene {
                       row);
       return {};
     }
-    /// The rate of change of the rotation per unit of time (any_model.h). The motion of the centre of mass has no
-    /// effect on the rate.
+    /// The rate of change of the rotation per unit of time (any_model.h). It is |Ṙ|/(1 + |R|) with the maximum norm.
+    /// The motion of the centre of mass has no effect on the rate.
     double rate(const mechanics::State<System>& state) const {
       return mechanics::max_norm(System::rotation(state.v)) / (1 + mechanics::max_norm(System::rotation(state.q)));
     }
@@ -175,7 +175,8 @@ struct RigidBodyScene {
     System system;
     mechanics::State<System> initial;
     BodyObserver observer;
-    /// The same body in the form with constraints. The columns use its loads, and the landscape is its landscape.
+    /// The same body in the form with constraints. The columns use the loads of this form, and the landscape is that of
+    /// this form.
     FixedPointBody body;
     bool fixed_point;
     Eigen::Vector3d x, velocity;  ///< initial position and velocity of the centre of mass of a free body

@@ -64,10 +64,11 @@ Farthest farthest_number(SystemScene system) {
 
 }  // namespace detail
 
-/// Refuses a scene with numbers outside the range, or with an initial state that is not finite. The refusal names the
-/// entry with the number farthest from 1. If a number in the scales of the scene is outside the range, the refusal
-/// shows the number in these scales. Otherwise it shows the number in the units of the user. The function
-/// `starts_finite` receives the system in the scales of the scene, and returns true if its initial state is finite.
+/// Refuses a scene with numbers outside the range, with scales or units outside their bounds, or with an initial state
+/// that is not finite. Returns an empty result for a valid scene. The refusal names the entry with the number farthest
+/// from 1. If a number in the scales of the scene is outside the range, the refusal shows the number in these scales.
+/// Otherwise it shows the number in the units of the user. The function `starts_finite` receives the system in the
+/// scales of the scene, and returns true if its initial state is finite.
 template <class SystemScene, class StartsFinite>
 std::optional<Refusal> refuses_sizes(SystemScene system, const StartsFinite& starts_finite) {
   const Scales scales = system.scales();

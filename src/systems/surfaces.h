@@ -62,7 +62,8 @@ struct Sphere {
 /// The circles w = 0 (outside) and w = π (inside) are invariant under a reflection. A motion that starts along such a
 /// circle remains on the circle by symmetry. In floating-point arithmetic, this motion remains on the circle if the
 /// coordinate of the circle is 0. If the coordinate is π, the motion leaves the circle, because the sine of the double
-/// nearest to π is not 0. Therefore the first coordinate is w − w₀ with w₀ = kπ, k an integer (TorusCircle).
+/// nearest to π is not 0. Therefore the first coordinate of this chart is w − w₀ with w₀ = kπ, k an integer
+/// (TorusCircle).
 struct TorusSurface {
   static constexpr int dimension = 2;
   double R = 3, r = 1;

@@ -4,12 +4,12 @@
 /// systems/table.cpp.
 ///
 ///     struct PendulumScene {
-///       static constexpr std::string_view name, file, section, documentation;
-///       static constexpr bool has_equilibria;
+///       static constexpr std::string_view name, file, section, documentation;   // as in scene::SystemDescription
+///       static constexpr bool has_equilibria;                             // true if the model has a landscape
 ///       double length = 1; …                                              // entries with their defaults
 ///       template <class Self, class Visit> static void visit(Self& self, Visit&& visit);   // calls visit per entry
 ///       Scales scales() const;                                            // units in which the motion is of order 1
-///       void rescale(const Scales& scales);                               // optional: entries with several units
+///       void rescale(const Scales& scales);                               // optional: converts rows of several units
 ///       std::optional<Refusal> refuses() const;                           // the error, in the units of the user
 ///       static constexpr bool complete;                                   // optional: motions exist for all time
 ///       std::vector<Column> columns() const;                              // columns of its file after `time`
@@ -26,7 +26,7 @@
 ///     double rate(state) const;                                         // optional, default |v|/(1 + |q|)
 ///     auto landscape() const;                                           // potential, for Analysis = equilibrium
 ///     std::vector<Column> coordinates() const;                          // names of the coordinates of the landscape
-///     Model resting_at(q) const;                                        // optional, if the landscape has another q
+///     Model resting_at(q) const;                                        // optional, if the motion has another q
 ///   };
 
 #include <cmath>

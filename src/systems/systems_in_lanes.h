@@ -1,8 +1,9 @@
 #pragma once
-/// Systems whose fields are compiled for the eight stages of a Gauss step at once (gauss_system_kernels.cpp). To add a
-/// chart, write its functions over any scalar type, add the type to `SystemKernels`, and include its header in
-/// gauss_system_kernels.cpp. To add any other system, also write a struct of its numbers. Then add its field over any
-/// scalar type and an overload of `solve` to gauss_system_kernels.cpp.
+/// Systems whose second-order fields are compiled for the eight stages of a Gauss step at once
+/// (gauss_system_kernels.cpp). A second-order field gives the accelerations as a function of time, positions and
+/// velocities. To add a chart, write its functions over any scalar type, add the type to `SystemKernels`, and include
+/// its header in gauss_system_kernels.cpp. To add any other system, also write a struct of its numbers. Then add its
+/// field over any scalar type and an overload of `solve` to gauss_system_kernels.cpp.
 ///
 /// The types passed to the kernels must have the same memory layout for every instruction set. Eigen's types with the
 /// alignment of double meet this condition. Matrices in arrays are stored by columns, as in Eigen.
@@ -44,7 +45,8 @@ struct SphericalPendulumOfStages {
   static constexpr int n = 3;
   double g = 1, drag = 0;  // acceleration g of gravity, and c/m
 
-  /// Computes the acceleration a. Returns |q|², which is positive if the acceleration is defined.
+  /// Computes the acceleration a at the position q and the velocity v. Returns |q|², which is positive if the
+  /// acceleration is defined.
   template <class T>
   T operator()(int, const T* q, const T* v, T* a) const {
     const T square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2], speed2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
@@ -62,8 +64,8 @@ struct PendulumOfStages {
   double m1 = 1, m2 = 1, l1 = 1, l2 = 1, g = 1;
 };
 
-/// A function that solves for the stages of a Gauss step. If it returns false, the caller must evaluate the stages one
-/// by one.
+/// A function that solves for the stages of a Gauss step and sets stages.converged. If the function returns false, it
+/// has done nothing, and the caller must evaluate the stages one by one.
 template <class S>
 using StageSolver = bool (*)(const S& system, mechanics::GaussStages& stages);
 
