@@ -3,6 +3,7 @@
 After a change of what the program prints, tools/print_pages.py writes the pages anew.
 """
 import re
+import shlex
 
 import documentation
 from program_test import ProgramTest, SOURCE, main
@@ -36,6 +37,22 @@ class Documentation(ProgramTest):
         self.assertIsNone(documentation.first_difference(["a", "…", "d"], ["a", "b", "c", "d"]))
         for printed in (["a"], ["a", "b"], ["a", "b", "d", "e"]):
             self.assertIsNotNone(documentation.first_difference(["a", "…", "d"], printed))
+
+    def test_scenes_of_all_pages_are_accepted(self):
+        """Of every command `scripts/run.sh params/…` with its options, except those with a variable of the shell."""
+        n_commands = 0
+        for page in SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md")):
+            for block in re.findall(r"^```sh\n(.*?)^```", page.read_text(), re.S | re.M):
+                for line in re.findall(r"^scripts/run\.sh (params/.*)", block.replace("\\\n", " "), re.M):
+                    if re.search(r"\$[a-z]", line):
+                        continue
+                    words = shlex.split(line, comments=True)
+                    words = [word for word, before in zip(words, ["", *words]) if "--output" not in (word, before) and word != "--resume"]
+                    words[0] = str(SOURCE / words[0])
+                    result = self.run_program("check", *words)
+                    self.assertEqual(result.returncode, 0, f"{page}: {line}\n{result.stderr}")
+                    n_commands += 1
+        self.assertGreater(n_commands, 20)
 
     def test_readme(self):
         self.assertGreaterEqual(self.check("README.md"), 1)
