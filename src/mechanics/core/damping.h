@@ -72,7 +72,8 @@ struct DampingTemporaries<S> {
   typename S::Vector residual;  ///< the residual r, or P r after the projection
   typename S::Vector solution;  ///< the correction u
   /// `direction` is the search direction p of conjugate gradients, and `force` is −C p with the damping operator C.
-  /// `product` is first P T M r with the preconditioner T, and then p multiplied by P(1 + s M⁻¹C). `momentum` is M x
+  /// `product` is first P T M r with the preconditioner T of damping_preconditioner.h, and then
+  /// p multiplied by P(1 + s M⁻¹C). `momentum` is M x
   /// for a scalar product ⟨x, y⟩.
   typename S::Vector direction, force, product, momentum;
   typename S::Vector at_rest;  ///< f(q, 0), if `rest_known` is true (rattle_velocity.h)
@@ -80,7 +81,7 @@ struct DampingTemporaries<S> {
   /// Size of the round-off that the projection leaves in `residual`, in the maximum norm. Before the projection, r
   /// contains the forces along the reactions, such as the pressure of self-gravity, which may be much larger than P r.
   double round_off = 0;
-  long n_products = 0;  ///< number of products with C
+  long n_products = 0;  ///< total number of products with C, including those for the matrices of the preconditioner
 
  private:
   static typename S::Vector vector_if(bool used, const S& system) {
@@ -120,7 +121,8 @@ Status project_residual(const S& system, const typename S::Vector& q, double eno
 
 namespace detail {
 
-/// Runs conjugate gradients for `solve_damping` until |w.residual|_∞ is at most `sufficient`. The tolerance of the
+/// Runs conjugate gradients for `solve_damping` until |w.residual|_∞ is at most `sufficient`. On entry w.residual is
+/// P r. Sets w.solution to u, and w.residual to the remaining residual. The tolerance of the
 /// projections is a tenth of `enough`. The preconditioner is used if `preconditioned` is true. Fails if a projection
 /// fails, if `most_iterations` products with C are not enough, or if 1 + s M⁻¹C is not positive.
 template <Damped S>

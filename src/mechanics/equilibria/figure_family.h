@@ -78,6 +78,7 @@ struct FamilyOfFigures {
 /// the same order.
 using StabilityOfFigure = std::function<Status(const EquilibriumFigure& figure, std::vector<ClassStability>& classes)>;
 
+/// Finds members of one family and stores known figures as starts of the continuation.
 class FigureFinder {
  public:
   /// The object refers to `equations`, which must exist as long as the object. The search for a special point ends if
