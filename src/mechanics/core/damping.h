@@ -81,7 +81,9 @@ struct DampingTemporaries<S> {
   /// Size of the round-off that the projection leaves in `residual`, in the maximum norm. Before the projection, r
   /// contains the forces along the reactions, such as the pressure of self-gravity, which may be much larger than P r.
   double round_off = 0;
-  long n_products = 0;  ///< total number of products with C, including those for the matrices of the preconditioner
+  /// Number of products with C since a caller last set this number to 0. Products for the matrices of the
+  /// preconditioner are included.
+  long n_products = 0;
 
  private:
   static typename S::Vector vector_if(bool used, const S& system) {
@@ -171,11 +173,11 @@ Status conjugate_gradients(const S& system, double s, const State<S>& state, dou
 
 }  // namespace detail
 
-/// Sets w.solution to u for the projected residual P r = w.residual and the operator C at `state`. On return w.residual
-/// is the remaining residual. The iteration ends when |w.residual|_∞ is at most the largest of `enough`, w.round_off
-/// and 64 ε |P r|_∞, with the round-off ε. The function fails if P r is not finite, if a projection fails, if 2000
-/// iterations are not enough, or if 1 + s M⁻¹C is not positive. The last case occurs in a long step backwards in time,
-/// s < 0, and if a product with C is not finite.
+/// Sets w.solution to u for the projected residual P r = w.residual and the operator C at `state`. Call
+/// project_residual first, with the same `enough`. On return w.residual is the remaining residual. The iteration ends
+/// when |w.residual|_∞ is at most the largest of `enough`, w.round_off and 64 ε |P r|_∞, with the round-off ε. The
+/// function fails if P r is not finite, if a projection fails, if 2000 iterations are not enough, or if 1 + s M⁻¹C is
+/// not positive. The last case occurs in a long step backwards in time, s < 0, and if a product with C is not finite.
 template <Damped S>
 Status solve_damping(const S& system, double s, const State<S>& state, double enough,
                      typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,

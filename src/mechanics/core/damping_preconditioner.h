@@ -93,7 +93,7 @@ class DampingPreconditioner<S> {
   /// more than recent solves without the matrix.
   int most_products() const { return static_cast<int>(without_ / cost_); }
 
-  /// Sets z = T f in the damped entries. The other entries are copied from f.
+  /// Sets z = T f in the damped entries, and copies the other entries from f. `prepare` must have returned true.
   void apply(const Vector& f, Vector& z) {
     auto from = local_values(const_cast<Vector&>(f));
     auto to = local_values(z);
