@@ -102,9 +102,9 @@ void set_reaction(const S& system, const typename S::Vector& q0, const typename 
   }
 }
 
-/// Solves G(q₁) M⁻¹ G(q₀)ᵀ δ = −w.residual, and sets w.delta = δ and w.reaction = M⁻¹G(q₀)ᵀ δ. Changes
-/// the sign of w.residual, and adds the iterations of the Gram solve to w.n_gram_iterations. Fails if the Gram solve
-/// fails. For a single constraint the solve is a division, which does not fail.
+/// Solves G(q₁) M⁻¹ G(q₀)ᵀ δ = −w.residual, and sets w.delta = δ and w.reaction = M⁻¹G(q₀)ᵀ δ. Changes the
+/// sign of w.residual, and adds the iterations of the Gram solve to w.n_gram_iterations. Fails if the Gram solve fails.
+/// For a single constraint the solve is a division, which does not fail.
 template <ConstrainedSystem S>
 Status react(const S& system, const typename S::Vector& q1, const typename S::Vector& q0,
              typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {

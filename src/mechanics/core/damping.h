@@ -72,9 +72,8 @@ struct DampingTemporaries<S> {
   typename S::Vector residual;  ///< the residual r, or P r after the projection
   typename S::Vector solution;  ///< the correction u
   /// `direction` is the search direction p of conjugate gradients, and `force` is −C p with the damping operator C.
-  /// `product` is first P T M r with the preconditioner T of damping_preconditioner.h, and then
-  /// p multiplied by P(1 + s M⁻¹C). `momentum` is M x
-  /// for a scalar product ⟨x, y⟩.
+  /// `product` is first P T M r with the preconditioner T of damping_preconditioner.h, and then p
+  /// multiplied by P(1 + s M⁻¹C). `momentum` is M x for a scalar product ⟨x, y⟩.
   typename S::Vector direction, force, product, momentum;
   typename S::Vector at_rest;  ///< f(q, 0), if `rest_known` is true (rattle_velocity.h)
   bool rest_known = false;
@@ -124,9 +123,9 @@ Status project_residual(const S& system, const typename S::Vector& q, double eno
 namespace detail {
 
 /// Runs conjugate gradients for `solve_damping` until |w.residual|_∞ is at most `sufficient`. On entry w.residual is
-/// P r. Sets w.solution to u, and w.residual to the remaining residual. The tolerance of the
-/// projections is a tenth of `enough`. The preconditioner is used if `preconditioned` is true. Fails if a projection
-/// fails, if `most_iterations` products with C are not enough, or if 1 + s M⁻¹C is not positive.
+/// P r. Sets w.solution to u, and w.residual to the remaining residual. The tolerance of the projections is a
+/// tenth of `enough`. The preconditioner is used if `preconditioned` is true. Fails if a projection fails, if
+/// `most_iterations` products with C are not enough, or if 1 + s M⁻¹C is not positive.
 template <Damped S>
 Status conjugate_gradients(const S& system, double s, const State<S>& state, double enough, double sufficient,
                            bool preconditioned, int most_iterations, typename S::Workspace& system_workspace,

@@ -104,8 +104,8 @@ class DampingPreconditioner<S> {
 
   /// Records the number of products of a solve, and estimates how many products a matrix for the present configuration
   /// would have saved. Without T, these are the products beyond the cost of two iterations with T. With T, they are the
-  /// products beyond 1.5 l + 1, times the cost of an iteration. Here l is the larger number of products of the
-  /// first two solves with T. Both solves count, because a step has two solves of different sizes (rattle_velocity.h).
+  /// products beyond 1.5 l + 1, times the cost of an iteration. Here l is the larger number of products of the first
+  /// two solves with T. Both solves count, because a step has two solves of different sizes (rattle_velocity.h).
   void count(long n_products) {
     const auto n = static_cast<double>(n_products);
     if (in_use_) saved_ += without_ - cost_ * n;
