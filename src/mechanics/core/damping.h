@@ -109,8 +109,8 @@ Status project_onto_tangent_space(const S& system, double tolerance, const typen
 
 }  // namespace detail
 
-/// Replaces r = w.residual by P r, and sets w.round_off. `enough` is the permitted residual of the following call of
-/// `solve_damping`. Fails if a Gram solve fails or the iteration for the constraint does not converge.
+/// Replaces r = w.residual by P r, and sets w.round_off. `enough` is at most the permitted residual of the following
+/// call of `solve_damping`. Fails if a Gram solve fails or the iteration for the constraint does not converge.
 template <Damped S>
 Status project_residual(const S& system, const typename S::Vector& q, double enough,
                         typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
@@ -173,8 +173,8 @@ Status conjugate_gradients(const S& system, double s, const State<S>& state, dou
 }  // namespace detail
 
 /// Sets w.solution to u for the projected residual P r = w.residual and the operator C at `state`. Call
-/// project_residual first, with the same `enough`. On return w.residual is the remaining residual. The iteration ends
-/// when |w.residual|_∞ is at most the largest of `enough`, w.round_off and 64 ε |P r|_∞, with the round-off ε. The
+/// project_residual first, with at most this `enough`. On return w.residual is the remaining residual. The iteration
+/// ends when |w.residual|_∞ is at most the largest of `enough`, w.round_off and 64 ε |P r|_∞, with the round-off ε. The
 /// function fails if P r is not finite, if a projection fails, if 2000 iterations are not enough, or if 1 + s M⁻¹C is
 /// not positive. The last case occurs in a long step backwards in time, s < 0, and if a product with C is not finite.
 template <Damped S>
