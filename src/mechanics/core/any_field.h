@@ -57,7 +57,9 @@ class HeldField final : public FieldInterface {
 
 }  // namespace detail
 
-/// A second-order field of any type, which the constructor takes. Copies of an AnyField share this concrete field.
+/// A second-order field whose concrete type is known only at run time. The constructor stores the given field, and
+/// copies of an AnyField share the stored field. `project` succeeds without any change if the stored field has no
+/// invariant manifold.
 class AnyField {
  public:
   using Vector = Eigen::VectorXd;

@@ -140,8 +140,9 @@ class HeldSystem final : public SystemInterface {
 }  // namespace detail
 
 /// Any system in constrained form, without its energies and symmetries. The system has no constraints if n is 0, and
-/// any number of constraints if n is dynamic_constraints. The class has the members of a ConstrainedSystem. If n is not
-/// 0, the class also has `acceleration` and `project` of the system's second-order field.
+/// any number of constraints if n is dynamic_constraints. The class has the members of a ConstrainedSystem. For every
+/// n, it also has the functions for the stages of Gauss steps (stage_by_stage.h). If n is not 0, it has `acceleration`
+/// and `project` of the system's second-order field.
 template <int n>
 class AnyConstrainedSystem {
   static_assert(n == 0 || n == dynamic_constraints);

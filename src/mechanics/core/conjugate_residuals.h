@@ -11,7 +11,7 @@
 /// M⁻¹ is symmetric and positive definite. If A is symmetric and M is close to A, A M⁻¹ nearly has these properties,
 /// and a small m suffices. Since r_k is orthogonal to the y_j in the sums,
 ///
-///   |w − Σ (y_j·w) y_j|² = w·w − Σ (y_j·w)²,   y_k·r_k = w·r_k/|…|,
+///   |w − Σ (y_j·w) y_j|² = w·w − Σ (y_j·w)²,   y_k·r_k = w·r_k/|…|.
 ///
 /// All scalar products of an iteration are therefore known after one sum over the processes. The orthogonalisation is
 /// the classical Gram–Schmidt process, which is accurate enough for a small number of vectors. The difference |r_k|² −

@@ -102,8 +102,9 @@ void set_reaction(const S& system, const typename S::Vector& q0, const typename 
   }
 }
 
-/// Solves G(q₁) M⁻¹ G(q₀)ᵀ δ = −w.residual, and sets w.delta = δ and w.reaction = M⁻¹G(q₀)ᵀ δ. Changes w.residual.
-/// Fails if the Gram solve fails. For a single constraint the solve is a division, which does not fail.
+/// Solves G(q₁) M⁻¹ G(q₀)ᵀ δ = −w.residual, and sets w.delta = δ and w.reaction = M⁻¹G(q₀)ᵀ δ. Changes the
+/// sign of w.residual, and adds the iterations of the Gram solve to w.n_gram_iterations. Fails if the Gram solve fails.
+/// For a single constraint the solve is a division, which does not fail.
 template <ConstrainedSystem S>
 Status react(const S& system, const typename S::Vector& q1, const typename S::Vector& q0,
              typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {
@@ -142,7 +143,8 @@ void seek_residual(typename S::Workspace& system_workspace, double enough) {
 /// Runs Newton's iteration of this header for x. `evaluate` sets w.residual to r and returns a Status; `apply` adds
 /// w.reaction to x. `what` names x in messages, and `noise` returns the noise of r. Fails if `evaluate` or a Gram solve
 /// fails, or if the iteration is stuck. With tolerance 0 the iteration continues until the residual is round-off. If a
-/// residual is at most `foregone`, the iteration ends after its correction, without evaluating the new residual.
+/// residual is at most `foregone`, the iteration ends after its correction, without evaluating the new residual. Set
+/// w.direction_known to false before the call if q₀ has changed since the last call.
 template <ConstrainedSystem S, class Evaluate, class Apply, class Noise>
 Status meet_constraint(const S& system, const char* what, double tolerance, const typename S::Vector& q1,
                        const typename S::Vector& q0, typename S::Workspace& system_workspace,

@@ -72,15 +72,17 @@ struct DampingTemporaries<S> {
   typename S::Vector residual;  ///< the residual r, or P r after the projection
   typename S::Vector solution;  ///< the correction u
   /// `direction` is the search direction p of conjugate gradients, and `force` is −C p with the damping operator C.
-  /// `product` is first P T M r with the preconditioner T, and then p multiplied by P(1 + s M⁻¹C). `momentum` is M x
-  /// for a scalar product ⟨x, y⟩.
+  /// `product` is first P T M r with the preconditioner T of damping_preconditioner.h, and then p
+  /// multiplied by P(1 + s M⁻¹C). `momentum` is M x for a scalar product ⟨x, y⟩.
   typename S::Vector direction, force, product, momentum;
   typename S::Vector at_rest;  ///< f(q, 0), if `rest_known` is true (rattle_velocity.h)
   bool rest_known = false;
   /// Size of the round-off that the projection leaves in `residual`, in the maximum norm. Before the projection, r
   /// contains the forces along the reactions, such as the pressure of self-gravity, which may be much larger than P r.
   double round_off = 0;
-  long n_products = 0;  ///< number of products with C
+  /// Number of products with C since a caller last set this number to 0. Products for the matrices of the
+  /// preconditioner are included.
+  long n_products = 0;
 
  private:
   static typename S::Vector vector_if(bool used, const S& system) {
@@ -107,8 +109,8 @@ Status project_onto_tangent_space(const S& system, double tolerance, const typen
 
 }  // namespace detail
 
-/// Replaces r = w.residual by P r, and sets w.round_off. `enough` is the permitted residual of the following call of
-/// `solve_damping`. Fails if a Gram solve fails or the iteration for the constraint does not converge.
+/// Replaces r = w.residual by P r, and sets w.round_off. `enough` is at most the permitted residual of the following
+/// call of `solve_damping`. Fails if a Gram solve fails or the iteration for the constraint does not converge.
 template <Damped S>
 Status project_residual(const S& system, const typename S::Vector& q, double enough,
                         typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
@@ -120,9 +122,10 @@ Status project_residual(const S& system, const typename S::Vector& q, double eno
 
 namespace detail {
 
-/// Runs conjugate gradients for `solve_damping` until |w.residual|_∞ is at most `sufficient`. The tolerance of the
-/// projections is a tenth of `enough`. The preconditioner is used if `preconditioned` is true. Fails if a projection
-/// fails, if `most_iterations` products with C are not enough, or if 1 + s M⁻¹C is not positive.
+/// Runs conjugate gradients for `solve_damping` until |w.residual|_∞ is at most `sufficient`. On entry w.residual is
+/// P r. Sets w.solution to u, and w.residual to the remaining residual. The tolerance of the projections is a
+/// tenth of `enough`. The preconditioner is used if `preconditioned` is true. Fails if a projection fails, if
+/// `most_iterations` products with C are not enough, or if 1 + s M⁻¹C is not positive.
 template <Damped S>
 Status conjugate_gradients(const S& system, double s, const State<S>& state, double enough, double sufficient,
                            bool preconditioned, int most_iterations, typename S::Workspace& system_workspace,
@@ -169,11 +172,11 @@ Status conjugate_gradients(const S& system, double s, const State<S>& state, dou
 
 }  // namespace detail
 
-/// Sets w.solution to u for the projected residual P r = w.residual and the operator C at `state`. On return w.residual
-/// is the remaining residual. The iteration ends when |w.residual|_∞ is at most the largest of `enough`, w.round_off
-/// and 64 ε |P r|_∞, with the round-off ε. The function fails if P r is not finite, if a projection fails, if 2000
-/// iterations are not enough, or if 1 + s M⁻¹C is not positive. The last case occurs in a long step backwards in time,
-/// s < 0, and if a product with C is not finite.
+/// Sets w.solution to u for the projected residual P r = w.residual and the operator C at `state`. Call
+/// project_residual first, with at most this `enough`. On return w.residual is the remaining residual. The iteration
+/// ends when |w.residual|_∞ is at most the largest of `enough`, w.round_off and 64 ε |P r|_∞, with the round-off ε. The
+/// function fails if P r is not finite, if a projection fails, if 2000 iterations are not enough, or if 1 + s M⁻¹C is
+/// not positive. The last case occurs in a long step backwards in time, s < 0, and if a product with C is not finite.
 template <Damped S>
 Status solve_damping(const S& system, double s, const State<S>& state, double enough,
                      typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,

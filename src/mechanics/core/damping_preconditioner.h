@@ -66,9 +66,10 @@ class DampingPreconditioner<S> {
     if (n_ > 0) q_ = system.make_vector();
   }
 
-  /// Computes a new matrix T for the half step s at the state if T could have saved enough products. Returns true if
-  /// there is a matrix for `apply`, and then stores a copy of `residual` for `give_up`. Adds the number of products for
-  /// a new matrix to `n_products`.
+  /// Computes a new matrix T for the half step s at the state, if T could have saved enough products. This number is
+  /// n + n²/100, times the factor of `give_up`. Returns true if there is a matrix for `apply`, and then stores a copy
+  /// of `residual` for `give_up`. There is no matrix if this process does not have all n damped entries. Adds the
+  /// number of products for a new matrix to `n_products`.
   bool prepare(const S& system, double s, const State<S>& state, const Vector& residual, long& n_products) {
     if (n_ == 0 || std::ssize(local_values(q_)) < n_) return false;
     if (excess_ > patience_ * products_for_matrix()) {
@@ -92,7 +93,7 @@ class DampingPreconditioner<S> {
   /// more than recent solves without the matrix.
   int most_products() const { return static_cast<int>(without_ / cost_); }
 
-  /// Sets z = T f in the damped entries. The other entries are copied from f.
+  /// Sets z = T f in the damped entries, and copies the other entries from f. `prepare` must have returned true.
   void apply(const Vector& f, Vector& z) {
     auto from = local_values(const_cast<Vector&>(f));
     auto to = local_values(z);
@@ -102,8 +103,9 @@ class DampingPreconditioner<S> {
   }
 
   /// Records the number of products of a solve, and estimates how many products a matrix for the present configuration
-  /// would have saved. With T, these are the products beyond 1.5 l + 1. Here l is the larger number of products of the
-  /// first two solves with T. Both solves count, because a step has two solves of different sizes (rattle_velocity.h).
+  /// would have saved. Without T, these are the products beyond the cost of two iterations with T. With T, they are the
+  /// products beyond 1.5 l + 1, times the cost of an iteration. Here l is the larger number of products of the first
+  /// two solves with T. Both solves count, because a step has two solves of different sizes (rattle_velocity.h).
   void count(long n_products) {
     const auto n = static_cast<double>(n_products);
     if (in_use_) saved_ += without_ - cost_ * n;

@@ -1,6 +1,6 @@
 #pragma once
-/// The form of a system that a method integrates. Methods with steps of fixed size integrate a system as it is.
-/// Adaptive methods integrate a second-order field. A constrained system has the second-order field ExplicitMultiplier
+/// The form in which a method receives a system. A method with steps of fixed size receives the system itself. An
+/// adaptive method receives a second-order field, which is ExplicitMultiplier for a constrained system
 /// (explicit_multiplier.h).
 
 #include <type_traits>
@@ -21,7 +21,7 @@ decltype(auto) field_of(const S& system) {
 template <class S>
 using FieldOf = std::remove_cvref_t<decltype(field_of(std::declval<const S&>()))>;
 
-/// Returns the form of the system that Method integrates: the field if the method is adaptive, otherwise the system.
+/// Returns the form of the system that Method receives: the field if the method is adaptive, otherwise the system.
 template <class Method, class S>
 decltype(auto) form_for(const S& system) {
   if constexpr (Method::adaptive)

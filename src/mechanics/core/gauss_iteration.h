@@ -98,8 +98,8 @@ template <class Native>
 #endif
 }
 
-/// Adds the first n_groups groups of lanes of Σ_j x_j column_j to `sum`. A group has native_lanes lanes. The index j
-/// runs over the eight stages.
+/// Adds the first n_groups groups of lanes of Σ_j x_j column_j to `sum`. `columns` contains one vector for each j. A
+/// group has native_lanes lanes. The index j runs over the eight stages.
 template <int n_groups, class Columns>
 [[gnu::always_inline]] inline void add_columns(const OfStages& x, const Columns& columns, StageLanes (&sum)[n_groups]) {
 #pragma GCC unroll 8

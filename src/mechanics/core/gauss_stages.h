@@ -50,6 +50,7 @@ struct GaussStages {
   /// Position q and velocity v at the start of the step, n numbers each.
   const double* q = nullptr;
   const double* v = nullptr;
+  /// The coefficients of this step. A caller must call set_step, and also set_ratio if `last` is not null.
   const GaussTables* tables = nullptr;
   const OfStages* last = nullptr;  ///< stages of the last step, for the guess of `a`. If null, `a` contains the guess.
   /// Error of the accelerations at which the iteration ends. If the tolerance is 0, the iteration ends at the round-off

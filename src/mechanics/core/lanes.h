@@ -66,7 +66,8 @@ template <class Half>
     return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/// Returns the vector (piece(first), piece(first + 1), …), joined from n pieces. A piece is a number or a vector.
+/// Returns the vector (piece(first), piece(first + 1), …), joined from n pieces. A piece is a number or a vector, and n
+/// is a power of two.
 template <int n, class Piece>
 [[gnu::always_inline]] inline auto collect(const Piece& piece, int first = 0) {
   if constexpr (n == 1)

@@ -41,10 +41,10 @@ class OrbitComplement {
     }
   }
 
-  /// Removes the component in the tangent space of the orbit from (a, α). Returns the length of the remainder, or 0 if
-  /// this length is at most `dependent` times the original length. The projection is repeated as long as it removes
-  /// more than half of the length, because cancellation then magnifies round-off. A NaN ends the loop, and the result
-  /// is 0.
+  /// Removes the component in the tangent space of the orbit from (a, α). Call `set` first. Returns the length of the
+  /// remainder, or 0 if this length is at most `dependent` times the original length. The projection is repeated as
+  /// long as it removes more than half of the length, because cancellation then magnifies round-off. A NaN ends the
+  /// loop, and the result is 0.
   double project(Vector& a, Vector& alpha) const {
     const double length = norm(a, alpha);
     double before = length, left = length;

@@ -5,8 +5,9 @@
 ///
 /// on the vector space of the configuration. The field of a chart with the metric g, the Christoffel symbols Γ and the
 /// force F is a = −Γ(q̇, q̇) + g⁻¹F (5.19, 5.22; chart.h). In a moving frame, the field also contains the inertial
-/// accelerations. A system in constrained form has the mass M, the force f and the constraint g = 0 with G = Dg
-/// (constrained_system.h). By the explicit multiplier (5.29), its field is
+/// accelerations. A system in constrained form has the mass M, the force f, the multiplier λ and a constraint
+/// (constrained_system.h). The constraint is written g = 0, with G = Dg; this g is not the metric. By the explicit
+/// multiplier (5.29), the field of the system is
 ///
 ///   q̈ = M⁻¹[f + Gᵀλ],   G M⁻¹Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f,
 ///
@@ -19,7 +20,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// A second-order field. q, v, a are F::Vector. Functions return a failure as a Status, as in a ConstrainedSystem.
+/// A second-order field. `acceleration` sets a to the acceleration at the time t, the position q and the velocity v, or
+/// returns a failure as a Status. The workspace w contains temporaries of the field.
 template <class F>
 concept SecondOrderField = requires(const F field, double t, const typename F::Vector q, const typename F::Vector v,
                                     typename F::Workspace w, typename F::Vector a) {
@@ -28,8 +30,8 @@ concept SecondOrderField = requires(const F field, double t, const typename F::V
   { field.make_workspace() } -> std::same_as<typename F::Workspace>;
 };
 
-/// A field with an invariant manifold of states (q, v). `project` moves a nearby state to the manifold, and fails if
-/// this is not possible.
+/// A field with an invariant manifold of states (q, v). `project` moves a nearby state to the manifold. It fails if it
+/// does not find a state on the manifold.
 template <class F>
 concept ProjectedField = SecondOrderField<F> &&
     requires(const F field, typename F::Vector q, typename F::Vector v, typename F::Workspace w) {

@@ -36,8 +36,8 @@ class [[nodiscard]] Status {
   std::shared_ptr<const std::string> reason_;
 };
 
-/// Status of a solve with the Gram operator GM⁻¹Gᵀ (constrained_system.h), and its number of iterations. The number is
-/// 0 if the solver is direct.
+/// Status and number of iterations of a solve with the Gram operator GM⁻¹Gᵀ (constrained_system.h). The number of
+/// iterations is 0 if the solver is direct.
 struct [[nodiscard]] SolveReport {
   Status status;
   int iterations = 0;

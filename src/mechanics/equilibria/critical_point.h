@@ -23,7 +23,9 @@ struct CriticalPoint {
   Eigen::VectorXd hessian_eigenvalues;  // eigenvalues of H, increasing; without damping the squared frequencies
   Eigen::VectorXcd rates;               // rates z of the small motions
   Eigen::MatrixXcd directions;          // column k: δq = T y for the rate k, of length 1 in the metric
-  int n_unstable = 0, n_stable = 0;     // numbers of rates with positive and with negative real part
+  /// Numbers of rates with positive and with negative real part. For a system without dissipation, find_equilibria
+  /// counts them with an added damping, which `rates` does not include.
+  int n_unstable = 0, n_stable = 0;
 
   /// Returns true if no rate has a real part that is zero up to round-off.
   bool hyperbolic() const { return n_unstable + n_stable == rates.size(); }

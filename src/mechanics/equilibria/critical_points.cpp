@@ -37,6 +37,8 @@ class CriticalPointFinder {
   }
 
  private:
+  /// Runs Newton's iteration from n_more further starting points. Adds the new critical points and the numbers of
+  /// starting points to `found`. Fails if describe_critical_point fails.
   Status try_starts(int n_more, CriticalPoints& found) {
     for (const int end = found.n_starts + n_more; found.n_starts < end; ++found.n_starts) {
       Vector q = found.n_starts == 0 ? search_.center : random_start(), lambda;

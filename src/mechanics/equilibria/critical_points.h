@@ -41,7 +41,9 @@ struct CriticalPointSearch {
 };
 
 struct CriticalPoints {
-  std::vector<CriticalPoint> points;  // ordered by increasing V
+  /// Points by increasing V, and by their coordinates if V is equal up to 1e-6. A coordinate with a period P is in
+  /// (−P/2, P/2].
+  std::vector<CriticalPoint> points;
   int n_starts = 0, n_converged = 0;
   bool misses_points = false;  ///< true if points were known to be missing when the search ended
 };

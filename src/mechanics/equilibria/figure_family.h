@@ -65,7 +65,7 @@ struct NearbyFigure {
 };
 
 /// A family of spheroids or ellipsoids. `condition` returns the condition that the figure with the given parameter
-/// satisfies.
+/// satisfies. The value of the condition is not finite if no figure can have this parameter.
 struct FamilyOfFigures {
   Figure figure;
   std::function<FigureCondition(double parameter)> condition;
@@ -78,6 +78,7 @@ struct FamilyOfFigures {
 /// the same order.
 using StabilityOfFigure = std::function<Status(const EquilibriumFigure& figure, std::vector<ClassStability>& classes)>;
 
+/// Finds members of one family and stores known figures as starts of the continuation.
 class FigureFinder {
  public:
   /// The object refers to `equations`, which must exist as long as the object. The search for a special point ends if
@@ -87,6 +88,7 @@ class FigureFinder {
                double resolution = 1e-12);
 
   /// Finds the members with these parameters, in this order, and the special points between successive members.
+  /// Folds are located only if the parameter of the condition is a ratio of axes.
   /// Parameters for which no member is found are listed in `missing`. `give_up` is called before each member and each
   /// trial member near a special point. If `give_up` returns true, the function returns the members found so far.
   FigureFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {});

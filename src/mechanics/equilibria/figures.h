@@ -6,9 +6,9 @@
 ///
 /// with the forces f except reactions, and the constraint g. A body without constraint has no λ. For a steady rotation
 /// with the angular velocity Ω, the drive ν is Ω², and h is the centrifugal force at Ω = 1. For a body at rest, ν is a
-/// factor of the loads h. A further condition selects a figure in its family. It is the value of ν or the ratio of two
-/// axes. In the second case ν is an unknown. The continuation from a known figure to another figure uses the tangent of
-/// the family as the prediction and Newton's iteration as the correction.
+/// factor of the loads h. A further condition selects a figure in its family. It prescribes ν or the ratio of two
+/// axes. If it prescribes a ratio, ν is an unknown. The continuation from a known figure to another figure uses the
+/// tangent of the family as the prediction and Newton's iteration as the correction.
 
 #include <Eigen/Core>
 
@@ -30,9 +30,9 @@ struct FigureCondition {
 /// A figure in internal units. `x` and `lambda` contain the coefficients of the positions and of the multipliers.
 struct EquilibriumFigure {
   Eigen::VectorXd x, lambda;
-  double drive = 0;     ///< the drive ν
-  /// |r|_∞ divided by the largest entry of a term of r. If all terms are round-off, it is 0 for polynomial bodies. For
-  /// finite elements, the divisor is at least a typical elastic force on a node.
+  double drive = 0;  ///< the drive ν
+  /// |r|_∞ divided by the largest entry of a term of r. For polynomial bodies, `residual` is 0 if all terms are
+  /// round-off. For finite elements, the divisor is at least a typical elastic force on a node.
   double residual = 0;
 };
 

@@ -4,6 +4,9 @@
 /// C. With the position q, the velocity v, the force f and a multiplier λ, its functions are
 ///
 ///   ∇V,   g,   G = Dg,   H_L = ∇²V − Σ λ_k D²g_k,   M,   C = −∂f/∂v at v = 0.
+///
+/// The last argument of `gradient` and of the functions below it is the output, which the function resizes. G has one
+/// row for each constraint. A function that returns a Status fails if its quantity cannot be computed.
 
 #include <Eigen/Core>
 #include <concepts>

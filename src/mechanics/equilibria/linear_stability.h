@@ -28,8 +28,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Directions (y, ẏ) that span N. The columns of `y` and `rate` are the y and the ẏ. The directions may be linearly
-/// dependent.
+/// Directions (y, ẏ) that span N. The columns of `y` and `rate` are the y and the ẏ, in unscaled time. The directions
+/// may be linearly dependent.
 struct SymmetryDirections {
   Eigen::MatrixXd y, rate;
 };
@@ -48,10 +48,11 @@ struct Rate {
 };
 
 struct LinearStability {
-  std::vector<Rate> rates;
-  Eigen::VectorXd second_variation;  ///< eigenvalues of S, increasing: second variation of the energy at fixed momenta
+  std::vector<Rate> rates;  ///< rates on the reduced space, ordered by Im s and then by Re s
+  /// Eigenvalues of S in scaled time, increasing: second variation of the energy at fixed momenta.
+  Eigen::VectorXd second_variation;
   int n_negative = 0;  ///< number of negative eigenvalues of S; if all are positive, the motion is stable (Dirichlet)
-  double growth_rate = 0;  ///< largest real part of a rate, or 0 if this part is round-off
+  double growth_rate = 0;  ///< largest real part of a rate in unscaled time, or 0 if `stable` is true
   bool stable = true;      ///< spectral stability: no rate has a positive real part above round-off
 };
 
@@ -63,9 +64,10 @@ inline constexpr double zero_growth = 1e-6;
 /// order 1.
 inline constexpr double zero_variation = 1e-12;
 
-/// Returns S and W on the reduced space, which is represented by the orthogonal complement of N ∩ N^W in N^W. Singular
-/// values count as zero if they are at most `absent` times the largest singular value of the same matrix. If
-/// `symmetries` has no columns, N is zero.
+/// Returns S and W in scaled time on the reduced space. K and G are those of the opening equation, in unscaled time.
+/// The antisymmetric part of K is removed. The reduced space is represented by the orthogonal complement of N ∩ N^W in
+/// N^W. Singular values count as zero if they are at most `absent` times the largest singular value of the same matrix.
+/// If `symmetries` has no columns, N is zero.
 ReducedLinearSystem reduce(Eigen::MatrixXd K, Eigen::MatrixXd G, const SymmetryDirections& symmetries, double absent);
 
 /// Sets the rates, the second variation and the stability in `result`. If the reduced space is zero, there are no rates

@@ -24,7 +24,7 @@ namespace pseudorigid::mechanics {
 /// A displacement of a state. `q` is the displacement x of the position, and `v` is the displacement y of the velocity.
 struct PhaseVector {
   Eigen::VectorXd q, v;
-  double rate = 0;  ///< growth or decay rate |Re z|
+  double rate = 0;  ///< growth or decay rate |Re z|; for a sum of directions, the slowest of their rates
 };
 
 /// Returns a basis of the tangent space of the unstable manifold at p, or of the stable manifold if `unstable` is

@@ -33,9 +33,9 @@ const std::array<Eigen::Vector3d, 7>& phase_points();
 /// The displacements of the phase points, one in each column.
 using PhaseDisplacements = Eigen::Matrix<std::complex<double>, 3, 7>;
 
-/// The factor by which the shape y is multiplied, so that it has the amplitude ε and the phase of the opening comment.
-/// If several components are within 10 % of the largest, the first of them becomes real. `mean_square` is the mean of
-/// |y|² over the mass, and `displacements` are those of y.
+/// Returns the factor that gives the shape y the amplitude ε and the phase of the opening comment. If several
+/// components are within 10 % of the largest, the first of them in column order becomes real and positive. `amplitude`
+/// is ε, `mean_square` is the mean of |y|² over the mass and must be positive, and `displacements` are those of y.
 std::complex<double> factor_of_shape(double amplitude, double mean_square, const PhaseDisplacements& displacements);
 
 }  // namespace pseudorigid::mechanics

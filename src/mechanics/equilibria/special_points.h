@@ -84,8 +84,9 @@ inline double collision(const LinearStability& stability) {
 using StabilityAlong = std::function<std::optional<LinearStability>(double s)>;
 
 /// Appends the index points and instabilities between the parameters a and b to `found`. Finds only zeros of test
-/// functions that have opposite signs at a and b. If there is no relative equilibrium at a or b, or if the numbers of
-/// eigenvalues at a and b differ, appends nothing. `resolution` is the relative resolution of s (bracketed_root.h).
+/// functions that have opposite signs at a and b, and at most one instability. If there is no relative equilibrium at a
+/// or b, or if the numbers of eigenvalues at a and b differ, appends nothing. `resolution` is the relative resolution
+/// of s (bracketed_root.h).
 inline void locate_changes_of_stability(const StabilityAlong& stability, double a, double b,
                                         std::vector<SpecialPoint>& found,
                                         double resolution = std::numeric_limits<double>::epsilon()) {
