@@ -66,10 +66,12 @@ class ElasticBall : public BallBody {
   }
   /// Sets g to the constraint at the position x. Fails if BallBody::judge fails for the least det F. Collective.
   mechanics::Status constraint(const Vector& x, Multiplier& g) const { return judge(kernels().constraint(x, g), x); }
+  /// `constraint_rate` sets r = G(x) v. `constraint_curvature` sets r = D²g(x)(v, v). Both functions are collective.
   void constraint_rate(const Vector& x, const Vector& v, Multiplier& r) const { kernels().constraint_rate(x, v, r); }
   void constraint_curvature(const Vector& x, const Vector& v, Multiplier& r) const {
     kernels().constraint_curvature(x, v, r);
   }
+  /// f ← f + G(x)ᵀλ. With a workspace, the function can use a stored tangent (GramSolver::add_reaction). Collective.
   void add_reaction(const Vector& x, const Multiplier& lambda, Vector& f) const {
     kernels().add_reaction(x, lambda, f);
   }

@@ -32,9 +32,9 @@ struct FigureState {
   const loads::Forcing& forcing;  ///< sum of the loads of the body
   bool incompressible;
   Drive kind;
-  const Vector& x;
-  const Vector& lambda;  ///< not used for a compressible body
-  double drive;
+  const Vector& x;       ///< nodal positions of the figure
+  const Vector& lambda;  ///< multiplier of the figure; not used for a compressible body
+  double drive;          ///< drive ν
 };
 
 /// The larger of the shear modulus at rest and ρgr, with the gravity g at the surface of the sphere. In internal units,
@@ -70,7 +70,7 @@ class TangentProblem final : public LinearProblem {
   Eigen::Vector3d rate_of_drive() const;
 
   FigureState state_;
-  bool definite_;
+  bool definite_;  ///< true if the shift is positive
   const HeldDirection* held_;
   std::vector<Spring> springs_;
   std::vector<Eigen::MatrixXd> of_gravity_;  ///< terms of K of each cell that E has; empty without self-gravity
