@@ -66,7 +66,8 @@ class ConstraintTangents {
     }
   }
 
-  /// Returns the stored tensors w H⁻ᵀ at the points of the plane q3 of batch b. The tangent must have double precision.
+  /// Returns the stored tensors w H⁻ᵀ at the points of the plane q3 of batch b, which the caller can set. The tangent
+  /// must have double precision.
   Field& plane_of(ConstraintTangent& tangent, std::size_t b, int q3) const {
     return static_cast<Tangent<L>&>(tangent).planes[b * n + static_cast<std::size_t>(q3)].T;
   }

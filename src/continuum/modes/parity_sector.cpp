@@ -231,8 +231,8 @@ mechanics::Status ParitySector::solve_definite(const Eigen::VectorXd& f, int n_c
   }
   u = Eigen::VectorXd::Zero(f.size());
   Eigen::VectorXd r = f, z = solve_cells(r, n_corrections), p = z;
-  // B p, except for a term Gᵀμ with some multiplier μ. The products of this term with p and z are 0, because G p = G z
-  // = 0.
+  // B_p is the vector B p, except for a term Gᵀμ with some multiplier μ. The products of this term with p and z are 0,
+  // because G p = G z = 0.
   Eigen::VectorXd B_p = r;
   double rz = r.dot(z);
   const double enough = tolerance * tolerance * rz;
