@@ -78,7 +78,8 @@ class ElasticBall : public BallBody {
   void add_reaction(const Vector& x, const Multiplier& lambda, Vector& f, Workspace& workspace) const {
     workspace.gram.add_reaction(x, lambda, f);
   }
-  /// Solves G(x1) M⁻¹ G(x0)ᵀ λ = r. Fails if GramSolver::solve fails. Collective.
+  /// Solves G(x1) M⁻¹ G(x0)ᵀ λ = r with the accuracy of GramSolver::solve, in which `enough` is
+  /// workspace.residual_sought. Fails if GramSolver::solve fails. Collective.
   mechanics::SolveReport solve_gram(const Vector& x1, const Vector& x0, const Multiplier& r, Workspace& workspace,
                                     Multiplier& lambda) const {
     return workspace.gram.solve(x1, x0, r, workspace.residual_sought, lambda);
