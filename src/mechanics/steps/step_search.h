@@ -29,10 +29,11 @@
 /// If force evaluations are costly, the search first estimates the error of the largest permitted step over a part w'
 /// of the window. Methods of order 2 omit this estimate. The errors have hardly begun to grow in w', so the estimate is
 /// multiplied by (w/w')^(3/2). The first part is w/8 with the factor 23. If this product is too large, but 2.8 times
-/// the estimate is not, the search also tries w/2 with the factor 2.8. These factors were tested in releases, spins,
-/// tides and figures of equilibrium of the ball. The error was 0.07 to 9 times the estimate without a factor at w/8,
-/// and 0.4 to 2.1 times this estimate at w/2. A method of high order often meets the target at its stability limit. Its
-/// pilot runs then cost only a fifth or a half as much.
+/// the estimate is not, the search also tries w/2 with the factor 2.8. For a multistep method of order p, a part
+/// contains at least 2p steps. These factors were tested in releases, spins, tides and figures of equilibrium of the
+/// ball. The error was 0.07 to 9 times the estimate without a factor at w/8, and 0.4 to 2.1 times this estimate at w/2.
+/// A method of high order often meets the target at its stability limit. Its pilot runs then cost only a fifth or a
+/// half as much.
 ///
 /// A symmetric multistep method conserves a modified energy. For a mode of frequency ω and energy E_ω, the modified
 /// energy is
