@@ -58,7 +58,8 @@ class BallBody {
   BallBody(const BallBody&) = delete;  // because some members refer to other members
   BallBody& operator=(const BallBody&) = delete;
 
-  /// a = M⁻¹f, with 0 for components that a symmetry plane fixes. f and a may be the same vector.
+  /// a = M⁻¹f, with 0 for components that a symmetry plane fixes and for unused coordinates of additional nodes. f and
+  /// a may be the same vector.
   void apply_inverse_mass(const Vector& f, Vector& a) const;
   /// f = M v, with the mass 1 for the coordinates of the energies and of the companions. For components that are fixed
   /// or not used, f is 0. Their inverse mass is 0.
@@ -89,6 +90,8 @@ class BallBody {
   /// is 0 without branches. Collective.
   double energy_of_branches(const Vector& x) const;
   bool time_dependent() const { return loads_.time_dependent(); }
+  /// `time_dependent`: true if a load depends on time or a plane moves. `velocity_dependent`: true if a force depends
+  /// on the velocity. `dissipative`: true if a force or a branch dissipates energy.
   bool velocity_dependent() const { return loads_.damped(); }
   bool dissipative() const { return loads_.dissipative(); }
   bool has_contact() const { return contact_.has_value(); }
@@ -165,22 +168,25 @@ class BallBody {
   /// least det F. Collective.
   mechanics::Status judge(double least, const Vector& x) const;
   /// Fills x with fixed irregular numbers in [−1, 1], the start of the search for the largest frequency
-  /// (mechanics/steps/largest_frequency.h). The numbers do not depend on the number of ranks, except for a difference
-  /// of about 1e-12 due to round-off.
+  /// (mechanics/steps/largest_frequency.h). With another number of ranks, the numbers differ by about 1e-12, because
+  /// the round-off of the reference positions differs.
   void fill_irregular(Vector& x) const;
   /// Σ_n m_n a_n b_nᵀ over the nodes n of the whole ball, with the nodal masses m_n. Collective.
   Eigen::Matrix3d nodal_moment(const Vector& a, const Vector& b) const;
 
  protected:
-  /// Sets f to all forces without the reactions. If `held_at` is not null and there are planes, springs on the whole
-  /// surface replace the contact. The springs pull each point of the surface towards the place that it has for the
-  /// nodal positions `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then an upper
-  /// bound for the stiffness with contact, which the search for a stable step needs. Fails if `judge` fails.
+  /// Sets f to all forces without the reactions. Sets the first two coordinates of BallSpace::account in f to the
+  /// powers of the opening comment. If `held_at` is not null and there are planes, springs on the whole surface replace
+  /// the contact, with its damping and friction. The springs pull each point of the surface towards the place that it
+  /// has for the nodal positions `*held_at`, with the stiffness Planes::stiffness_of_all. The total stiffness is then
+  /// an upper bound for the stiffness with contact, which the search for a stable step needs. Fails if `judge` fails.
   /// Collective.
   mechanics::Status applied_force(double t, const Vector& x, const Vector& v, const Vector* held_at, Vector& f) const;
-  /// Adds the forces of loads, branches, gravity, companions and contact to f. On entry, f contains the elastic force.
-  /// `least` is the least value of det F and of the reserve of the law on this rank, which the kernel returned for this
-  /// force. `held_at` has the meaning of applied_force. Fails if `judge` fails for `least`. Collective.
+  /// Adds the forces of loads, branches, gravity, companions and contact to f, and sets the powers as applied_force
+  /// does. On entry, f contains the elastic force, and the reactions if the body is incompressible and the caller has
+  /// added them. `least` is the least value of det F and of the reserve of the law on this rank, which the kernel
+  /// returned for this force. `held_at` has the meaning of applied_force. Fails if `judge` fails for `least`.
+  /// Collective.
   mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, const Vector* held_at,
                                    Vector& f) const;
 

@@ -65,8 +65,8 @@ class ContactForces {
     const Eigen::MatrixXd half = values_.lazyProduct(nodal);
     return half.lazyProduct(values_.transpose());
   }
-  /// False if the bound in the head of this file shows that the face does not reach the plane. `heights` contains n·x −
-  /// z₀ at the nodes.
+  /// False if the bound in the opening comment of this file shows that the face does not reach the plane. `heights`
+  /// contains n·x − z₀ at the nodes.
   bool may_touch(const Eigen::MatrixXd& heights) const;
   /// The three components of a vector field at the points of a face, in the order of Face::weights.
   using VectorAtPoints = std::array<Eigen::MatrixXd, 3>;

@@ -66,17 +66,20 @@ class ElasticBall : public BallBody {
   }
   /// Sets g to the constraint at the position x. Fails if BallBody::judge fails for the least det F. Collective.
   mechanics::Status constraint(const Vector& x, Multiplier& g) const { return judge(kernels().constraint(x, g), x); }
+  /// `constraint_rate` sets r = G(x) v. `constraint_curvature` sets r = D²g(x)(v, v). Both functions are collective.
   void constraint_rate(const Vector& x, const Vector& v, Multiplier& r) const { kernels().constraint_rate(x, v, r); }
   void constraint_curvature(const Vector& x, const Vector& v, Multiplier& r) const {
     kernels().constraint_curvature(x, v, r);
   }
+  /// f ← f + G(x)ᵀλ. With a workspace, the function can use a stored tangent (GramSolver::add_reaction). Collective.
   void add_reaction(const Vector& x, const Multiplier& lambda, Vector& f) const {
     kernels().add_reaction(x, lambda, f);
   }
   void add_reaction(const Vector& x, const Multiplier& lambda, Vector& f, Workspace& workspace) const {
     workspace.gram.add_reaction(x, lambda, f);
   }
-  /// Solves G(x1) M⁻¹ G(x0)ᵀ λ = r. Fails if GramSolver::solve fails. Collective.
+  /// Solves G(x1) M⁻¹ G(x0)ᵀ λ = r with the accuracy of GramSolver::solve, in which `enough` is
+  /// workspace.residual_sought. Fails if GramSolver::solve fails. Collective.
   mechanics::SolveReport solve_gram(const Vector& x1, const Vector& x0, const Multiplier& r, Workspace& workspace,
                                     Multiplier& lambda) const {
     return workspace.gram.solve(x1, x0, r, workspace.residual_sought, lambda);

@@ -22,9 +22,9 @@
 namespace pseudorigid::continuum {
 
 /// Number of points in each direction of a face for which the error of gravity is below the discretisation error. With
-/// the degree k the number is k + 2, or k + 1 if the mesh of an elastic body is refined. A fluid needs k + 2, because
-/// only gravity makes the shortest waves on its surface stable. With k + 1 points, the waves in test runs grew by a
-/// factor of 2.3 in the time 1/√(Gρ). With k + 2 points the quadrature resolves the gravity of these waves.
+/// the degree k the number is k + 2, or k + 1 if the body is elastic and its mesh is refined. A fluid needs k + 2,
+/// because only gravity makes the shortest waves on its surface stable. With k + 1 points, the waves in test runs grew
+/// by a factor of 2.3 in the time 1/√(Gρ). With k + 2 points the quadrature resolves the gravity of these waves.
 int n_gravity_points(const BallSpace& space, bool is_fluid);
 
 /// The forces f_n, their rates, the energy and the potential of self-gravity.
@@ -72,7 +72,7 @@ class SurfaceGravityForces {
   /// Returns the sum of the totals of all ranks. Collective.
   gravity::SurfaceTotals over_ranks(const gravity::SurfaceTotals& own) const;
   /// f_n ← f_n − ∂E/∂x_n for every node n, for a function E of the points and their area vectors. `derivative` is the
-  /// derivative of E with respect to these. x contains the jets of the position.
+  /// derivative of E with respect to the points and area vectors. x contains the jets of the position.
   void spread(const Jets& x, const gravity::SurfaceDerivative& derivative, Vector& f) const;
 
   double constant_;

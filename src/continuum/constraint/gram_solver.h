@@ -28,9 +28,10 @@ class GramSolver {
   ~GramSolver();
   GramSolver(GramSolver&&) noexcept;
 
-  /// Computes λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. If the iteration does
-  /// not converge, the solver renews the preconditioner at q₁ and repeats the iteration once. Fails if the second
-  /// iteration does not converge either, if the preconditioner cannot be computed, or if r is not finite. Collective.
+  /// Computes λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. If history().stale is
+  /// true, the solver first computes the preconditioner at q₀. If the iteration does not converge, the solver renews
+  /// the preconditioner at q₁ and repeats the iteration once. Fails if the second iteration does not converge either,
+  /// if the preconditioner cannot be computed, or if r is not finite. Collective.
   mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda);
 
   /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ, with the stored energy W + U of kernels/stored_energy.h and the basis functions φ.
@@ -63,7 +64,8 @@ class GramSolver {
   }
 
   /// Counts since the construction of the solver. n_iterations_at_most is the largest number of iterations of one
-  /// solve. A solve does not count if its preconditioner cannot be computed. n_renewals includes failed renewals.
+  /// solve. A solve does not count if its preconditioner cannot be computed. n_renewals includes failed renewals, but
+  /// not the first computation after a restart from a checkpoint.
   struct Statistics {
     long n_solves = 0, n_iterations = 0, n_iterations_at_most = 0, n_renewals = 0;
     std::size_t memory = 0;  ///< memory of the preconditioner on this rank in bytes

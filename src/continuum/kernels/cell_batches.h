@@ -98,6 +98,8 @@ class CellBatches {
       values[j] = L::of([&](int l) { return entries[(l < b.n_active ? l : 0) * n_pressure + j]; });
   }
 
+  /// Sets the multipliers of the cells of the batch in `lambda` to `values`. Lanes that repeat the first cell are
+  /// skipped.
   void store_multiplier(const L* values, std::size_t batch, double* lambda) const {
     const Batch& b = batches[batch];
     for (int l = 0; l < b.n_active; ++l)

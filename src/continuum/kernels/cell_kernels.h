@@ -39,10 +39,13 @@ class CellKernels {
   double force_with_reaction(const Vector& x, const Vector& lambda, ConstraintTangent* at_x, Vector& f) const;
   /// Computes g and returns the least J on this rank. If this value is not positive, g is not valid.
   double constraint(const Vector& x, Vector& g) const;
+  /// `constraint_rate` sets r = G v, and `constraint_curvature` sets r = D²g(v, v), both at the positions x.
   void constraint_rate(const Vector& x, const Vector& v, Vector& r) const;
   void constraint_curvature(const Vector& x, const Vector& v, Vector& r) const;
   /// Allocates a tangent. Its values are undefined before set_tangent.
   std::unique_ptr<ConstraintTangent> make_tangent(Precision precision) const { return local_->make_tangent(precision); }
+  /// `set_tangent` sets `tangent` to G at x. `constraint_rate` sets r = G v, and `add_reaction` computes f ← f + Gᵀλ,
+  /// with G of the tangent or at x.
   void set_tangent(const Vector& x, ConstraintTangent& tangent) const;
   void constraint_rate(const ConstraintTangent& at_x, const Vector& v, Vector& r) const;
   void add_reaction(const ConstraintTangent& at_x, const Vector& lambda, Vector& f) const;
@@ -63,6 +66,7 @@ class CellKernels {
   /// otherwise.
   void start_branches(std::size_t n_branches, bool relaxed, Vector& x) const;
 
+  /// The integrals and extreme values over the cells of this rank, at the positions x and the velocity v.
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
   /// Least det F over the quadrature points of this rank, with its reference position.
   LeastPlace locate_least_jacobian(const Vector& x) const;

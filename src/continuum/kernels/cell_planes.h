@@ -40,6 +40,7 @@ class CellPlanes {
   std::size_t n_batches() const { return batches.batches.size(); }
   std::size_t memory() const { return batches.memory() + sizeof(Buffers); }
 
+  /// `load` returns the tensor at point q of a plane. `store` sets this tensor.
   template <class Number>
   [[gnu::always_inline]] static Tensor load(const Number (&T)[9][plane], int q) {
     return {{{T[0][q], T[1][q], T[2][q]}, {T[3][q], T[4][q], T[5][q]}, {T[6][q], T[7][q], T[8][q]}}};

@@ -1,8 +1,9 @@
 #pragma once
 /// The derivative G of the constraint at fixed positions x, for many products. A tangent stores T_q = w H⁻ᵀ at every
-/// Gauss point q, with H = ∂x/∂ξ. The number w is the quadrature weight times det ∂X/∂ξ. The numbers have double
-/// precision or single precision (constraint/gram_solver.h). The ψ_j are the basis of the multipliers, the φ_n are the
-/// basis of the displacements, and λ_h = Σ λ_j ψ_j. The products with a velocity v and a multiplier λ are
+/// Gauss point q, with H = ∂x/∂ξ. The number w is the quadrature weight times det ∂X/∂ξ. The numbers have double or
+/// single precision. In single precision, a tangent needs half the memory. The ψ_j are the basis of the multipliers,
+/// the φ_n are the basis of the displacements, and λ_h = Σ λ_j ψ_j. The products with a velocity v and a multiplier λ
+/// are
 ///
 ///   (G v)_j = Σ_q ψ_j T_q : ∂v/∂ξ,   (Gᵀλ)_n = Σ_q λ_h T_q : ∂φ_n/∂ξ
 
@@ -65,7 +66,8 @@ class ConstraintTangents {
     }
   }
 
-  /// Returns the stored tensors w H⁻ᵀ at the points of the plane q3 of batch b. The tangent must have double precision.
+  /// Returns the stored tensors w H⁻ᵀ at the points of the plane q3 of batch b, which the caller can set. The tangent
+  /// must have double precision.
   Field& plane_of(ConstraintTangent& tangent, std::size_t b, int q3) const {
     return static_cast<Tangent<L>&>(tangent).planes[b * n + static_cast<std::size_t>(q3)].T;
   }

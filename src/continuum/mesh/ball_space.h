@@ -28,9 +28,9 @@ namespace pseudorigid::continuum {
 
 class BallSpace {
  public:
-  /// `degree` is k. After the nodes of the mesh, vectors have additional nodes, all on one rank. The coordinates of the
-  /// first ⌈n_accounts/3⌉ additional nodes are `n_accounts` energies (body/ball_body.h). The other `n_companions`
-  /// additional nodes are point masses (mechanics/core/orbit.h).
+  /// `degree` is k. The constructor is collective. After the nodes of the mesh, vectors have additional nodes, all on
+  /// one rank. The coordinates of the first ⌈n_accounts/3⌉ additional nodes are `n_accounts` energies
+  /// (body/ball_body.h). The other `n_companions` additional nodes are point masses (mechanics/core/orbit.h).
   BallSpace(BallMesh mesh, int degree, unsigned int n_accounts = 0, unsigned int n_companions = 0);
 
   const BallMesh& mesh() const { return mesh_; }
@@ -55,7 +55,7 @@ class BallSpace {
   const std::vector<unsigned int>& cell_nodes(unsigned int cell) const { return cell_nodes_[cell]; }
   const std::vector<std::vector<unsigned int>>& cells() const { return cell_nodes_; }
   const Vector& reference_positions() const { return X_; }  ///< X with ghost nodes; 0 at additional nodes
-  const Vector& mass() const { return mass_; }              ///< m_n at each component of node n; 0 at additional nodes
+  const Vector& mass() const { return mass_; }  ///< m_n at each component of own node n; 0 at additional nodes
   /// 1/m_n at each component of node n, or 0 if a symmetry plane fixes the component. At additional nodes the entry is
   /// 1 if the coordinate is used, and otherwise 0.
   const Vector& inverse_mass() const { return inverse_mass_; }

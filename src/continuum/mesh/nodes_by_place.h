@@ -24,7 +24,8 @@ class NodesByPlace {
     for (unsigned int node = 0; node < space.n_nodes(); ++node)
       node_at_[rounded(reference_position(space, node))] = node;
   }
-  /// The node at X up to round-off. Throws std::logic_error if there is none.
+  /// Local number of the node at X, up to 1e-9 in each coordinate. Throws std::logic_error if this rank does not own
+  /// such a node.
   unsigned int at(const Eigen::Vector3d& X) const {
     const std::array<long, 3> place = rounded(X);
     // The rounded coordinates of the node may differ by one unit in each direction.

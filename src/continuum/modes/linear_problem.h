@@ -58,11 +58,12 @@ struct LinearProblem {
   LinearProblem(const LinearProblem&) = default;
   /// Sets `constraint` to G at the positions x. Must be called before `set_stiffness`.
   void set_constraint(const CellKernels& kernels, const Vector& x);
-  /// Sets `stiffness` and `n_cells_at_node`. The function `of_cell` returns K of a cell.
+  /// Sets `stiffness` and `n_cells_at_node`. The function `of_cell` returns K of a cell, to which set_stiffness adds
+  /// γGᵀG.
   void set_stiffness(const std::function<Eigen::MatrixXd(unsigned int cell)>& of_cell);
-  /// Adds a spring at each quadrature point of the free surface to the stiffness. A spring acts along the vector
-  /// `along(point)`, and its stiffness is the square of the length of this vector times the quadrature weight. Returns
-  /// the springs.
+  /// Adds a spring at each quadrature point of the free surface to `stiffness`, which set_stiffness must have set. A
+  /// spring acts along the vector `along(point)`, and its stiffness is the square of the length of this vector times
+  /// the quadrature weight. Returns the springs.
   std::vector<Spring> add_springs(const std::function<Eigen::Vector3d(const FacePoint& point)>& along);
 };
 

@@ -28,7 +28,8 @@ struct BallLoveNumbers {
 };
 
 /// Sets `numbers` to the Love numbers of the `degrees`, each at least 2, for an incompressible ball with self-gravity.
-/// Fails if the ball is not stable at rest, or if the conjugate gradients do not converge.
+/// The computation replaces the shift of `problem` by 0. Fails if the ball is not stable at rest, or if the conjugate
+/// gradients do not converge.
 mechanics::Status love_numbers(RestProblem problem, const std::vector<int>& degrees,
                                std::vector<BallLoveNumbers>& numbers);
 

@@ -54,6 +54,8 @@ std::vector<SectorClass> sector_classes(const BallSpace& space) {
   return all;
 }
 
+/// A mode that the iteration in a sector has found. `kind` is the class of its surface displacement, and u is its
+/// displacement on the octant.
 struct SectorMode {
   double omega_squared;
   ModeClass kind;

@@ -23,8 +23,8 @@ constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
 /// Relative tolerances of the conjugate gradients in the energy norm. The first is for eigenvectors and modes, the
 /// second for a static response.
 constexpr double tolerance_of_operator = 1e-9, tolerance_of_response = 1e-13;
-/// GMRES in `solve` also ends if the norm of its residual is below this fraction of the norm of B⁻¹f, the displacement
-/// without the corrections of the constraint.
+/// GMRES in `solve` also ends if the norm of its residual is below this fraction of the norm of B⁻¹f', the displacement
+/// without the corrections of the constraint. Here f' is f minus the force of a displacement with G u = h.
 constexpr double balanced = 1e-9;
 /// Largest numbers of iterations of the conjugate gradients and of GMRES.
 constexpr int n_iterations_of_gradients = 100, n_iterations_of_gmres = 120;
@@ -231,8 +231,8 @@ mechanics::Status ParitySector::solve_definite(const Eigen::VectorXd& f, int n_c
   }
   u = Eigen::VectorXd::Zero(f.size());
   Eigen::VectorXd r = f, z = solve_cells(r, n_corrections), p = z;
-  // B p, except for a term Gᵀμ with some multiplier μ. The products of this term with p and z are 0, because G p = G z
-  // = 0.
+  // B_p is the vector B p, except for a term Gᵀμ with some multiplier μ. The products of this term with p and z are 0,
+  // because G p = G z = 0.
   Eigen::VectorXd B_p = r;
   double rz = r.dot(z);
   const double enough = tolerance * tolerance * rz;
@@ -306,8 +306,9 @@ mechanics::SolveReport ParitySector::solve(const Eigen::VectorXd& f, const Eigen
   };
   Eigen::VectorXd penalized = f - product(particular);
   const Eigen::VectorXd right = solve_cells(penalized, n_corrections_of_mode);
-  // If the constraint balances the force f, T f is only round-off, and a tolerance relative to T f would be too small.
-  // The displacement B⁻¹f is above round-off even in this case.
+  // `penalized` is the force f' = f − (K + E + s M) `particular`. If the constraint balances f', T f' is only
+  // round-off, and a tolerance relative to T f' would be too small. The displacement B⁻¹f' is above round-off even in
+  // this case.
   solve_penalized(penalized);
   const double round_off = balanced * penalized.norm();
   std::vector<double> rest;

@@ -69,7 +69,8 @@ class ParitySector {
 
   /// Solves (K + E + s M) u − Gᵀλ = f, G u = h. Unlike `respond`, this function does not need a positive definite K + E
   /// + s M. The equation is solved by GMRES. The preconditioner is T without E. `tolerance` is relative to the
-  /// preconditioned right-hand side. `lambda` is empty for a compressible body. Fails if GMRES does not converge.
+  /// preconditioned right-hand side. If the constraint nearly balances f, the iteration ends earlier, at the round-off
+  /// of the displacement. `lambda` is empty for a compressible body. Fails if GMRES does not converge.
   mechanics::SolveReport solve(const Eigen::VectorXd& f, const Eigen::VectorXd& h, double tolerance, Eigen::VectorXd& u,
                                Eigen::VectorXd& lambda) const;
 

@@ -19,7 +19,7 @@ namespace pseudorigid::continuum {
 
 struct RestProblem final : LinearProblem {
   /// `space` must be that of an octant in one process. The self-gravity K_g is that of an incompressible body.
-  /// `gravity_constant` is Newton's constant in internal units, in which ρ = r = 1.
+  /// `gravity_constant` is Newton's constant in internal units, in which ρ = r = 1. The shift s is the shear modulus.
   RestProblem(const BallSpace& space, const CellKernels& kernels, const StoredEnergy& stored, bool incompressible,
               double gravity_constant = 0);
   SectorOperator beyond_cells(const ParitySector& sector) const override;

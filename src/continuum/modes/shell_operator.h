@@ -16,7 +16,8 @@ namespace pseudorigid::continuum {
 using LinearOperator = std::function<mechanics::Status(std::span<const double> in, std::span<double> out)>;
 
 /// A square operator as a matrix of PETSc. Functions that PETSc calls cannot return a mechanics::Status. If `apply`
-/// fails, all later products are therefore 0, and status() has the reason.
+/// fails, this product and all later products are therefore 0, and status() has the reason. `apply` must outlive this
+/// object.
 class ShellOperator {
  public:
   ShellOperator(const LinearOperator& apply, std::size_t size);

@@ -61,6 +61,7 @@ class SurfaceHarmonics {
     Eigen::Vector3d e;  ///< point of the unit sphere
     double area;        ///< quadrature weight for integrals over the whole sphere
   };
+  /// Kind and degree of one of the orthonormal fields.
   struct Row {
     ModeKind kind;
     int degree;

@@ -19,6 +19,7 @@ namespace pseudorigid::continuum {
 
 class MaterialFaces {
  public:
+  /// Finds the faces and chooses m by their number on all ranks. Collective.
   explicit MaterialFaces(const BallSpace& space);
 
   static constexpr auto columns = mechanics::shape_columns;

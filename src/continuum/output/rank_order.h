@@ -29,7 +29,8 @@ class RankOrder {
 
   /// The same functions for a position, including its internal metrics, which follow the coordinates cell by cell.
   /// `position_size` is the number of entries of the list that collect_position returns on rank 0. `take_position`
-  /// throws std::invalid_argument if the size of `whole` is wrong. All three functions are collective.
+  /// throws std::invalid_argument if the size of `whole` is wrong. Before `take_position`, x must have metrics of the
+  /// final size. All three functions are collective.
   std::vector<double> collect_position(const Vector& x) const;
   void take_position(std::span<const double> whole, Vector& x) const;
   std::size_t position_size(const Vector& x) const { return fields_.n_entries + order_of_metrics(x).n_entries; }

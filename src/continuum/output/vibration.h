@@ -7,8 +7,9 @@
 
 namespace pseudorigid::continuum {
 
-/// Returns the modes, and the integrals over the cells of this rank of each modal displacement times each nodal basis
-/// function.
+/// Returns the modes, the reference positions of the nodes of this rank and of its ghost nodes, and the nodal masses,
+/// which are 0 at ghost nodes. The result also contains the integrals over the cells of this rank of each modal
+/// displacement times each nodal basis function.
 mechanics::Vibration vibration_of(const BallBody& ball);
 
 /// The energy of vibration of the whole ball at a state, and its parts by degree. `known` must contain the centre of

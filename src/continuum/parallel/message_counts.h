@@ -10,7 +10,7 @@ namespace pseudorigid::continuum {
 struct MessageCounts {
   double messages = 0;    ///< number of messages from this process to other processes
   double bytes = 0;       ///< total size of these messages
-  double reductions = 0;  ///< number of sums, broadcasts, barriers and gathers among several processes
+  double reductions = 0;  ///< number of reductions, broadcasts, barriers and gathers of several processes
 
   MessageCounts operator-(const MessageCounts& earlier) const {
     return {messages - earlier.messages, bytes - earlier.bytes, reductions - earlier.reductions};

@@ -78,6 +78,7 @@ struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
       if (!(std::abs(value) <= norm)) norm = std::isnan(value) ? HUGE_VAL : std::abs(value);
     return dealii::Utilities::MPI::max(norm, x.get_mpi_communicator());
   }
+  /// Σ x_i y_i over the entries of all ranks. Collective.
   static double dot(const Vector& x, const Vector& y) { return x * y; }
   /// Sets products_k = x_k·y. Collective.
   static void dots(std::span<const Vector* const> x, const Vector& y, std::span<double> products) {

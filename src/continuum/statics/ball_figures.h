@@ -5,10 +5,11 @@
 ///   r = f(x) + ν h(x) + Gᵀλ = 0,   g(x) = 0,
 ///
 /// without λ and g for a compressible ball. G is the derivative of the constraint g. f contains the elastic force, the
-/// volumetric stabilisation and self-gravity. For a rotation with the spin Ω, ν = Ω² and h_n = m_n P x_n. Here m_n is
-/// the mass and x_n the position of node n, and P is the projection onto the plane normal to axis 3. For the ball at
-/// rest, ν is the factor of the loads h. The planes of the octant exclude rotations of space and of the undeformed
-/// ball. These rotations therefore do not make K singular.
+/// volumetric stabilisation and self-gravity. For a rotation of a compressible ball, f also contains the pressure on
+/// the surface. For a rotation with the spin Ω, ν = Ω² and h_n = m_n P x_n. Here m_n is the mass and x_n the position
+/// of node n, and P is the projection onto the plane normal to axis 3. For the ball at rest, ν is the factor of the
+/// loads h. The planes of the octant exclude rotations of space and of the undeformed ball. These rotations therefore
+/// do not make K singular.
 ///
 /// The equations are solved by Newton's iteration. Each step solves K δx − Gᵀδλ = r, Gδx = −g with the tangent K
 /// (tangent_problem.h), by GMRES with a factorisation of the cells as the preconditioner (modes/parity_sector.h). If
@@ -101,7 +102,8 @@ class BallFigures final : public mechanics::FigureEquations {
 
   mechanics::Status terms(const Figure& figure, Terms& terms) const;
   /// Solves K δx − Gᵀδλ = f, G δx = h at a figure, for each pair of right sides (f, h). Sets `changes` to the
-  /// solutions. If `held` is not null, K contains the term σwwᵀ of `held`.
+  /// solutions, with δν = 0. For a spheroid, each δx is then symmetrized (`symmetrize`). Fails if K cannot be
+  /// factorised or GMRES does not converge. If `held` is not null, K contains the term σwwᵀ of `held`.
   mechanics::Status solve_linear(const Figure& figure, const HeldDirection* held,
                                  const std::vector<std::pair<Vector, Vector>>& right_sides,
                                  std::vector<Figure>& changes) const;

@@ -49,7 +49,8 @@ class SectorBasis {
  public:
   SectorBasis(const TangentProblem& problem, int number) : sector_(problem, parity_of_sector(number)) {}
 
-  /// Appends the eigenvectors of K for the n lowest eigenvalues, without uniform translations.
+  /// Appends the eigenvectors of K for the n lowest eigenvalues, without uniform translations. Must be called before
+  /// add_response and add_projected, because this function factorises the operator of the sector.
   mechanics::Status add_eigenvectors(int n) {
     if (auto status = sector_.factorize(); !status) return status;
     std::vector<EigenPair> known = uniform_motions();
@@ -105,6 +106,8 @@ class SectorBasis {
   }
 
  private:
+  /// The uniform translation u in the sector as the vector M^½ u of length 1, which is an argument of
+  /// ParitySector::apply. The result is empty if the sector does not contain a translation.
   std::vector<EigenPair> uniform_motions() const {
     const auto& sign = sector_.parity().sign;
     if (std::ranges::count(sign, -1) != 1) return {};
@@ -114,6 +117,8 @@ class SectorBasis {
     const Eigen::VectorXd y = sector_.entries_of(u).cwiseProduct(sector_.mass().cwiseSqrt()).normalized();
     return {{0, {y.begin(), y.end()}}};
   }
+  /// Appends the part of u that is orthogonal to the basis, divided by its length. Omits this part if it is short
+  /// (`dependent`).
   void add(Eigen::VectorXd u) {
     const double before = std::sqrt(u.dot(sector_.mass().cwiseProduct(u)));
     for (int repetition = 0; repetition < 2; ++repetition)
@@ -208,6 +213,8 @@ class StabilityProblem {
   }
 
  private:
+  /// Fills both bases: eigenvectors, then the static responses to the forces of Coriolis of the other basis, then
+  /// rotations.
   mechanics::Status fill(int n_eigenvectors, ClassBasis& basis) const {
     for (SectorBasis& part : basis.parts)
       if (auto status = part.add_eigenvectors(n_eigenvectors); !status) return status;
@@ -236,7 +243,8 @@ class StabilityProblem {
     K.bottomRightCorner(n - n_first, n - n_first) = basis.parts[1].stiffness(shift_);
     return K;
   }
-  /// The matrix of Ω ê₃×u, which has the other parity of the class.
+  /// The matrix with the entries bᵀM(Ω ê₃×b') for the vectors b and b' of both bases. The field ê₃×b' has the other
+  /// parity of the class than b'.
   Eigen::MatrixXd coriolis(const ClassBasis& basis) const {
     const Eigen::Index n = basis.size(), n_first = basis.parts[0].size();
     Eigen::MatrixXd coriolis(n, n);
@@ -298,8 +306,8 @@ mechanics::Status all_classes(const StabilityProblem& problem, int n_eigenvector
 }
 
 /// Calls `solve` with the problem of a figure. K + s M must be positive definite. A larger shift s permits a more
-/// unstable figure, but the iteration for the eigenvectors is then slower. If `solve` fails, it is therefore called
-/// again with larger shifts.
+/// unstable figure, but the iteration for the eigenvectors is then slower. If `solve` fails, the function therefore
+/// calls `solve` again, at most twice, each time with a shift 8 times as large. Returns the status of the last call.
 template <class Solve>
 mechanics::Status with_shift(const BallFigures& figures, const mechanics::EquilibriumFigure& figure, Solve&& solve) {
   double shift = figures.typical_stiffness() + softening(figures, figure.drive);

@@ -29,10 +29,11 @@ class OctantContinuation {
   std::vector<Image> images_;  ///< for each node of the sector
 };
 
-/// The mean of |y|² over the mass, for the shape y of a small motion. `octant` is the space of its parts.
+/// The mean of |y|², weighted with the mass, for the shape y of a small motion. `octant` is the space of its parts.
 double mean_square(const BallSpace& octant, const SmallMotionOfBall& motion);
 
-/// The displacements of the phase points, which are nodes of every mesh of the octant.
+/// The displacements of the seven phase points on the surface, one in each column
+/// (mechanics/equilibria/small_motion.h). These points are nodes of every mesh of the octant.
 mechanics::PhaseDisplacements at_phase_points(const BallSpace& octant, const SmallMotionOfBall& motion);
 
 }  // namespace pseudorigid::continuum

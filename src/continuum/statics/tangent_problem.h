@@ -32,9 +32,9 @@ struct FigureState {
   const loads::Forcing& forcing;  ///< sum of the loads of the body
   bool incompressible;
   Drive kind;
-  const Vector& x;
-  const Vector& lambda;  ///< not used for a compressible body
-  double drive;
+  const Vector& x;       ///< nodal positions of the figure
+  const Vector& lambda;  ///< multiplier of the figure; not used for a compressible body
+  double drive;          ///< drive ν
 };
 
 /// The larger of the shear modulus at rest and ρgr, with the gravity g at the surface of the sphere. In internal units,
@@ -51,7 +51,7 @@ class TangentProblem final : public LinearProblem {
  public:
   /// The objects to which `state` refers must outlive this object. `shift` is s of parity_sector.h. If the shift is
   /// positive, K + s M must be positive definite. The terms of rate_of_drive are then a part of the preconditioner, and
-  /// not of E. If `held` is not null, K contains the term σwwᵀ of `held`.
+  /// not of E. If `held` is not null, K and E contain the term σwwᵀ of `held`, which must outlive this object.
   TangentProblem(const FigureState& state, double shift, const HeldDirection* held = nullptr);
   SectorOperator beyond_cells(const ParitySector& sector) const override;
 
@@ -60,6 +60,7 @@ class TangentProblem final : public LinearProblem {
   /// couple the unknowns of the surface. `rate_within` computes the other terms.
   Vector rate_at_surface(const Vector& u, const Parity& parity) const;
   Vector rate_within(const Vector& u) const;
+  /// The indices, in the vectors of the sector, of the displacements of nodes on the free surface.
   std::vector<Eigen::Index> unknowns_at_surface(const ParitySector& sector) const;
   /// `of_cell` returns the entries of a nodal vector at the nodes of a cell. `add_of_cell` adds such entries to f.
   Eigen::VectorXd of_cell(unsigned int cell, const Vector& u) const;
@@ -70,7 +71,7 @@ class TangentProblem final : public LinearProblem {
   Eigen::Vector3d rate_of_drive() const;
 
   FigureState state_;
-  bool definite_;
+  bool definite_;  ///< true if the shift is positive
   const HeldDirection* held_;
   std::vector<Spring> springs_;
   std::vector<Eigen::MatrixXd> of_gravity_;  ///< terms of K of each cell that E has; empty without self-gravity

@@ -21,12 +21,12 @@ struct Kicked : Method {
   template <class F>
   struct Workspace : Method::template Workspace<F> {
     using Method::template Workspace<F>::Workspace;
-    double part = 1;  // 1, or −1 to reverse all kicks
-    std::uint64_t n_kicks = 0;
+    double part = 1;            // 1, or −1 to reverse all kicks
+    std::uint64_t n_kicks = 0;  // number of components that were perturbed since the start of the run
   };
 
-  /// Makes a step of Method and then perturbs the state. If the step fails, returns its failure and does not perturb
-  /// the state.
+  /// Makes a step of Method and then perturbs the state. The next step therefore computes the acceleration again. If
+  /// the step fails, returns its failure and does not perturb the state.
   template <SecondOrderField F>
   static Status step(const F& field, double t_limit, State<F>& state, Workspace<F>& w) {
     if (Status status = Method::step(field, t_limit, state, w); !status) return status;

@@ -106,8 +106,9 @@ class TangentOperator {
   }
 
   /// Sets result.w to K u (or C u) and result.u to M⁻¹ times this vector, and projects both. If the force fails, the
-  /// increment of the difference is divided by 10, up to five times. The force can fail for a body that is thin
-  /// compared with its length. Fails if the force fails with the smallest increment, or if the Gram solve fails.
+  /// increment of the difference is divided by 10, up to five times. Later calls use the smaller increment. The force
+  /// can fail for a body that is thin compared with its length. Fails if the force fails with the smallest increment,
+  /// or if the Gram solve fails.
   Status apply(const typename S::Vector& u, MassPair<S>& result) {
     Status status = difference(u, result.w);
     for (int n_smaller = 0; !status && n_smaller < 5; ++n_smaller) {
@@ -188,9 +189,10 @@ class TangentOperator {
   typename S::Multiplier lambda_, residual_, delta_;
 };
 
-/// The largest eigenvalue `value` of the Lanczos matrix T_n, and the residual |β_n s_n| of its eigenvector s. T_n is
-/// tridiagonal with the diagonal `alpha`. Its off-diagonal consists of the numbers in `beta` except the last, β_n. The
-/// operator has an eigenvalue that differs from `value` by at most `residual`.
+/// The largest eigenvalue `value` of the Lanczos matrix T_n, and the residual |β_n s_n| of its eigenvector s, which has
+/// the norm 1 and the last component s_n. T_n is tridiagonal with the diagonal `alpha`. Its off-diagonal consists of
+/// the numbers in `beta` except the last, β_n. The operator has an eigenvalue that differs from `value` by at most
+/// `residual`.
 struct RitzValue {
   double value = 0, residual = 0;
 };

@@ -35,7 +35,7 @@ struct StepRequest {
   /// measure how the motion amplifies round-off.
   bool spare_pilots = false;
   std::optional<MethodId> method{};    ///< the requested method; empty: the cheapest method
-  std::function<bool()> give_up = {};  ///< called after every pilot step; the search ends if it returns true
+  std::function<bool()> give_up = {};  ///< called after every pilot step; the search ends if the result is true
 };
 
 namespace detail {
@@ -46,8 +46,8 @@ inline constexpr long max_pilot_samples = 32;
 /// Largest difference of the configurations of two pilot runs that is assumed to decrease with the step according to
 /// the order of the method. Collisions and chaos cause larger differences.
 inline constexpr double asymptotic_difference = 0.1;
-/// Largest number of force evaluations in one pilot run, and in all pilot runs for one method with fixed steps. The
-/// steps of a collapsing body shrink, so a run without a bound would never end.
+/// Number of force evaluations after which one pilot run is interrupted, and after which the search for the step of one
+/// method with fixed steps ends. The steps of a collapsing body shrink, so a run without a bound would never end.
 inline constexpr long max_pilot_forces = 4'000'000;
 /// Tolerance of the constraints in pilot runs with costly force evaluations, as a fraction of the permitted difference
 /// of two pilot runs. For the ball, fractions 0 … 5e-3 give the same steps to three digits. With the fraction 5e-2 one
@@ -93,8 +93,8 @@ struct AdaptiveMethod {
 inline double pilot_window(const StepRequest& request) { return std::min(request.window, request.end); }
 
 /// Functions that record a pilot run in `run`; the time loop calls them (time_loop.h). The recorded configuration is
-/// Q_of(state). The pilot run is interrupted if it needs max_pilot_forces force evaluations, or if give_up returns
-/// true.
+/// Q_of(state). The run has n_steps steps from each sample to the next. The pilot run is interrupted if it needs
+/// max_pilot_forces force evaluations, or if give_up returns true.
 template <class S, class QOf>
 struct PilotHooks {
   const QOf& Q_of;

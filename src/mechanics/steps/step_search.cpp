@@ -145,8 +145,8 @@ bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
 }
 
 /// Shortens the step such that the predicted change of the energy over the run is permitted (step_search.h). Does
-/// nothing for methods other than multistep methods, for short runs, if the caller does not give the energies, or if
-/// the pilot run fails.
+/// nothing for methods other than multistep methods, for short runs, if the caller does not give the energies, if the
+/// pilot run fails, or if the predicted change is permitted without a shorter step.
 void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
   // The two values and the power in change_of_energy() were chosen after the measurements in step_search.h.
   constexpr double part = 1.0 / 8, least_windows = 5;
@@ -173,10 +173,11 @@ PilotRun StepSearch::pilot(const FixedStepMethod& method, double window, long n_
   return run;
 }
 
-/// Sets the step and returns true if the difference d of the pilot runs with h and h/2 is sufficient. One sufficient
-/// condition is that the error estimate from d is at most the target or the error by round-off. The other condition is
-/// that d is small and has decreased according to the order. `d_before` is the difference of the pilot runs with 2h and
-/// h, or 0 if these runs were not made. `speed` is the largest |v|_∞ of the pilot run.
+/// Accepts a step for `trial` and returns true if the difference d of the pilot runs with h and h/2 is sufficient.
+/// Otherwise returns false. One sufficient condition is that the error estimate from d is at most the target or the
+/// error by round-off. The other condition is that d is small and has decreased according to the order. `d_before` is
+/// the difference of the pilot runs with 2h and h, or 0 if these runs were not made. `speed` is the largest |v|_∞ of
+/// the pilot run with h/2.
 bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, double d, double d_before,
                         double speed) const {
   const double p = method.order;

@@ -14,20 +14,23 @@
 /// 1.29, 1.29, 0.60, the error was 1.12 times the tolerance. This motion magnifies a change of the initial state by a
 /// factor of 2000 in the time 6.4 r/c. Here r is the radius of the ball, and c the speed of shear waves.
 ///
-/// The search starts at the stability limit and halves the step. It ends if e is at most the target or the error e₀ by
-/// round-off, for which the last formula of this text is used. It also ends if a halving reduces a difference of at
-/// most 0.1 by a factor of at least 2^p/√2. When the search has ended, the relation e ~ hᵖ gives the step. If this step
-/// is smaller than h, no pilot run has tested it, and the step is divided by 2^(1/4) as a reserve. The search fails if
-/// 12 halvings or 4·10⁶ force evaluations are not enough. It also fails if the motion ends within the window, if the
-/// caller ends the search, or if the run would need more than 10¹¹ force evaluations.
+/// The search starts at the largest permitted step and halves the step. The largest permitted step is the least of the
+/// limit of the method by stability and resonance, the bound of the user and the time between samples. The search ends
+/// if e is at most the target, or at most the error e₀ by round-off (last formula of this text). It also ends if a
+/// halving reduces a difference of at most 0.1 by a factor of at least 2^p/√2. When the search has ended, the relation
+/// e ~ hᵖ gives the step. If this step is smaller than h, no pilot run has tested it, and the step is divided by
+/// 2^(1/4) as a reserve. The search fails if 12 halvings or 4·10⁶ force evaluations are not enough. It also fails if
+/// the motion ends within the window, if the caller ends the search, or if the run would need more than 10¹¹ force
+/// evaluations.
 ///
 /// A multistep method of order p begins with p − 1 steps of another method. These steps do not show the error of the
 /// multistep method. Therefore the window contains at least 4p steps, or the whole run.
 ///
 /// If force evaluations are costly, the search first estimates the error of the largest permitted step over a part w'
-/// of the window. The errors have hardly begun to grow in w', so the estimate is multiplied by (w/w')^(3/2). The first
-/// part is w/8 with the factor 23. If this product is too large, but 2.8 times the estimate is not, the search also
-/// tries w/2 with the factor 2.8. These factors were tested in releases, spins, tides and figures of equilibrium of the
+/// of the window. Methods of order 2 omit this estimate. The errors have hardly begun to grow in w', so the estimate is
+/// multiplied by (w/w')^(3/2). The first part is w/8 with the factor 23. If this product is too large, but 2.8 times
+/// the estimate is not, the search also tries w/2 with the factor 2.8. For a multistep method of order p, a part
+/// contains at least 2p steps. These factors were tested in releases, spins, tides and figures of equilibrium of the
 /// ball. The error was 0.07 to 9 times the estimate without a factor at w/8, and 0.4 to 2.1 times this estimate at w/2.
 /// A method of high order often meets the target at its stability limit. Its pilot runs then cost only a fifth or a
 /// half as much.

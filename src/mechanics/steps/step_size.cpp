@@ -71,8 +71,9 @@ class MethodChoice {
     }
   }
 
-  /// Searches for the step of each method with fixed steps, in the order of likely_forces. Sets `best_` to the cheapest
-  /// of them.
+  /// Searches for the step of each method with fixed steps, in the order of likely_forces. Skips methods whose least
+  /// cost is too large. Sets `best_` to the cheapest accepted method if its cost is below adaptive_cost. Ends early if
+  /// `hopeless_` is true.
   void try_fixed_steps(std::vector<FixedStepMethod> methods) {
     StepSearch search(request_, compensated_);
     std::stable_sort(methods.begin(), methods.end(), [&](const FixedStepMethod& a, const FixedStepMethod& b) {

@@ -10,13 +10,14 @@
 /// method is therefore chosen only if it needs less than half of the force evaluations. This occurs on short runs,
 /// because the error of an adaptive method grows like T², and on motions with short violent phases.
 ///
-/// Then methods with fixed steps are tried (step_search.h), in the order of their least cost, which is the cost at the
-/// stability limit. For methods of order 2 this cost counts twice. A method is skipped if its least cost exceeds the
-/// cost of the best method so far. If force evaluations are costly, the bound is 0.8 of this cost. During the search
-/// for the step of a method, pilot runs predict the cost of the method. The search for this method ends if the
-/// predicted cost exceeds the cost of the best method so far. It also ends if the predicted cost is four times the
-/// least cost of a later method. If force evaluations are cheap, only later methods of higher order count. Without an
-/// adaptive method, the first method for which no step is found ends the whole search.
+/// Then methods with fixed steps are tried (step_search.h), in the order of their least cost. The least cost is the
+/// number of force evaluations of the run with the largest permitted step. For methods of order 2, twice this number
+/// determines the order. A method is skipped if its least cost exceeds the cost of the best method so far. If force
+/// evaluations are costly, the bound is 0.8 of this cost. During the search for the step of a method, pilot runs
+/// predict the cost of the method. The search for this method ends if the predicted cost exceeds the cost of the best
+/// method so far. It also ends if the predicted cost is four times the least cost of a later method. If force
+/// evaluations are cheap, only later methods of higher order count. Without an adaptive method, the first method for
+/// which no step is found ends the whole search.
 
 #include <Eigen/Core>
 #include <optional>
@@ -43,8 +44,8 @@ struct [[nodiscard]] StepChoice {
   std::string why{};        ///< the reason of the choice, one sentence for the log
 };
 
-/// Returns the rate |Q⁻¹Q̇|₂ of an affine motion with the regular matrix Q. The modes of vibration rotate and stretch
-/// with the body at about this rate.
+/// Returns the rate |Q⁻¹Q̇|₂ (spectral norm) of an affine motion with the regular matrix Q. The modes of vibration
+/// rotate and stretch with the body at about this rate.
 double affine_rate(const Eigen::Matrix3d& Q, const Eigen::Matrix3d& Qdot);
 
 /// Returns a step at which RATTLE is stable with some reserve: safety · 2/(ω + rate). ω is the largest frequency of

@@ -11,8 +11,8 @@ namespace {
 /// Returns |q|_∞ of the configuration q at the first sample, or 0 if the run has no samples.
 double size_of(const PilotRun& pilot) { return pilot.q.empty() ? 0 : max_norm<Eigen::VectorXd>(pilot.q.front()); }
 
-/// Effect of round-off on a pilot run. `difference` is the largest distance in the configuration from two pilot runs
-/// that are perturbed by round-off in opposite directions.
+/// Effect of round-off on a pilot run. Two other pilot runs are perturbed by round-off in opposite directions.
+/// `difference` is the largest distance of their configurations from those of the unperturbed run, in the maximum norm.
 struct RoundOff {
   double difference = 0;
   bool magnified = false;               ///< true if `difference` is more than 1000 times that of a random walk

@@ -26,9 +26,10 @@
 namespace pseudorigid::mechanics::detail {
 
 /// Searches for the local tolerance and returns the result. The verdict is `failed` if a pilot run fails, or if none of
-/// six local tolerances gives the required error. The least local tolerance, 64 units of round-off, is accepted with
-/// any error. `compensated` is true if sums of the system's vectors are compensated (vector_space.h). The function adds
-/// the number of force evaluations of its pilot runs to n_force.
+/// six local tolerances gives the required error. The least τ, 64 units of round-off, is accepted with any error. If
+/// e(τ) is above half of the requested tolerance when τ is accepted, the result is τ/16, and otherwise τ. `compensated`
+/// is true if sums of the system's vectors are compensated (vector_space.h). The function adds the number of force
+/// evaluations of its pilot runs to n_force.
 Trial search_tolerance(const StepRequest& request, bool compensated, const AdaptiveMethod& method, long& n_force);
 
 }  // namespace pseudorigid::mechanics::detail
