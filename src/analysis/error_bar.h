@@ -72,7 +72,7 @@ inline std::string in_short(const ErrorBar& bar) {
 }
 
 /// Estimated errors of the samples of a run. Q is the matrix of the affine motion that is nearest to the motion of the
-/// body (comparison.h). An error is empty if it is not known.
+/// body, or the deformation gradient of the pseudo-rigid body (comparison.h). An error is empty if it is not known.
 struct RunErrors {
   /// Bound of the error of every entry of Q due to the time step.
   std::optional<double> time{};

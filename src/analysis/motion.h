@@ -73,7 +73,8 @@ FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<
 /// reference value is P, or `unit` if P = 0.
 double energy_reference(std::initializer_list<const io::Table*> models, double unit);
 
-/// Sets the members energy_drift, energy_bound and energy_beyond_since of the summary. The energies are divided by
+/// Sets the members energy_drift, energy_bound and energy_beyond_since of the summary. The table must have the columns
+/// energy and time. The energies are divided by
 /// `reference`. The bound follows from an error τ|Q| of Q, with τ = `tolerance`. Let D = max_t |Q − Q(0)| be the
 /// departure, which `summary` must already contain. In an oscillation, D is twice the amplitude, and the error changes
 /// the energy by the fraction 4τ|Q|/D. If τ is given and the body moves, the bound is this fraction with |Q| = √3, but

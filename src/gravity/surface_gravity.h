@@ -17,7 +17,7 @@
 /// integrals are sums over points x_i with area vectors N_i, the derivative of Ê is exactly
 ///
 ///   ∂Ê/∂x_i = (V₀/V)^{5/3} (Gρ²/6) g_i − (5Ê/9V) N_i,    g_i = Σ_j [(N_i b + a N_j)/|d| − a b d/|d|³],
-///   ∂Ê/∂N_i = (V₀/V)^{5/3} (Gρ²/6) h_i − (5Ê/9V) x_i,    h_i = Σ_j d b/|d|,        a = d·N_i, b = d·N_j,
+///   ∂Ê/∂N_i = (V₀/V)^{5/3} (Gρ²/6) h_i − (5Ê/9V) x_i,    h_i = Σ_j d b/|d|,        a = d·N_i, b = d·N_j.
 ///
 /// Here d = x_i − x_j, and the area vectors N_i include the quadrature weights. The energy is Ê = (V₀/V)^{5/3} (Gρ²/12)
 /// Σ_i e_i with e_i = Σ_j ab/|d| = N_i·h_i.
@@ -76,7 +76,7 @@ double enclosed_volume(const SurfacePoints& points);
 /// targets, and the caller must add the totals of all processes.
 struct SurfaceTotals {
   double pairs = 0;   ///< sum Σ_i e_i
-  double volume = 0;  ///< enclosed volume V
+  double volume = 0;  ///< part ⅓ Σ_i x_i·N_i of the enclosed volume V
 };
 /// Returns the totals of the given targets. `sums` are the sums of these targets over the sources.
 SurfaceTotals totals(const SurfacePoints& targets, const PairSums& sums);
@@ -101,7 +101,7 @@ SurfaceDerivative surface_derivative(const SurfacePoints& targets, const PairSum
 Moving<SurfaceTotals> totals(const Moving<SurfacePoints>& targets, const Moving<PairSums>& sums);
 
 /// Returns the time derivative of surface_derivative: the second derivative of Ê, applied to the rates of the positions
-/// and of the area vectors.
+/// and of the area vectors. The arguments are those of surface_derivative, with their rates.
 SurfaceDerivative surface_derivative_rate(const Moving<SurfacePoints>& targets, const Moving<PairSums>& sums,
                                           const Moving<SurfaceTotals>& totals, double strength, double rest_volume);
 

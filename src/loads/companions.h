@@ -12,7 +12,7 @@ namespace pseudorigid::loads {
 struct CompanionMasses {
   /// The mass m_i of each companion, and its position r_i and velocity ṙ_i at the start. Positions and velocities are
   /// relative to the centre of mass of the body, with three numbers for each companion. Without velocities, the orbits
-  /// are circular.
+  /// are circular about the z axis.
   std::vector<double> masses, positions, velocities;
   /// Orbital elements at the start in place of r_i and ṙ_i, with angles in radians. Companion i is in orbit about the
   /// centre of mass of the body and of the companions before i. Each list has a number for each companion. A list other
@@ -76,8 +76,9 @@ struct CompanionMasses {
 
   bool has_elements() const { return !semi_major_axes.empty(); }
 
-  /// Returns a Forcing with the companions. A companion without a position or without elements is omitted here;
-  /// scene/companions.h rejects scenes with such companions.
+  /// Returns a Forcing with the companions. If there are semi-major axes, the elements determine the orbits, and the
+  /// positions are not used. A companion without a semi-major axis, or without a position if there are no elements, is
+  /// omitted here; scene/companions.h rejects scenes with such companions.
   Forcing forcing() const {
     Forcing sum;
     sum.companions.full_potential = full_potential;

@@ -9,7 +9,7 @@
 /// Let s be the distance of a point from the line along n through the centre of pressure. The mean of s², weighted with
 /// the pressure, is ⟨s²⟩. The pressure radius is √(5⟨s²⟩/2). For the pressure of Hertz, p₀√(1 − s²/a²), ⟨s²⟩ is 2a²/5,
 /// and the pressure radius is the radius a of the contact. Points near the edge have a small pressure, so the pressure
-/// radius is more accurate than the area.
+/// radius is more accurate than the radius √(area/π) of a disk with the contact area.
 ///
 /// A plane with the speed ż₀ gives the power N ż₀ to the body and to the energy of the contact. In this power, N
 /// includes the damping force, which dissipates a part of the power.
@@ -38,6 +38,7 @@ struct PlaneContact {
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< integral of the pressure times the position, ∫p x dA
 
   /// Adds a point with the position x and the quadrature weight w = `weight`. A point with d ≤ 0 changes only `height`.
+  /// A plane that moves must be a result of Plane::at.
   void add(const Plane& plane, const Eigen::Vector3d& x, double weight) {
     const double above = plane.height(x);
     height = std::min(height, above);

@@ -18,7 +18,7 @@ namespace pseudorigid::loads {
 
 class Friction {
  public:
-  /// Sets the plane and the velocity v of the point. The plane must exist as long as the object.
+  /// Sets the plane and the velocity v of the point. The plane must outlive the object.
   Friction(const Plane& plane, const Eigen::Vector3d& v)
       : plane_(plane), tangential_(tangential(v)), w_(std::hypot(tangential_.norm(), plane.slip_speed)) {}
 

@@ -88,7 +88,7 @@ void visit_entries(L& loads, Visit&& visit) {
   loads.for_each([&]<class One>(One& load) { std::remove_const_t<One>::visit_entries(load, visit); });
 }
 
-/// Returns true if at least one load is present, or if the loads rise.
+/// Returns true if at least one load of the list is present. Rise is a load of the list.
 bool any_present(const Loads& loads);
 
 /// Returns the sum of the forcings of all loads that have no time dependence of their own (DependsOnTime). Loads that

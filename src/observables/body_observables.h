@@ -10,10 +10,10 @@
 /// density ρ. X is the reference position, x the position, F = ∂x/∂X, x_c the centre of mass and ẋ_c its velocity. The
 /// second moment of mass of the reference body is E₀ = ∫ρ X Xᵀ dV, and m̄ = tr E₀/3.
 ///
-/// The motion of the pseudo-rigid ball is x = QX + x_c. For this motion, J_i = m̄ ε_ijk Q_jA Q̇_kA and Z_A = m̄ ε_ABC
-/// (QᵀQ̇)_CB. A rigid rotation with angular velocity ω at Q = Id has J = Z = 2m̄ω. For motions that are not affine, the
-/// mass moment Q_M = (∫ρ (x − x_c) Xᵀ dV) E₀⁻¹ takes the place of Q. All observables are in internal units
-/// (entries/units.h).
+/// The motion of the pseudo-rigid body is x = QX + x_c. For a ball, E₀ = m̄ Id, and this motion has J_i = m̄ ε_ijk Q_jA
+/// Q̇_kA and Z_A = m̄ ε_ABC (QᵀQ̇)_CB. A rigid rotation of a ball with angular velocity ω at Q = Id has J = Z = 2m̄ω. For
+/// motions that are not affine, the mass moment Q_M = (∫ρ (x − x_c) Xᵀ dV) E₀⁻¹ takes the place of Q. All observables
+/// are in internal units (entries/units.h).
 ///
 /// To add an observable, add a member and a column, and set the member in the models that have it (reduced/observe.h,
 /// polynomial/observe.cpp, continuum/output/observe.cpp). An observable that a model does not set is NaN. If the column
@@ -105,8 +105,8 @@ struct ContactObservables {
   }
 };
 
-/// The energy of vibration (observables/vibration.h). The entry of_degree[n − first_degree] is its part in motions of
-/// degree n.
+/// The energy of vibration (observables/vibration.h). The entry of_degree[n − first_degree] is the part of this energy
+/// in spheroidal motions of degree n.
 struct VibrationObservables {
   static constexpr int first_degree = 2, last_degree = 8;
   using Parts = std::array<double, last_degree - first_degree + 1>;
@@ -121,7 +121,8 @@ struct VibrationObservables {
 
 /// The motion of the companions relative to the centre of mass of the body. The header observables/orbit.h has the
 /// formulas, and the texts of the columns below explain the members. Without companions, the energies are 0 and the
-/// other members are NaN. If a finite-element body uses the full potential of the companions, `interaction` and
+/// other members are NaN. The elements and the members from `lag` to `obliquity` refer to the first companion, and
+/// `torque` to all companions. If a finite-element body uses the full potential of the companions, `interaction` and
 /// `torque` are computed from this potential.
 struct OrbitObservables {
   double kinetic = 0;  ///< kinetic energy of the orbits about the common centre of mass
@@ -310,7 +311,7 @@ inline constexpr BodyColumn<O> common_columns[] = {
 struct ReducedObservables : BodyObservables {
   double central_pressure = not_observed;  ///< p_c of the pressure p_c(1 − |ξ|²), the reaction to
                                            ///< det Q = 1; |ξ| = 1 is the surface
-  Eigen::Vector3d axes = Eigen::Vector3d::Constant(not_observed);  ///< r A_ii of Q = TᵀAS, continuous in time
+  Eigen::Vector3d axes = Eigen::Vector3d::Constant(not_observed);  ///< r A_ii with the radius r and A of Q = TᵀAS
   /// Rotations T and S of the bipolar decomposition Q = TᵀAS with a diagonal matrix A.
   Eigen::Matrix3d T = Eigen::Matrix3d::Constant(not_observed), S = T;
   Eigen::Vector3d Omega_star = Eigen::Vector3d::Constant(not_observed);   ///< entries 12, 13, 23 of Ω* = ṪTᵀ
