@@ -17,9 +17,11 @@
 /// The contact area on the sphere |ξ| = 1 is 2πδ/G, at most 4π. For a rigid unit ball and small δ, it is the area of a
 /// disk of radius √(2δ), which is the intersection of the ball and the plane. When contact begins, the second
 /// derivative of N = πkδ²/G with respect to δ jumps. The damping force with the coefficient β needs the rate ḋ = ż₀ −
-/// n·(ċ + Q̇ S ξ) with the speed ż₀ of the plane, and these moments, which are integrals over the points in contact:
+/// n·(ċ + Q̇ S ξ) with the speed ż₀ of the plane, and the moments
 ///
 ///   I_j = 2π ∫ d u^j du,   ∫d dA = I₀,   ∫d ξ dA = −I₁ ĝ,   ∫d ξξᵀ dA = I₂ ĝĝᵀ + ½(I₀ − I₂)(Id − ĝĝᵀ),   ĝ = g/G.
+///
+/// These integrals are over the points in contact.
 
 #include <algorithm>
 #include <cmath>

@@ -311,7 +311,7 @@ inline constexpr BodyColumn<O> common_columns[] = {
 struct ReducedObservables : BodyObservables {
   double central_pressure = not_observed;  ///< p_c of the pressure p_c(1 − |ξ|²), the reaction to
                                            ///< det Q = 1; |ξ| = 1 is the surface
-  Eigen::Vector3d axes = Eigen::Vector3d::Constant(not_observed);  ///< r A_ii with the radius r and A of Q = TᵀAS
+  Eigen::Vector3d axes = Eigen::Vector3d::Constant(not_observed);  ///< r A_ii of Q = TᵀAS, continuous in time
   /// Rotations T and S of the bipolar decomposition Q = TᵀAS with a diagonal matrix A.
   Eigen::Matrix3d T = Eigen::Matrix3d::Constant(not_observed), S = T;
   Eigen::Vector3d Omega_star = Eigen::Vector3d::Constant(not_observed);   ///< entries 12, 13, 23 of Ω* = ṪTᵀ
