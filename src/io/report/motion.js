@@ -257,7 +257,7 @@ function spectrumOf() {
   const coarse = Array.from({length: 2 * x.length}, (_, k) => nyquist * (k + 1) / (2 * x.length));
   const peaks = signals.map(s => amplitudes(...s.samples, coarse)), top = Math.max(...peaks.flat());
   const main = signals.map((s, k) => fitted(s.model.key) ? fitted(s.model.key).omega : peakOf(coarse, peaks[k])).filter(Boolean);
-  const words = make("p", {class: "note"}, `${known ? `${known.reason.replace("component of C = Q^T Q", `C${entry.join("")} of C = QᵀQ`)}. ` : ""}`
+  const words = make("p", {class: "note"}, `${known ? `${known.reason.replace("entry of C = Q^T Q that", `The entry C${entry.join("")} of C = QᵀQ`)}. ` : ""}`
     + signals.map(s => fitted(s.model.key) ? `${s.model.name}: ω = ${showWithErrors(fitted(s.model.key).omega, fitted(s.model.key), "", 5)}${isUnitBall ? " c/r" : ""}. ` : "").join("")
     + (known && [known[models[0].key], known[models.at(-1).key]].some(m => m && m.load) ? "A line belongs to a load, not to the body. " : "")
     + (known && known.ratio ? `Ratio of the frequencies: ${showWithErrors(known.ratio, known, "ratio_", 6)}, errors: ${partsInWords(known, "ratio_")}${known.exact_small_amplitude_ratio ? `; exact for small amplitudes: ${show(known.exact_small_amplitude_ratio, 6)}` : ""}. ` : ""));
