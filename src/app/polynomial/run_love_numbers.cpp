@@ -18,9 +18,9 @@ mechanics::Status find(const scene::Scene& scene, int degree, std::vector<LoveRo
   const std::vector<int> degrees = scene::love_degrees(scene);
   std::vector<gravity::LoveNumbers> numbers, other;
   if (auto status = polynomial::love_numbers(body_setup(scene, {}, degree), degrees, numbers); !status) return status;
-  // For a body of degree N, the companion has the degree N + 2. A tide of degree n causes displacements of degree n +
-  // 1, so the companion has at least this degree for the largest n. The companion has at most the largest degree. If N
-  // is the largest degree, the companion has the degree N − 2.
+  // The companion of a body of degree N has the degree N + 2. Its degree is larger if a tide of the largest requested
+  // degree n needs it, because this tide causes displacements of degree n + 1. The companion has at most the degree
+  // largest_polynomial_degree. If N is this largest degree, the companion has the degree N − 2.
   const int companion = std::min(std::max(degree + 2, degrees.back() + 1), scene::largest_polynomial_degree);
   if (auto status =
           polynomial::love_numbers(body_setup(scene, {}, companion > degree ? companion : degree - 2), degrees, other);

@@ -131,10 +131,11 @@ class ManifoldRun {
     return {};
   }
 
-  /// Integrates a motion from its start, backwards in time on a stable manifold, and sets `end`. The motion ends at a
-  /// critical point, after the time |Time/End|, or when a step fails. On a stable manifold, the motion also ends if its
-  /// energy exceeds `highest_energy_`, and a failed step is not an error. Fails if the run is interrupted or a row
-  /// cannot be computed.
+  /// Integrates a motion from its start, backwards in time on a stable manifold. Writes its rows to manifolds.csv and
+  /// sets `end`. The motion ends at a critical point, after the time |Time/End|, or when a step fails. On a stable
+  /// manifold, the motion also ends if its energy exceeds `highest_energy_`. A failed step is recorded in `end.step`
+  /// only on an unstable manifold. Fails if the run is interrupted, if the start cannot be projected onto the
+  /// constraints, or if a row or the state at its time cannot be computed.
   template <class Form>
   Status follow(const Form& form, systems::AnyModel& at_rest, const Curve& curve, const PhaseVector& start, End& end) {
     using Method = mechanics::DormandPrince8;

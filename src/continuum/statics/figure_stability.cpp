@@ -131,8 +131,9 @@ class SectorBasis {
   std::vector<Eigen::VectorXd> basis_;
 };
 
-/// The absolute value of the largest negative stiffness per mass of a uniform translation, due to the rotation or to a
-/// quadratic potential. The shift must be larger than this value, although the basis does not contain translations.
+/// The largest absolute value of a negative stiffness per mass of a uniform translation, due to the rotation or to a
+/// quadratic potential; 0 if no such stiffness is negative. The shift s of with_shift must be larger than this value.
+/// The basis does not contain translations, but K + s M must be positive definite on the whole parity sector.
 double softening(const BallFigures& figures, double drive) {
   if (figures.drive() == Drive::rotation) return std::max(drive, 0.0);
   return std::max(0.0, -drive * figures.forcing().quadratic.diagonal().minCoeff());
