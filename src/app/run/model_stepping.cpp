@@ -174,9 +174,9 @@ std::string ModelStepping::about_search(const mechanics::StepRequest& request) c
 /// now, to which the limit of the method in use is proportional. If the frequency grows, both limits fall. The next
 /// check is at the time at which the limit of the method would have fallen to the step. The assumed rate of change of
 /// the logarithm of the limit is twice the fastest change between two checks so far, but at least a third of the usual
-/// rate. At the usual rate, the limit falls to 0.8 of its value in a sixteenth of the run. The first plan uses the usual
-/// rate. The next check is at least a sixteenth of the run after the present sample. Does nothing if the system is not
-/// in constrained form.
+/// rate. At the usual rate, the limit falls to 0.8 of its value in a sixteenth of the run. The first plan uses the
+/// usual rate. The next check is at least a sixteenth of the run after the present sample. Does nothing if the system
+/// is not in constrained form.
 void ModelStepping::plan_look(double stable_rattle_step) {
   if (!traits_.constrained_form) return;
   LooksAtFrequency& looks = position_.looks;
