@@ -1,28 +1,31 @@
 #pragma once
-/// Error of the affine part Q of a motion due to the quadrature of a polynomial body. The functions also find the
-/// number of points that a tolerance requires. The motion of a body depends on the quadrature rule. Two pilot runs with
-/// different rules cover the first part of a run, its window. The window has the length w, and the run has the length
-/// T. The pilot runs use RATTLE with the same long steps, so that the errors of the steps cancel. One estimate is for
-/// the rule in the volume. With self-gravity, a second estimate is for the rule on the surface, and the estimated error
-/// is the sum of the two estimates. Let Q and Q' be the results of the two runs at the times t_k, and let |…| be the
-/// largest absolute value of the entries. An estimate is
+/// Error of the affine part Q of a motion due to the quadrature of a polynomial body. The function choose_quadrature
+/// estimates this error, and can also find the number of points that a tolerance requires. The estimate compares pilot
+/// runs with different quadrature rules over the first part of the run, the window. The window has the length w, and
+/// the run has the length T. The pilot runs use RATTLE with the same long steps, so that most of the errors of the
+/// steps cancel. Let Q be the result with the rule of the body, and Q' the result with another rule, at the times t_k
+/// of the window. Let |…| be the largest absolute value of the entries. An estimate is
 ///
 ///   e = 6 max_k |Q(t_k) − Q'(t_k)| (T/w)^(3/2).
 ///
-/// Every rule is exact for affine states, and the body is affine at first. Therefore the window is at least 3 r/c,
-/// which is more than a period of the lowest mode. Here r is the radius, and c is the speed of shear waves. The window
-/// is also at least a sixteenth of the run. Shorter runs are covered completely. If the pilot run fails for every step,
-/// the window becomes half of the time that the last attempt reached. After the window, the errors of the phases grow
-/// in proportion to the time, but inside the window this growth has only begun. Therefore the power is 3/2, as in the
-/// pilot runs that choose a step (mechanics/steps/step_search.h). If points are added, w = T. The factor for the volume
-/// is then 60 instead of 6, because the errors of the long steps hide more of the difference. The error was at most
-/// 0.75 e in the motions from which the factors were chosen. docs/theory.md has the motions that test the factors.
+/// One estimate is for the rule in the volume. With self-gravity, a second estimate is for the rule on the surface, and
+/// the estimated error is the sum of both.
 ///
 /// For the volume, the rule of Q' has one point more in each direction of an octant. For self-gravity, the rule of Q'
-/// has two points less in each direction of an octant of the surface. The sums of this smaller rule take less time. If
-/// the rule of Q has fewer than 4 points in each direction, the rule of Q' has two points more. Let the error of the
-/// gravity decrease at least with the fourth power of the number of points. For the default rules, the difference is
-/// then at least 0.6 times the error.
+/// has two points less in each direction of an octant of the surface, because the sums of a smaller rule take less
+/// time. If the rule of Q has fewer than 4 points in each direction, the rule of Q' has two points more. If the error
+/// of the gravity decreases at least with the fourth power of the number of points, the difference of the default rules
+/// is at least 0.6 times the error.
+///
+/// Every rule is exact for affine states, and the body is affine at first, so the difference needs time to develop.
+/// Therefore the window is at least 3 r/c, with the radius r and the speed c of shear waves. This is more than a period
+/// of the lowest mode. The window is also at least a sixteenth of the run. Shorter runs are covered completely. If the
+/// pilot run of Q fails and shorter steps do not help, the window becomes half of the time that the last attempt
+/// reached. After the window, the errors of the phases grow in proportion to the time, but inside the window this
+/// growth has only begun. Therefore the power is 3/2, as in the pilot runs that choose a step
+/// (mechanics/steps/step_search.h). If points are added, w = T. The factor for the volume is then 60 instead of 6,
+/// because the errors of the long steps hide more of the difference. The error was at most 0.75 e in the motions from
+/// which the factors were chosen. docs/theory.md has the motions that test the factors.
 ///
 /// The estimate does not include instability. If the motion amplifies errors after the window, the error can be larger
 /// than e.

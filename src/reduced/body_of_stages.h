@@ -45,8 +45,9 @@ struct AccountsOfStages {
   } driving, driving_rate;
 };
 
-/// The coordinates of the body in a Gauss step: the entries of Q, the diagonal of Q, or the entries of Q and the
-/// coordinates (s, s′, 0) of dissipative_body.h.
+/// The coordinates of the body in a Gauss step. They are the entries of Q (`matrix`), the diagonal of Q (`diagonal`),
+/// or the entries of Q and (s, s', 0) (`with_accounts`). The velocities of s and s' are the dissipated energy and the
+/// energy that the loads have given (dissipative_body.h).
 enum class BodyEntries { matrix, diagonal, with_accounts };
 
 /// Solves for the stages of a Gauss step of the body, and sets stages.converged. `accounts` is required for

@@ -121,13 +121,13 @@ void visit_initial_state(S& scene, Visit& visit) {
   visit(figure, starting_figure_kind,
         About{"Initial state/Figure", "",
               "affine: every model starts from the ellipsoid of Equilibrium, which is the figure of the pseudo-rigid "
-              "body. own: every model starts from its own figure phi(X) of the same family and parameter, from x = "
-              "Deformation phi with the velocity Deformation (omega x phi) + Velocity X. The families are those of "
-              "Equilibrium/Family that the model offers, without static."});
+              "body. own: every model starts from its own figure phi(X) of the same family and parameter. The positions "
+              "are then Deformation phi, and the velocities Deformation (omega x phi) + Velocity X. The families are "
+              "those of Equilibrium/Family that the model offers, without static."});
   visit(mode, AutoOrInteger{{0, 10}},
         About{"Initial state/Mode", "",
-              "Small motion about the figure that is added to the start: the one with the rate rate_k of the table of "
-              "equilibria of the model (Analysis = equilibrium), for k = Mode; 0: none. Models number their motions "
+              "Number k of the small motion about the figure that is added to the start, 0 for none. Its rate is rate_k "
+              "in the table of equilibria of the model (Analysis = equilibrium). Models number their motions "
               "differently, so a scene with a number has one model and one degree. auto: every model starts with the "
               "motion that grows fastest."});
   visit(amplitude, Number{0, 1},

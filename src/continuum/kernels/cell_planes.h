@@ -62,8 +62,9 @@ class CellPlanes {
       batches.factorization.plane_gradient(layers[c], q3, buffers_->values[c], H[3 * c], H[3 * c + 1], H[3 * c + 2]);
   }
 
-  /// Replaces H by F = H (∂X/∂ξ)⁻¹, and sets the buffer `weights` to the weights w of the points. The buffer X must
-  /// contain the layers of X. The inverse is computed at each call, because storing it would take much memory.
+  /// Replaces H = ∂x/∂ξ at the points of a plane by F = H (∂X/∂ξ)⁻¹. Sets the buffer dX to ∂X/∂ξ, and the buffer
+  /// `weights` to ŵ det ∂X/∂ξ with the quadrature weights ŵ on the reference cell. The buffer X must contain the layers
+  /// of X. The inverse is computed at each call, because storing it would take much memory.
   void deformation_gradients(int q3, Field& H) const {
     plane_gradient(buffers_->X, q3, buffers_->dX);
     for (int q = 0; q < plane; ++q) {
