@@ -120,16 +120,17 @@ void visit_initial_state(S& scene, Visit& visit) {
               "Which member of the family: its parameter, as in Equilibrium/First. Ignored without Equilibrium."});
   visit(figure, starting_figure_kind,
         About{"Initial state/Figure", "",
-              "affine: every model starts from the ellipsoid of Equilibrium, which is the figure of the pseudo-rigid "
-              "body. own: every model starts from its own figure phi(X) of the same family and parameter. The positions "
+              "With affine, every model starts from the ellipsoid of Equilibrium, the figure of the pseudo-rigid body. "
+              "With own, every model starts from its own figure phi(X) of the same family and parameter. The positions "
               "are then Deformation phi, and the velocities Deformation (omega x phi) + Velocity X. The families are "
               "those of Equilibrium/Family that the model offers, without static."});
-  visit(mode, AutoOrInteger{{0, 10}},
-        About{"Initial state/Mode", "",
-              "Number k of the small motion about the figure that is added to the start, 0 for none. Its rate is rate_k "
-              "in the table of equilibria of the model (Analysis = equilibrium). Models number their motions "
-              "differently, so a scene with a number has one model and one degree. auto: every model starts with the "
-              "motion that grows fastest."});
+  visit(
+      mode, AutoOrInteger{{0, 10}},
+      About{"Initial state/Mode", "",
+            "Number k of the small motion about the figure that is added to the start, 0 for none. Its rate is rate_k "
+            "in the table of equilibria of the model (Analysis = equilibrium). Models number their motions "
+            "differently, so a scene with a number has one model and one degree. auto: every model starts with the "
+            "motion that grows fastest."});
   visit(amplitude, Number{0, 1},
         About{"Initial state/Mode amplitude", "",
               "Root mean square of the displacement of that motion over the mass, in radii."});
@@ -166,9 +167,8 @@ void visit_time(S& scene, Visit& visit) {
           "Time/Constraint tolerance", "",
           "Largest mean of |ln J| that a step of an incompressible body may leave: over a cell of the continuum, over "
           "a polynomial body. The next step starts from it, so it does not accumulate. At samples it also bounds "
-          "the rate of this mean. "
-          "auto: 1e-13 if Step is given, otherwise 1e-4 of Tolerance, or 1e-8 of it if the body dissipates energy (at "
-          "least 1e-13). The reduced body keeps its volume to round-off."});
+          "the rate of this mean. With auto it is 1e-13 if Step is given. Otherwise it is 1e-4 of Tolerance, or 1e-8 "
+          "of it (at least 1e-13) if the body dissipates energy. The reduced body keeps its volume to round-off."});
 }
 
 template <SceneOrConst S, class Visit>

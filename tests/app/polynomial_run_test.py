@@ -63,7 +63,7 @@ class PolynomialRun(ProgramTest):
         self.scene({"Models": "reduced, polynomial", "Polynomial/Degree": 3, "Body/Incompressible": "false", "Material/Lame lambda": 3,
                     "Initial state/Deformation": "1.1, 0, 0; 0, 0.95, 0; 0, 0, 1", "Time/End": 5, "Time/Method": "explicit-8"})
         result = self.run_done("run", "scene.prm")
-        self.assertIn("discretisation error of Q", result.stdout)
+        self.assertIn("discretisation error of Q", result.stderr)
         self.assertNotIn("warning", result.stderr)
 
     def test_the_octant_is_the_whole_ball(self):

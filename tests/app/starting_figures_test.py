@@ -6,7 +6,7 @@ import unittest
 
 import numpy
 
-from program_test import WRONG_INPUT, ProgramTest, largest_difference
+from program_test import STOPPED, ProgramTest, largest_difference
 from ranks import RanksTest
 from refused_input import RefusedInputTest
 
@@ -187,7 +187,7 @@ class RefusedStartingFigures(RefusedInputTest):
         """Beyond the largest spin of the elements, the pseudo-rigid body still has a figure."""
         self.scene({**OWN, "Models": "continuum", "Initial state/Equilibrium parameter": 2.2})
         result = self.run_program("run", "scene.prm")
-        self.assert_exit(result, WRONG_INPUT)
+        self.assert_exit(result, STOPPED)
         self.assertIn("Initial state/Figure", result.stderr)
 
 

@@ -11,8 +11,10 @@ namespace {
 
 template <class Ball>
 ModelOutcome run_model(const RunContext& context, const ContinuumTask& task) {
-  ContinuumModel<Ball> model(context, task);
-  return ModelRun(model, context, task.stepping).run();
+  return run_from_start([&] {
+    ContinuumModel<Ball> model(context, task);
+    return ModelRun(model, context, task.stepping).run();
+  });
 }
 
 /// Runs the motion of the incompressible or the compressible ball once.

@@ -11,8 +11,10 @@ namespace {
 
 template <class Body>
 ModelOutcome run_model(const RunContext& context, const PolynomialTask& task) {
-  PolynomialModel<Body> model(context, task);
-  return ModelRun(model, context, task.stepping).run();
+  return run_from_start([&] {
+    PolynomialModel<Body> model(context, task);
+    return ModelRun(model, context, task.stepping).run();
+  });
 }
 
 /// Runs the motion of an incompressible or a compressible body once.

@@ -14,6 +14,7 @@
 #include "app/run/contact_watch.h"
 #include "app/run/deformation_trace.h"
 #include "app/run/flight.h"
+#include "app/run/no_start.h"
 #include "app/run/nonaffine_watch.h"
 #include "app/run/orbit_of_run.h"
 #include "app/run/runnable_model.h"
@@ -23,7 +24,6 @@
 #include "mechanics/core/explicit_multiplier.h"
 #include "mechanics/core/shape_columns.h"
 #include "mechanics/steps/step_size.h"
-#include "scene/user_error.h"
 
 namespace pseudorigid::app {
 
@@ -251,7 +251,7 @@ class FieldModel : public RunnableModelOf<S> {
   ///
   /// with the positions φ of the figure and its velocities φ'. D and V are the entries Deformation and Velocity of
   /// Initial state, and x_c is the centre of mass with the velocity v_c. A small motion (Initial state/Mode) changes
-  /// the volume to second order of its amplitude; the state is then projected onto the constraint. Throws UserError if
+  /// the volume to second order of its amplitude; the state is then projected onto the constraint. Throws NoStart if
   /// the model does not have the figure or the small motion.
   void put_own_figure(State& state) const {
     const scene::Scene::InitialState& start = context_.scene.initial_state;
@@ -259,7 +259,7 @@ class FieldModel : public RunnableModelOf<S> {
     if (!own_figure_) {
       own_figure_.emplace(affine(Eigen::Matrix3d::Zero(), none), affine(Eigen::Matrix3d::Zero(), none));
       if (const auto status = own_figure(own_figure_->first, own_figure_->second); !status)
-        throw UserError("Initial state/Figure: the " + this->name + " model does not start: " + status.reason());
+        throw NoStart("Initial state/Figure: the " + this->name + " model does not start: " + status.reason());
     }
     const Eigen::Matrix3d D = to_eigen(start.origin->deformation),
                           V = to_eigen(start.origin->velocity) * context_.units.time;
@@ -274,7 +274,7 @@ class FieldModel : public RunnableModelOf<S> {
     const mechanics::ExplicitMultiplier<S> field(this->system());
     auto workspace = field.make_workspace();
     if (const auto status = field.project(state.q, state.v, workspace); !status)
-      throw UserError("Initial state/Mode amplitude: the volume cannot be restored: " + status.reason());
+      throw NoStart("Initial state/Mode amplitude: the volume cannot be restored: " + status.reason());
   }
   /// The motion of the companions at the start of a pilot run. It is the last motion that is at least half a pilot run
   /// ahead of the closest approach to the body. If there is no such motion, it is their motion at the start of the run.

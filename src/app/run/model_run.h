@@ -336,7 +336,7 @@ class ModelRun final : public ModelRunBase {
     auto result = mechanics::run_time_loop<Method>(form, times, state_, position_.cursor, workspace, *this);
     if (!verdict_) result = {Outcome::failed, verdict_.reason(), result.t};
     counters_ = workspace.counters;
-    note_time_error();
+    if (position_.time_error) statistics_.counters["estimated_time_error"] = *position_.time_error;
     const typename System::Workspace* of_system = nullptr;
     if constexpr (has_workspace_of_system<decltype(workspace)>) of_system = &workspace.system;
     model_.report(counters_, of_system, statistics_);

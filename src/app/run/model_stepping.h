@@ -106,14 +106,6 @@ class ModelStepping {
     const double part = mechanics::dissipative(system) || mechanics::relaxes(system) ? 1e-8 : 1e-4;
     return time.constraint_tolerance.value_or(time.step ? 0 : part * time.tolerance);
   }
-  /// Writes the estimate of the time error into the statistics, or removes an earlier one that is no longer valid.
-  void note_time_error() {
-    if (position_.time_error)
-      statistics_.counters["estimated_time_error"] = *position_.time_error;
-    else
-      statistics_.counters.erase("estimated_time_error");
-  }
-
   /// Ratio of a step to the stability limit above which the step is halved. When a step is chosen, the ratio is at most
   /// 0.8. An oscillation of the frequency by a few per cent therefore does not halve the step. If the ratio increases,
   /// the step is halved before it becomes unstable at the ratio 1.
