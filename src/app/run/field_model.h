@@ -259,7 +259,7 @@ class FieldModel : public RunnableModelOf<S> {
     if (!own_figure_) {
       own_figure_.emplace(affine(Eigen::Matrix3d::Zero(), none), affine(Eigen::Matrix3d::Zero(), none));
       if (const auto status = own_figure(own_figure_->first, own_figure_->second); !status)
-        throw NoStart("Initial state/Figure: the " + this->name + " model does not start: " + status.reason());
+        throw NoStart(this->name + " stopped at t = 0: Initial state/Figure: " + status.reason());
     }
     const Eigen::Matrix3d D = to_eigen(start.origin->deformation),
                           V = to_eigen(start.origin->velocity) * context_.units.time;
@@ -274,7 +274,7 @@ class FieldModel : public RunnableModelOf<S> {
     const mechanics::ExplicitMultiplier<S> field(this->system());
     auto workspace = field.make_workspace();
     if (const auto status = field.project(state.q, state.v, workspace); !status)
-      throw NoStart("Initial state/Mode amplitude: the volume cannot be restored: " + status.reason());
+      throw NoStart(this->name + " stopped at t = 0: Initial state/Mode amplitude: " + status.reason());
   }
   /// The motion of the companions at the start of a pilot run. It is the last motion that is at least half a pilot run
   /// ahead of the closest approach to the body. If there is no such motion, it is their motion at the start of the run.
