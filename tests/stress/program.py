@@ -162,7 +162,8 @@ def faults_of_stop(run):
     if saved and not place and "continuum stopped" in run.stderr:
         return [f"the ball's stop has no place: {run.stderr.strip()[-300:]!r}"]
     faults = [] if run.manifest()["state"] == "failed" else ["exit code 3, and the manifest does not say failed"]
-    return faults if run.files(".bin") else faults + ["exit code 3 without a checkpoint"]
+    has_no_state = "stopped at t = 0: Initial state/" in run.stderr  # the start itself does not exist
+    return faults if run.files(".bin") or has_no_state else faults + ["exit code 3 without a checkpoint"]
 
 
 def faults(run, resumed=False):
