@@ -142,8 +142,9 @@ def faults_of_refusal(run):
 
 
 def found_nothing(run):
-    """A search for equilibria has no time at which it stops."""
-    return any(sentence in run.stderr for sentence in ("no equilibrium at rest was found", "the family has no member in this range"))
+    """A search for equilibria has no time at which it stops. A start that does not exist leaves nothing to resume."""
+    return any(sentence in run.stderr for sentence in ("no equilibrium at rest was found", "the family has no member in this range",
+                                                       "stopped at t = 0: Initial state/"))
 
 
 def faults_of_stop(run):
@@ -162,8 +163,7 @@ def faults_of_stop(run):
     if saved and not place and "continuum stopped" in run.stderr:
         return [f"the ball's stop has no place: {run.stderr.strip()[-300:]!r}"]
     faults = [] if run.manifest()["state"] == "failed" else ["exit code 3, and the manifest does not say failed"]
-    has_no_state = "stopped at t = 0: Initial state/" in run.stderr  # the start itself does not exist
-    return faults if run.files(".bin") or has_no_state else faults + ["exit code 3 without a checkpoint"]
+    return faults if run.files(".bin") else faults + ["exit code 3 without a checkpoint"]
 
 
 def faults(run, resumed=False):
