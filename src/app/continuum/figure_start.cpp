@@ -31,9 +31,9 @@ mechanics::Status add_motion(const scene::Scene& scene, const continuum::BallFig
     continuation.add(-of_velocity.imag(), parity, imaginary, v);
     for (std::size_t j = 0; j < 3; ++j)
       if (space.mesh().sector().reflect[j] && parity.sign[j] < 0)
-        lost = std::abs(factor) * std::max({lost, real.linfty_norm(), imaginary.linfty_norm()});
+        lost = std::max({lost, real.linfty_norm(), imaginary.linfty_norm()});
   }
-  return check_symmetry_of_start(lost);
+  return check_symmetry_of_start(std::abs(factor) * lost);
 }
 
 }  // namespace
