@@ -133,7 +133,7 @@ void visit_initial_state(S& scene, Visit& visit) {
             "motion that grows fastest."});
   visit(amplitude, Number{0, 1},
         About{"Initial state/Mode amplitude", "",
-              "Root mean square of the displacement of that motion over the mass, in radii."});
+              "Root mean square over the mass of the complex displacement of that motion, in radii."});
   visit(center, Numbers{3}, About{"Initial state/Center", "length", "Initial position of the centre of mass."});
   visit(center_velocity, Numbers{3},
         About{"Initial state/Center velocity", "length/time", "Initial velocity of the centre of mass."});

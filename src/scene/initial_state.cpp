@@ -85,6 +85,7 @@ std::optional<Refusal> refuses_initial_state(const Scene& scene) {
 
 std::optional<Refusal> refuses_starting_figure(const Scene& scene) {
   const Scene::InitialState& start = scene.initial_state;
+  if (scene.analysis != Analysis::motion) return {};
   if (start.figure == StartingFigure::affine && start.mode == 0) return {};
   if (start.equilibrium == Family::none && !start.origin)
     return Refusal{start.mode != 0 ? "Initial state/Mode" : "Initial state/Figure",
@@ -116,8 +117,15 @@ std::optional<Refusal> make_isochoric(Scene& scene) {
   const Matrix3 projected = project_deformation(q);
   if (auto refusal = refuses_expansion(q, projected)) return refusal;
   q = projected;
+  // The velocity is judged when the equilibrium has been replaced by explicit values, because its rate of expansion
+  // depends on the figure.
+  if (scene.initial_state.equilibrium != Family::none) return {};
   const Matrix3 tangent = project_velocity(q, qdot);
-  if (auto refusal = refuses_rate_of_expansion(divergence(q, qdot).value * time_scale(scene), tangent)) return refusal;
+  Matrix3 permitted = tangent;  // value of the entry Velocity that gives `tangent`
+  if (const auto& origin = scene.initial_state.origin)
+    permitted = combine(1, origin->velocity, 1, combine(1, tangent, -1, qdot));
+  if (auto refusal = refuses_rate_of_expansion(divergence(q, qdot).value * time_scale(scene), permitted))
+    return refusal;
   qdot = tangent;
   return {};
 }

@@ -25,7 +25,8 @@ std::optional<Refusal> refuses_initial_state(const Scene& scene);
 /// several models or degrees, or with a search.
 std::optional<Refusal> refuses_starting_figure(const Scene& scene);
 
-/// Projects the initial state of the scene, whose body must be incompressible. If a condition in the head of this file
+/// Projects the initial state of the scene, whose body must be incompressible. If the scene gives an equilibrium, the
+/// velocity is neither judged nor projected. If a condition in the head of this file
 /// is violated, returns the reason; the scene is then not usable.
 std::optional<Refusal> make_isochoric(Scene& scene);
 

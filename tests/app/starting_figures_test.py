@@ -109,13 +109,62 @@ class StartingFigures(ProgramTest):
             with self.subTest(model=model):
                 self.growth(model, SOFT)
 
+    def test_all_models_of_a_scene_start_with_the_motion_that_grows(self):
+        scene = {**BODIES, **SOFT, "Initial state/Figure": "own", "Initial state/Mode": "auto", "Initial state/Mode amplitude": 1e-5,
+                 "Time/End": 1, "Output/Samples": 50, "Time/Tolerance": 1e-5, "Continuum/Error estimate": "none"}
+        self.motion(scene, "continuum")
+        for model in TABLES:
+            figure = self.figure(scene, model)
+            t, Q = in_turning_frame(self.table("motion", f"{model}.csv"), figure["omega3"])
+            size = numpy.log(numpy.hypot(Q[:, 0] - Q[:, 4], Q[:, 1] + Q[:, 3]))
+            self.assertAlmostEqual(numpy.polyfit(t, size, 1)[0] / figure["growth_rate"], 1, delta=0.01, msg=model)
+
     def test_amplitude_is_the_mean_displacement(self):
-        """Of a pseudo-rigid ball: sqrt(|Re H|^2/5) <= amplitude at the start, with equality for a motion that starts at rest."""
-        entries = {**OWN, "Models": "reduced", "Initial state/Equilibrium parameter": 0, "Initial state/Mode": 1,
-                   "Initial state/Mode amplitude": 1e-6}
-        table = self.motion(entries, "reduced")
-        Q = numpy.array([[table.column(f"Q{i}{j}")[0] for j in (1, 2, 3)] for i in (1, 2, 3)])
-        self.assertAlmostEqual(numpy.linalg.norm(Q - numpy.eye(3)) / math.sqrt(5), 1e-6, delta=1e-11)
+        """Of the motion of degree 2 at rest, whose mass moment has nearly the whole displacement: exact for the ellipsoid."""
+        for model, number in (("reduced", 1), ("polynomial", 10), ("continuum", 10)):
+            with self.subTest(model=model):
+                entries = {**OWN, "Models": model, "Initial state/Equilibrium parameter": 0, "Initial state/Mode": number,
+                           "Initial state/Mode amplitude": 1e-6, "Time/End": 0.1, "Output/Samples": 1, "Time/Step": 0.01}
+                table = self.motion(entries, model)
+                Q = numpy.array([[table.column(f"Q{i}{j}")[0] for j in (1, 2, 3)] for i in (1, 2, 3)])
+                whole = table.column("nonaffine_displacement")[0] if model != "reduced" else 0
+                # |x - X|^2/M = |Q - 1|^2/5 + |x - Q X|^2/M, and |x|^2/M = 3/5.
+                found = math.sqrt(numpy.linalg.norm(Q - numpy.eye(3)) ** 2 / 5 + whole**2 * 3 / 5)
+                self.assertAlmostEqual(found / 1e-6, 1, delta=1e-4)
+
+    def disturbed(self, velocity):
+        """The energy of the first two samples of all models, with a velocity added to the figure."""
+        scene = {**OWN, "Initial state/Equilibrium": "maclaurin", "Initial state/Equilibrium parameter": 0.7, "Continuum/Degree": 2,
+                 "Initial state/Velocity": velocity, "Time/End": 1e-3, "Time/Step": 1e-4, "Output/Samples": 10, "Continuum/Error estimate": "none"}
+        self.motion(scene, "continuum")
+        return [self.table("motion", f"{model}.csv").column("energy")[:2] for model in TABLES]
+
+    def test_velocity_keeps_the_volume_of_every_figure(self):
+        for first, second in self.disturbed("0.2, 0, 0; 0, -0.2, 0; 0, 0, 0"):
+            self.assertAlmostEqual(first, second, delta=1e-9 * first)
+
+    def test_velocity_along_the_axis(self):
+        """It keeps the volume of the pseudo-rigid spheroid with a3/a1 = sqrt(1 - e^2)."""
+        self.disturbed(f"0.1, 0, 0; 0, 0.1, 0; 0, 0, {-0.2 * math.sqrt(1 - 0.49)!r}")
+
+    def test_a_spinning_figure_has_a_symmetry_plane(self):
+        self.scene({**OWN, "Models": "continuum"})
+        self.assertIn("half (plane z)", self.run_done("check", "scene.prm").stdout)
+
+    def test_a_motion_without_the_planes_of_the_sector_stops(self):
+        """Without spin, the motions of number 9 of both bodies are torsions, which the octant does not hold."""
+        for model in "polynomial", "continuum":
+            for amplitude in 1e-3, 1e-12:
+                self.scene({**OWN, "Models": model, "Initial state/Equilibrium parameter": 0, "Initial state/Mode": 9, "Continuum/Degree": 2,
+                            "Initial state/Mode amplitude": amplitude, "Continuum/Symmetry": "octant"})
+                result = self.run_program("run", "scene.prm")
+                self.assert_exit(result, STOPPED)
+                self.assertIn("Continuum/Symmetry", result.stderr)
+
+    def test_other_analyses_do_not_need_the_motion(self):
+        self.scene({**OWN, "Models": "reduced, polynomial", "Initial state/Mode": 1, "Analysis": "equilibrium", "Equilibrium/Family": "spinning",
+                    "Equilibrium/First": 0.5, "Equilibrium/Last": 1, "Equilibrium/Number": 2})
+        self.run_done("run", "scene.prm")
 
     def test_deformation_and_velocity_disturb_the_figure(self):
         """A rotation of the figure about the axis, and a uniform stretching velocity, in all models alike."""

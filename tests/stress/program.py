@@ -144,7 +144,7 @@ def faults_of_refusal(run):
 def found_nothing(run):
     """A search for equilibria has no time at which it stops. A start that does not exist leaves nothing to resume."""
     return any(sentence in run.stderr for sentence in ("no equilibrium at rest was found", "the family has no member in this range",
-                                                       "stopped at t = 0: Initial state/"))
+                                                       "stopped at t = 0: Initial state/", "stopped at t = 0: Continuum/Symmetry"))
 
 
 def faults_of_stop(run):

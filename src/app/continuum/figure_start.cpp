@@ -17,23 +17,24 @@ mechanics::Status add_motion(const scene::Scene& scene, const continuum::BallFig
   if (auto status = continuum::small_motion_of(figures, own.member.figure, n_eigenvectors_of_figure,
                                                own.motion.of_class, own.motion.s, motion);
       !status)
-    return status;
+    return at_entry("Initial state/Mode", status.reason());
   const continuum::BallSpace& octant = figures.body().space();
   const std::complex<double> factor =
       mechanics::factor_of_shape(scene.initial_state.mode_amplitude, continuum::mean_square(octant, motion),
                                  continuum::at_phase_points(octant, motion));
   const std::complex<double> of_velocity = factor * motion.rate;
-  double lost = 0;
+  double lost = 0, largest = 0;
   for (const auto& [parity, real, imaginary] : motion.parts) {
     continuation.add(factor.real(), parity, real, x);
     continuation.add(-factor.imag(), parity, imaginary, x);
     continuation.add(of_velocity.real(), parity, real, v);
     continuation.add(-of_velocity.imag(), parity, imaginary, v);
+    const double size = std::max(real.linfty_norm(), imaginary.linfty_norm());
+    largest = std::max(largest, size);
     for (std::size_t j = 0; j < 3; ++j)
-      if (space.mesh().sector().reflect[j] && parity.sign[j] < 0)
-        lost = std::max({lost, real.linfty_norm(), imaginary.linfty_norm()});
+      if (space.mesh().sector().reflect[j] && parity.sign[j] < 0) lost = std::max(lost, size);
   }
-  return check_symmetry_of_start(std::abs(factor) * lost);
+  return check_symmetry_of_motion(lost / largest);
 }
 
 }  // namespace

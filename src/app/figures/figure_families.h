@@ -19,7 +19,7 @@ namespace pseudorigid::app {
 bool needs_own_figures(const scene::Scene& scene);
 
 /// The refusal if the scene requests a family that is not in `offered`, otherwise empty. The family is that of the
-/// analysis or, for a motion, that of the initial state. The message begins with `model`, the subject of its sentence.
+/// analysis or, for a motion, that of the initial state. `model` is the subject of the message.
 /// The refusal recommends the models `others`.
 std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model,
                                              const std::vector<scene::Family>& offered,

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <complex>
+#include <string_view>
 
 #include "app/figures/figure_families.h"
 
@@ -21,14 +22,17 @@ struct OwnFigure {
   double spin() const { return std::sqrt(std::max(member.figure.drive, 0.0)); }
 };
 
+/// The failure of a start with the entry of the scene that it concerns, as in the messages of UserError.
+mechanics::Status at_entry(std::string_view path, std::string_view reason);
+
 /// Sets `start` to the figure from which the motion of the scene starts. `analyse` computes the stability of a figure,
 /// and is called only if the scene has a small motion. Fails if the body with these equations does not have the figure
-/// or the small motion.
+/// or the small motion. The reason names the entry.
 mechanics::Status find_own_figure(const scene::Scene& scene, const mechanics::FigureEquations& equations,
                                   const mechanics::StabilityOfFigure& analyse, OwnFigure& start);
 
-/// Fails if a start lacks a plane of symmetry of the computed sector. `lost` is the largest part of the start that the
-/// sector cannot represent, in internal units.
-mechanics::Status check_symmetry_of_start(double lost);
+/// Fails if a small motion lacks a plane of symmetry of the computed sector. `lost` is the largest part of its complex
+/// shape that the sector cannot represent, divided by the largest part of the whole shape.
+mechanics::Status check_symmetry_of_motion(double lost);
 
 }  // namespace pseudorigid::app

@@ -22,13 +22,23 @@ mechanics::PhaseDisplacements at_phase_points(const PolynomialSpace& space, cons
   return u;
 }
 
-/// Adds the small motion to the coefficients x of the positions and v of the velocities in the turning frame. Fails if
-/// this motion cannot be computed.
+/// The largest coefficient of the whole body that `sector` does not have, divided by the largest one.
+double part_beyond(const PolynomialSpace& sector, const PolynomialSpace& whole, const Eigen::VectorXcd& shape) {
+  double lost = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int a = 0; a < sector.n_functions(); ++a)
+      if (sector.place(i, a) < 0) lost = std::max(lost, std::abs(shape[whole.place(i, a)]));
+  return lost / shape.cwiseAbs().maxCoeff();
+}
+
+/// Adds the small motion to the coefficients x of the positions and v of the velocities of the whole body, in the
+/// turning frame. Fails if this motion cannot be computed, or if it lacks a symmetry plane of `sector`.
 mechanics::Status add_motion(const scene::Scene& scene, const polynomial::RotationSpectrum& spectrum,
-                             const OwnFigure& own, Eigen::VectorXd& x, Eigen::VectorXd& v) {
+                             const OwnFigure& own, const PolynomialSpace& sector, Eigen::VectorXd& x,
+                             Eigen::VectorXd& v) {
   mechanics::SmallMotion motion;
   if (auto status = spectrum.motion(own.member.figure, own.motion.of_class, own.motion.s, motion); !status)
-    return status;
+    return at_entry("Initial state/Mode", status.reason());
   // The functions are orthonormal with respect to the mass, so |shape|² is the integral of |y|² over the mass.
   const PolynomialSpace& space = spectrum.space();
   const Eigen::VectorXcd y =
@@ -37,7 +47,7 @@ mechanics::Status add_motion(const scene::Scene& scene, const polynomial::Rotati
       motion.shape;
   x += y.real();
   v += (motion.rate * y).real();
-  return {};
+  return check_symmetry_of_motion(part_beyond(sector, space, motion.shape));
 }
 
 }  // namespace
@@ -54,20 +64,16 @@ mechanics::Status start_from_figure(const scene::Scene& scene, const PolynomialS
   if (auto status = find_own_figure(scene, rotations, analyse, own); !status) return status;
   Eigen::VectorXd position = spectrum.whole(own.member.figure.x), velocity = Eigen::VectorXd::Zero(position.size());
   if (scene.initial_state.mode != 0)
-    if (auto status = add_motion(scene, spectrum, own, position, velocity); !status) return status;
+    if (auto status = add_motion(scene, spectrum, own, space, position, velocity); !status) return status;
   velocity += own.spin() * polynomial::Turns(spectrum.space()).of_space(2, position);
-  double lost = 0;
   for (int i = 0; i < 3; ++i)
-    for (int a = 0; a < space.n_functions(); ++a) {
-      const int of_whole = spectrum.space().place(i, a);
+    for (int a = 0; a < space.n_functions(); ++a)
       if (const int at = space.place(i, a); at >= 0) {
+        const int of_whole = spectrum.space().place(i, a);
         x[at] = position[of_whole];
         v[at] = velocity[of_whole];
-      } else {
-        lost = std::max({lost, std::abs(position[of_whole]), std::abs(velocity[of_whole])});
       }
-    }
-  return check_symmetry_of_start(lost);
+  return {};
 }
 
 }  // namespace pseudorigid::app

@@ -91,7 +91,7 @@ class FamilyMaker {
 constexpr int most_rates = 10;
 
 /// The rates of a figure by rising frequency. Of two conjugate rates, the one with the positive frequency is first.
-std::vector<mechanics::Rate> rates_by_frequency(const EquilibriumPoint& p) {
+std::vector<mechanics::Rate> rates_of_point(const EquilibriumPoint& p) {
   auto rates = p.stability.rates;
   std::sort(rates.begin(), rates.end(), [](const auto& a, const auto& b) {
     return std::abs(a.s.imag()) != std::abs(b.s.imag()) ? std::abs(a.s.imag()) < std::abs(b.s.imag())
@@ -118,7 +118,7 @@ std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& 
   add(p.vorticity);
   row.insert(row.end(), {p.vorticity_ratio(), p.stability.growth_rate, p.stability.stable ? 1.0 : 0.0,
                          static_cast<double>(p.stability.n_negative)});
-  const auto rates = rates_by_frequency(p);
+  const auto rates = rates_of_point(p);
   for (std::size_t k = 0; k < most_rates; ++k)
     row.insert(row.end(), {k < rates.size() ? rates[k].s.real() : 0, k < rates.size() ? rates[k].s.imag() : 0});
   row.push_back(p.residual);
@@ -256,6 +256,12 @@ scene::Matrix3 entries_of(const Eigen::Matrix3d& A) {
   return entries;
 }
 
+/// A with the entries set to 0 that are round-off of numbers of the given size. Symmetry planes require exact zeros.
+template <class Matrix>
+Matrix without_round_off(const Matrix& A, double size) {
+  return A.unaryExpr([&](double entry) { return std::abs(entry) <= 1e-14 * size ? 0 : entry; });
+}
+
 /// Deformation Q and its rate, in internal units.
 struct Start {
   Eigen::Matrix3d Q, Qdot;
@@ -270,7 +276,7 @@ struct Start {
 mechanics::Status add_motion(const FamilyMaker& maker, const scene::Scene& scene, const EquilibriumPoint& figure,
                              Start& start) {
   const std::optional<int>& number = scene.initial_state.mode;
-  const auto rates = rates_by_frequency(figure);
+  const auto rates = rates_of_point(figure);
   if (!number && figure.stability.stable) return mechanics::Status::failure("no small motion about the figure grows");
   if (number && static_cast<std::size_t>(*number) > rates.size())
     return mechanics::Status::failure(fmt::format("the figure has {} rates of small motions", rates.size()));
@@ -316,10 +322,15 @@ scene::Scene with_equilibrium(scene::Scene scene, const scene::Origins& origins)
   if (const auto status = find_member(maker, scene, initial.equilibrium, initial.equilibrium_parameter, figure);
       !status)
     refuse("Initial state/Equilibrium parameter", "there is no such equilibrium", status.reason());
-  Start start{figure.motion.A, figure.motion.co_moving_velocity()};
-  const bool is_affine =
-      std::ranges::none_of(scene::models_of(scene), [](const auto* model) { return model->has_nonaffine; });
-  if (initial.mode != 0 && is_affine)
+  reduced::SteadyMotion& m = figure.motion;
+  const double rate = m.omega.norm() + m.Lambda.norm();
+  m.A = without_round_off(m.A, m.A.norm());
+  m.omega = without_round_off(m.omega, rate);
+  m.Lambda = without_round_off(m.Lambda, rate);
+  Start start{m.A, m.co_moving_velocity()};
+  const bool has_affine_model =
+      std::ranges::any_of(scene::models_of(scene), [](const auto* model) { return !model->has_nonaffine; });
+  if (initial.mode != 0 && has_affine_model && scene.analysis == scene::Analysis::motion)
     if (const auto status = add_motion(maker, scene, figure, start); !status)
       refuse("Initial state/Mode", "there is no such small motion", status.reason());
   initial.origin = {initial.equilibrium, initial.equilibrium_parameter, initial.deformation, initial.velocity};

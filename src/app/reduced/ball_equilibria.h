@@ -35,7 +35,7 @@ std::string parameter_name(scene::Family family);
 ///   Q₀ = D A,   Q̇₀ = D (ω̂A − AΛ̂) + V
 ///
 /// with the constants A, ω and Λ of the equilibrium Q(t) = exp(tω̂) A exp(−tΛ̂) in the user's units, and ω̂x = ω × x. D
-/// and V are the entries Deformation and Velocity of the scene. If all models of the scene are affine, the start also
+/// and V are the entries Deformation and Velocity of the scene. If a model of a motion is affine, the start also
 /// has the small motion of the entry Initial state/Mode. Stores the family, its parameter, D and V in
 /// initial_state.origin. Returns the new scene, or an unchanged scene if the entry is `none`. Throws UserError if there
 /// is no such equilibrium or small motion.

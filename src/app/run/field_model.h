@@ -251,15 +251,15 @@ class FieldModel : public RunnableModelOf<S> {
   ///
   /// with the positions φ of the figure and its velocities φ'. D and V are the entries Deformation and Velocity of
   /// Initial state, and x_c is the centre of mass with the velocity v_c. A small motion (Initial state/Mode) changes
-  /// the volume to second order of its amplitude; the state is then projected onto the constraint. Throws NoStart if
-  /// the model does not have the figure or the small motion.
+  /// the volume to second order of its amplitude. V may change the volume if the figure is not affine. The state is
+  /// therefore projected onto the constraint. Throws NoStart if the model does not have the figure or the small motion.
   void put_own_figure(State& state) const {
     const scene::Scene::InitialState& start = context_.scene.initial_state;
     const Eigen::Vector3d none = Eigen::Vector3d::Zero();
     if (!own_figure_) {
       own_figure_.emplace(affine(Eigen::Matrix3d::Zero(), none), affine(Eigen::Matrix3d::Zero(), none));
       if (const auto status = own_figure(own_figure_->first, own_figure_->second); !status)
-        throw NoStart(this->name + " stopped at t = 0: Initial state/Figure: " + status.reason());
+        throw NoStart(this->name + " stopped at t = 0: " + status.reason());
     }
     const Eigen::Matrix3d D = to_eigen(start.origin->deformation),
                           V = to_eigen(start.origin->velocity) * context_.units.time;
@@ -270,11 +270,11 @@ class FieldModel : public RunnableModelOf<S> {
     state.v = affine(V, initial_center_velocity(context_.scene, context_.units));
     mechanics::axpy(1.0, x, state.q);
     mechanics::axpy(1.0, v, state.v);
-    if (start.mode == 0) return;
     const mechanics::ExplicitMultiplier<S> field(this->system());
     auto workspace = field.make_workspace();
     if (const auto status = field.project(state.q, state.v, workspace); !status)
-      throw NoStart(this->name + " stopped at t = 0: Initial state/Mode amplitude: " + status.reason());
+      throw NoStart(this->name +
+                    " stopped at t = 0: Initial state/Figure: the volume is not restored: " + status.reason());
   }
   /// The motion of the companions at the start of a pilot run. It is the last motion that is at least half a pilot run
   /// ahead of the closest approach to the body. If there is no such motion, it is their motion at the start of the run.
