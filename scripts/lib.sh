@@ -22,11 +22,11 @@ die() {
 # usage FILE: the comment at the head of a script is its help.
 usage() { sed -n '2,/^[^#]/ { s/^# \{0,1\}//p }' "$1"; }
 
-# n_jobs: one a core, but not more than memory allows (twelve sources compiled together take up to about 2.1 GB).
+# n_jobs: one a core, but not more than memory allows (twelve sources compiled together take up to about 2.4 GB).
 n_jobs() {
   local cores memory
   cores=$(nproc)
-  memory=$(awk '/^MemAvailable:/ { print int($2 / 2100000) }' /proc/meminfo)
+  memory=$(awk '/^MemAvailable:/ { print int($2 / 2400000) }' /proc/meminfo)
   ((memory < cores)) && cores=$memory
   ((cores < 1)) && cores=1
   echo "$cores"

@@ -34,6 +34,8 @@ RANGES = (("amplitude", "a", 0, 0.11, "frequency_ratio"), ("amplitude", "a", 0.2
           ("tide", "f", 2.4, 3.4, "strain_difference_max"), ("shape", "p", 0, 3, "frequency_ratio"), ("spin", "w", 0, 1.01, "frequency_ratio"),
           *(("equilibria", "g", low, high, f"{measure}_ratio") for low, high in ((-1, 1.01), (9, 101), (101, 1001))
             for measure in ("bulge", "strain", "momentum")),
+          *(("static_tide", "g", low, high, f"{measure}_ratio") for low, high in ((-1, 1.01), (9, 11), (99, 101), (999, 1001))
+            for measure in ("bulge", "strain")),
           *((f"law-{law}", "l", low, high, "max_stretch_difference_max") for law in LAWS for low, high in ((1, 1.11), (1.69, 1.71))))
 # Columns that the pages and the pictures use, after the parameters.
 KEPT = ("compared", "_finished", "_amplitude", "_frequency_ratio", "_frequency_ratio_error", "_strain_difference_max",
@@ -54,7 +56,8 @@ def read(folder: pathlib.Path, family: str) -> Rows:
 
 def compared_figures(rows: Rows) -> Rows:
     """The figures of every model of a sweep of equilibria as ratios to those of the finite elements: the bulge of the surface, the
-    strain ln(a1/a3) of the nearest ellipsoid with its bar, and the angular momentum."""
+    strain ln(a1/a3) of the nearest ellipsoid with its bar, and the angular momentum of figures that turn. If the sweep has no
+    pseudo-rigid model, its place is taken by the polynomial body of degree 1."""
     done = rows["finished"] == 1
     parameters = list(rows)[:list(rows).index("finished")]
     result = {**{name: rows[name] for name in parameters}, "compared": rows["finished"]}
@@ -63,13 +66,16 @@ def compared_figures(rows: Rows) -> Rows:
         return np.where(done, rows[name], np.nan)
 
     def measures(model: str) -> dict[str, np.ndarray]:
+        if f"{model}_finished" not in rows:
+            model = "polynomial_1"
         surface = "a" if model == "reduced" else "surface"
-        return {"bulge": column(f"{model}_{surface}1") - column(f"{model}_{surface}3"),
-                "strain": np.log(column(f"{model}_a1") / column(f"{model}_a3")), "momentum": column(f"{model}_J3")}
+        values = {"bulge": column(f"{model}_{surface}1") - column(f"{model}_{surface}3"),
+                  "strain": np.log(column(f"{model}_a1") / column(f"{model}_a3")), "momentum": column(f"{model}_J3")}
+        return {name: value for name, value in values.items() if np.any(np.nan_to_num(value) != 0)}
 
     reference = measures("continuum")
     # Both axes may be wrong by axes_error, in opposite directions.
-    bar = 2 * column("continuum_axes_error") / column("continuum_a3") / reference["strain"]
+    bar = 2 * column("continuum_axes_error") / np.minimum(column("continuum_a1"), column("continuum_a3")) / np.abs(reference["strain"])
     for model in TITLES:
         for name, values in measures(model).items():
             result[f"{model}_{name}_ratio"] = np.nan_to_num(values / reference[name])
@@ -120,6 +126,25 @@ def print_ranges(folder: pathlib.Path) -> None:
             bar = f" (bars up to {bars.max():.2g})" if np.isfinite(bars).any() else ""
             parts.append(f"{model} {np.nanmin(values):.3g} to {np.nanmax(values):.3g}{bar}")
         print(f"{family}, {parameter} = {low} to {high}, {measure}: {'; '.join(parts)}")
+
+
+def print_ranges_of_impacts(path: pathlib.Path) -> None:
+    """The restitution and the largest force of impacts (docs/data/impacts.csv), beside the first run of finite elements on the same plane."""
+    with open(path, newline="") as file:
+        rows = [row for row in csv.DictReader(file) if row["outcome"] == "done"]
+    for low, high in (0, 0.3), (0.3, 3):
+        inside = [row for row in rows if low < float(row["v"]) < high]
+        elements: dict[tuple[str, str], dict[str, str]] = {}
+        for row in inside:
+            if row["model"] == "continuum":
+                elements.setdefault((row["v"], row["stiffness"]), row)
+        parts = []
+        for model, degree in ("reduced", "1"), ("polynomial", "3"), ("polynomial", "5"):
+            pairs = [(row, elements[row["v"], row["stiffness"]]) for row in inside if (row["model"], row["degree"]) == (model, degree)]
+            more = [float(mine["e"]) - float(other["e"]) for mine, other in pairs]
+            forces = [float(mine["force"]) / float(other["force"]) for mine, other in pairs]
+            parts.append(f"N = {degree} e {min(more):+.3f} to {max(more):+.3f}, force {min(forces):.3g} to {max(forces):.3g} of the right one")
+        print(f"impacts, v = {low} to {high} c: {'; '.join(parts)}")
 
 
 def map_of_gravity(folder: pathlib.Path, output: pathlib.Path) -> None:
@@ -211,6 +236,21 @@ def figures_of_spin(folder: pathlib.Path, output: pathlib.Path) -> None:
     save(figure, output / "adequacy_figures.svg")
 
 
+def figures_of_tide(folder: pathlib.Path, output: pathlib.Path) -> None:
+    """Errors of the figure at rest under a constant tide over its strength, a line for each self-gravity and model."""
+    rows = read(folder, "static_tide")
+    figure, grid = plt.subplots(1, 2, figsize=(7.4, 3.6), sharey=True)
+    figure.subplots_adjust(left=0.1, right=0.985, top=0.9, bottom=0.15, wspace=0.08)
+    for axes, measure, title in zip(grid, ("bulge", "strain"), ("bulge of the surface", r"mean strain $\ln(a_1/a_3)$")):
+        lines_over(axes, rows, "s", "g", {m: 100 * np.abs(known(rows, f"{m}_{measure}_ratio") - 1) for m in ("reduced", "polynomial_3")}, TITLES)
+        axes.set(yscale="log", xlabel="strength s of the tide", title=title)
+        axes.legend(fontsize=8, frameon=False)
+    grid[0].set_ylabel("error, %")
+    for gamma in np.unique(rows["g"]):  # exact for a weak tide: the ratio of the Love numbers h2 of ellipsoid and sphere
+        grid[0].axhline(100 * 3 / (12.5 + gamma), color="black", linewidth=0.5, linestyle=":")
+    save(figure, output / "adequacy_tides.svg")
+
+
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("sweeps", type=pathlib.Path, help="folder with a folder for each family")
     parser.add_argument("--output", type=pathlib.Path, help="folder of the pictures")
@@ -221,10 +261,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(options: argparse.Namespace) -> None:
     if options.ranges:
         print_ranges(options.sweeps)
+        if (impacts := options.sweeps.parent / "impacts.csv").is_file():
+            print_ranges_of_impacts(impacts)
     if options.output:
         map_of_gravity(options.sweeps, options.output)
         curves(options.sweeps, options.output)
         figures_of_spin(options.sweeps, options.output)
+        figures_of_tide(options.sweeps, options.output)
     if options.data:
         for folder in sorted(options.sweeps.iterdir()):
             if (folder / "sweep.csv").is_file():

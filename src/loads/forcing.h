@@ -96,6 +96,14 @@ struct Forcing {
                    const Eigen::Matrix3d& F_integral, double volume) const;
 };
 
+/// True if rotations of space about the coordinate axis do not change the energy of the tide and of the traction.
+bool permits_rotation_of_space(const Forcing& forcing, int axis);
+/// True if rotations of the undeformed body about the coordinate axis do not change the energy of the traction.
+bool permits_rotation_of_body(const Forcing& forcing, int axis);
+/// True if joint rotations of space and of the undeformed body about the coordinate axis do not change the energy of
+/// the tide and of the traction.
+bool permits_joint_rotation(const Forcing& forcing, int axis);
+
 Eigen::Matrix3d to_eigen(const scene::Matrix3& m);
 
 }  // namespace pseudorigid::loads

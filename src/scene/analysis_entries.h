@@ -28,7 +28,8 @@ void visit_equilibria(S& scene, Visit& visit) {
             "Axis ratio; riemann-planar: both in the plane of axes 2 and 3 (Riemann's types I to III); -dual: "
             "spin and circulation exchanged. static: no family, but all equilibria at rest that a search from 400 "
             "starts finds, the critical points of the potential energy under every load that does not depend on time, "
-            "for any Semi-axes and Inertia, with Morse index and rates; of finite elements, the one that is reached as "
+            "for any Semi-axes and Inertia, with Morse index and rates; of polynomial bodies and finite elements, the "
+            "one that is reached as "
             "the loads rise from 0. The other entries of the section are then ignored."});
   visit(first, Number{}, About{"Equilibrium/First", "", "First value of the family's parameter."});
   visit(last, Number{}, About{"Equilibrium/Last", "", "Last value of the family's parameter."});

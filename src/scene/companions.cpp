@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "mechanics/core/principal_axes.h"
 #include "scene/models.h"
 #include "scene/scene.h"
 
@@ -111,7 +112,7 @@ std::optional<Refusal> refuses_full_potential(const Scene& scene, const loads::C
 double reach(const Scene& scene) {
   const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation);
   const Eigen::Vector3d axes(scene.body.semi_axes[0], scene.body.semi_axes[1], scene.body.semi_axes[2]);
-  return scene.body.radius * (Q * axes.asDiagonal()).jacobiSvd().singularValues()[0];
+  return scene.body.radius * mechanics::singular_values(Q * axes.asDiagonal())[0];
 }
 
 /// The mass of the body, in the units of the user.

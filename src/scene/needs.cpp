@@ -223,7 +223,8 @@ Needs needs(const Scene& scene) {
   describe_models(scene, needs);
   sort_out(needs, scene.analysis == Analysis::equilibrium,
            finds_static_equilibria(scene)
-               ? "equilibria at rest (equilibria.csv; of finite elements equilibria-continuum.csv)"
+               ? "equilibria at rest (equilibria.csv; of other models equilibria-polynomial.csv and "
+                 "equilibria-continuum.csv)"
                : fmt::format("relative equilibria: {} of the family {}", scene.equilibria.number,
                              family_kind.print(scene.equilibria.family)),
            fmt::format("relative equilibria: Analysis is {}", analysis_kind.print(scene.analysis)));

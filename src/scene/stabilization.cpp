@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "materials/rest_moduli.h"
+#include "mechanics/core/dense_algebra.h"
 #include "scene/scales.h"
 
 namespace pseudorigid::scene {
@@ -14,9 +15,7 @@ namespace {
 /// The eigenvalues of the tidal matrix of the scene in 1/time², in increasing order. A rising load counts with its full
 /// value.
 Eigen::Vector3d rates_of_confinement(const Scene& scene) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(loads::full_forcing(scene.loads).quadratic,
-                                                        Eigen::EigenvaluesOnly)
-      .eigenvalues();
+  return mechanics::symmetric_spectrum(loads::full_forcing(scene.loads).quadratic).values;
 }
 
 }  // namespace

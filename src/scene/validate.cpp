@@ -150,10 +150,14 @@ class Validator {
 
   /// Refuses a sweep of equilibria if its runs do not have exactly one figure each.
   void check_sweep_of_equilibria() const {
-    if (finds_static_equilibria(scene_))
-      refuse({"Equilibrium/Family",
-              "each run of a sweep computes the figure with a given parameter, and static does not have one",
-              {{{"Equilibrium/Family", "spinning"}}}});
+    if (finds_static_equilibria(scene_)) {
+      if (std::ranges::any_of(models_of(scene_), [](const auto* model) { return !model->has_nonaffine; }))
+        refuse({"Models",
+                "each run of a sweep has one figure of each model, and a static search finds several; "
+                "Polynomial/Degree = 1 gives one",
+                {{{"Models", "polynomial"}, {"Polynomial/Degree", "1"}}}});
+      return;
+    }
     if (scene_.equilibria.number != 1)
       refuse({"Equilibrium/Number",
               "each run of a sweep computes one figure, that with the parameter Equilibrium/First",

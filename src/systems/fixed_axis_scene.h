@@ -17,6 +17,7 @@
 
 #include "entries/entry_kinds.h"
 #include "mechanics/core/chart_field.h"
+#include "mechanics/core/dense_algebra.h"
 #include "mechanics/equilibria/chart_landscape.h"
 #include "systems/fixed_axis.h"
 #include "systems/system_scene.h"
@@ -173,8 +174,7 @@ struct FixedAxisScene {
       return Refusal{path, "expected a symmetric matrix, got one that is not"};
     const Eigen::Vector3d G = vector(center);
     const Eigen::Matrix3d about_center = second_moment(A) - mass * G * G.transpose();
-    const double least =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(about_center, Eigen::EigenvaluesOnly).eigenvalues()(0);
+    const double least = mechanics::symmetric_spectrum(about_center).values[0];
     if (least < -round_off * size)
       return Refusal{path,
                      fmt::format("expected the inertia of a body with this mass and Center, whose principal moments "

@@ -21,6 +21,7 @@
 
 #include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/conservative_system.h"
+#include "mechanics/core/dense_algebra.h"
 #include "systems/body_loads.h"
 #include "systems/body_symmetries.h"
 #include "systems/mass_distribution.h"
@@ -46,8 +47,7 @@ class RigidBody {
   /// moment E₀ must be above 1e-12 times the largest eigenvalue, and the mass must be positive. Without a fixed point,
   /// the centre of mass must be the origin.
   static mechanics::Status accepts(const Parameters& p) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(p.E0, Eigen::EigenvaluesOnly);
-    const Eigen::Vector3d& e = solver.eigenvalues();
+    const Eigen::Vector3d e = mechanics::symmetric_spectrum(p.E0).values;
     if (!(e.minCoeff() > 1e-12 * e.cwiseAbs().maxCoeff()))
       return mechanics::Status::failure(
           "the second moment E0 has the eigenvalue " + mechanics::six_digits(e.minCoeff()) +

@@ -19,6 +19,7 @@
 #include <cmath>
 
 #include "entries/entry_kinds.h"
+#include "mechanics/core/dense_algebra.h"
 #include "mechanics/equilibria/constrained_landscape.h"
 #include "systems/euler_top.h"
 #include "systems/lagrange_top.h"
@@ -319,9 +320,7 @@ struct RigidBodyScene {
       if (auto status = FixedPointBody::accepts({E0, loads()}); !status) return Refusal{inertia_path, status.reason()};
     return {};
   }
-  static Eigen::Vector3d eigenvalues(const Eigen::Matrix3d& A) {
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(A, Eigen::EigenvaluesOnly).eigenvalues();
-  }
+  static Eigen::Vector3d eigenvalues(const Eigen::Matrix3d& A) { return mechanics::symmetric_spectrum(A).values; }
 
   /// Refuses a position or a velocity other than 0 for a body with a fixed point, and the springs that refuses_springs
   /// refuses.

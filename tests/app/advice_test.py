@@ -37,7 +37,10 @@ CASES = (
     ({**FAMILY, "Models": "continuum", "Equilibrium/Family": "dedekind"}, "Equilibrium/Family", None),
     ({**FAMILY, "Models": "reduced, continuum", "Material/Law": "none"}, "Material/Law", None),
     ({**FAMILY, "Models": "continuum", "Equilibrium/Family": "static", "Loads/Acceleration": "1, 0, 0"}, "Equilibrium/Family", None),
-    ({**FAMILY, "Models": "polynomial", "Equilibrium/Family": "static"}, "Equilibrium/Family", None),
+    ({**FAMILY, "Models": "polynomial", "Polynomial/Degree": "1, 3", "Equilibrium/Family": "static", "Loads/Acceleration": "1, 0, 0"}, "Equilibrium/Family", None),
+    ({**FAMILY, "Models": "polynomial", "Polynomial/Degree": 3, "Material/Viscosity": 1}, "Material/Viscosity", None),
+    ({**FAMILY, **TIDE, "Models": "polynomial", "Polynomial/Degree": 3, "Gravity/Constant": 0, "Material/Law": "none", "Equilibrium/Family": "static"},
+     "Equilibrium/Family", None),
     ({**FAMILY, "Models": "reduced, polynomial", "Equilibrium/Family": "dedekind"}, "Equilibrium/Family", None),
     ({**FAMILY, "Models": "polynomial", "Equilibrium/Family": "riemann-s"}, "Equilibrium/Family", None),
     # Methods.
@@ -54,7 +57,7 @@ CASES = (
     # Sweeps.
     ({**SWEEP, "Output/Graphics": "vtu"}, "Output/Graphics", None),
     ({**SWEEP, **FAMILY}, "Equilibrium/Number", None),
-    ({**SWEEP, **FAMILY, "Equilibrium/Number": 1, "Equilibrium/Family": "static"}, "Equilibrium/Family", None),
+    ({**SWEEP, **FAMILY, "Equilibrium/Number": 1, "Equilibrium/Family": "static"}, "Models", None),
     ({"System": "double pendulum", "Analysis": "equilibrium", "Sweep/Parameters": "l: 1, 2", "Time/End": "$(l)"}, "Analysis", None),
     # Love numbers.
     ({**LOVE, "Body/Incompressible": "false"}, "Body/Incompressible", None),

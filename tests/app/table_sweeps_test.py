@@ -133,7 +133,7 @@ class RefusedTableSweeps(RefusedInputTest):
     def test_refused(self):
         self.refused_entries({**LOVE, "Sweep/Trajectories": "true", "Models": "reduced"}, "Sweep/Trajectories", "no samples")
         self.refused_entries({**FIGURES, "Equilibrium/Number": 2}, "Equilibrium/Number", "one figure")
-        self.refused_entries({**FIGURES, "Models": "reduced", "Equilibrium/Family": "static"}, "Equilibrium/Family", "static")
+        self.refused_entries({**FIGURES, "Models": "reduced", "Equilibrium/Family": "static"}, "Models", "Polynomial/Degree")
         self.refused_entries({**FIGURES, "Models": "reduced", "Sweep/Trajectories": "true"}, "Sweep/Trajectories", "no samples")
         self.scene({"System": "double pendulum", "Analysis": "equilibrium", "Sweep/Parameters": "w: 1, 2"})
         self.refused("run", "scene.prm", fragments=("scene.prm:", "Analysis", "sweep"))

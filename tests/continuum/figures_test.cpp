@@ -11,7 +11,7 @@
 #include "continuum/statics/figure_stability.h"
 #include "continuum/statics/observe_figure.h"
 #include "materials/law_table.h"
-#include "polynomial/rotation_family.h"
+#include "polynomial/body_figure_finder.h"
 #include "support/order_fit.h"
 
 namespace pseudorigid::testing {
@@ -154,9 +154,9 @@ TEST(BallFigures, OfAFastSpinAgreeWithAPolynomialBody) {
   const BallFigures figures(spinning(5));
   const EquilibriumFigure figure = figure_at(figures, FigureParameter::log_ratio_31, ratio);
   const polynomial::BodySetup setup{.degree = 9, .law = materials::make_law("neo-hookean", {.shear_modulus = 1}, true)};
-  polynomial::RotationFinder finder(setup, true, {Figure::spheroid, [](double value) -> mechanics::FigureCondition {
-                                                    return {FigureParameter::log_ratio_31, value};
-                                                  }});
+  polynomial::BodyFigureFinder finder(setup, true, {Figure::spheroid, [](double value) -> mechanics::FigureCondition {
+                                                      return {FigureParameter::log_ratio_31, value};
+                                                    }});
   mechanics::FigureMember member;
   ASSERT_TRUE(finder.member(ratio, member));
   EXPECT_NEAR(figure.drive, member.figure.drive, 1e-6);
@@ -187,9 +187,9 @@ TEST(BallFigures, WithGravityAreTheLimitOfPolynomialBodies) {
                                 .law = materials::make_law("neo-hookean", {.shear_modulus = 1}, true)};
     setup.volumetric_stiffness = gamma / 2;
     setup.loads.get<loads::SelfGravity>().constant = 3 * gamma / (4 * std::numbers::pi);
-    polynomial::RotationFinder finder(setup, true, {Figure::spheroid, [](double value) -> mechanics::FigureCondition {
-                                                      return {FigureParameter::log_ratio_31, value};
-                                                    }});
+    polynomial::BodyFigureFinder finder(setup, true, {Figure::spheroid, [](double value) -> mechanics::FigureCondition {
+                                                        return {FigureParameter::log_ratio_31, value};
+                                                      }});
     mechanics::FigureMember member;
     ASSERT_TRUE(finder.member(ratio, member));
     of_polynomials.push_back(member.figure.drive);

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include "mechanics/core/conservative_system.h"
+#include "mechanics/core/dense_algebra.h"
 #include "mechanics/toy_systems.h"
 
 namespace pseudorigid::testing {
@@ -69,7 +70,7 @@ class ConservativeChain {
       constraint_rate(q1, reaction, column);
       S.col(k) = column;
     }
-    lambda = S.partialPivLu().solve(r);
+    lambda = mechanics::solve(S, r);
     return {};
   }
   double constraint_tolerance() const { return 4e-16; }

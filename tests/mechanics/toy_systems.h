@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mechanics/core/constrained_system.h"
+#include "mechanics/core/dense_algebra.h"
 
 namespace pseudorigid::testing {
 
@@ -39,7 +40,7 @@ class SpringNetwork {
   void add_reaction(const Vector&, const Multiplier& lambda, Vector& f) const { f += A_.transpose() * lambda; }
   mechanics::SolveReport solve_gram(const Vector&, const Vector&, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
-    if (r.size() > 0) lambda = gram_.llt().solve(r);
+    if (r.size() > 0) lambda = mechanics::solve(gram_, r);
     return {};
   }
   double constraint_tolerance() const { return 1e-15; }

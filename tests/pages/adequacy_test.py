@@ -79,12 +79,12 @@ class Adequacy(unittest.TestCase):
 
     def test_the_page_counts_the_comparisons(self):
         """All with finite elements, and those of them that have a ratio of frequencies without a bar."""
-        swept = [row for path in DATA.glob("*.csv") if path.stem not in ("shape", "equilibria") for row in rows(path.stem)]
+        swept = [row for path in DATA.glob("*.csv") if path.stem not in ("shape", "equilibria", "static_tide") for row in rows(path.stem)]
         barless = [row for row in swept if any(name.endswith("_frequency_ratio") and value > 0 and row[f"{name}_error"] < 0
                                                for name, value in row.items())]
         page = (ROOT / "docs/adequacy.md").read_text()
         said = re.search(r"([\d,]+) comparisons of motions with finite elements.*, and (\d+) of figures.*\n?.* but for (\d+) of", page)
-        figures = [row for row in rows("equilibria") if row["compared"]]
+        figures = [row for family in ("equilibria", "static_tide") for row in rows(family) if row["compared"]]
         self.assertEqual((int(said[1].replace(",", "")), int(said[2]), int(said[3])), (len(swept), len(figures), len(barless)))
 
     def test_bulge_of_a_slow_spin(self):
@@ -93,6 +93,15 @@ class Adequacy(unittest.TestCase):
         self.assertEqual(len(held), 6)
         for row in held:
             self.assertAlmostEqual(row["reduced_bulge_ratio"], (row["g"] + 9.5) / (row["g"] + 12.5), delta=3e-4)
+
+    def test_bulge_of_a_weak_tide(self):
+        """The mean of a tide that stretches and one that flattens, whose errors of second order cancel."""
+        for gamma in 0, 1, 10, 100, 1000:
+            pair = [row for row in rows("static_tide") if row["g"] == gamma and abs(row["s"]) < 0.02]
+            self.assertEqual(len(pair), 2)
+            exact = (gamma + 9.5) / (gamma + 12.5)
+            for measure, delta in ("bulge", 5e-4), ("strain", 3e-4):
+                self.assertAlmostEqual(sum(row[f"reduced_{measure}_ratio"] for row in pair) / 2, exact, delta=delta)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
     pages_test.py            all tests; renders with Debian's python3-markdown-it
 """
+import os
 import pathlib
 import re
 import unittest
@@ -181,6 +182,13 @@ class Architecture(unittest.TestCase):
 
 
 class Version(unittest.TestCase):
+    def test_a_file_that_names_its_interpreter_can_be_executed(self):
+        """scripts/documentation.sh and pages call such files by their names."""
+        folders = (SOURCE / name for name in (".ci", "benchmarks", "examples", "meshes", "python", "scripts", "tests", "tools"))
+        named = [path for folder in folders for path in folder.rglob("*") if path.is_file() and path.open("rb").read(2) == b"#!"]
+        self.assertGreater(len(named), 20)
+        self.assertEqual([str(path) for path in named if not os.access(path, os.X_OK)], [])
+
     def test_pages_repeat_the_version_of_the_project(self):
         version = re.search(r"^project\(pseudorigid VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text(), re.M)[1]
         citation, changes = ((SOURCE / name).read_text() for name in ("CITATION.cff", "CHANGELOG.md"))

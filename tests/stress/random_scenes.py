@@ -250,6 +250,8 @@ def look_for_equilibria(rng, entries, rate):
     family = rng.choice(words("Equilibrium/Family"))
     entries.update({"Analysis": "equilibrium", "Equilibrium/Family": family})
     if family == "static":
+        if rng.random() < 0.6:
+            load_along_the_axes(rng, entries, rate)
         return
     scale = rate if family == "spinning" else 1
     first, last = sorted(scale * rng.uniform(0.02, 0.98) for _ in range(2))
@@ -262,6 +264,21 @@ def look_for_equilibria(rng, entries, rate):
         refused = ("Loads/", "Material/Viscosity", "Material/Drag", "Body/Semi-axes")
         for path in [path for path in entries if path.startswith(refused)]:
             del entries[path]
+
+
+def load_along_the_axes(rng, entries, rate):
+    """Figures at rest of bodies that may bend, under loads with the coordinate planes as symmetry planes. Some loads are too large."""
+    for path in [path for path in entries if path.startswith(("Loads/", "Material/Viscosity", "Material/Drag", "Material/Branch"))]:
+        del entries[path]
+    entries.update({"Models": rng.choice(("polynomial", "reduced, polynomial", "polynomial, continuum")),
+                    "Polynomial/Degree": rng.choice(("1", "2", "3", "1, 3", "4")), "Continuum/Degree": 2, "Body/Semi-axes": "1, 1, 1"})
+    size = rate**2 * 10 ** rng.uniform(-3, 1)
+    for _ in range(rng.randint(1, 2)):
+        load = rng.choice(("Loads/Tidal matrix", "Loads/Nominal traction", "Loads/Pressure"))
+        entries[load] = repr(size) if load == "Loads/Pressure" else text(diagonal(*(size * rng.gauss(0, 1) for _ in range(3))))
+    if "reduced" not in entries["Models"] and rng.random() < 0.3:
+        entries.update({"Loads/Tidal matrix": "$(k), 0, 0; 0, 0, 0; 0, 0, 0", "Sweep/Parameters": f"k: {size!r}, {-size!r}, {9 * size!r}",
+                        "Output/Graphics": "none"})
 
 
 def changed_numbers(rng, value):

@@ -12,6 +12,7 @@
 #include "app/polynomial/body_setup.h"
 #include "app/run/small_pulsation.h"
 #include "materials/rest_moduli.h"
+#include "mechanics/core/principal_axes.h"
 #include "polynomial/rest_modes.h"
 
 namespace pseudorigid::app {
@@ -27,7 +28,7 @@ constexpr double largest_amplitude = 0.25, largest_rate = 0.75, no_spin = 1e-9;
 bool is_moderate(const scene::Scene& scene, double c) {
   const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation);
   const Eigen::Matrix3d L = loads::to_eigen(scene.initial_state.velocity) * Q.inverse() * units_of(scene).time;
-  const Eigen::Vector3d stretches = Eigen::JacobiSVD<Eigen::Matrix3d>(Q).singularValues();
+  const Eigen::Vector3d stretches = mechanics::singular_values(Q);
   return stretches.array().log().abs().maxCoeff() <= largest_amplitude && L.norm() <= 2 * largest_rate * c &&
          (L - L.transpose()).norm() <= no_spin * (1 + L.norm());
 }

@@ -42,7 +42,7 @@ class FamilyOnMesh {
   /// The family of figures of the scene. If the scene requests the figure at rest, the family has only this figure, for
   /// the loads times `factor`. Otherwise `factor` is not used.
   FigureFamily family(double factor) const {
-    if (scene::finds_static_equilibria(context_.scene)) return at_rest(factor);
+    if (scene::finds_static_equilibria(context_.scene)) return mechanics::figure_at_rest(figures_, analysis(), factor);
     return finder().family(parameters_of(context_.scene.equilibria), [&] { return context_.interrupted(); });
   }
   /// Computes the numbers of a row for a member. Fails if they cannot be computed.
@@ -66,31 +66,14 @@ class FamilyOnMesh {
 
  private:
   mechanics::FigureFinder finder() const {
-    const auto analyse = [&](const auto& figure, auto& classes) {
-      return continuum::stability_of(figures_, figure, n_eigenvectors_of_figure, classes);
-    };
     // A special point has the error of the mesh, so it need not be located up to round-off.
     constexpr double resolution = 1e-7;
-    return {figures_, analyse, family_, resolution};
+    return {figures_, analysis(), family_, resolution};
   }
-  /// The family with the figure at rest under the loads times `factor`. If this figure is not found, the family has the
-  /// figure with the largest factor that was reached, and `missing` has the reason. The family has no member if this
-  /// largest factor is 0, or if the stability of the figure cannot be computed.
-  FigureFamily at_rest(double factor) const {
-    FigureFamily found;
-    FigureMember member;
-    member.figure = figures_.affine(Eigen::Vector3d::Ones(), 0);
-    mechanics::Status status = figures_.solve({mechanics::FigureParameter::drive, 0}, member.figure);
-    if (status) status = figures_.follow(0, {mechanics::FigureParameter::drive, factor}, member.figure);
-    if (!status) found.missing.push_back({factor, status.reason()});
-    member.parameter = status ? factor : member.figure.drive;
-    if (member.parameter == 0) return found;
-    status = continuum::stability_of(figures_, member.figure, n_eigenvectors_of_figure, member.classes);
-    if (status)
-      found.members.push_back(std::move(member));
-    else
-      found.missing.push_back({member.parameter, status.reason()});
-    return found;
+  mechanics::StabilityOfFigure analysis() const {
+    return [this](const auto& figure, auto& classes) {
+      return continuum::stability_of(figures_, figure, n_eigenvectors_of_figure, classes);
+    };
   }
 
   const RunContext& context_;
@@ -152,12 +135,6 @@ class Companion {
   double round_off_;  ///< relative error of a figure from the tolerance of Newton's iteration; increases with gravity
 };
 
-/// Text about a class of motions for messages. The half turn is the rotation by π about axis 3.
-std::string name_of(const mechanics::MotionClass& motions) {
-  return fmt::format("{} in z, {} under the half turn", motions.odd_in_z ? "odd" : "even",
-                     motions.m == 0 ? "even" : "odd");
-}
-
 }  // namespace
 
 ModelOutcome run_continuum_equilibria(const RunContext& context) {
@@ -169,15 +146,17 @@ ModelOutcome run_continuum_equilibria(const RunContext& context) {
   const double factor = family.members.empty() ? 1 : family.members.front().parameter;
   Companion companion(context, scene::companion(discretization), factor);
   if (context.interrupted()) run.end(mechanics::Outcome::interrupted, "interrupted while computing equilibria");
-  run.add("elements of " + scene::describe(discretization), family, name_of,
-          [&](int index, const FigureMember& member, const SpecialFigure* special, std::vector<double>& row) {
-            FigureNumbers numbers{};
-            double of_basis = 0;
-            if (auto status = mesh.numbers(member, numbers); !status) return status;
-            if (auto status = mesh.error_of_basis(member, of_basis); !status) return status;
-            row = figure_row(index, member, special, numbers);
-            return companion.append_errors(member, special, numbers, of_basis, row);
-          });
+  run.add(
+      "elements of " + scene::describe(discretization), family,
+      [](const mechanics::MotionClass& motions) { return name_of(motions, mechanics::Figure::ellipsoid); },
+      [&](int index, const FigureMember& member, const SpecialFigure* special, std::vector<double>& row) {
+        FigureNumbers numbers{};
+        double of_basis = 0;
+        if (auto status = mesh.numbers(member, numbers); !status) return status;
+        if (auto status = mesh.error_of_basis(member, of_basis); !status) return status;
+        row = figure_row(index, member, special, numbers);
+        return companion.append_errors(member, special, numbers, of_basis, row);
+      });
   const continuum::FigureCounts& counts = mesh.figures().counts();
   auto& counters = run.outcome().statistics.counters;
   counters["cells"] = mesh.figures().body().space().n_cells();
@@ -185,13 +164,6 @@ ModelOutcome run_continuum_equilibria(const RunContext& context) {
   counters["newton_steps"] = static_cast<double>(counts.newton);
   counters["factorizations"] = static_cast<double>(counts.factorizations);
   counters["gmres_iterations"] = static_cast<double>(counts.linear_products);
-  if (scene::finds_static_equilibria(scene) && !family.missing.empty() && run.goes_on())
-    run.end(mechanics::Outcome::failed,
-            family.members.empty()
-                ? "no equilibrium at rest was found: " + family.missing.front().reason
-                : fmt::format("no equilibrium at rest was found beyond {:.6g} of the loads, whose figure is in "
-                              "equilibria-continuum.csv: {}",
-                              family.members.front().parameter, family.missing.front().reason));
   return run.finish();
 }
 

@@ -11,6 +11,7 @@
 #include "app/run/scene_to_model.h"
 #include "reduced/equilibrium_families.h"
 #include "scene/choices.h"
+#include "scene/sector.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -57,6 +58,37 @@ std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::str
                         fmt::format("{} take {}; {} is", model, names, scene::family_kind.print(family)),
                         {},
                         std::move(others)};
+}
+
+std::optional<scene::Refusal> refuses_loads_at_rest(const scene::Scene& scene, std::string_view model,
+                                                    std::vector<std::string_view> others) {
+  const loads::Forcing forcing = loads::constant_forcing(scene.loads);
+  if (forcing.viscosity > 0 || forcing.drag > 0) {
+    const char* entry = forcing.viscosity > 0 ? "Material/Viscosity" : "Material/Drag";
+    return scene::Refusal{entry,
+                          fmt::format("small motions about equilibria of {} are those without dissipation; the "
+                                      "equilibria do not depend on it",
+                                      model),
+                          {{{entry, "0"}}}};
+  }
+  if (!scene::finds_static_equilibria(scene)) return {};
+  scene::Scene with_loads = scene;  // equilibria do not depend on the initial state
+  with_loads.initial_state = {};
+  for (int i = 0; i < 3; ++i)
+    if (const auto broken = scene::breaks_plane(with_loads, i))
+      return scene::Refusal{
+          "Equilibrium/Family",
+          fmt::format("static, under loads for which the plane with normal {} is no symmetry plane, as {}, is",
+                      scene::axis_names[i], *broken),
+          {},
+          std::move(others)};
+  return {};
+}
+
+std::string name_of(const mechanics::MotionClass& motions, Figure figure) {
+  const char* in_z = motions.odd_in_z ? "odd" : "even";
+  if (figure == Figure::spheroid) return fmt::format("{} in z, m = {}", in_z, motions.m);
+  return fmt::format("{} in z, {} under the half turn", in_z, motions.m == 0 ? "even" : "odd");
 }
 
 mechanics::FamilyOfFigures family_of_figures(const scene::Scene& scene, Family family) {
@@ -222,7 +254,7 @@ void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily&
                     const RowOf& row_of) {
   for (const auto& missing : family.missing) {
     const std::string sentence =
-        fmt::format("{}: no equilibrium at {} = {:.9g}: {}", of_degree, parameter_, missing.parameter, missing.reason);
+        fmt::format("{}: {}: {}", of_degree, missing_in_words(family, missing), missing.reason);
     context_.log->warn("{}", sentence);
     if (reason_.empty()) reason_ = sentence;
   }
@@ -249,6 +281,16 @@ void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily&
                     context_.scene.equilibria.number, parameter_, of_degree, file_));
 }
 
+/// The beginning of the sentence about a figure that was not found.
+std::string FigureRun::missing_in_words(const mechanics::FigureFamily& family,
+                                        const mechanics::NoFigure& missing) const {
+  if (!scene::finds_static_equilibria(context_.scene))
+    return fmt::format("no equilibrium at {} = {:.9g}", parameter_, missing.parameter);
+  if (family.members.empty()) return "no equilibrium at rest was found";
+  return fmt::format("no equilibrium at rest was found beyond {:.6g} of the loads, whose figure is in {}.csv",
+                     family.members.front().parameter, file_);
+}
+
 void FigureRun::write(const mechanics::FigureFamily& family, const RowOf& row_of) {
   std::vector<std::pair<const FigureMember*, const mechanics::SpecialFigure*>> sorted;
   for (const auto& member : family.members) sorted.emplace_back(&member, nullptr);
@@ -268,9 +310,10 @@ ModelOutcome FigureRun::finish() {
   counters["equilibria"] = n_members_;
   counters["special_points"] = n_special_;
   outcome_.statistics.timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  const bool each_is_needed = context_.tables || scene::finds_static_equilibria(context_.scene);
+  if (goes_on() && each_is_needed && !reason_.empty()) end(mechanics::Outcome::failed, reason_);
   if (goes_on() && n_members_ == 0)
     end(mechanics::Outcome::failed, "the family has no member in this range: " + reason_);
-  if (goes_on() && context_.tables && !reason_.empty()) end(mechanics::Outcome::failed, reason_);
   return outcome_;
 }
 

@@ -25,6 +25,16 @@ std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::str
                                              const std::vector<scene::Family>& offered,
                                              std::vector<std::string_view> others);
 
+/// The refusal of dissipation in an analysis of equilibria and, for equilibria at rest, of loads without the symmetry
+/// planes of the octant; otherwise empty. Figures are computed on one octant, whose planes exclude rigid motions of the
+/// body. `model` is the name of the models in messages. The refusal of loads recommends the models `others`.
+std::optional<scene::Refusal> refuses_loads_at_rest(const scene::Scene& scene, std::string_view model,
+                                                    std::vector<std::string_view> others);
+
+/// Name of a class of motions. Examples are "even in z, m = 2" for a spheroid, and "odd in z, even under the half turn"
+/// for an ellipsoid. The half turn is the rotation by π about axis 3.
+std::string name_of(const mechanics::MotionClass& motions, mechanics::Figure figure);
+
 /// A family of figures. Its `condition` maps a value of the parameter to the condition that determines the figure. If
 /// the parameter is a spin, the value has the user's unit; the other parameters are dimensionless. For Jacobi's family,
 /// the pseudo-rigid figure is the initial guess. The scene must exist as long as the result.
@@ -97,13 +107,14 @@ class FigureRun {
   ModelOutcome& outcome() { return outcome_; }
   /// Completes the table and the statistics after the last call of `add`, and returns the outcome. The outcome is
   /// `failed` if no figure was found. A run of a sweep has one parameter of the family. Its outcome is `failed` if a
-  /// figure is missing for one of the degrees.
+  /// figure is missing for one of the degrees. The same holds for equilibria at rest.
   ModelOutcome finish();
 
  private:
   /// Appends the rows of the family to the table, or sets the outcome to `failed` at the first row that cannot be
   /// computed.
   void write(const mechanics::FigureFamily& family, const RowOf& row_of);
+  std::string missing_in_words(const mechanics::FigureFamily& family, const mechanics::NoFigure& missing) const;
 
   const RunContext& context_;
   std::string file_, parameter_;  ///< name of the table without ".csv"; name of the family's parameter for messages

@@ -90,28 +90,12 @@ std::optional<Refusal> refuses_equilibria(const Scene& scene) {
     if (scene.continuum.grading == 1) return {};
     return Refusal{"Continuum/Grading", "figures are computed on the even mesh", {{{"Continuum/Grading", "1"}}}};
   }
-  const loads::Forcing forcing = loads::constant_forcing(scene.loads);
-  if (forcing.viscosity > 0 || forcing.drag > 0)
-    return Refusal{forcing.viscosity > 0 ? "Material/Viscosity" : "Material/Drag",
-                   "small motions about equilibria of finite elements are those without dissipation; the equilibria do "
-                   "not depend on it",
-                   {{{forcing.viscosity > 0 ? "Material/Viscosity" : "Material/Drag", "0"}}}};
   if (scene.continuum.symmetry != scene::Symmetry::automatic && scene.continuum.symmetry != scene::Symmetry::octant)
     return Refusal{"Continuum/Symmetry",
                    "equilibria of finite elements are computed on one octant",
                    {{{"Continuum/Symmetry", "auto"}}}};
-  if (!scene::finds_static_equilibria(scene)) return {};
-  Scene with_loads = scene;  // equilibria do not depend on the initial state
-  with_loads.initial_state = {};
-  for (int i = 0; i < 3; ++i)
-    if (const auto broken = scene::breaks_plane(with_loads, i))
-      return Refusal{
-          "Equilibrium/Family",
-          fmt::format("static, under loads for which the plane with normal {} is no symmetry plane, as {}, is",
-                      scene::axis_names[i], *broken),
-          {},
-          scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })};
-  return {};
+  return refuses_loads_at_rest(scene, "finite elements",
+                               scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; }));
 }
 
 /// Refuses degree 1 for an incompressible body and for a mesh file. For a mesh file, also refuses a grading and

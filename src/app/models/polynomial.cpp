@@ -68,6 +68,14 @@ std::vector<scene::ModelRun> runs(const Scene& scene) {
   return runs;
 }
 
+scene::EquilibriaTable polynomial_equilibria(int) {
+  return {"equilibria-polynomial",
+          "These are figures of polynomial bodies that turn as a whole (Equilibrium/Family), for each degree of the "
+          "scene, a row each. With static, they are the figures at rest under the loads that are reached as these rise "
+          "from 0; omega3 is then 0 and the parameter is the factor of the loads.",
+          polynomial_equilibria_columns()};
+}
+
 /// Refuses bodies and loads that other models offer but the polynomial model does not offer.
 std::optional<Refusal> refuses_body(const Scene& scene) {
   const auto others = scene::names_where(scene, [](const auto& model) { return model.name != "polynomial"; });
@@ -122,10 +130,8 @@ BallModel polynomial_model() {
        .has_modes = true,
        .has_love_numbers = true,
        .has_equilibria = true,
-       .equilibria = {"equilibria-polynomial",
-                      "This is a family of figures of polynomial bodies that turn as a whole (Equilibrium/Family), for "
-                      "each degree of the scene, a row each.",
-                      polynomial_equilibria_columns()},
+       .equilibria = polynomial_equilibria(0),
+       .static_equilibria = polynomial_equilibria,
        .columns = io::documented_columns<Observables>(),
        .rungs = rungs(),
        .runs = runs,

@@ -15,23 +15,14 @@ namespace {
 using polynomial::ClassStability;
 using polynomial::FigureMember;
 
-/// Index of the rotation about axis 3 among the rotations of space that are symmetries of the whole body.
-constexpr int about_axis_3 = 2;
-
-/// The setup of the whole body, without symmetry planes, and with only those loads that a steady rotation can have.
-polynomial::BodySetup of_whole_body(polynomial::BodySetup setup, bool incompressible) {
-  setup = polynomial::conservative_setup(std::move(setup), incompressible);
-  setup.reflect = {};
-  return setup;
+/// The setup of the whole body, without symmetry planes, and with only those loads that a figure has.
+polynomial::BodySetup of_whole_body(const polynomial::FigureSetup& setup) {
+  polynomial::BodySetup whole = polynomial::acting_setup(setup);
+  whole.reflect = {};
+  return whole;
 }
 
 }  // namespace
-
-std::string name_of(const polynomial::MotionClass& motions, polynomial::Figure figure) {
-  const char* in_z = motions.odd_in_z ? "odd" : "even";
-  if (figure == polynomial::Figure::spheroid) return fmt::format("{} in z, m = {}", in_z, motions.m);
-  return fmt::format("{} in z, {} under the half turn", in_z, motions.m == 0 ? "even" : "odd");
-}
 
 std::vector<scene::Column> polynomial_equilibria_columns() {
   return figure_columns("N of the polynomial body",
@@ -39,25 +30,28 @@ std::vector<scene::Column> polynomial_equilibria_columns() {
                         "half turn about axis 3, otherwise 1; -1 if none grows");
 }
 
-EquilibriumRows::EquilibriumRows(const polynomial::BodySetup& setup, bool incompressible,
-                                 const polynomial::RotationSpectrum& spectrum)
-    : body_(incompressible ? Body(polynomial::IncompressibleBody(of_whole_body(setup, true)))
-                           : Body(polynomial::CompressibleBody(of_whole_body(setup, false)))),
+EquilibriumRows::EquilibriumRows(const polynomial::FigureSetup& setup, const polynomial::FigureSpectrum& spectrum)
+    : body_(setup.incompressible ? Body(polynomial::IncompressibleBody(of_whole_body(setup)))
+                                 : Body(polynomial::CompressibleBody(of_whole_body(setup)))),
+      drive_(setup.drive),
       spectrum_(spectrum) {}
 
-/// Sets the observables of a figure in the inertial frame. The vector x has the coefficients of the positions, and
-/// `spin` is the rate of rotation about axis 3. Fails if the observables cannot be computed.
-mechanics::Status EquilibriumRows::observe(const Eigen::VectorXd& x, double spin,
-                                           mechanics::ContinuumObservables& observables) const {
+/// Sets the observables of a figure in the inertial frame. Fails if they cannot be computed.
+mechanics::Status EquilibriumRows::observe(const mechanics::EquilibriumFigure& figure,
+                                           mechanics::ContinuumObservables& o) const {
+  mechanics::ObservableRequest request;
+  request.multiplier = false;
+  const Eigen::VectorXd x = spectrum_.whole(figure.x);
   return std::visit(
-      [&](const auto& body) {
+      [&]<class Body>(const Body& body) {
         polynomial::BodyState state{0, x, body.make_vector()};
-        Eigen::VectorXd unused = body.make_vector();
-        const Eigen::VectorXd rest = body.make_vector();
-        body.symmetry(about_axis_3, x, rest, state.v, unused);
-        state.v *= spin;
+        state.v = spectrum_.spin(figure) * polynomial::Turns(body.space()).of_space(2, x);
         auto workspace = body.make_workspace();
-        return polynomial::observe(body, state, workspace, {}, observables);
+        if (auto status = polynomial::observe(body, state, workspace, request, o); !status) return status;
+        if constexpr (std::is_same_v<Body, polynomial::IncompressibleBody>)
+          o.multiplier = body.mean_multiplier(x, spectrum_.whole_multiplier(figure.lambda));
+        if (drive_ == mechanics::Drive::loads) o.external *= figure.drive;
+        return mechanics::Status();
       },
       body_);
 }
@@ -66,10 +60,10 @@ mechanics::Status EquilibriumRows::row(int index, const FigureMember& member, co
                                        std::vector<double>& row) const {
   const polynomial::PolynomialSpace& space = spectrum_.space();
   const Eigen::VectorXd x = spectrum_.whole(member.figure.x);
-  const double spin = std::sqrt(member.figure.drive);
   mechanics::ContinuumObservables o;
-  if (auto status = observe(x, spin, o); !status) return status;
-  FigureNumbers numbers{space.degree(), spin, o.Q.diagonal().cwiseProduct(space.semi_axes()), {}, o};
+  if (auto status = observe(member.figure, o); !status) return status;
+  FigureNumbers numbers{
+      space.degree(), spectrum_.spin(member.figure), o.Q.diagonal().cwiseProduct(space.semi_axes()), {}, o};
   for (int i = 0; i < 3; ++i) {
     std::array<double, 3> xi{0, 0, 0};
     xi[i] = 1;

@@ -1,13 +1,12 @@
 #pragma once
 /// Columns and rows of the file equilibria-polynomial.csv.
 
-#include <string>
 #include <variant>
 #include <vector>
 
 #include "app/figures/figure_families.h"
+#include "polynomial/body_figure_finder.h"
 #include "polynomial/incompressible_body.h"
-#include "polynomial/rotation_family.h"
 #include "scene/catalogue.h"
 
 namespace pseudorigid::app {
@@ -15,16 +14,11 @@ namespace pseudorigid::app {
 /// The columns of the file with their units and texts.
 std::vector<scene::Column> polynomial_equilibria_columns();
 
-/// Name of a class of motions. Examples are "even in z, m = 2" for a spheroid, and "odd in z, even under the half turn"
-/// for an ellipsoid. The half turn is the rotation by π about axis 3.
-std::string name_of(const polynomial::MotionClass& motions, polynomial::Figure figure);
-
 /// Makes the rows for the figures of one polynomial body, with the columns of polynomial_equilibria_columns.
 class EquilibriumRows {
  public:
   /// The object refers to `spectrum`, which must exist as long as the object.
-  EquilibriumRows(const polynomial::BodySetup& setup, bool incompressible,
-                  const polynomial::RotationSpectrum& spectrum);
+  EquilibriumRows(const polynomial::FigureSetup& setup, const polynomial::FigureSpectrum& spectrum);
 
   /// Sets `row` to one row of the table. All columns are in internal units except the parameter, which has the unit of
   /// its family. `special` is the special point whose figure is `member`; null for an ordinary member of the family.
@@ -35,10 +29,12 @@ class EquilibriumRows {
  private:
   using Body = std::variant<polynomial::IncompressibleBody, polynomial::CompressibleBody>;
 
-  mechanics::Status observe(const Eigen::VectorXd& x, double spin, mechanics::ContinuumObservables& observables) const;
+  mechanics::Status observe(const mechanics::EquilibriumFigure& figure,
+                            mechanics::ContinuumObservables& observables) const;
 
-  Body body_;                                     ///< the whole body, for the observables
-  const polynomial::RotationSpectrum& spectrum_;  ///< extends the positions of a figure to the whole body
+  Body body_;  ///< the whole body, for the observables
+  mechanics::Drive drive_;
+  const polynomial::FigureSpectrum& spectrum_;  ///< extends the positions of a figure to the whole body
 };
 
 }  // namespace pseudorigid::app

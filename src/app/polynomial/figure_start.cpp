@@ -2,7 +2,7 @@
 
 #include "app/figures/figure_start.h"
 #include "app/polynomial/body_setup.h"
-#include "polynomial/rotation_spectrum.h"
+#include "polynomial/figure_spectrum.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -33,7 +33,7 @@ double part_beyond(const PolynomialSpace& sector, const PolynomialSpace& whole, 
 
 /// Adds the small motion to the coefficients x of the positions and v of the velocities of the whole body, in the
 /// turning frame. Fails if this motion cannot be computed, or if it lacks a symmetry plane of `sector`.
-mechanics::Status add_motion(const scene::Scene& scene, const polynomial::RotationSpectrum& spectrum,
+mechanics::Status add_motion(const scene::Scene& scene, const polynomial::FigureSpectrum& spectrum,
                              const OwnFigure& own, const PolynomialSpace& sector, Eigen::VectorXd& x,
                              Eigen::VectorXd& v) {
   mechanics::SmallMotion motion;
@@ -54,11 +54,11 @@ mechanics::Status add_motion(const scene::Scene& scene, const polynomial::Rotati
 
 mechanics::Status start_from_figure(const scene::Scene& scene, const PolynomialSpace& space, Eigen::VectorXd& x,
                                     Eigen::VectorXd& v) {
-  const polynomial::BodySetup setup = body_setup(scene, {}, space.degree());
-  const bool incompressible = scene.body.incompressible;
-  const mechanics::Figure figure = family_of_figures(scene, scene.initial_state.origin->family).figure;
-  const polynomial::SteadyRotations rotations(setup, incompressible, figure);
-  const polynomial::RotationSpectrum spectrum(setup, incompressible, figure);
+  const polynomial::FigureSetup setup{body_setup(scene, {}, space.degree()), scene.body.incompressible,
+                                      mechanics::Drive::rotation,
+                                      family_of_figures(scene, scene.initial_state.origin->family).figure};
+  const polynomial::BodyFigures rotations(setup);
+  const polynomial::FigureSpectrum spectrum(setup);
   OwnFigure own;
   const auto analyse = [&](const auto& of, auto& classes) { return spectrum.analyse(of, classes); };
   if (auto status = find_own_figure(scene, rotations, analyse, own); !status) return status;

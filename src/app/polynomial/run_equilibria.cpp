@@ -18,10 +18,13 @@ void add_degree(int degree, const RunContext& context, FigureRun& run) {
   const scene::Scene& scene = context.scene;
   const polynomial::BodySetup setup = body_setup(scene, {}, degree);
   const mechanics::FamilyOfFigures family = family_of_figures(scene, scene.equilibria.family);
-  polynomial::RotationFinder finder(setup, scene.body.incompressible, family);
+  const bool is_at_rest = scene::finds_static_equilibria(scene);
+  polynomial::BodyFigureFinder finder(setup, scene.body.incompressible, family,
+                                      is_at_rest ? mechanics::Drive::loads : mechanics::Drive::rotation);
   const mechanics::FigureFamily found =
-      finder.family(parameters_of(scene.equilibria), [&] { return context.interrupted(); });
-  const EquilibriumRows rows(setup, scene.body.incompressible, finder.spectrum());
+      is_at_rest ? finder.at_rest()
+                 : finder.family(parameters_of(scene.equilibria), [&] { return context.interrupted(); });
+  const EquilibriumRows rows(finder.setup(), finder.spectrum());
   run.add(
       fmt::format("degree {}", degree), found,
       [&](const mechanics::MotionClass& motions) { return name_of(motions, family.figure); },
@@ -33,14 +36,23 @@ void add_degree(int degree, const RunContext& context, FigureRun& run) {
 
 std::optional<scene::Refusal> refuses_polynomial_equilibria(const scene::Scene& scene) {
   if (!needs_own_figures(scene)) return {};
-  if (auto refusal = refuses_family(scene, "polynomial bodies",
-                                    {Family::maclaurin, Family::spheroids, Family::spinning, Family::jacobi},
-                                    scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })))
+  if (auto refusal =
+          refuses_family(scene, "polynomial bodies",
+                         {Family::maclaurin, Family::spheroids, Family::spinning, Family::jacobi, Family::at_rest},
+                         scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })))
     return refusal;
-  if (scene.analysis == scene::Analysis::equilibrium && scene.polynomial.degrees.empty())
+  if (scene.analysis != scene::Analysis::equilibrium) return {};
+  if (scene.polynomial.degrees.empty())
     return scene::Refusal{"Polynomial/Degree",
                           "equilibria are those of named degrees: expected whole numbers from 1 to 13, as 1, 3, 5"};
-  return {};
+  const auto pseudo_rigid = scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; });
+  if (scene::finds_static_equilibria(scene) && scene::is_fluid(scene) &&
+      !loads::present(scene.loads.get<loads::SelfGravity>()))
+    return scene::Refusal{"Equilibrium/Family",
+                          "static for a fluid without self-gravity, for which the ball is no start, is",
+                          {},
+                          pseudo_rigid};
+  return refuses_loads_at_rest(scene, "polynomial bodies", pseudo_rigid);
 }
 
 ModelOutcome run_polynomial_equilibria(const RunContext& context) {

@@ -1,7 +1,7 @@
 #pragma once
 /// Runs `Analysis = equilibrium` for the polynomial model. For each degree that the scene lists, the run computes a
 /// family of figures that rotate steadily about axis 3. The run also computes the stability of each figure
-/// (polynomial/rotation_family.h). The results are in equilibria-polynomial.csv.
+/// (polynomial/body_figure_finder.h). The results are in equilibria-polynomial.csv.
 
 #include <optional>
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -49,18 +48,21 @@ void report_center(const ReducedScene& s, const io::Units& units, const RunConte
   const Eigen::Matrix3d& T = s.forcing.quadratic;
   const Eigen::Vector3d& b = s.forcing.acceleration;
   if (T.isZero(0) && b.isZero(0)) return;
-  const Eigen::Vector3d x = T.completeOrthogonalDecomposition().solve(b);
+  const mechanics::SymmetricSpectrum of_T = mechanics::symmetric_spectrum(T);
+  Eigen::Vector3d x = Eigen::Vector3d::Zero();  // the shortest x of least |Tx − b|
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(of_T.values[i]) > 1e-14 * of_T.values.cwiseAbs().maxCoeff())
+      x += of_T.vectors.col(i).dot(b) / of_T.values[i] * of_T.vectors.col(i);
   if ((T * x - b).norm() > 1e-12 * b.norm()) {
     context.log->warn(
         "these are equilibria of shape and attitude: the acceleration moves the centre of mass, which nothing holds");
     return;
   }
-  const Eigen::VectorXd stiffness = mechanics::symmetric_spectrum(T).values;
   add_result(
       outcome, context,
       fmt::format("the centre of mass, which moves by itself, is at rest at ({:.9g}, {:.9g}, {:.9g}): Morse "
                   "index {}",
-                  x[0] * units.length, x[1] * units.length, x[2] * units.length, (stiffness.array() < 0).count()));
+                  x[0] * units.length, x[1] * units.length, x[2] * units.length, (of_T.values.array() < 0).count()));
 }
 
 }  // namespace

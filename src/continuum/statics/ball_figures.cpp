@@ -1,6 +1,5 @@
 #include "continuum/statics/ball_figures.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,9 +34,6 @@ loads::Forcing forcing_of(const FigureSetup& setup) {
   return loads::constant_forcing(setup.incompressible ? loads::at_constant_volume(loads) : loads);
 }
 
-Eigen::Matrix3d turn_about(int axis) { return Eigen::AngleAxisd(1, Eigen::Vector3d::Unit(axis)).toRotationMatrix(); }
-bool is_equal(const Eigen::Matrix3d& A, const Eigen::Matrix3d& B) { return (A - B).norm() <= 1e-12 * B.norm(); }
-
 double largest(const Vector& v) { return v.size() == 0 ? 0 : v.linfty_norm(); }
 
 /// The entries of a vector on this process, as a vector of Eigen.
@@ -57,20 +53,16 @@ BallFigures::BallFigures(const FigureSetup& setup)
 }
 
 bool BallFigures::permits_rotation_of_space(int axis) const {
-  if (kind_ == Drive::rotation) return true;
-  const Eigen::Matrix3d R = turn_about(axis), &P = forcing_.nominal_traction, &T = forcing_.quadratic;
-  return is_equal(R * P, P) && is_equal(R * T * R.transpose(), T);
+  return kind_ == Drive::rotation || loads::permits_rotation_of_space(forcing_, axis);
 }
 
 bool BallFigures::permits_rotation_of_ball(int axis) const {
-  return kind_ == Drive::rotation || is_equal(forcing_.nominal_traction * turn_about(axis), forcing_.nominal_traction);
+  return kind_ == Drive::rotation || loads::permits_rotation_of_body(forcing_, axis);
 }
 
 bool BallFigures::is_symmetric_about(int axis, double drive) const {
   if (kind_ == Drive::rotation) return drive == 0 || (axis == 2 && !exchanged_.empty());
-  const Eigen::Matrix3d R = turn_about(axis);
-  const auto is_kept = [&](const Eigen::Matrix3d& A) { return is_equal(R * A * R.transpose(), A); };
-  return drive == 0 || (is_kept(forcing_.nominal_traction) && is_kept(forcing_.quadratic));
+  return drive == 0 || loads::permits_joint_rotation(forcing_, axis);
 }
 
 void BallFigures::find_exchanged_nodes() {

@@ -19,11 +19,11 @@
 
 #include "continuum/body/ball_body.h"
 #include "continuum/modes/parity_sector.h"
+#include "mechanics/equilibria/figures.h"
 
 namespace pseudorigid::continuum {
 
-/// The force h that the drive multiplies: the centrifugal force of a rotation about axis 3, or all loads.
-enum class Drive { rotation, loads };
+using mechanics::Drive;
 
 /// The body, the forces on it, and the figure about which displacements are small.
 struct FigureState {

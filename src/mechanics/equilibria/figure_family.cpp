@@ -10,6 +10,23 @@
 
 namespace pseudorigid::mechanics {
 
+FigureFamily figure_at_rest(const FigureEquations& equations, const StabilityOfFigure& analyse, double factor) {
+  FigureFamily found;
+  FigureMember member;
+  member.figure = equations.affine(Eigen::Vector3d::Ones(), 0);
+  Status status = equations.solve({FigureParameter::drive, 0}, member.figure);
+  if (status) status = equations.follow(0, {FigureParameter::drive, factor}, member.figure);
+  if (!status) found.missing.push_back({factor, status.reason()});
+  member.parameter = status ? factor : member.figure.drive;
+  if (member.parameter == 0) return found;
+  status = analyse(member.figure, member.classes);
+  if (status)
+    found.members.push_back(std::move(member));
+  else
+    found.missing.push_back({member.parameter, status.reason()});
+  return found;
+}
+
 FigureFinder::FigureFinder(const FigureEquations& equations, StabilityOfFigure analyse, FamilyOfFigures family,
                            double resolution)
     : equations_(equations), analyse_(std::move(analyse)), family_(std::move(family)), resolution_(resolution) {}

@@ -78,6 +78,12 @@ struct FamilyOfFigures {
 /// the same order.
 using StabilityOfFigure = std::function<Status(const EquilibriumFigure& figure, std::vector<ClassStability>& classes)>;
 
+/// Returns the family with one member, the figure at rest under the loads times `factor`. The drive of `equations` must
+/// be the factor of the loads. The figure is found by continuation from the undeformed ball, while the loads rise from
+/// 0. If it is not found, the member is the figure with the largest factor that was reached, and `missing` has the
+/// reason. The family has no member if this largest factor is 0, or if the stability of the figure cannot be computed.
+FigureFamily figure_at_rest(const FigureEquations& equations, const StabilityOfFigure& analyse, double factor);
+
 /// Finds members of one family and stores known figures as starts of the continuation.
 class FigureFinder {
  public:

@@ -18,6 +18,9 @@ namespace pseudorigid::mechanics {
 
 enum class Figure { spheroid, ellipsoid };
 
+/// The force h that the drive multiplies: the centrifugal force of a rotation about axis 3, or all loads.
+enum class Drive { rotation, loads };
+
 /// The parameter of the figures in a family: ν, ln(a₂/a₁) or ln(a₃/a₁). The a_i are the entries of A = diag(a), the
 /// affine part of x.
 enum class FigureParameter { drive, log_ratio_21, log_ratio_31 };

@@ -1,4 +1,4 @@
-#include "polynomial/rotation_spectrum.h"
+#include "polynomial/figure_spectrum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,21 +43,22 @@ Eigen::MatrixXd rows_beyond(double round_off, const Eigen::MatrixXd& A) {
 
 }  // namespace
 
-RotationSpectrum::RotationSpectrum(const BodySetup& setup, bool incompressible, Figure figure)
-    : incompressible_(incompressible), is_fluid_(std::holds_alternative<materials::Fluid>(setup.law)) {
-  BodySetup whole = conservative_setup(setup, incompressible);
-  whole.reflect = {};
-  body_ = std::make_shared<CompressibleBody>(whole);
-  octant_ = std::make_shared<PolynomialSpace>(setup.degree, std::array<bool, 3>{true, true, true}, setup.semi_axes);
-  turns_ = std::make_shared<const Turns>(space());
+FigureSpectrum::FigureSpectrum(const FigureSetup& setup)
+    : incompressible_(setup.incompressible),
+      is_fluid_(std::holds_alternative<materials::Fluid>(setup.body.law)),
+      forces_(setup, {}),
+      octant_(std::make_shared<PolynomialSpace>(setup.body.degree, std::array<bool, 3>{true, true, true},
+                                                setup.body.semi_axes)),
+      turns_(std::make_shared<const Turns>(space())) {
+  if (setup.drive == Drive::loads) forcing_ = loads::constant_forcing(acting_setup(setup).loads);
   for (const bool odd_in_z : {false, true})
-    for (const bool odd_under_half_turn : {false, true}) add_parts(odd_in_z, odd_under_half_turn, figure);
+    for (const bool odd_under_half_turn : {false, true}) add_parts(odd_in_z, odd_under_half_turn, setup.figure);
 }
 
 /// Adds the class with these symmetries to parts_. On a spheroid, the function divides the class into parts, one for
 /// each azimuthal number m. The joint rotation of a field about axis 3, u ↦ ê₃×u − ∂_φ u, has the square −m² on such a
 /// part.
-void RotationSpectrum::add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure) {
+void FigureSpectrum::add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure) {
   const auto by_parity = coefficients_by_parity(space());
   const Parity first = (odd_in_z ? 4U : 0U) | (odd_under_half_turn ? 1U : 0U);
   std::vector<int> places = by_parity[first];
@@ -86,9 +87,9 @@ void RotationSpectrum::add_parts(bool odd_in_z, bool odd_under_half_turn, Figure
 
 /// A basis of the fields w in the span of `fields` that have no divergence in the ball and no normal component on its
 /// surface. Each column has the coefficients of a field. For a solid, the result has no columns.
-Eigen::MatrixXd RotationSpectrum::exchanges(const Eigen::MatrixXd& fields) const {
+Eigen::MatrixXd FigureSpectrum::exchanges(const Eigen::MatrixXd& fields) const {
   if (!is_fluid_) return Eigen::MatrixXd(fields.rows(), 0);
-  const Eigen::VectorXd X = body_->affine(Eigen::Matrix3d::Identity());
+  const Eigen::VectorXd X = forces_.body().affine(Eigen::Matrix3d::Identity());
   const Eigen::MatrixXd divergence = constraint_matrix(space(), X) * fields;
   Eigen::MatrixXd squares = divergence.transpose() * divergence;
   for (const SurfacePoint& point : octant_surface_points(space().degree() + 2))  // exact for degree 2N + 2
@@ -108,7 +109,7 @@ Eigen::MatrixXd RotationSpectrum::exchanges(const Eigen::MatrixXd& fields) const
   return fields * spectrum.vectors.leftCols((spectrum.values.array() < none).count());
 }
 
-Eigen::VectorXd RotationSpectrum::whole(const Eigen::VectorXd& x) const {
+Eigen::VectorXd FigureSpectrum::whole(const Eigen::VectorXd& x) const {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(space().n_unknowns());
   for (int i = 0; i < 3; ++i)
     for (int a = 0; a < space().n_functions(); ++a)
@@ -116,43 +117,46 @@ Eigen::VectorXd RotationSpectrum::whole(const Eigen::VectorXd& x) const {
   return all;
 }
 
-Eigen::VectorXd RotationSpectrum::whole_multiplier(const Eigen::VectorXd& lambda) const {
+Eigen::VectorXd FigureSpectrum::whole_multiplier(const Eigen::VectorXd& lambda) const {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(space().n_pressures());
   for (int b = 0; b < space().n_functions(); ++b)
     if (const int at = octant_->pressure_place(b); at >= 0) all[space().pressure_place(b)] = lambda[at];
   return all;
 }
 
-/// Directions and rates of the rotations of space and of the ball about the three axes. A rotation of space about a
-/// coordinate axis ζ has the direction ζ×x and the rate −(ω×ζ)×x with ω = Ω ê₃ and the spin Ω. The rotations of the
-/// ball have the rate 0.
-mechanics::SymmetryDirections RotationSpectrum::turns(const Eigen::VectorXd& x, double spin) const {
-  mechanics::SymmetryDirections N{Eigen::MatrixXd(x.size(), 6), Eigen::MatrixXd::Zero(x.size(), 6)};
+double FigureSpectrum::spin(const EquilibriumFigure& figure) const {
+  return forces_.drive() == Drive::rotation ? std::sqrt(std::max(figure.drive, 0.0)) : 0;
+}
+
+/// Directions and rates of the rotations of space and of the ball about the three axes. A rotation that changes the
+/// energy of the loads has the direction 0. A rotation of space about a coordinate axis ζ has the direction ζ×x and the
+/// rate −(ω×ζ)×x with ω = Ω ê₃ and the spin Ω. The rotations of the ball have the rate 0.
+mechanics::SymmetryDirections FigureSpectrum::turns(const Eigen::VectorXd& x, double spin) const {
+  mechanics::SymmetryDirections N{Eigen::MatrixXd::Zero(x.size(), 6), Eigen::MatrixXd::Zero(x.size(), 6)};
   for (int axis = 0; axis < 3; ++axis) {
-    N.y.col(axis) = turns_->of_space(axis, x);
-    N.y.col(3 + axis) = turns_->of_ball(axis, x);
+    if (loads::permits_rotation_of_space(forcing_, axis)) N.y.col(axis) = turns_->of_space(axis, x);
+    if (loads::permits_rotation_of_body(forcing_, axis)) N.y.col(3 + axis) = turns_->of_ball(axis, x);
   }
   N.rate.col(0) = -spin * turns_->of_space(1, x);
   N.rate.col(1) = spin * turns_->of_space(0, x);
   return N;
 }
 
-Eigen::MatrixXd RotationSpectrum::stiffness(const EquilibriumFigure& rotation) const {
-  const Eigen::VectorXd x = whole(rotation.x), lambda = whole_multiplier(rotation.lambda);
+Eigen::MatrixXd FigureSpectrum::stiffness(const EquilibriumFigure& figure) const {
+  const Eigen::VectorXd x = whole(figure.x), lambda = whole_multiplier(figure.lambda);
   return stiffness_by_parity(space(), [&](const Eigen::VectorXd& u) {
-    Eigen::VectorXd rate = rotation.drive * across_axis_3(space(), u);
-    body_->add_force_rate(x, u, rate);
+    Eigen::VectorXd rate = forces_.rate(x, figure.drive, u);
     if (incompressible_) add_reaction_rate(space(), x, u, lambda, rate);
     return rate;
   });
 }
 
 /// The symmetries of a class: the rotations that have a component in the class, and the motions A w of a fluid
-/// (rotation_spectrum.h). The columns of T are a basis of the motions of the class. The result has the directions and
+/// (figure_spectrum.h). The columns of T are a basis of the motions of the class. The result has the directions and
 /// rates of the symmetries in this basis. `turns` has the directions and rates of the rotations for the whole body.
-mechanics::SymmetryDirections RotationSpectrum::symmetries(const Part& part, const Eigen::MatrixXd& T,
-                                                           const Eigen::Matrix3d& A,
-                                                           const mechanics::SymmetryDirections& turns) const {
+mechanics::SymmetryDirections FigureSpectrum::symmetries(const Part& part, const Eigen::MatrixXd& T,
+                                                         const Eigen::Matrix3d& A,
+                                                         const mechanics::SymmetryDirections& turns) const {
   constexpr double absent = 1e-6;  // relative bound for the round-off of a rotation in other classes
   const Eigen::MatrixXd y = T.transpose() * turns.y;
   std::vector<Eigen::Index> present;
@@ -170,28 +174,26 @@ mechanics::SymmetryDirections RotationSpectrum::symmetries(const Part& part, con
   return N;
 }
 
-std::vector<RotationSpectrum::ClassEquation> RotationSpectrum::equations(const EquilibriumFigure& rotation) const {
-  const double spin = std::sqrt(std::max(rotation.drive, 0.0));
-  const Eigen::MatrixXd K = stiffness(rotation);
-  const Eigen::MatrixXd G = incompressible_ ? constraint_matrix(space(), whole(rotation.x)) : Eigen::MatrixXd();
+std::vector<FigureSpectrum::ClassEquation> FigureSpectrum::equations(const EquilibriumFigure& figure) const {
+  const Eigen::MatrixXd K = stiffness(figure);
+  const Eigen::MatrixXd G = incompressible_ ? constraint_matrix(space(), whole(figure.x)) : Eigen::MatrixXd();
   std::vector<ClassEquation> equations;
   for (const Part& part : parts_) {
     Eigen::MatrixXd T = part.fields;
     if (incompressible_) T = T * mechanics::null_space(rows_beyond(dependent * G.norm(), G * T), dependent);
     if (T.cols() == 0) continue;
     Eigen::MatrixXd coriolis(T.rows(), T.cols());
-    for (Eigen::Index k = 0; k < T.cols(); ++k) coriolis.col(k) = spin * turns_->of_space(2, T.col(k));
+    for (Eigen::Index k = 0; k < T.cols(); ++k) coriolis.col(k) = spin(figure) * turns_->of_space(2, T.col(k));
     equations.push_back({&part, T, T.transpose() * K * T, T.transpose() * coriolis});
   }
   return equations;
 }
 
-mechanics::Status RotationSpectrum::analyse(const EquilibriumFigure& rotation,
-                                            std::vector<ClassStability>& classes) const {
-  const Eigen::VectorXd x = whole(rotation.x);
-  const mechanics::SymmetryDirections of_body = turns(x, std::sqrt(std::max(rotation.drive, 0.0)));
+mechanics::Status FigureSpectrum::analyse(const EquilibriumFigure& figure, std::vector<ClassStability>& classes) const {
+  const Eigen::VectorXd x = whole(figure.x);
+  const mechanics::SymmetryDirections of_body = turns(x, spin(figure));
   classes.clear();
-  for (const ClassEquation& of : equations(rotation)) {
+  for (const ClassEquation& of : equations(figure)) {
     ClassStability of_class{of.part->motions, {}};
     const auto system = mechanics::reduce(of.stiffness, of.coriolis,
                                           symmetries(*of.part, of.T, space().affine_part(x), of_body), dependent);
@@ -201,9 +203,9 @@ mechanics::Status RotationSpectrum::analyse(const EquilibriumFigure& rotation,
   return {};
 }
 
-mechanics::Status RotationSpectrum::motion(const EquilibriumFigure& rotation, std::size_t of_class,
-                                           std::complex<double> rate, mechanics::SmallMotion& motion) const {
-  const ClassEquation of = equations(rotation).at(of_class);
+mechanics::Status FigureSpectrum::motion(const EquilibriumFigure& figure, std::size_t of_class,
+                                         std::complex<double> rate, mechanics::SmallMotion& motion) const {
+  const ClassEquation of = equations(figure).at(of_class);
   auto status = mechanics::motion_near(of.stiffness, of.coriolis, rate, motion);
   motion.shape = of.T * motion.shape;
   return status;

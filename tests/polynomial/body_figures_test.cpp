@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "polynomial/body_figure_finder.h"
 #include "polynomial/rest_modes.h"
-#include "polynomial/rotation_family.h"
 #include "reduced/equilibrium_families.h"
 #include "reduced/potential.h"
 
@@ -82,7 +82,7 @@ TEST(SteadyRotation, OfDegreeOneIsThePseudoRigidOne) {
                                        {.gravity_constant = pi_G_rho / std::numbers::pi});
     const reduced::IsotropicBody<reduced::Potential> body{potential, 4 * std::numbers::pi / 15, incompressible};
     const auto known = reduced::spheroids(body, reduced::SpheroidParameter::eccentricity, {0.2, 0.97, 9});
-    RotationFinder finder(setup, incompressible, by_eccentricity);
+    BodyFigureFinder finder(setup, incompressible, by_eccentricity);
     const FigureFamily found = finder.family(values(0.2, 0.97, 9));
     ASSERT_EQ(found.members.size(), known.points.size()) << law;
     ASSERT_EQ(found.special.size(), known.special.size()) << law;
@@ -115,7 +115,7 @@ TEST(SteadyRotation, OfDegreeOneIsThePseudoRigidOne) {
 TEST(SteadyRotation, MaclaurinsSpheroidsKeepWhatDegreeOneKnows) {
   for (const int N : {1, 3, 4, 5}) {
     const FigureFamily family =
-        RotationFinder(setup_of("none", 1, N), true, by_eccentricity).family(values(0.79, 0.96, 4));
+        BodyFigureFinder(setup_of("none", 1, N), true, by_eccentricity).family(values(0.79, 0.96, 4));
     expect_special(family, SpecialKind::index, 2, 0.812670011, 5e-9);
     expect_special(family, SpecialKind::fold, 0, 0.929955685, 6e-10);
     expect_special(family, SpecialKind::instability, 2, 0.952886702, 5e-7);
@@ -127,7 +127,7 @@ TEST(SteadyRotation, MaclaurinsSpheroidsKeepWhatDegreeOneKnows) {
 TEST(SteadyRotation, ThirdHarmonicsOfMaclaurinsSpheroids) {
   BodySetup setup = setup_of("none", 1, 3);
   setup.n_gravity_points = 12;
-  const FigureFamily family = RotationFinder(setup, true, by_eccentricity).family(values(0.87, 0.93, 2));
+  const FigureFamily family = BodyFigureFinder(setup, true, by_eccentricity).family(values(0.87, 0.93, 2));
   expect_special(family, SpecialKind::index, 3, 0.89926, 5e-6);
 }
 
@@ -136,7 +136,7 @@ TEST(SteadyRotation, ThirdHarmonicsOfMaclaurinsSpheroids) {
 TEST(SteadyRotation, EllipticityAtSmallSpin) {
   const double spin = 0.01;
   for (const auto& [N, expected] : {std::pair{1, 0.1}, {2, 0.1}, {3, 5.0 / 38}, {5, 5.0 / 38}}) {
-    RotationFinder finder(setup_of("neo-hookean", 0, N), true, by_spin);
+    BodyFigureFinder finder(setup_of("neo-hookean", 0, N), true, by_spin);
     FigureMember member;
     ASSERT_TRUE(finder.member(spin, member));
     const PolynomialSpace& space = finder.spectrum().space();
@@ -155,7 +155,7 @@ TEST(SteadyRotation, CriticalSpin) {
   EXPECT_NEAR(of_cubic, 2.082057, 5e-7);
   for (const auto& [N, expected] : {std::pair{1, std::sqrt(5.0)}, {3, of_cubic}, {5, 2.081576}}) {
     FigureMember member;
-    ASSERT_TRUE(RotationFinder(setup_of("neo-hookean", 0, N), true, by_polar_axis).member(0.02, member));
+    ASSERT_TRUE(BodyFigureFinder(setup_of("neo-hookean", 0, N), true, by_polar_axis).member(0.02, member));
     EXPECT_NEAR(std::sqrt(member.figure.drive), expected, 1e-4) << N;
     EXPECT_LT(std::sqrt(member.figure.drive), expected) << N;
   }
@@ -169,7 +169,7 @@ TEST(SteadyRotation, AtRestTheSpectrumIsThatOfTheModes) {
     ASSERT_TRUE(rest_frequencies(setup, true, 1000, modes));
     ASSERT_FALSE(modes.empty());
     FigureMember member;
-    ASSERT_TRUE(RotationFinder(setup, true, by_eccentricity).member(0, member));
+    ASSERT_TRUE(BodyFigureFinder(setup, true, by_eccentricity).member(0, member));
     const std::vector<double> found = frequencies(member);
     for (const RestFrequency& mode : modes)
       EXPECT_GE(std::ranges::count_if(found, [&](double f) { return std::abs(f - mode.omega) < 1e-8; }),
@@ -187,17 +187,17 @@ TEST(SteadyRotation, JacobisEllipsoidsBecomePears) {
     const reduced::Potential potential(setup.law, reduced::ReferenceBody::unit_ball(),
                                        {.gravity_constant = 1 / std::numbers::pi});
     const reduced::IsotropicBody<reduced::Potential> body{potential, 4 * std::numbers::pi / 15, true};
-    RotationFinder finder(setup, true,
-                          {Figure::ellipsoid,
-                           [](double ratio) -> FigureCondition {
-                             return {FigureParameter::log_ratio_21, std::log(ratio)};
-                           },
-                           [&](double ratio, mechanics::NearbyFigure& nearby) {
-                             reduced::SteadyMotion m;
-                             auto status = reduced::jacobi_motion(body, ratio, m);
-                             nearby = {m.A.diagonal(), m.omega.squaredNorm()};
-                             return status;
-                           }});
+    BodyFigureFinder finder(setup, true,
+                            {Figure::ellipsoid,
+                             [](double ratio) -> FigureCondition {
+                               return {FigureParameter::log_ratio_21, std::log(ratio)};
+                             },
+                             [&](double ratio, mechanics::NearbyFigure& nearby) {
+                               reduced::SteadyMotion m;
+                               auto status = reduced::jacobi_motion(body, ratio, m);
+                               nearby = {m.A.diagonal(), m.omega.squaredNorm()};
+                               return status;
+                             }});
     const FigureFamily family = finder.family({0.41, 0.46});
     ASSERT_EQ(family.members.size(), 2u);
     if (N == 1) {
