@@ -129,6 +129,24 @@ class EquilibriaAtRest(ProgramTest):
         self.assertEqual(self.table("sweep", "sweep.csv").column("finished"), [1, 0])
 
 
+class PredictedBulges(ProgramTest):
+    def predicted(self, entries):
+        self.scene(entries)
+        return [line for line in self.run_done("check", "scene.prm").stdout.splitlines() if "bulge" in line]
+
+    def test_check_predicts_the_bulge_of_weak_loads(self):
+        """3 / (12.5 + gamma), the ratio of the Love numbers of ellipsoid and sphere, up to the strength 0.2 and gamma = 1000."""
+        spinning = {"Analysis": "equilibrium", "Models": "reduced", "Equilibrium/Family": "spinning", "Equilibrium/Last": 1, "Equilibrium/Number": 2}
+        weak = {**AT_REST, "Loads/Tidal matrix": matrix(0.9, 0.9, -1.8)}
+        for entries, error in ((weak, "-24 %"), ({**weak, "Gravity/Gamma": 7.5}, "-15 %"), (spinning, "-24 %")):
+            (line,) = self.predicted(entries)
+            self.assertIn(error, line)
+        for entries in ({**weak, "Loads/Tidal matrix": matrix(1.1, 1.1, -2.2)}, {**weak, "Loads/Tidal matrix": matrix(1, 1, 1)},
+                        {**weak, "Gravity/Gamma": 1001}, {**weak, "Loads/Nominal traction": matrix(0, 0, 0.1)}, {**weak, "Body/Semi-axes": "1, 1, 1.1"},
+                        {**weak, "Body/Incompressible": "false", "Material/Lame lambda": 3}, {**spinning, "Equilibrium/Last": 1.8}):
+            self.assertEqual(self.predicted(entries), [], entries)
+
+
 class RefusedEquilibriaAtRest(RefusedInputTest):
     def test_refused(self):
         for entries, words in (

@@ -51,12 +51,45 @@ std::string in_per_cent(double excess) {
   return std::abs(excess) < 1e-7 ? "0.00001 % or less" : fmt::format("{:+.2g} %", 100 * excess);
 }
 
+/// The matrix T of the potential (T:x⊗x)/2 per mass that shapes the figures of the scene, in units of c²/r²: the tide
+/// for a figure at rest, and the centrifugal potential of the largest spin for the family `spinning`. Empty if the
+/// scene has other figures or other loads. c is the speed of shear waves in internal units.
+std::optional<Eigen::Matrix3d> potential_of_figures(const scene::Scene& scene, double c) {
+  const loads::Forcing forcing = loads::constant_forcing(internal_loads(scene));
+  if (!forcing.nominal_traction.isZero(0) || !forcing.acceleration.isZero(0)) return {};
+  if (scene::finds_static_equilibria(scene)) return forcing.quadratic / (c * c);
+  if (scene.equilibria.family != scene::Family::spinning) return {};
+  const double spin =
+      std::max(std::abs(scene.equilibria.first), std::abs(scene.equilibria.last)) * units_of(scene).time / c;
+  return Eigen::Vector3d(-spin * spin, -spin * spin, 0).asDiagonal().toDenseMatrix();
+}
+
+/// The relative error of the bulge of an incompressible elastic ball under a weak tide or spin: the ratio of the exact
+/// Love numbers h₂ of ellipsoid and sphere, minus 1. Empty for other bodies, and outside the range of the sweeps of
+/// docs/adequacy.md. c is the speed of shear waves in internal units.
+std::optional<double> error_of_bulge(const scene::Scene& scene, double c) {
+  constexpr double largest_strength = 0.2, largest_gamma = 1000;
+  const double gamma = gravity_to_elasticity(scene);
+  const bool is_ball = scene.body.semi_axes == std::vector<double>{1, 1, 1} && !scene.body.inertia;
+  if (!is_ball || !scene.body.incompressible || scene::is_fluid(scene) || gamma > largest_gamma) return {};
+  const std::optional<Eigen::Matrix3d> T = potential_of_figures(scene, c);
+  if (!T) return {};
+  const Eigen::Matrix3d deviator = *T - T->trace() / 3 * Eigen::Matrix3d::Identity();
+  const double strength = mechanics::singular_values(deviator)[0] / (10 + 0.8 * gamma);
+  if (strength == 0 || strength > largest_strength) return {};
+  return -3 / (12.5 + gamma);
+}
+
 }  // namespace
 
 void describe_expected_error(const scene::Scene& scene, scene::Needs& needs) {
-  if (needs.system || scene.analysis != scene::Analysis::motion) return;
+  if (needs.system) return;
   const double c = std::sqrt(materials::moduli_at_rest(internal_law(scene), scene.body.incompressible).shear);
-  if (!is_moderate(scene, c)) return;
+  if (scene.analysis == scene::Analysis::equilibrium)
+    if (const auto error = error_of_bulge(scene, c))
+      needs.expected.push_back(
+          fmt::format("error of the bulge of the figure: pseudo-rigid {} (docs/adequacy.md)", in_per_cent(*error)));
+  if (scene.analysis != scene::Analysis::motion || !is_moderate(scene, c)) return;
   const auto small = small_pulsation(scene);
   if (!small) return;
   std::vector<std::string> errors{fmt::format("pseudo-rigid {}", in_per_cent(small->ratio() - 1))};

@@ -11,15 +11,25 @@
 /// motions without spin. At their start, the logarithms of the stretches are at most 0.25 in magnitude. The velocity
 /// gradient L = Q̇Q⁻¹, with the deformation Q, is symmetric. Its Frobenius norm is at most 1.5 c/r, with the speed c of
 /// shear waves and the radius r. For other motions there is no prediction.
+///
+/// Figures of an incompressible ball under a weak tide or a slow spin have a bulge in proportion to the Love number h₂.
+/// The predicted error of the bulge of the pseudo-rigid model is
+///
+///   h₂ of the ellipsoid / h₂ of the elastic sphere − 1 = −3/(12.5 + γ),   γ = ρgr/μ,
+///
+/// with the density ρ, the gravity g at the surface and the shear modulus μ. The sweeps of docs/adequacy.md have tested
+/// this prediction for γ up to 1000 and strengths s up to 0.2. The potential of the tide or of the spin is (T:x⊗x)/2
+/// per mass. The largest eigenvalue in magnitude of the deviator of T is s (10 + 0.8 γ) c²/r².
 
 #include "scene/needs.h"
 #include "scene/scene.h"
 
 namespace pseudorigid::app {
 
-/// Adds a line with the predicted errors to needs.expected. Adds nothing for a system other than the ball, or for an
-/// analysis other than motion. Also adds nothing for a body without frequencies in app/run/small_pulsation.h, or if the
-/// initial state is outside the range above. The line omits a polynomial body whose frequency cannot be computed.
+/// Adds lines with the predicted errors to needs.expected. A motion has the error of the frequency, and an analysis of
+/// equilibria has the error of the bulge. Adds nothing for a system other than the ball, for other analyses, or if the
+/// scene is outside the ranges above. Also adds nothing for a body without frequencies in app/run/small_pulsation.h.
+/// The line of a motion omits a polynomial body whose frequency cannot be computed.
 void describe_expected_error(const scene::Scene& scene, scene::Needs& needs);
 
 }  // namespace pseudorigid::app
