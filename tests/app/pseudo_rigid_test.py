@@ -206,7 +206,6 @@ class PseudoRigid(ReducedTest):
         static = {"Models": "reduced", "Analysis": "equilibrium", "Equilibrium/Family": "static"}
         self.refuse({**static, "Loads/Tidal amplitude": "1, 0, 0; 0, 0, 0; 0, 0, 0"}, "Loads/Tidal amplitude",
                     "no body is in equilibrium")
-        self.refuse({**static, "Models": "polynomial"}, "Equilibrium/Family", "Models = reduced")
         self.refuse({**static, "Material/Law": "none"}, "Material/Law", "rests in every shape")
         self.refuse({**static, "Initial state/Equilibrium": "static"}, "Initial state/Equilibrium")
         self.refuse({"Models": "reduced", "Analysis": "equilibrium", "Loads/Tidal matrix": "1, 0, 0; 0, 0, 0; 0, 0, 0"},

@@ -79,12 +79,12 @@ class Adequacy(unittest.TestCase):
 
     def test_the_page_counts_the_comparisons(self):
         """All with finite elements, and those of them that have a ratio of frequencies without a bar."""
-        swept = [row for path in DATA.glob("*.csv") if path.stem not in ("shape", "equilibria", "static_tide") for row in rows(path.stem)]
+        swept = [row for path in DATA.glob("*.csv") if path.stem not in ("shape", "equilibria", "static_tide", "sample_static_tide") for row in rows(path.stem)]
         barless = [row for row in swept if any(name.endswith("_frequency_ratio") and value > 0 and row[f"{name}_error"] < 0
                                                for name, value in row.items())]
         page = (ROOT / "docs/adequacy.md").read_text()
         said = re.search(r"([\d,]+) comparisons of motions with finite elements.*, and (\d+) of figures.*\n?.* but for (\d+) of", page)
-        figures = [row for family in ("equilibria", "static_tide") for row in rows(family) if row["compared"]]
+        figures = [row for family in ("equilibria", "static_tide", "sample_static_tide") for row in rows(family) if row["compared"]]
         self.assertEqual((int(said[1].replace(",", "")), int(said[2]), int(said[3])), (len(swept), len(figures), len(barless)))
 
     def test_bulge_of_a_slow_spin(self):
@@ -102,6 +102,14 @@ class Adequacy(unittest.TestCase):
             exact = (gamma + 9.5) / (gamma + 12.5)
             for measure, delta in ("bulge", 5e-4), ("strain", 3e-4):
                 self.assertAlmostEqual(sum(row[f"reduced_{measure}_ratio"] for row in pair) / 2, exact, delta=delta)
+
+    def test_rule_of_the_bulge_within_a_factor_of_two(self):
+        """The prediction of `check` on the sample that was not used for it."""
+        sample = rows("sample_static_tide")
+        self.assertEqual([row["compared"] for row in sample], [1] * 20)
+        for row in sample:
+            found, predicted = 1 - row["reduced_bulge_ratio"], 3 / (12.5 + row["g"])
+            self.assertTrue(0.5 < found / predicted < 2, row)
 
 
 if __name__ == "__main__":
