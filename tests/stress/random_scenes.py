@@ -272,12 +272,12 @@ def load_along_the_axes(rng, entries, rate):
         del entries[path]
     entries.update({"Models": rng.choice(("polynomial", "reduced, polynomial", "polynomial, continuum")),
                     "Polynomial/Degree": rng.choice(("1", "2", "3", "1, 3", "4")), "Continuum/Degree": 2, "Body/Semi-axes": "1, 1, 1"})
-    size = rate**2 * 10 ** rng.uniform(-3, 1)
-    for _ in range(rng.randint(1, 2)):
-        load = rng.choice(("Loads/Tidal matrix", "Loads/Nominal traction", "Loads/Pressure"))
+    modulus = float(entries["Material/Shear modulus"])
+    for load, unit in rng.sample((("Loads/Tidal matrix", rate**2), ("Loads/Nominal traction", modulus), ("Loads/Pressure", modulus)), rng.randint(1, 2)):
+        size = unit * 10 ** rng.uniform(-3, 1)
         entries[load] = repr(size) if load == "Loads/Pressure" else text(diagonal(*(size * rng.gauss(0, 1) for _ in range(3))))
     if "reduced" not in entries["Models"] and rng.random() < 0.3:
-        entries.update({"Loads/Tidal matrix": "$(k), 0, 0; 0, 0, 0; 0, 0, 0", "Sweep/Parameters": f"k: {size!r}, {-size!r}, {9 * size!r}",
+        entries.update({"Loads/Tidal matrix": "$(k), 0, 0; 0, 0, 0; 0, 0, 0", "Sweep/Parameters": f"k: {rate**2!r}, {-rate**2!r}, {9 * rate**2!r}",
                         "Output/Graphics": "none"})
 
 
@@ -295,7 +295,7 @@ def energy_drift(run):
     energy is to stay."""
     drifts = {}
     for path in run.files(".csv"):
-        if path.stem in ("comparison", "moving_frame", "manifolds", "equilibria"):
+        if path.stem in ("comparison", "moving_frame", "manifolds") or path.stem.startswith("equilibria"):
             continue
         table = run.table(path.stem)
         if "energy" not in table.header or "kinetic" not in table.header or len(table) < 2:
