@@ -126,7 +126,9 @@ class EquilibriaAtRest(ProgramTest):
     def test_a_run_of_a_sweep_without_an_equilibrium_is_a_failed_row(self):
         self.scene({**AT_REST, "Loads/Tidal matrix": "$(-k), 0, 0; 0, $(-k), 0; 0, 0, $(2*k)", "Sweep/Parameters": "k: 0.1, 6"})
         self.run_done("run", "scene.prm", "--output", "sweep")
-        self.assertEqual(self.table("sweep", "sweep.csv").column("finished"), [1, 0])
+        sweep = self.table("sweep", "sweep.csv")
+        self.assertEqual(sweep.column("finished"), [1, 0])
+        self.assertEqual([sweep.column(f"{name}_finished") for name in ("polynomial_1", "polynomial")], [[1, 0], [1, 0]])
 
 
 class PredictedBulges(ProgramTest):

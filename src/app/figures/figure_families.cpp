@@ -263,7 +263,8 @@ void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily&
         "{}: the number of negative directions changes before {} = {:.9g}, but its special point was not "
         "located",
         of_degree, parameter_, parameter);
-  write(family, row_of);
+  // A row of a sweep has the figure under the full loads, or none.
+  if (!context_.tables || family.missing.empty()) write(family, row_of);
   const auto n_stable =
       std::ranges::count_if(family.members, [](const FigureMember& member) { return !fastest_growing(member); });
   add_result(outcome_, context_,
@@ -287,8 +288,8 @@ std::string FigureRun::missing_in_words(const mechanics::FigureFamily& family,
   if (!scene::finds_static_equilibria(context_.scene))
     return fmt::format("no equilibrium at {} = {:.9g}", parameter_, missing.parameter);
   if (family.members.empty()) return "no equilibrium at rest was found";
-  return fmt::format("no equilibrium at rest was found beyond {:.6g} of the loads, whose figure is in {}.csv",
-                     family.members.front().parameter, file_);
+  return fmt::format("no equilibrium at rest was found beyond {:.6g} of the loads{}", family.members.front().parameter,
+                     context_.tables ? "" : fmt::format(", whose figure is in {}.csv", file_));
 }
 
 void FigureRun::write(const mechanics::FigureFamily& family, const RowOf& row_of) {

@@ -93,11 +93,11 @@ class FigureRun {
   /// `file` is the name of the table without ".csv". The object refers to `context`.
   FigureRun(const RunContext& context, std::string_view file, const std::vector<scene::Column>& columns);
 
-  /// Writes the members and the special points of the family of one degree by increasing parameter. Adds a line with
-  /// the number of members, and a line for each special point, to the results. The first line and the warnings begin
-  /// with the text `of_degree`. Warns of each parameter without a figure, and of each member before which a special
-  /// point was not located. Sets the outcome to `interrupted` if an interrupt left the family incomplete, and to
-  /// `failed` if a row cannot be computed.
+  /// Writes the members and the special points of the family of one degree by increasing parameter. A run of a sweep
+  /// writes nothing if a figure is missing. Adds a line with the number of members, and a line for each special point,
+  /// to the results. The first line and the warnings begin with the text `of_degree`. Warns of each parameter without a
+  /// figure, and of each member before which a special point was not located. Sets the outcome to `interrupted` if an
+  /// interrupt left the family incomplete, and to `failed` if a row cannot be computed.
   void add(const std::string& of_degree, const mechanics::FigureFamily& family, const NameOfClass& name_of,
            const RowOf& row_of);
   /// True if the outcome is `finished` so far.
