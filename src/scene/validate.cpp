@@ -155,7 +155,8 @@ class Validator {
         refuse({"Models",
                 "each run of a sweep has one figure of each model, and a static search finds several; "
                 "Polynomial/Degree = 1 gives one",
-                {{{"Models", "polynomial"}, {"Polynomial/Degree", "1"}}}});
+                {{{"Models", is_discretized(scene_) ? "polynomial, continuum" : "polynomial"},
+                  {"Polynomial/Degree", "1"}}}});
       return;
     }
     if (scene_.equilibria.number != 1)

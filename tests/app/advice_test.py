@@ -41,6 +41,9 @@ CASES = (
     ({**FAMILY, "Models": "polynomial", "Polynomial/Degree": 3, "Material/Viscosity": 1}, "Material/Viscosity", None),
     ({**FAMILY, **TIDE, "Models": "polynomial", "Polynomial/Degree": 3, "Gravity/Constant": 0, "Material/Law": "none", "Equilibrium/Family": "static"},
      "Equilibrium/Family", None),
+    ({**FAMILY, **TIDE, "Models": "polynomial", "Polynomial/Degree": 3, "Body/Semi-axes": "1, 1, 1.3", "Equilibrium/Family": "static"}, "Body/Semi-axes", None),
+    ({**FAMILY, "Models": "polynomial", "Polynomial/Degree": 3, "Material/Law": "none", "Equilibrium/Family": "static",
+      "Loads/Nominal traction": "0.1, 0, 0; 0, 0, 0; 0, 0, 0"}, "Loads/Nominal traction", None),
     ({**FAMILY, "Models": "reduced, polynomial", "Equilibrium/Family": "dedekind"}, "Equilibrium/Family", None),
     ({**FAMILY, "Models": "polynomial", "Equilibrium/Family": "riemann-s"}, "Equilibrium/Family", None),
     # Methods.

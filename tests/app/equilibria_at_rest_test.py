@@ -137,15 +137,19 @@ class PredictedBulges(ProgramTest):
         return [line for line in self.run_done("check", "scene.prm").stdout.splitlines() if "bulge" in line]
 
     def test_check_predicts_the_bulge_of_weak_loads(self):
-        """3 / (12.5 + gamma), the ratio of the Love numbers of ellipsoid and sphere, up to the strength 0.2 and gamma = 1000."""
+        """3 / (12.5 + gamma), the ratio of the Love numbers of ellipsoid and sphere, up to the strength 0.1 and gamma = 1000. The
+        isotropic part K of the potential counts as 2.5 K in gamma."""
         spinning = {"Analysis": "equilibrium", "Models": "reduced", "Equilibrium/Family": "spinning", "Equilibrium/Last": 1, "Equilibrium/Number": 2}
-        weak = {**AT_REST, "Loads/Tidal matrix": matrix(0.9, 0.9, -1.8)}
-        for entries, error in ((weak, "-24 %"), ({**weak, "Gravity/Gamma": 7.5}, "-15 %"), (spinning, "-24 %")):
+        weak = {**AT_REST, "Loads/Tidal matrix": matrix(0.45, 0.45, -0.9)}
+        for entries, error in ((weak, "-24 %"), ({**weak, "Gravity/Gamma": 7.5}, "-15 %"), (spinning, "-28 %"),
+                               ({**weak, "Loads/Tidal matrix": matrix(20.45, 20.45, 19.1)}, "-4.8 %"),
+                               ({**spinning, "Equilibrium/First": 0.01, "Equilibrium/Last": 9, "Equilibrium/Number": 1}, "-24 %")):
             (line,) = self.predicted(entries)
             self.assertIn(error, line)
-        for entries in ({**weak, "Loads/Tidal matrix": matrix(1.1, 1.1, -2.2)}, {**weak, "Loads/Tidal matrix": matrix(1, 1, 1)},
-                        {**weak, "Gravity/Gamma": 1001}, {**weak, "Loads/Nominal traction": matrix(0, 0, 0.1)}, {**weak, "Body/Semi-axes": "1, 1, 1.1"},
-                        {**weak, "Body/Incompressible": "false", "Material/Lame lambda": 3}, {**spinning, "Equilibrium/Last": 1.8}):
+        for entries in ({**weak, "Loads/Tidal matrix": matrix(0.55, 0.55, -1.1)}, {**weak, "Loads/Tidal matrix": matrix(1, 1, 1)},
+                        {**weak, "Gravity/Gamma": 1001}, {**weak, "Loads/Nominal traction": matrix(0, 0, 0.1)}, {**weak, "Models": "reduced", "Body/Semi-axes": "1, 1, 1.1"},
+                        {**weak, "Body/Incompressible": "false", "Material/Lame lambda": 3}, {**spinning, "Equilibrium/Last": 1.4},
+                        {**weak, "Gravity/Gamma": "$(g)", "Sweep/Parameters": "g: 1, 2"}):
             self.assertEqual(self.predicted(entries), [], entries)
 
 
@@ -156,6 +160,8 @@ class RefusedEquilibriaAtRest(RefusedInputTest):
                 ({"Polynomial/Degree": "auto"}, ("Polynomial/Degree",)),
                 ({"Material/Viscosity": 1}, ("Viscosity",)),
                 ({"Material/Law": "none", **TRAP}, ("Equilibrium/Family", "gravity")),
+                ({"Body/Semi-axes": "1, 1, 1.3", **TRAP}, ("Body/Semi-axes",)),
+                ({"Material/Law": "none", "Gravity/Constant": 1, "Loads/Nominal traction": matrix(0.1, 0, 0)}, ("Loads/Nominal traction",)),
                 ({"Models": "reduced, polynomial", "Gravity/Gamma": "$(g)", "Sweep/Parameters": "g: 1, 2"}, ("Models", "Polynomial/Degree"))):
             with self.subTest(entries):
                 self.refused_entries({**AT_REST, **entries}, *words)

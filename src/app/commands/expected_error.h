@@ -13,13 +13,14 @@
 /// shear waves and the radius r. For other motions there is no prediction.
 ///
 /// Figures of an incompressible ball under a weak tide or a slow spin have a bulge in proportion to the Love number h₂.
-/// The predicted error of the bulge of the pseudo-rigid model is
+/// The potential of the tide or of the spin is (T:x⊗x)/2 per mass. Its isotropic part K|x|²/2 with K = tr T/3 holds the
+/// surface like gravity. The predicted error of the bulge of the pseudo-rigid model is
 ///
-///   h₂ of the ellipsoid / h₂ of the elastic sphere − 1 = −3/(12.5 + γ),   γ = ρgr/μ,
+///   h₂ of the ellipsoid / h₂ of the elastic sphere − 1 = −3/(12.5 + γ'),   γ' = γ + (5/2) K r²/c²,   γ = ρgr/μ,
 ///
-/// with the density ρ, the gravity g at the surface and the shear modulus μ. The sweeps of docs/adequacy.md have tested
-/// this prediction for γ up to 1000 and strengths s up to 0.2. The potential of the tide or of the spin is (T:x⊗x)/2
-/// per mass. The largest eigenvalue in magnitude of the deviator of T is s (10 + 0.8 γ) c²/r².
+/// with the density ρ, the gravity g at the surface and the shear modulus μ. The largest eigenvalue in magnitude of the
+/// deviator of T is s (10 + 0.8 γ') c²/r² with the strength s. In the sweeps of docs/adequacy.md with s up to 0.1 and γ
+/// up to 1000, the error differs from this prediction by at most a fifth. There is no prediction for other figures.
 
 #include "scene/needs.h"
 #include "scene/scene.h"

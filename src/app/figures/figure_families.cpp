@@ -47,21 +47,25 @@ bool needs_own_figures(const scene::Scene& scene) {
 }
 
 std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model,
-                                             const std::vector<Family>& offered, std::vector<std::string_view> others) {
+                                             const std::vector<Family>& offered) {
   const bool is_of_start = scene.analysis != scene::Analysis::equilibrium;
   const Family family = is_of_start ? scene.initial_state.equilibrium : scene.equilibria.family;
   if (std::ranges::find(offered, family) != offered.end()) return {};
   std::string names;
   for (const Family one : offered)
-    names += (names.empty() ? "" : one == offered.back() ? " and " : ", ") + scene::family_kind.print(one);
+    if (!is_of_start || one != Family::at_rest)  // no motion starts from a figure at rest
+      names += (names.empty() ? "" : ", ") + scene::family_kind.print(one);
   return scene::Refusal{is_of_start ? "Initial state/Equilibrium" : "Equilibrium/Family",
                         fmt::format("{} take {}; {} is", model, names, scene::family_kind.print(family)),
                         {},
-                        std::move(others)};
+                        affine_models(scene)};
 }
 
-std::optional<scene::Refusal> refuses_loads_at_rest(const scene::Scene& scene, std::string_view model,
-                                                    std::vector<std::string_view> others) {
+std::vector<std::string_view> affine_models(const scene::Scene& scene) {
+  return scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; });
+}
+
+std::optional<scene::Refusal> refuses_loads_at_rest(const scene::Scene& scene, std::string_view model) {
   const loads::Forcing forcing = loads::constant_forcing(scene.loads);
   if (forcing.viscosity > 0 || forcing.drag > 0) {
     const char* entry = forcing.viscosity > 0 ? "Material/Viscosity" : "Material/Drag";
@@ -81,7 +85,7 @@ std::optional<scene::Refusal> refuses_loads_at_rest(const scene::Scene& scene, s
           fmt::format("static, under loads for which the plane with normal {} is no symmetry plane, as {}, is",
                       scene::axis_names[i], *broken),
           {},
-          std::move(others)};
+          affine_models(scene)};
   return {};
 }
 
@@ -195,8 +199,9 @@ std::vector<scene::Column> figure_columns(std::string_view degree, std::string_v
        {"growth_rate", "1/time", "largest real part of the rates; 0 if stable"},
        {"stable", "", "1: no disturbance grows; to first order, among the motions of this degree"},
        {"n_negative", "",
-        "negative directions of the energy at fixed J and Z, of a fluid at fixed circulations; 0: stable even with "
-        "dissipation"},
+        "negative directions of the energy at fixed J and Z if the loads keep them, of a fluid at fixed circulations; "
+        "0: "
+        "stable even with dissipation"},
        {"odd_in_z", "",
         "of the motions in which a special point happens, or that grow fastest: 1 if odd under the reflection of axis "
         "3, otherwise 0; -1 if none grows"},
@@ -276,10 +281,11 @@ void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily&
   n_members_ += static_cast<double>(family.members.size());
   n_special_ += static_cast<double>(family.special.size());
   const auto n_values = static_cast<int>(family.members.size() + family.missing.size());
-  if (n_values < context_.scene.equilibria.number && goes_on() && context_.interrupted())
+  const int n_wanted = scene::finds_static_equilibria(context_.scene) ? 1 : context_.scene.equilibria.number;
+  if (n_values < n_wanted && goes_on() && context_.interrupted())
     end(mechanics::Outcome::interrupted,
         fmt::format("equilibria interrupted after {} of {} values of {} of {}; those before are in {}.csv", n_values,
-                    context_.scene.equilibria.number, parameter_, of_degree, file_));
+                    n_wanted, parameter_, of_degree, file_));
 }
 
 /// The beginning of the sentence about a figure that was not found.

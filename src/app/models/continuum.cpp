@@ -76,8 +76,7 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
 std::optional<Refusal> refuses_equilibria(const Scene& scene) {
   if (!needs_own_figures(scene)) return {};
   if (auto refusal = refuses_family(scene, "finite elements",
-                                    {Family::maclaurin, Family::spheroids, Family::spinning, Family::at_rest},
-                                    scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })))
+                                    {Family::maclaurin, Family::spheroids, Family::spinning, Family::at_rest}))
     return refusal;
   if (scene::has_mesh_file(scene))
     return Refusal{"Continuum/Mesh", "equilibria are those of the ball", {{{"Continuum/Mesh", "builtin"}}}};
@@ -94,8 +93,7 @@ std::optional<Refusal> refuses_equilibria(const Scene& scene) {
     return Refusal{"Continuum/Symmetry",
                    "equilibria of finite elements are computed on one octant",
                    {{{"Continuum/Symmetry", "auto"}}}};
-  return refuses_loads_at_rest(scene, "finite elements",
-                               scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; }));
+  return refuses_loads_at_rest(scene, "finite elements");
 }
 
 /// Refuses degree 1 for an incompressible body and for a mesh file. For a mesh file, also refuses a grading and

@@ -69,11 +69,12 @@ std::vector<scene::ModelRun> runs(const Scene& scene) {
 }
 
 scene::EquilibriaTable polynomial_equilibria(int) {
-  return {"equilibria-polynomial",
-          "These are figures of polynomial bodies that turn as a whole (Equilibrium/Family), for each degree of the "
-          "scene, a row each. With static, they are the figures at rest under the loads that are reached as these rise "
-          "from 0; omega3 is then 0 and the parameter is the factor of the loads.",
-          polynomial_equilibria_columns()};
+  return {
+      "equilibria-polynomial",
+      "These are figures of polynomial bodies that turn as a whole (Equilibrium/Family), for each degree of the "
+      "scene, a row each. With static, they are the figures at rest that are reached as the loads rise from 0. Then "
+      "omega3 is 0 and the parameter is the factor of the loads.",
+      polynomial_equilibria_columns()};
 }
 
 /// Refuses bodies and loads that other models offer but the polynomial model does not offer.

@@ -32,34 +32,48 @@ void add_degree(int degree, const RunContext& context, FigureRun& run) {
           std::vector<double>& row) { return rows.row(index, member, special, row); });
 }
 
+/// Refuses bodies whose figures at rest, or their stability, polynomial bodies do not have. Rotations of the undeformed
+/// body are symmetries of a ball alone. A fluid needs gravity, which holds the ball from which the loads rise. Under a
+/// dead traction its figure is not an ellipsoid.
+std::optional<scene::Refusal> refuses_body_at_rest(const scene::Scene& scene) {
+  if (scene.body.semi_axes != std::vector<double>{1, 1, 1})
+    return scene::Refusal{
+        "Body/Semi-axes", "static for a reference body that is not a ball is", {}, affine_models(scene)};
+  if (!scene::is_fluid(scene)) return {};
+  if (!loads::constant_forcing(scene.loads).nominal_traction.isZero(0))
+    return scene::Refusal{"Loads/Nominal traction", "static for a fluid under a traction is", {}, affine_models(scene)};
+  if (!loads::present(scene.loads.get<loads::SelfGravity>()))
+    return scene::Refusal{"Equilibrium/Family",
+                          "static for a fluid without self-gravity, for which the ball is no start, is",
+                          {},
+                          affine_models(scene)};
+  return {};
+}
+
 }  // namespace
 
 std::optional<scene::Refusal> refuses_polynomial_equilibria(const scene::Scene& scene) {
   if (!needs_own_figures(scene)) return {};
   if (auto refusal =
           refuses_family(scene, "polynomial bodies",
-                         {Family::maclaurin, Family::spheroids, Family::spinning, Family::jacobi, Family::at_rest},
-                         scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; })))
+                         {Family::maclaurin, Family::spheroids, Family::spinning, Family::jacobi, Family::at_rest}))
     return refusal;
   if (scene.analysis != scene::Analysis::equilibrium) return {};
   if (scene.polynomial.degrees.empty())
     return scene::Refusal{"Polynomial/Degree",
                           "equilibria are those of named degrees: expected whole numbers from 1 to 13, as 1, 3, 5"};
-  const auto pseudo_rigid = scene::names_where(scene, [](const auto& model) { return !model.has_nonaffine; });
-  if (scene::finds_static_equilibria(scene) && scene::is_fluid(scene) &&
-      !loads::present(scene.loads.get<loads::SelfGravity>()))
-    return scene::Refusal{"Equilibrium/Family",
-                          "static for a fluid without self-gravity, for which the ball is no start, is",
-                          {},
-                          pseudo_rigid};
-  return refuses_loads_at_rest(scene, "polynomial bodies", pseudo_rigid);
+  if (scene::finds_static_equilibria(scene))
+    if (auto refusal = refuses_body_at_rest(scene)) return refusal;
+  return refuses_loads_at_rest(scene, "polynomial bodies");
 }
 
 ModelOutcome run_polynomial_equilibria(const RunContext& context) {
   FigureRun run(context, "equilibria-polynomial", polynomial_equilibria_columns());
   for (const int degree : context.scene.polynomial.degrees) {
-    add_degree(degree, context, run);
+    if (context.interrupted() && run.goes_on())
+      run.end(mechanics::Outcome::interrupted, fmt::format("equilibria interrupted before degree {}", degree));
     if (!run.goes_on()) break;
+    add_degree(degree, context, run);
   }
   return run.finish();
 }

@@ -1,8 +1,8 @@
 #include "continuum/modes/linear_problem.h"
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <cmath>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -32,19 +32,28 @@ void LinearProblem::set_stiffness(const std::function<Eigen::MatrixXd(unsigned i
   }
 }
 
-std::vector<Spring> LinearProblem::add_springs(const std::function<Eigen::Vector3d(const FacePoint& point)>& along) {
-  std::vector<Spring> springs;
+std::vector<FaceSprings> LinearProblem::add_springs(
+    const std::function<Eigen::Vector3d(const FacePoint& point)>& along) {
+  std::vector<FaceSprings> springs;
   for (const CellFace& face : free_surface(space)) {
     const auto& nodes = space.cell_nodes(face.cell);
-    Eigen::MatrixXd& K = stiffness[face.cell];
-    for (const FacePoint& point : harmonic_quadrature(space, face)) {
-      const Eigen::Vector3d spring = std::sqrt(point.weight) * along(point);
-      Eigen::VectorXd row = Eigen::VectorXd::Zero(K.rows());
-      for (const FacePoint::Node& n : point.nodes)
-        row.segment<3>(3 * (std::ranges::find(nodes, n.node) - nodes.begin())) += n.value * spring;
-      K += row * row.transpose();
-      springs.push_back({face.cell, std::move(row)});
+    FaceSprings of_face{face.cell, {}, {}};
+    std::map<unsigned int, Eigen::Index> first;  // the first entry of each node in a row
+    for (const int local : nodes_of(face, space.reference_cell().n)) {
+      first[nodes[static_cast<std::size_t>(local)]] = static_cast<Eigen::Index>(of_face.places.size());
+      for (int c = 0; c < 3; ++c) of_face.places.push_back(3 * local + c);
     }
+    const auto points = harmonic_quadrature(space, face);
+    of_face.rows.setZero(static_cast<Eigen::Index>(points.size()), static_cast<Eigen::Index>(of_face.places.size()));
+    Eigen::Index row = 0;
+    for (const FacePoint& point : points) {
+      const Eigen::Vector3d spring = std::sqrt(point.weight) * along(point);
+      for (const FacePoint::Node& n : point.nodes)
+        of_face.rows.row(row).segment<3>(first.at(n.node)) += n.value * spring;
+      ++row;
+    }
+    stiffness[face.cell](of_face.places, of_face.places) += of_face.rows.transpose() * of_face.rows;
+    springs.push_back(std::move(of_face));
   }
   return springs;
 }

@@ -19,10 +19,13 @@ class ParitySector;
 /// A function that returns the product of a symmetric operator with a vector u of the unknowns of a sector.
 using SectorOperator = std::function<Eigen::VectorXd(const Eigen::VectorXd& u)>;
 
-/// A spring with the energy ½(row·u)², where u has the displacements of the nodes of a cell (index 3·node + component).
-struct Spring {
+/// Springs on a face of a cell, one for each row r of a matrix, with the energy ½(r·u)². The vector u has the
+/// displacements of the nodes on the face. Its entries are the entries `places` of the displacements of all nodes of
+/// the cell, which have the index 3·node + component.
+struct FaceSprings {
   unsigned int cell;
-  Eigen::VectorXd row;
+  std::vector<Eigen::Index> places;
+  Eigen::MatrixXd rows;
 };
 
 /// The product ρg of density and gravity at the surface of the ball, g = (4/3)πGρr, in internal units with ρ = r = 1. G
@@ -64,7 +67,7 @@ struct LinearProblem {
   /// Adds a spring at each quadrature point of the free surface to `stiffness`, which set_stiffness must have set. A
   /// spring acts along the vector `along(point)`, and its stiffness is the square of the length of this vector times
   /// the quadrature weight. Returns the springs.
-  std::vector<Spring> add_springs(const std::function<Eigen::Vector3d(const FacePoint& point)>& along);
+  std::vector<FaceSprings> add_springs(const std::function<Eigen::Vector3d(const FacePoint& point)>& along);
 };
 
 }  // namespace pseudorigid::continuum

@@ -65,8 +65,12 @@ Vector TangentProblem::rate_at_surface(const Vector& u, const Parity& parity) co
   Vector force = space.make_vector();
   state_.body.gravity()->add_rate(state_.x, u, parity.sign, force);
   force *= -1;
-  for (const Spring& spring : springs_)
-    add_of_cell(spring.cell, -spring.row.dot(of_cell(spring.cell, u)) * spring.row, force);
+  for (const FaceSprings& springs : springs_) {
+    const Eigen::VectorXd of_face = of_cell(springs.cell, u)(springs.places);
+    Eigen::VectorXd local = Eigen::VectorXd::Zero(3 * space.nodes_per_cell());
+    local(springs.places) = -(springs.rows.transpose() * (springs.rows * of_face));
+    add_of_cell(springs.cell, local, force);
+  }
   return force;
 }
 

@@ -73,7 +73,7 @@ class TangentProblem final : public LinearProblem {
   FigureState state_;
   bool definite_;  ///< true if the shift is positive
   const HeldDirection* held_;
-  std::vector<Spring> springs_;
+  std::vector<FaceSprings> springs_;
   std::vector<Eigen::MatrixXd> of_gravity_;  ///< terms of K of each cell that E has; empty without self-gravity
 };
 
