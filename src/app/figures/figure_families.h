@@ -20,7 +20,7 @@ bool needs_own_figures(const scene::Scene& scene);
 
 /// The refusal if the scene requests a family that is not in `offered`, otherwise empty. The family is that of the
 /// analysis or, for a motion, that of the initial state. `model` is the subject of the message.
-/// The refusal recommends the pseudo-rigid model.
+/// Its remedy is the pseudo-rigid model.
 std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::string_view model,
                                              const std::vector<scene::Family>& offered);
 
@@ -29,7 +29,7 @@ std::vector<std::string_view> affine_models(const scene::Scene& scene);
 
 /// The refusal of dissipation in an analysis of equilibria and, for equilibria at rest, of loads without the symmetry
 /// planes of the octant; otherwise empty. Figures are computed on one octant, whose planes exclude rigid motions of the
-/// body. `model` is the name of the models in messages. The refusal of loads recommends the pseudo-rigid model.
+/// body. `model` is the name of the models in messages. The remedy for loads is the pseudo-rigid model.
 std::optional<scene::Refusal> refuses_loads_at_rest(const scene::Scene& scene, std::string_view model);
 
 /// Name of a class of motions. Examples are "even in z, m = 2" for a spheroid, and "odd in z, even under the half turn"
