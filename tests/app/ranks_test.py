@@ -90,7 +90,7 @@ class Ranks(RanksTest):
 
     def test_checkpoint_of_two_ranks_goes_on_on_one_and_on_four(self):
         # Interrupted in the first of many intervals, and within it: however fast the machine, most of the run is left.
-        self.scene({**SCENE, "Time/End": 4, "Time/Step": 0.005, "Output/Samples": 20})
+        self.scene({**SCENE, "Time/End": 2, "Time/Step": 0.005, "Output/Samples": 10})
         self.run_on(1, "run", "scene.prm", "--output", "whole")
         process = subprocess.Popen(self.command_on(2, "run", "scene.prm", "--output", "part"), stdin=subprocess.DEVNULL,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=self.scratch,
@@ -110,7 +110,7 @@ class Ranks(RanksTest):
     def test_interval_that_is_integrated_again_after_a_checkpoint_within_it(self):
         """Two ranks, interrupted several times within intervals that need shorter steps."""
         side = 1 / math.sqrt(1.5)
-        self.scene({"Models": "continuum", "Continuum/Degree": 3, "Time/End": 20, "Output/Samples": 20,
+        self.scene({"Models": "continuum", "Continuum/Degree": 3, "Time/End": 10, "Output/Samples": 10,
                     "Initial state/Deformation": f"{side!r}, 0, 0; 0, {side!r}, 0; 0, 0, 1.5", "Time/Tolerance": 1e-4,
                     "Time/Constraint tolerance": 1e-13, "Continuum/Error estimate": "none"})
         self.run_on(2, "run", "scene.prm", "--output", "whole")
