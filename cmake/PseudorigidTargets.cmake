@@ -8,8 +8,8 @@ target_compile_features(pseudorigid_options INTERFACE cxx_std_20)
 # -Wno-restrict: g++ 12 warns of overlaps that cannot be in "literal" + std::string (GCC bug 105651).
 target_compile_options(pseudorigid_options INTERFACE -Wall -Wextra -Wno-restrict
   $<$<BOOL:${PSEUDORIGID_WERROR}>:-Werror>)
-# By default g++ collects garbage as soon as it uses 128 MB. The largest sources use up to 2.4 GB, and it costs a sixth of
-# their time.
+# By default g++ collects garbage as soon as it uses 128 MB. The largest sources use up to 2.4 GB, and it costs a sixth
+# of their time or more.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(pseudorigid_options INTERFACE "SHELL:--param ggc-min-heapsize=3000000")
 endif()

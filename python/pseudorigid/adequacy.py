@@ -129,7 +129,8 @@ def print_ranges(folder: pathlib.Path) -> None:
 
 
 def print_ranges_of_impacts(path: pathlib.Path) -> None:
-    """The restitution and the largest force of impacts (docs/data/impacts.csv), beside the first run of finite elements on the same plane."""
+    """Prints the restitution and the largest force of impacts (docs/data/impacts.csv), compared with the first run of finite elements on
+    the same plane."""
     with open(path, newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["outcome"] == "done"]
     for low, high in (0, 0.3), (0.3, 3):

@@ -5,11 +5,11 @@
 ///   ü + 2Ω ê₃×u̇ + Ku = 0 on ker G,   K = −D(f + ν h) − Σ_b λ_b D²g_b
 ///
 /// with the forces f, the drive ν and its force h, the constraints g_b, their multipliers λ_b, and G = Dg. For a ball
-/// at rest, Ω = 0. The growth rates are computed by mechanics/equilibria/linear_stability.h. The motions are
-/// those of the whole body, without symmetry. The motions belong to classes that are not coupled. A class is even or
-/// odd under the reflection of axis 3, and even or odd under the half turn about axis 3. On a spheroid, the classes
-/// also have an azimuthal number m, with cylindrical components u ~ e^{imφ}. Each class is a dense eigenvalue problem.
-/// Together the classes give the growth rates of all motions except the following.
+/// at rest, Ω = 0. The growth rates are computed by mechanics/equilibria/linear_stability.h. The motions are those of
+/// the whole body, without symmetry. The motions belong to classes that are not coupled. A class is even or odd under
+/// the reflection of axis 3, and even or odd under the half turn about axis 3. On a spheroid, the classes also have an
+/// azimuthal number m, with cylindrical components u ~ e^{imφ}. Each class is a dense eigenvalue problem. Together the
+/// classes give the growth rates of all motions except the following.
 ///
 /// The analysis removes motions that give no information on the figure, together with their momenta. These are uniform
 /// motions, and the rotations of space and of the reference ball that the loads permit. The momenta of the rotations

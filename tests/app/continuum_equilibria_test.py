@@ -2,16 +2,12 @@
 import math
 import unittest
 
-from program_test import SOURCE, STOPPED, ProgramTest, overrides
+from program_test import SOURCE, STOPPED, ProgramTest, matrix, overrides
 from refused_input import RefusedInputTest
 
 FIGURES = {"Analysis": "equilibrium", "Models": "continuum", "Continuum/Degree": 3, "Equilibrium/Family": "spinning",
            "Equilibrium/First": 0.5, "Equilibrium/Last": 1, "Equilibrium/Number": 2}
 AT_REST = {"Analysis": "equilibrium", "Models": "reduced, continuum", "Continuum/Degree": 3, "Equilibrium/Family": "static"}
-
-
-def matrix(*diagonal):
-    return "; ".join(", ".join(str(diagonal[i] if i == j else 0) for j in range(3)) for i in range(3))
 
 
 class ContinuumEquilibria(ProgramTest):

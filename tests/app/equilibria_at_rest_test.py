@@ -1,13 +1,11 @@
-"""Equilibria at rest (Equilibrium/Family = static) of all models of the ball: polynomial bodies beside the others."""
+"""Equilibria at rest (Equilibrium/Family = static) of polynomial bodies, compared with those of the other models."""
 import math
+import signal
+import subprocess
 import unittest
 
-from program_test import STOPPED, ProgramTest
+from program_test import STOPPED, ProgramTest, matrix
 from refused_input import RefusedInputTest
-
-
-def matrix(*diagonal):
-    return "; ".join(", ".join(str(diagonal[i] if i == j else 0) for j in range(3)) for i in range(3))
 
 
 AT_REST = {"Analysis": "equilibrium", "Models": "polynomial", "Polynomial/Degree": "1, 3", "Equilibrium/Family": "static"}
@@ -98,6 +96,16 @@ class EquilibriaAtRest(ProgramTest):
         parts = self.table("output/scene", "equilibria-polynomial.csv").column("parameter")
         self.assertTrue(all(0.05 < part < 1 for part in parts), parts)
 
+    def test_an_interrupted_run_names_the_degree_that_it_did_not_reach(self):
+        self.scene({**AT_REST, **TRAP, "Polynomial/Degree": "9, 11"})
+        process = self.start_program("run", "scene.prm", stderr=subprocess.PIPE, text=True)
+        self.wait_until((self.scratch / "output/scene/manifest.json").exists, "the run is under way")
+        process.send_signal(signal.SIGINT)
+        _, error = process.communicate()
+        self.assertEqual(process.returncode, STOPPED, error)
+        self.assertIn("degree 11", error)
+        self.assertEqual(self.table("output/scene", "equilibria-polynomial.csv").column("degree"), [9])
+
     def test_units_of_the_scene_do_not_matter(self):
         own = self.at_rest({**TRAP, "Loads/Nominal traction": matrix(0.1, 0.2, 0)}, "own")
         length, mass, time = 1000, 1e9, 7
@@ -149,6 +157,7 @@ class PredictedBulges(ProgramTest):
         for entries in ({**weak, "Loads/Tidal matrix": matrix(0.55, 0.55, -1.1)}, {**weak, "Loads/Tidal matrix": matrix(1, 1, 1)},
                         {**weak, "Gravity/Gamma": 1001}, {**weak, "Loads/Nominal traction": matrix(0, 0, 0.1)}, {**weak, "Models": "reduced", "Body/Semi-axes": "1, 1, 1.1"},
                         {**weak, "Body/Incompressible": "false", "Material/Lame lambda": 3}, {**spinning, "Equilibrium/Last": 1.4},
+                        {**weak, "Loads/Tidal matrix": matrix(-0.9, -0.9, -1.2)},
                         {**weak, "Gravity/Gamma": "$(g)", "Sweep/Parameters": "g: 1, 2"}):
             self.assertEqual(self.predicted(entries), [], entries)
 

@@ -104,7 +104,7 @@ class Adequacy(unittest.TestCase):
                 self.assertAlmostEqual(sum(row[f"reduced_{measure}_ratio"] for row in pair) / 2, exact, delta=delta)
 
     def test_rule_of_the_bulge_within_a_factor_of_two(self):
-        """The prediction of `check` on the sample that was not used for it."""
+        """The prediction for weak tides on the sample that was not used for it."""
         sample = rows("sample_static_tide")
         self.assertEqual([row["compared"] for row in sample], [1] * 20)
         for row in sample:

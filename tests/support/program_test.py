@@ -57,6 +57,11 @@ def methods():
     return tuple(name for name in words("Time/Method") if name != "auto")
 
 
+def matrix(*diagonal):
+    """A diagonal matrix as an entry of a scene."""
+    return "; ".join(", ".join(str(diagonal[i] if i == j else 0) for j in range(3)) for i in range(3))
+
+
 def overrides(entries):
     """The same as options of the command line."""
     return [word for path, value in entries.items() for word in ("--set", f"{path}={value}")]

@@ -68,14 +68,14 @@ std::optional<Eigen::Matrix3d> potential_of_figures(const scene::Scene& scene, d
 /// The relative error of the bulge (head of expected_error.h). Empty for other bodies, for a sweep, and outside the
 /// range of the sweeps of docs/adequacy.md. c is the speed of shear waves in internal units.
 std::optional<double> error_of_bulge(const scene::Scene& scene, double c) {
-  constexpr double largest_strength = 0.1, largest_gamma = 1000;
+  constexpr double largest_strength = 0.1, least_held = -2, largest_gamma = 1000;
   const double gamma = gravity_to_elasticity(scene);
   const bool is_ball = scene.body.semi_axes == std::vector<double>{1, 1, 1} && !scene.body.inertia;
   if (!is_ball || !scene.body.incompressible || scene::is_fluid(scene) || !scene.sweep.empty()) return {};
   const std::optional<Eigen::Matrix3d> T = potential_of_figures(scene, c);
   if (!T) return {};
   const double K = T->trace() / 3, held = gamma + 2.5 * K;
-  if (gamma > largest_gamma || std::abs(held) > largest_gamma) return {};
+  if (gamma > largest_gamma || held < least_held || held > largest_gamma) return {};
   const double stiffness = 10 + 0.8 * held;
   const double strength = mechanics::singular_values(*T - K * Eigen::Matrix3d::Identity())[0];
   if (strength == 0 || strength > largest_strength * stiffness) return {};

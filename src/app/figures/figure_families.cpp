@@ -200,8 +200,7 @@ std::vector<scene::Column> figure_columns(std::string_view degree, std::string_v
        {"stable", "", "1: no disturbance grows; to first order, among the motions of this degree"},
        {"n_negative", "",
         "negative directions of the energy at fixed J and Z if the loads keep them, of a fluid at fixed circulations; "
-        "0: "
-        "stable even with dissipation"},
+        "0: stable even with dissipation"},
        {"odd_in_z", "",
         "of the motions in which a special point happens, or that grow fastest: 1 if odd under the reflection of axis "
         "3, otherwise 0; -1 if none grows"},

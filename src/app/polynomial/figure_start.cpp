@@ -57,11 +57,11 @@ mechanics::Status start_from_figure(const scene::Scene& scene, const PolynomialS
   const polynomial::FigureSetup setup{body_setup(scene, {}, space.degree()), scene.body.incompressible,
                                       mechanics::Drive::rotation,
                                       family_of_figures(scene, scene.initial_state.origin->family).figure};
-  const polynomial::BodyFigures rotations(setup);
+  const polynomial::BodyFigures figures(setup);
   const polynomial::FigureSpectrum spectrum(setup);
   OwnFigure own;
   const auto analyse = [&](const auto& of, auto& classes) { return spectrum.analyse(of, classes); };
-  if (auto status = find_own_figure(scene, rotations, analyse, own); !status) return status;
+  if (auto status = find_own_figure(scene, figures, analyse, own); !status) return status;
   Eigen::VectorXd position = spectrum.whole(own.member.figure.x), velocity = Eigen::VectorXd::Zero(position.size());
   if (scene.initial_state.mode != 0)
     if (auto status = add_motion(scene, spectrum, own, space, position, velocity); !status) return status;
