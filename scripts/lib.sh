@@ -132,3 +132,16 @@ build() {
   fi
   NINJA_STATUS='[%f/%t, %e s] ' ninja -C "$directory" "${options[@]}" "${@:2}" >&2
 }
+
+# install_while_building PACKAGE…: installs what is missing for the finite elements and the tests, and meanwhile builds
+# what needs nothing of it. apt-get mostly waits, for the network and the disk.
+install_while_building() {
+  local installer
+  mapfile -t missing < <(missing_packages "$@")
+  ((${#missing[@]})) || return 0
+  install_packages "$@" &
+  installer=$!
+  configure release -DPSEUDORIGID_CONTINUUM=OFF -DPSEUDORIGID_TESTS=OFF -DPSEUDORIGID_WERROR="${PSEUDORIGID_WERROR:-OFF}"
+  build release pseudorigid || true  # its errors are those of the whole build
+  wait "$installer"
+}

@@ -15,7 +15,8 @@ if [[ ${1-} == -h || ${1-} == --help ]]; then
   exit
 fi
 
-install_packages "${reduced_packages[@]}" "${continuum_packages[@]}" "${test_packages[@]}"
-configure release -DPSEUDORIGID_TESTS=ON -DPSEUDORIGID_WERROR="${PSEUDORIGID_WERROR:-OFF}"
+install_packages "${reduced_packages[@]}"
+install_while_building "${continuum_packages[@]}" "${test_packages[@]}"
+configure release -DPSEUDORIGID_CONTINUUM=ON -DPSEUDORIGID_TESTS=ON -DPSEUDORIGID_WERROR="${PSEUDORIGID_WERROR:-OFF}"
 build release all
 ctest --test-dir "$root/build/release" --output-on-failure --no-tests=error -j "$(nproc)" "$@"

@@ -2,12 +2,12 @@
 import cmath
 import math
 import shutil
-import subprocess
 import unittest
 
 import numpy as np
 
-from program_test import SOURCE, ProgramTest
+from program_test import SOURCE
+from ranks import RanksTest
 from refused_input import RefusedInputTest
 
 GAMMA = 1.0
@@ -22,7 +22,7 @@ def spread(values):
     return max(values) - min(values)
 
 
-class Companions(ProgramTest):
+class Companions(RanksTest):
     def run_model(self, entries, model, *options, output="out"):
         shutil.rmtree(self.scratch / output, ignore_errors=True)
         self.scene({"Models": model, "Continuum/Error estimate": "none", **entries})
@@ -328,15 +328,11 @@ class Companions(ProgramTest):
         for full in ("false", "true"):
             one = self.run_model({**entries, "Companions/Full potential": full}, "continuum", output="one")
             shutil.rmtree(self.scratch / "two", ignore_errors=True)
-            self.run_on_two_ranks("scene.prm", "two")
+            self.run_on(2, "run", "scene.prm", "--output", "two")
             two = self.table("two", "continuum.csv")
             for name in ("Q11", "Q12", "companion1", "companion2", "torque3", "total_J3", "energy", "dissipated"):
                 for a, b in zip(one.column(name), two.column(name)):
                     self.assertAlmostEqual(a, b, delta=1e-12 * (1 + abs(a)), msg=f"{full} {name}")
-
-    def run_on_two_ranks(self, scene, output):
-        subprocess.run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2", self.program, "run", scene, "--output", output],
-                       cwd=self.scratch, check=True, capture_output=True)
 
     def test_a_flyby_meets_the_tolerance(self):
         """The pilot runs are at the closest approach, long after the start. Without that, the error of Q was 1.6e-2 here."""
