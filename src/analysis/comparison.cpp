@@ -248,6 +248,16 @@ void compare_stretches(Workshop& w) {
   }
 }
 
+/// Compares the von Mises stresses, if both tables have them and at least one value is not 0.
+void compare_stresses(Workshop& w) {
+  for (const std::string name : {"mean_von_mises", "max_von_mises", "center_von_mises"}) {
+    if (!w.r.has_column(name) || !w.c.has_column(name)) continue;
+    const std::vector<double> r = w.r.column(name), c = w.c.column(name);
+    if (const double reference = std::max(largest(r), largest(c)); reference > 0)
+      w.add(name + "_difference", reference, each(std::minus{}, c, r));
+  }
+}
+
 using Drift = std::optional<double> ModelSummary::*;
 
 /// Adds the series of an angular momentum or a circulation, and sets the drifts of both models. If a table lacks one of
@@ -312,6 +322,7 @@ Comparison compare(const ModelRunTable& model, const ModelRunTable& reference, c
   compare_energies(w);
   compare_dissipation(w);
   compare_stretches(w);
+  compare_stresses(w);
   compare_momentum(w, "angular_momentum", {"J1", "J2", "J3"}, &ModelSummary::angular_momentum_drift);
   judge_total_momentum(w);
   compare_momentum(w, "circulation", {"Z1", "Z2", "Z3"}, &ModelSummary::circulation_drift);

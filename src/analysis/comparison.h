@@ -27,6 +27,9 @@
 ///                               The series exists if at least one model dissipates energy.
 ///   max_stretch_difference,
 ///   min_stretch_difference      (λ_c − λ_r) / λ_r,  with the largest or least principal stretch λ anywhere in the body
+///   mean_von_mises_difference,
+///   max_von_mises_difference,
+///   center_von_mises_difference (σ_c − σ_r) / max_t σ,  with a von Mises stress σ of the model with the larger maximum
 ///   angular_momentum_difference,
 ///   circulation_difference      |J_c − J_r| / J₀,  with the angular momentum or circulation J, and J₀ = max_t |J_r|. If
 ///                               this maximum is round-off, J₀ is a bound (momentum_reference of motion.h), or

@@ -8,6 +8,7 @@
 
 #include "io/block_cells.h"
 #include "mechanics/core/principal_axes.h"
+#include "mechanics/core/von_mises.h"
 
 namespace pseudorigid::io {
 namespace {
@@ -54,10 +55,6 @@ class Fields {
   const mechanics::BodyFields& body_;
   UnstructuredGrid& grid_;
 };
-
-double von_mises(const Matrix3d& stress) {
-  return std::sqrt(1.5) * (stress - stress.trace() / 3 * Matrix3d::Identity()).norm();
-}
 
 /// Calls visit(point) for the points of the surface: of all block faces whose four corners are on the ellipsoid of the
 /// reference surface. The other points of such a face need not be on the ellipsoid, because a polynomial may
@@ -131,7 +128,7 @@ UnstructuredGrid body_picture(const mechanics::PointBlocks& blocks, const mechan
   if (wanted.stress) {
     fields.add("cauchy_stress", 9, scaled(body.stress, units.stress()));
     fields.add_scalar("pressure", [&](std::size_t i) { return -units.stress() * stress(i).trace() / 3; });
-    fields.add_scalar("von_mises", [&](std::size_t i) { return units.stress() * von_mises(stress(i)); });
+    fields.add_scalar("von_mises", [&](std::size_t i) { return units.stress() * mechanics::von_mises(stress(i)); });
     if (!contact.planes.empty())
       fields.add("contact_pressure", 1, scaled(contact_pressure(blocks, body, contact), units.stress()));
   }

@@ -119,6 +119,12 @@ struct VibrationObservables {
   }();
 };
 
+/// The von Mises stress √(3/2) |dev σ| with the Cauchy stress σ of the law and of viscoelastic branches, without
+/// viscosity and volumetric stabilisation. Pressure does not change it. Its mean is over the reference body.
+struct StressObservables {
+  double mean = not_observed, largest = not_observed, at_center = not_observed;
+};
+
 /// The motion of the companions relative to the centre of mass of the body. The header observables/orbit.h has the
 /// formulas, and the texts of the columns below explain the members. Without companions, the energies are 0 and the
 /// other members are NaN. The elements and the members from `lag` to `obliquity` refer to the first companion, and
@@ -164,6 +170,7 @@ struct BodyObservables {
   ContactObservables contact{};
   OrbitObservables orbit{};
   VibrationObservables vibration{};
+  StressObservables stress{};
 
   /// The sum of all energies and of the dissipated energy.
   double energy() const {
@@ -210,6 +217,15 @@ inline constexpr BodyColumn<O> common_columns[] = {
      "Kirchhoff pressure per tr E0/3. Positive is pressure",
      [](const O& o) { return o.multiplier; }},
     {"a", &Quantities::axes, "length", "semi-axes of Q, in descending order", [](const O& o) { return o.semi_axes; }},
+    {"mean_von_mises", &Quantities::stresses, "pressure",
+     "mean over the reference body of the von Mises stress, without viscosity",
+     [](const O& o) { return o.stress.mean; }},
+    {"max_von_mises", &Quantities::stresses, "pressure",
+     "its largest value at the integration points, the surface and the centre; of finite elements at the nodes",
+     [](const O& o) { return o.stress.largest; }},
+    {"center_von_mises", &Quantities::stresses, "pressure",
+     "its value at the material centre; of finite elements at the nodes nearest to it",
+     [](const O& o) { return o.stress.at_center; }},
     {"contact", &Quantities::contact, "mass*length^2/time^2",
      "energy of the contact with rigid planes, if the scene has planes, as the columns after it",
      [](const O& o) { return o.contact.energy; }},

@@ -13,7 +13,7 @@ namespace pseudorigid::mechanics {
 struct Quantities {
   bool state = true, energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
   bool orbit = true;  ///< written only if the scene has companions
-  bool pressure = false, bipolar = false, stretches = false, vibration = false;
+  bool pressure = false, bipolar = false, stretches = false, stresses = false, vibration = false;
   /// A group without a word in parameter files, for models with motions that are not affine. The group is written if
   /// the energies are requested and the body has the volumetric stabilisation.
   bool volumetric = false;
@@ -54,6 +54,7 @@ inline constexpr QuantityGroup quantity_groups[] = {
      "them (Oliva 5.121), by differences along the path"},
     {"stretches", &Quantities::stretches,
      "the principal stretches of the mean deformation, and of a body that bends the largest and the least anywhere"},
+    {"stresses", &Quantities::stresses, "the von Mises stress: its mean, its largest value, and at the centre"},
     {"vibration", &Quantities::vibration,
      "of an incompressible elastic ball, the energy of vibration and its parts by the degree of the motion"},
 };

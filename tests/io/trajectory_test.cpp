@@ -50,6 +50,7 @@ ContinuumObservables distinct_observables() {
   o.orbit.torque << 123, 124, 125;
   o.orbit.spin << 126, 127, 128;
   o.orbit.total_momentum << 129, 130, 131;
+  o.stress = {132, 133, 134};
   return o;
 }
 
@@ -67,13 +68,14 @@ TEST(Trajectory, EveryGroupCanBeLeftOutAndTimeStays) {
   EXPECT_EQ(Reduced(nothing).names(), std::vector<std::string>{"time"});
   const ContinuumObservables o = distinct_observables();
   constexpr scene::Quantities all_groups{true, true, true, true, true, true, true, true,
-                                         true, true, true, true, true, true, true};
+                                         true, true, true, true, true, true, true, true};
   const std::vector<std::string> all = Continuum(all_groups).names();
   std::vector<double> full_row, row;
   Continuum(all_groups).row(7, o, full_row);
-  for (int mask = 0; mask < 1024; ++mask) {
-    const scene::Quantities some{bool(mask & 1),  bool(mask & 2),  bool(mask & 4),  bool(mask & 8),   bool(mask & 512),
-                                 bool(mask & 16), bool(mask & 32), bool(mask & 64), bool(mask & 128), bool(mask & 256)};
+  for (int mask = 0; mask < 2048; ++mask) {
+    const scene::Quantities some{bool(mask & 1),   bool(mask & 2),   bool(mask & 4),   bool(mask & 8),
+                                 bool(mask & 512), bool(mask & 16),  bool(mask & 32),  bool(mask & 64),
+                                 bool(mask & 128), bool(mask & 256), bool(mask & 1024)};
     const Continuum trajectory(some);
     const std::vector<std::string>& columns = trajectory.names();
     trajectory.row(7, o, row);
@@ -184,7 +186,7 @@ TEST(Trajectory, EveryColumnIsDocumented) {
     EXPECT_FALSE(column.documentation.empty()) << column.name;
     const std::string first = column.name.substr(0, column.name.find(' '));
     constexpr scene::Quantities all_groups{true, true, true, true, true, true, true, true,
-                                           true, true, true, true, true, true, true};
+                                           true, true, true, true, true, true, true, true};
     EXPECT_EQ(std::ranges::count(Continuum(all_groups).names(), first), 1) << first;
   }
 }

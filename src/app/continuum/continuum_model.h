@@ -63,7 +63,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
                                 Workspace& workspace) override {
     if (blocks_.points.empty()) blocks_ = continuum::nodal_blocks(ball_.space());
     mechanics::BodyFields fields;
-    mechanics::Status status = continuum::nodal_fields(ball_, law_, state, workspace, fields);
+    mechanics::Status status = continuum::nodal_fields(ball_, state, workspace, fields);
     if (context_.ranks->any(!status))
       return status ? mechanics::Status::failure("there is no stress to draw on another rank") : status;
     if (context_.scene.output.cells == scene::Cells::lagrange) continuum::make_equidistant(ball_.space(), fields);

@@ -32,6 +32,7 @@ BallBody::BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const 
                    std::optional<int> n_points, std::optional<int> contact_points)
     : space_(std::move(mesh), degree, n_accounts(loads),
              static_cast<unsigned int>(loads::constant_forcing(loads).companions.size())),
+      law_(stored.law),
       limit_(materials::limit_of(stored.law)),
       is_fluid_(std::holds_alternative<materials::Fluid>(stored.law)),
       kernels_(make_cell_kernels(space_, stored)),

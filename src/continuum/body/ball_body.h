@@ -143,6 +143,7 @@ class BallBody {
   double volume() const { return volume_; }
   double mass() const;
   const BallSpace& space() const { return space_; }
+  const materials::AnyLaw& law() const { return law_; }
   const CellKernels& kernels() const { return *kernels_; }
   const LoadForces& loads() const { return loads_; }
   /// The self-gravity, or null if there is none.
@@ -200,6 +201,7 @@ class BallBody {
   LeastPlace of_all_ranks(LeastPlace of_this_one) const;
 
   BallSpace space_;
+  materials::AnyLaw law_;
   std::string_view limit_;  ///< reason why the law does not admit some F (law_limits.h); empty if it has no limit
   bool is_fluid_;
   std::unique_ptr<CellKernels> kernels_;

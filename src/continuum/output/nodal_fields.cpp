@@ -69,9 +69,8 @@ double mean_potential(const BallBody& ball, const Vector& position) {
 /// Appends the fields at the nodes of a cell to `fields`, except the potential, which must already be set. A null
 /// `multiplier` means a multiplier of 0. `mean_potential` is ρφ̄, or 0 without self-gravity. Fails if det F is not
 /// positive and finite at a node.
-mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
-                           const Vector* multiplier, double mean_potential, unsigned int cell,
-                           mechanics::BodyFields& fields) {
+mechanics::Status add_cell(const BallBody& ball, const BallState& state, const Vector* multiplier,
+                           double mean_potential, unsigned int cell, mechanics::BodyFields& fields) {
   const BallSpace& space = ball.space();
   const int n_nodes = static_cast<int>(space.nodes_per_cell());
   const Eigen::Matrix3Xd X = nodal_values(space, space.reference_positions(), cell),
@@ -85,7 +84,7 @@ mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, c
   for (int i = 0; i < n_nodes; ++i) {
     const Eigen::Matrix3d F =
         reference_gradient(space.reference_cell(), x, i) * reference_gradient(space.reference_cell(), X, i).inverse();
-    if (auto status = materials::add_point(law, X.col(i), x.col(i), v.col(i), F, lambda[i], branches[i], fields);
+    if (auto status = materials::add_point(ball.law(), X.col(i), x.col(i), v.col(i), F, lambda[i], branches[i], fields);
         !status)
       return status;
   }
@@ -94,8 +93,8 @@ mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, c
 
 /// Sets `fields` at the points of `nodal_blocks`. `multiplier` is null for a ball without constraint. Fails if det F is
 /// not positive and finite at a node of this rank. Collective.
-mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
-                             const Vector* multiplier, mechanics::BodyFields& fields) {
+mechanics::Status all_fields(const BallBody& ball, const BallState& state, const Vector* multiplier,
+                             mechanics::BodyFields& fields) {
   fields = {};
   fields.potential = potential_at_nodes(ball, state.q);
   const double mean = ball.gravity() ? mean_potential(ball, state.q) : 0;
@@ -105,7 +104,7 @@ mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law,
   fields.moment = ball.mass_moment(relative) * ball.E0();
   const GhostValues ghosts(state.q), ghosts_of_velocity(state.v);
   for (unsigned int cell = 0; cell < ball.space().n_cells(); ++cell)
-    if (auto status = add_cell(ball, law, state, multiplier, mean, cell, fields); !status) return status;
+    if (auto status = add_cell(ball, state, multiplier, mean, cell, fields); !status) return status;
   const Sector& sector = ball.space().mesh().sector();
   for (auto* vectors : {&fields.X, &fields.x, &fields.v}) reflect(*vectors, 3, sector);
   for (auto* matrices : {&fields.F, &fields.stress}) reflect(*matrices, 9, sector);
@@ -173,18 +172,16 @@ std::vector<double> nodal_positions(const BallSpace& space) {
   return positions;
 }
 
-mechanics::Status nodal_fields(const ElasticBall& ball, const materials::AnyLaw& law,
-                               const mechanics::State<ElasticBall>& state, ElasticBall::Workspace& workspace,
-                               mechanics::BodyFields& fields) {
+mechanics::Status nodal_fields(const ElasticBall& ball, const mechanics::State<ElasticBall>& state,
+                               ElasticBall::Workspace& workspace, mechanics::BodyFields& fields) {
   Vector multiplier = ball.make_multiplier();
   if (auto status = mechanics::multiplier_of_motion(ball, state, workspace, multiplier); !status) return status;
-  return all_fields(ball, law, state, &multiplier, fields);
+  return all_fields(ball, state, &multiplier, fields);
 }
 
-mechanics::Status nodal_fields(const CompressibleBall& ball, const materials::AnyLaw& law,
-                               const mechanics::State<CompressibleBall>& state, CompressibleBall::Workspace&,
-                               mechanics::BodyFields& fields) {
-  return all_fields(ball, law, state, nullptr, fields);
+mechanics::Status nodal_fields(const CompressibleBall& ball, const mechanics::State<CompressibleBall>& state,
+                               CompressibleBall::Workspace&, mechanics::BodyFields& fields) {
+  return all_fields(ball, state, nullptr, fields);
 }
 
 void make_equidistant(const BallSpace& space, std::vector<double>& vectors) { make_equidistant(space, 3, vectors); }

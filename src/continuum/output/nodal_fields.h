@@ -27,14 +27,12 @@ mechanics::PointBlocks nodal_blocks(const BallSpace& space);
 std::vector<double> nodal_positions(const BallSpace& space);
 
 /// Sets `fields` at the points of `nodal_blocks`. Also sets the centre of mass c and the moment Σ m_n (x_n − c) X_nᵀ
-/// over the nodes n of the whole ball. `law` must be the law of the ball. Fails if the multiplier of the motion cannot
+/// over the nodes n of the whole ball. Fails if the multiplier of the motion cannot
 /// be computed, or if det F is not positive and finite at a node of this rank. Collective.
-mechanics::Status nodal_fields(const ElasticBall& ball, const materials::AnyLaw& law,
-                               const mechanics::State<ElasticBall>& state, ElasticBall::Workspace& workspace,
-                               mechanics::BodyFields& fields);
-mechanics::Status nodal_fields(const CompressibleBall& ball, const materials::AnyLaw& law,
-                               const mechanics::State<CompressibleBall>& state, CompressibleBall::Workspace& workspace,
-                               mechanics::BodyFields& fields);
+mechanics::Status nodal_fields(const ElasticBall& ball, const mechanics::State<ElasticBall>& state,
+                               ElasticBall::Workspace& workspace, mechanics::BodyFields& fields);
+mechanics::Status nodal_fields(const CompressibleBall& ball, const mechanics::State<CompressibleBall>& state,
+                               CompressibleBall::Workspace& workspace, mechanics::BodyFields& fields);
 
 /// Interpolates values from the Gauss–Lobatto nodes of each cell to the same number of equidistant points. The first
 /// function is for a list with three numbers for each node. The second function is for all fields.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "continuum/body/companion_sums.h"
+#include "continuum/output/observe_stress.h"
 #include "continuum/parallel/ranks.h"
 #include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/principal_axes.h"
@@ -97,6 +98,8 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
   }
   o.over_points =
       mechanics::observe_over_points(request, [&](const auto& value) { return ball.least(state.q, value).value; });
+  if (request.stresses)
+    if (auto status = observe_stress(ball, state.q, o.stress); !status) return status;
   if (request.axes) o.semi_axes = mechanics::singular_values(o.Q);
   if (request.nonaffine) {
     o.nonaffine_kinetic_fraction =
