@@ -253,8 +253,9 @@ void compare_stresses(Workshop& w) {
   for (const std::string name : {"mean_von_mises", "max_von_mises", "center_von_mises"}) {
     if (!w.r.has_column(name) || !w.c.has_column(name)) continue;
     const std::vector<double> r = w.r.column(name), c = w.c.column(name);
-    if (const double reference = std::max(largest(r), largest(c)); reference > 0)
-      w.add(name + "_difference", reference, each(std::minus{}, c, r));
+    const double of_r = largest(r), of_c = largest(c);
+    if (std::max(of_r, of_c) > 0) w.add(name + "_difference", std::max(of_r, of_c), each(std::minus{}, c, r));
+    if (of_c > 0) w.out.stress_ratios[name] = of_r / of_c;
   }
 }
 

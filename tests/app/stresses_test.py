@@ -118,6 +118,19 @@ class Stresses(RanksTest):
             largest = max(r + c)
             for found, a, b in zip(table.column(f"{name}_difference"), r, c):
                 self.assertAlmostEqual(found, (b - a) / largest, delta=1e-12, msg=name)
+            self.assertAlmostEqual(self.json("out", "comparison.json")["stress_ratios"][name], max(r) / max(c), delta=1e-12)
+
+    def test_sweep_of_a_comparison(self):
+        scene = {**STRETCH, "Models": "reduced, continuum", "Continuum/Degree": 2, "Continuum/Error estimate": "none", "Time/End": 0.5,
+                 "Output/Samples": 5, "Output/Quantities": "state, stresses"}
+        self.scene(scene)
+        self.run_done("run", "scene.prm", "--output", "single")
+        self.run_done("run", "scene.prm", "--output", "sweep", "--set", "Sweep/Parameters=m: 1, 3", "--set", "Material/Shear modulus=$(m)")
+        table = self.table("sweep", "sweep.csv")
+        for name in COLUMNS:
+            first, second = table.column(f"reduced_{name}_ratio")
+            self.assertEqual(first, self.json("single", "comparison.json")["stress_ratios"][name])
+            self.assertNotEqual(first, second)
 
 
 if __name__ == "__main__":

@@ -49,6 +49,9 @@ constexpr std::array differences{
     Difference{"multiplier_difference", &mechanics::Quantities::multiplier},
 };
 
+/// The columns of a von Mises stress. Each has a ratio if the scene requests the stresses.
+constexpr std::array stresses{"mean_von_mises", "max_von_mises", "center_von_mises"};
+
 /// The results of all models for one run of the sweep. `end` is the outcome of the run. `message` is the reason why the
 /// run has not finished.
 struct Results {
@@ -204,6 +207,10 @@ void add_results(const RunContext& context, const Results& results, std::vector<
       const auto* series = comparison ? comparison->find(difference.name) : nullptr;
       row.insert(row.end(), {series ? series->max : none, series ? series->rms : none});
     }
+    if (!context.needs.quantities.stresses) continue;
+    for (const char* stress : stresses)
+      row.push_back(comparison && comparison->stress_ratios.contains(stress) ? comparison->stress_ratios.at(stress)
+                                                                             : none);
   }
   for (const ColumnOfPair& column : columns_of_reference)
     row.push_back(comparisons.empty() ? none : column.value(comparisons.back()));
@@ -224,6 +231,8 @@ std::vector<std::string> columns_of_compared_runs(const scene::Scene& scene, con
     for (const Difference& difference : differences)
       if (needs.quantities.*difference.group)
         for (const char* what : {"_max", "_rms"}) names.push_back(column_prefix(runs[i].name) + difference.name + what);
+    if (needs.quantities.stresses)
+      for (const std::string stress : stresses) names.push_back(column_prefix(runs[i].name) + stress + "_ratio");
   }
   for (const ColumnOfPair& column : columns_of_reference) names.emplace_back(column.name);
   return names;
