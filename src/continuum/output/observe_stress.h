@@ -10,8 +10,8 @@
 namespace pseudorigid::continuum {
 
 /// Sets the mean over the reference ball by the Gauss–Lobatto rule, and the largest value at a node. The value at the
-/// centre is that of the mean Cauchy stress at the nodes nearest to it. Fails if det F is not positive and finite at a node, or if
-/// the law does not admit F there. Collective.
+/// centre is that of the mean Cauchy stress at the nodes nearest to it. Fails if det F is not positive and finite at a
+/// node, or if the law does not admit F there. Collective.
 mechanics::Status observe_stress(const BallBody& ball, const Vector& x, mechanics::StressObservables& observables);
 
 }  // namespace pseudorigid::continuum
