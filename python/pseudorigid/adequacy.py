@@ -36,10 +36,12 @@ RANGES = (("amplitude", "a", 0, 0.11, "frequency_ratio"), ("amplitude", "a", 0.2
             for measure in ("bulge", "strain", "momentum")),
           *(("static_tide", "g", low, high, f"{measure}_ratio") for low, high in ((-1, 1.01), (9, 11), (99, 101), (999, 1001))
             for measure in ("bulge", "strain")),
+          *(("stress", "s", 0.5, 1.5, f"{measure}_von_mises_ratio") for measure in ("mean", "max")),
           *((f"law-{law}", "l", low, high, "max_stretch_difference_max") for law in LAWS for low, high in ((1, 1.11), (1.69, 1.71))))
 # Columns that the pages and the pictures use, after the parameters.
 KEPT = ("compared", "_finished", "_amplitude", "_frequency_ratio", "_frequency_ratio_error", "_strain_difference_max",
-        "_max_stretch_difference_max", "_bulge_ratio", "_strain_ratio", "_strain_ratio_error", "_momentum_ratio")
+        "_max_stretch_difference_max", "_bulge_ratio", "_strain_ratio", "_strain_ratio_error", "_momentum_ratio", "_von_mises_ratio",
+        "_von_mises_difference_rms")
 
 
 def read(folder: pathlib.Path, family: str) -> Rows:
