@@ -124,6 +124,8 @@ def ball(rng, with_continuum):
         entries.update({"Output/Graphics": "vtu", "Output/Frames": 2})
     if incompressible and "Gravity/Constant" not in entries and rng.random() < 0.15:
         entries["Output/Quantities"] = "energies, momenta, vibration"
+    if rng.random() < 0.2:
+        entries["Output/Quantities"] = entries.get("Output/Quantities", "all") + ", stresses"
     planes = rng.random() < 0.15
     if planes:
         put_planes(rng, entries, radius, rate, modulus, Q)
