@@ -56,7 +56,7 @@ const numbers = text => text.split(",").map(Number);
 const isUnitBall = !systemFile && ["Body/Radius", "Body/Density", "Material/Shear modulus"].every(e => Number(scene[e]) === 1)
   && scene["Material/Law"] !== "none";
 const UNIT_WORDS = {"": "", "time": "r/c", "length": "r", "mass": "ρr³", "1/time": "c/r", "1/time^2": "c²/r²",
-  "length/time": "c", "mass*length^2/time^2": "ρr³c²", "mass*length^2/time": "ρr⁴c"};
+  "length/time": "c", "pressure": "μ", "mass*length^2/time^2": "ρr³c²", "mass*length^2/time": "ρr⁴c"};
 function unitInWords(unit) {
   if (!unit) return "";
   if (isUnitBall && unit in UNIT_WORDS) return UNIT_WORDS[unit];

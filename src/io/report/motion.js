@@ -71,12 +71,20 @@ function section(title, intro, ...content) {
   return parts.length ? [make("h2", {}, title), intro ? make("p", {class: "note"}, intro) : null, ...parts] : [];
 }
 
+const STRESSES = {mean_von_mises: "mean", max_von_mises: "largest value", center_von_mises: "at the centre"};
+function stressSections() {
+  if (!MODELS.some(m => m.table.has("mean_von_mises"))) return [];
+  return section("Von Mises stress", "A pseudo-rigid body has one stress everywhere.", legend(MODELS),
+    chartsOf(Object.entries(STRESSES).map(([name, words]) => ({name: words, values: model => column(model, name)})), "pressure"));
+}
+
 function deformationSections() {
-  if (!MODELS.some(m => m.table.has("Q11"))) return [];
+  if (!MODELS.some(m => m.table.has("Q11"))) return stressSections();
   const others = MODELS.filter(m => !m.isAffine);
   const meaning = others.length ? ` Of the ${others.map(m => m.name).join(" and the ")} Q is the mass moment, the affine motion nearest to its own in the sense of the mass.` : "";
   return [
     ...section("Deformation Q(t)", `x = QX carries the ball at rest to the moving one.${meaning}`, legend(MODELS), chartsOf(plain(pairs.map(p => `Q${p}`)), "")),
+    ...stressSections(),
     ...(MODELS.some(m => m.table.has("a1")) ? section("Semi-axes and volume", "Semi-axes of the ellipsoid that Q makes of the ball, numbered by their size at the start. An axis keeps its number when two axes become equal; the files sort the axes at each time, a1 ≥ a2 ≥ a3.", legend(MODELS),
       sideBySide(chartsOf(indices.map(i => ({name: `semi-axis ${i}`, values: axisOf(i)})), "length"), chartsOf([{name: "volume / undeformed volume", values: model => column(model, "volume_ratio")}], ""))) : []),
   ];
@@ -151,7 +159,8 @@ const DIFFERENCES = {
   a1_difference: "largest semi-axis, relative", a2_difference: "middle semi-axis, relative", a3_difference: "smallest semi-axis, relative",
   volume_ratio_difference: "volume over reference volume", kinetic_difference: "kinetic energy, over E_ref", elastic_difference: "elastic energy, over E_ref",
   energy_difference: "energy, over E_ref", angular_momentum_difference: "angular momentum, over J₀", circulation_difference: "circulation, over J₀",
-  multiplier_difference: "multiplier, over its largest value", nonaffine_kinetic_fraction: "non-affine part of the kinetic energy, of the reference model",
+  multiplier_difference: "multiplier, over its largest value", mean_von_mises_difference: "mean von Mises stress, over its largest value",
+  max_von_mises_difference: "largest von Mises stress, over its greatest value", center_von_mises_difference: "von Mises stress at the centre, over its largest value", nonaffine_kinetic_fraction: "non-affine part of the kinetic energy, of the reference model",
   nonaffine_displacement: "non-affine part of the position, of the reference model",
 };
 

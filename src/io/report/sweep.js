@@ -42,7 +42,7 @@ function tableQuantities(t) {
 }
 
 // Of a sweep of several models, the comparison of each with the last. −1 and, of a ratio, 0 stand for "not known".
-const COMPARED = [["frequency_ratio", "ratio of frequencies"], ["frequency_ratio_error", "error bar of the ratio"], ["strain_difference_max", "difference of C, over its amplitude"], ["q_difference_max", "difference of Q, relative"], ["elastic_difference_max", "difference of the elastic energy, over E₀"], ["max_stretch_difference_max", "difference of the largest stretch, relative"], ["dissipated_difference_max", "difference of the dissipated energy, relative"], ["tenth_of_period_after", "time until a tenth of a period apart"], ["phase_after_10_periods", "phase difference after ten periods, in periods"], ["phase_difference_max", "largest phase difference, in periods"]];
+const COMPARED = [["frequency_ratio", "ratio of frequencies"], ["frequency_ratio_error", "error bar of the ratio"], ["max_von_mises_ratio", "ratio of the largest stresses"], ["mean_von_mises_ratio", "ratio of the largest mean stresses"], ["strain_difference_max", "difference of C, over its amplitude"], ["q_difference_max", "difference of Q, relative"], ["elastic_difference_max", "difference of the elastic energy, over E₀"], ["max_stretch_difference_max", "difference of the largest stretch, relative"], ["dissipated_difference_max", "difference of the dissipated energy, relative"], ["tenth_of_period_after", "time until a tenth of a period apart"], ["phase_after_10_periods", "phase difference after ten periods, in periods"], ["phase_difference_max", "largest phase difference, in periods"]];
 // The column of the error bar of a quantity. −1 stands for "not known".
 const BARS = {frequency_ratio: "frequency_ratio_error", q_difference_max: "q_difference_error"};
 function barOf(t, model, end) {
@@ -54,7 +54,7 @@ function comparedQuantities(t) {
   for (const [end, words] of COMPARED)
     for (const name of t.names) {
       const model = name.slice(0, -end.length - 1);
-      if (name === `${model}_${end}` && known(name).some(Number.isFinite)) list.push({base: name, y: known(name), title: withUnit(`${model}: ${words}`, end === "tenth_of_period_after" ? "time" : ""), isMap: end === "frequency_ratio" || end === "strain_difference_max", bar: barOf(t, model, end)});
+      if (name === `${model}_${end}` && known(name).some(Number.isFinite)) list.push({base: name, y: known(name), title: withUnit(`${model}: ${words}`, end === "tenth_of_period_after" ? "time" : ""), isMap: ["frequency_ratio", "max_von_mises_ratio", "strain_difference_max"].includes(end), bar: barOf(t, model, end)});
     }
   if (known("nonaffine_displacement").some(Number.isFinite)) list.push({base: "nonaffine_displacement", y: known("nonaffine_displacement"), title: "largest non-affine part of the position"});
   return list;
