@@ -133,15 +133,25 @@ build() {
   NINJA_STATUS='[%f/%t, %e s] ' ninja -C "$directory" "${options[@]}" "${@:2}" >&2
 }
 
-# install_while_building PACKAGE…: installs what is missing for the finite elements and the tests, and meanwhile builds
-# what needs nothing of it. apt-get mostly waits, for the network and the disk.
+# install_while_building PACKAGE…: installs what is missing for the finite elements and the tests. Before the first build,
+# it meanwhile builds what needs none of them, since apt-get mostly waits for the network and the disk. This needs rights
+# without a question.
 install_while_building() {
-  local installer
-  mapfile -t missing < <(missing_packages "$@")
-  ((${#missing[@]})) || return 0
+  local missing installer
+  mapfile -t missing < <(missing_packages "$@" 2>/dev/null)
+  if ((${#missing[@]} == 0 || EUID != 0)) || is_configured release || ! command -v dpkg-query >/dev/null; then
+    install_packages "$@"
+    return
+  fi
   install_packages "$@" &
   installer=$!
-  configure release -DPSEUDORIGID_CONTINUUM=OFF -DPSEUDORIGID_TESTS=OFF -DPSEUDORIGID_WERROR="${PSEUDORIGID_WERROR:-OFF}"
-  build release pseudorigid || true  # its errors are those of the whole build
+  build_without_finite_elements || true  # its errors are those of the whole build
   wait "$installer"
 }
+
+# The objects serve the whole build. Without its build.ninja, the folder counts as not configured.
+build_without_finite_elements() (
+  trap 'rm -f "$root/build/release/build.ninja"' EXIT
+  configure release -DPSEUDORIGID_CONTINUUM=OFF -DPSEUDORIGID_TESTS=OFF -DPSEUDORIGID_WERROR="${PSEUDORIGID_WERROR:-OFF}"
+  build release pseudorigid
+)

@@ -248,14 +248,21 @@ void compare_stretches(Workshop& w) {
   }
 }
 
-/// Compares the von Mises stresses, if both tables have them and at least one value is not 0.
+double root_mean_square(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+/// Compares the von Mises stresses, if both tables have them. Stresses up to 1e-10 of the unit of stress are round-off.
 void compare_stresses(Workshop& w) {
+  const double round_off = 1e-10 * w.options.facts.stress_unit;
   for (const std::string name : {"mean_von_mises", "max_von_mises", "center_von_mises"}) {
     if (!w.r.has_column(name) || !w.c.has_column(name)) continue;
     const std::vector<double> r = w.r.column(name), c = w.c.column(name);
-    const double of_r = largest(r), of_c = largest(c);
-    if (std::max(of_r, of_c) > 0) w.add(name + "_difference", std::max(of_r, of_c), each(std::minus{}, c, r));
-    if (of_c > 0) w.out.stress_ratios[name] = of_r / of_c;
+    const double reference = std::max(largest(r), largest(c));
+    if (reference > round_off) w.add(name + "_difference", reference, each(std::minus{}, c, r));
+    if (largest(c) > round_off) w.out.stress_ratios[name] = root_mean_square(r) / root_mean_square(c);
   }
 }
 

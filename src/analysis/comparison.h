@@ -104,8 +104,8 @@ struct Comparison {
   /// n → phase_difference after n periods of the reference, for n = 1, 2, 5, 10, 20, 50 … within the run. The value is
   /// interpolated linearly between samples. The map is empty if there is no series phase_difference.
   std::map<int, double> phase_after_periods;
-  /// The largest value of a von Mises stress over the samples of model r, divided by that of the reference. The keys
-  /// are the columns of the stresses that both tables have, unless the stress of the reference is 0.
+  /// The root mean square of a von Mises stress over the samples of model r, divided by that of the reference. The keys
+  /// are the columns of the stresses that both tables have, unless the stress of the reference is round-off.
   std::map<std::string, double> stress_ratios;
   // The next four members are empty if the table of the reference lacks the columns of the non-affine motion. Each one
   // also requires a column of its own: kinetic, min_jacobian, max_volume_error and volume_error. F is the deformation

@@ -141,6 +141,7 @@ struct MotionSummary {
 struct SceneFacts {
   double resolution = 1e-10;  ///< relative accuracy of Q and C; smaller relative variations do not count as a motion
   double energy_unit = 0;     ///< unit of energy of the scene
+  double stress_unit = 0;     ///< unit of stress of the scene
   /// The entry Time/Tolerance, from which the program chose the step. It is empty if the scene sets Time/Step.
   std::optional<double> tolerance{};
   std::vector<double> load_frequencies{};  ///< nonzero angular frequencies of the periodic loads, of either sign

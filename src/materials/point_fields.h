@@ -18,7 +18,7 @@
 namespace pseudorigid::materials {
 
 /// Sets `stress` to σ without the pressure, P Fᵀ/det F, at a point with the reference position X. Fails if det F is not
-/// positive and finite, or if the law does not admit F.
+/// positive and finite.
 inline mechanics::Status cauchy_stress(const AnyLaw& law, const Eigen::Vector3d& X, const Eigen::Matrix3d& F,
                                        const BranchesAtPoint& branches, Eigen::Matrix3d& stress) {
   const double J = F.determinant();
@@ -28,8 +28,6 @@ inline mechanics::Status cauchy_stress(const AnyLaw& law, const Eigen::Vector3d&
     return mechanics::Status::failure(text);
   }
   const Tensor<double> f = to_tensor(F);
-  if (!std::visit([&](const auto& l) { return admits(l, f); }, law))
-    return mechanics::Status::failure(beyond_limit(limit_of(law)));
   const Eigen::Matrix3d P = to_matrix(std::visit([&](const auto& l) { return l.stress(f); }, law)) +
                             to_matrix(stress_of_branches(f, branches.inverse_sum));
   stress = P * F.transpose() / J;

@@ -85,20 +85,4 @@ mechanics::Status FieldsAtPoints::fields(const PolynomialBody& body, const Eigen
   return {};
 }
 
-mechanics::Status FieldsAtPoints::stresses(const PolynomialBody& body, const Eigen::VectorXd& q,
-                                           std::vector<Eigen::Matrix3d>& stress) const {
-  const PolynomialSpace& space = body.space();
-  const auto x = q.head(space.n_unknowns());
-  const double sum_of_moduli = materials::sum_of_moduli(body.constant_forcing().branches.list);
-  const Eigen::MatrixXd of_branches = body.relaxes() ? coefficients_of_branches(body, q) : Eigen::MatrixXd(0, 6);
-  stress.resize(points_.size());
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    if (auto status = materials::cauchy_stress(body.law(), space.semi_axes().cwiseProduct(points_[i]),
-                                               space.gradient(functions_[i], x),
-                                               branches_at(functions_[i], of_branches, sum_of_moduli), stress[i]);
-        !status)
-      return status;
-  return {};
-}
-
 }  // namespace pseudorigid::polynomial

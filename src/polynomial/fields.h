@@ -33,11 +33,6 @@ class FieldsAtPoints {
   mechanics::Status fields(const PolynomialBody& body, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                            const Eigen::VectorXd& lambda, mechanics::BodyFields& fields) const;
 
-  /// Sets `stress` to the Cauchy stresses at the points, without the reaction λ of the constraint. Fails if det F is
-  /// not positive and finite at a point.
-  mechanics::Status stresses(const PolynomialBody& body, const Eigen::VectorXd& q,
-                             std::vector<Eigen::Matrix3d>& stress) const;
-
  private:
   std::vector<Eigen::Vector3d> points_;
   std::vector<std::vector<Jet>> functions_;  ///< values and gradients of all basis functions at each point

@@ -6,7 +6,7 @@ import unittest
 import meshio
 import numpy as np
 
-from program_test import main
+from program_test import main, matrix
 from ranks import RanksTest
 
 COLUMNS = ("mean_von_mises", "max_von_mises", "center_von_mises")
@@ -62,9 +62,11 @@ class Stresses(RanksTest):
         F = np.diag([1.25, 0.8, 1])
         self.assertNotAlmostEqual(reduced.column("mean_von_mises")[0], von_mises(F @ F.T), delta=0.1)
 
-    def test_elements_have_the_stress_of_their_pictures(self):
+    def test_elements_have_about_the_stress_of_their_pictures(self):
+        """The pictures have the stress at the nodes, the columns at the Gauss points. The bound was set before the comparison."""
         for branches in ({}, BRANCHES):
-            entries = {**SHEAR, **branches, "Output/Graphics": "vtu", "Output/Frames": 4, "Output/Fields": "displacement, stress"}
+            entries = {**SHEAR, **branches, "Continuum/Degree": 5, "Time/End": 0.4, "Output/Graphics": "vtu", "Output/Frames": 4,
+                       "Output/Fields": "displacement, stress"}
             with self.subTest(branches=branches):
                 output = f"pictured{len(branches)}"
                 table = self.motion(entries, "continuum", output)
@@ -75,10 +77,29 @@ class Stresses(RanksTest):
                     picture = meshio.read(frame)
                     _, largest, center = rows[picture.field_data["TimeValue"][0]]
                     stress = picture.point_data["cauchy_stress"].reshape(-1, 3, 3)
-                    self.assertAlmostEqual(max(map(von_mises, stress)), largest, delta=1e-5 * (1 + largest))  # single precision
+                    self.assertAlmostEqual(max(map(von_mises, stress)), largest, delta=0.1 * largest + 1e-5)
                     distance = np.linalg.norm(picture.point_data["reference_coordinates"], axis=1)
                     central = stress[distance < distance.min() + 1e-6].mean(axis=0)
-                    self.assertAlmostEqual(von_mises(central), center, delta=1e-5 * (1 + center))
+                    self.assertAlmostEqual(von_mises(central), center, delta=0.1 * center + 1e-5)
+
+    def test_stresses_do_not_change_the_motion(self):
+        """The elements of this motion are inverted at nodes, but not at Gauss points."""
+        entries = {"Initial state/Deformation": matrix(1.5, 1 / 1.5, 1), "Continuum/Degree": 2, "Polynomial/Degree": 5, "Time/End": 3,
+                   "Output/Samples": 30}
+        for model in MODELS:
+            plain = self.motion({**entries, "Output/Quantities": "state"}, model, f"{model}-plain")
+            with_stresses = self.motion({**entries, "Output/Quantities": "state, stresses"}, model, f"{model}-with")
+            self.assertEqual(len(plain), 31)
+            for name in plain.header:
+                self.assertEqual(plain.column(name), with_stresses.column(name), f"{model} {name}")
+
+    def test_round_off_is_no_stress(self):
+        self.scene({"Models": "reduced, continuum", "Continuum/Degree": 2, "Continuum/Error estimate": "none", "Time/End": 1,
+                    "Output/Samples": 2, "Output/Quantities": "state, stresses"})
+        self.run_done("run", "scene.prm", "--output", "out")
+        self.assertLess(max(self.table("out/continuum.csv").column("max_von_mises")), 1e-12)
+        self.assertNotIn("stress_ratios", self.json("out", "comparison.json"))
+        self.assertNotIn("max_von_mises_difference", self.table("out/comparison.csv").header)
 
     def test_polynomial_bodies_converge_to_the_elements(self):
         """The motion has shear fronts from the surface, which the largest value and that of the centre need high degrees for. The
@@ -118,7 +139,7 @@ class Stresses(RanksTest):
             largest = max(r + c)
             for found, a, b in zip(table.column(f"{name}_difference"), r, c):
                 self.assertAlmostEqual(found, (b - a) / largest, delta=1e-12, msg=name)
-            self.assertAlmostEqual(self.json("out", "comparison.json")["stress_ratios"][name], max(r) / max(c), delta=1e-12)
+            self.assertAlmostEqual(self.json("out", "comparison.json")["stress_ratios"][name], np.linalg.norm(r) / np.linalg.norm(c), delta=1e-12)
 
     def test_sweep_of_a_comparison(self):
         scene = {**STRETCH, "Models": "reduced, continuum", "Continuum/Degree": 2, "Continuum/Error estimate": "none", "Time/End": 0.5,

@@ -74,6 +74,7 @@ analysis::SceneFacts facts_of(const RunContext& context) {
   const scene::Scene& scene = context.scene;
   return {.resolution = scene.time.tolerance,
           .energy_unit = context.units.energy(),
+          .stress_unit = context.units.stress(),
           .tolerance = scene.time.step ? std::nullopt : std::optional(scene.time.tolerance),
           .load_frequencies = loads::angular_frequencies(scene.loads),
           .loads_rise = scene::loads_rise(scene)};

@@ -4,6 +4,7 @@
 /// faster functions of cell_kernels.h.
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "continuum/mesh/ball_space.h"
 
@@ -19,15 +20,21 @@ inline Eigen::Matrix3Xd nodal_values(const BallSpace& space, const Vector& x, un
   return values;
 }
 
-/// ∂x/∂ξ at node i of a cell, with one column for each direction ξ_d. x contains the nodal values of the cell.
-inline Eigen::Matrix3d reference_gradient(const ReferenceCell& ref, const Eigen::Matrix3Xd& x, int i) {
+/// ∂x/∂ξ at point i of a grid of n³ points, with one column for each direction ξ_d. x contains the values at the
+/// points. `differentiate` maps the values of a row of n points to the derivatives at these points.
+inline Eigen::Matrix3d gradient_on_grid(const std::vector<double>& differentiate, int n, const Eigen::Matrix3Xd& x,
+                                        int i) {
   Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
-  for (int d = 0, stride = 1; d < 3; ++d, stride *= ref.n) {
-    const int position = i / stride % ref.n, first = i - position * stride;
-    for (int j = 0; j < ref.n; ++j)
-      gradient.col(d) += ref.differentiate_at_nodes[position * ref.n + j] * x.col(first + j * stride);
+  for (int d = 0, stride = 1; d < 3; ++d, stride *= n) {
+    const int position = i / stride % n, first = i - position * stride;
+    for (int j = 0; j < n; ++j) gradient.col(d) += differentiate[position * n + j] * x.col(first + j * stride);
   }
   return gradient;
+}
+
+/// ∂x/∂ξ at node i of a cell. x contains the nodal values of the cell.
+inline Eigen::Matrix3d reference_gradient(const ReferenceCell& ref, const Eigen::Matrix3Xd& x, int i) {
+  return gradient_on_grid(ref.differentiate_at_nodes, ref.n, x, i);
 }
 
 }  // namespace pseudorigid::continuum

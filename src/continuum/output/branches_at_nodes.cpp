@@ -50,4 +50,13 @@ std::vector<materials::BranchesAtPoint> branches_at_nodes(const BallBody& ball, 
   return result;
 }
 
+std::vector<materials::BranchesAtPoint> branches_at_points(const BallBody& ball, const Vector& x, unsigned int cell) {
+  const std::size_t n_points = ball.space().nodes_per_cell();
+  std::vector<materials::BranchesAtPoint> result(n_points);
+  if (!ball.relaxes()) return result;
+  const std::vector<Metric> sums = at_points(ball.branches(), x, cell, n_points);
+  for (std::size_t q = 0; q < n_points; ++q) result[q] = {sums[q], materials::sum_of_moduli(ball.branches())};
+  return result;
+}
+
 }  // namespace pseudorigid::continuum

@@ -27,8 +27,8 @@ mechanics::PointBlocks nodal_blocks(const BallSpace& space);
 std::vector<double> nodal_positions(const BallSpace& space);
 
 /// Sets `fields` at the points of `nodal_blocks`. Also sets the centre of mass c and the moment Σ m_n (x_n − c) X_nᵀ
-/// over the nodes n of the whole ball. Fails if the multiplier of the motion cannot
-/// be computed, or if det F is not positive and finite at a node of this rank. Collective.
+/// over the nodes n of the whole ball. Fails if the multiplier of the motion cannot be computed, or if det F is not
+/// positive and finite at a node of this rank. Collective.
 mechanics::Status nodal_fields(const ElasticBall& ball, const mechanics::State<ElasticBall>& state,
                                ElasticBall::Workspace& workspace, mechanics::BodyFields& fields);
 mechanics::Status nodal_fields(const CompressibleBall& ball, const mechanics::State<CompressibleBall>& state,

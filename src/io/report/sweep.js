@@ -1,7 +1,7 @@
 // A sweep: values over the parameter that takes most values, a line for each choice of the others, and of two parameters
 // a map.
 
-const SWEPT_UNITS = [[/^(kinetic|elastic|gravitational|external|dissipated|energy)$/, SQUARED], [/^[JZ]\d$/, MOMENTUM], [/^[ax]\d$/, "length"], [/^v\d$/, "length/time"], [/^Qdot/, "1/time"], [/^multiplier$/, "1/time^2"], [/^frequency$/, "1/time"], [/(_omega_\d+|^omega3|^growth_rate)$/, "1/time"], [/^surface\d$/, "length"]];
+const SWEPT_UNITS = [[/^(kinetic|elastic|gravitational|external|dissipated|energy)$/, SQUARED], [/^[JZ]\d$/, MOMENTUM], [/^[ax]\d$/, "length"], [/^v\d$/, "length/time"], [/^Qdot/, "1/time"], [/^multiplier$/, "1/time^2"], [/^frequency$/, "1/time"], [/(_omega_\d+|^omega3|^growth_rate)$/, "1/time"], [/^surface\d$/, "length"], [/_von_mises$/, "pressure"]];
 const MOST_LINES = 6, MOST_RUNS = 30;
 
 function sweptUnit(name) {
@@ -42,7 +42,7 @@ function tableQuantities(t) {
 }
 
 // Of a sweep of several models, the comparison of each with the last. −1 and, of a ratio, 0 stand for "not known".
-const COMPARED = [["frequency_ratio", "ratio of frequencies"], ["frequency_ratio_error", "error bar of the ratio"], ["max_von_mises_ratio", "ratio of the largest stresses"], ["mean_von_mises_ratio", "ratio of the largest mean stresses"], ["strain_difference_max", "difference of C, over its amplitude"], ["q_difference_max", "difference of Q, relative"], ["elastic_difference_max", "difference of the elastic energy, over E₀"], ["max_stretch_difference_max", "difference of the largest stretch, relative"], ["dissipated_difference_max", "difference of the dissipated energy, relative"], ["tenth_of_period_after", "time until a tenth of a period apart"], ["phase_after_10_periods", "phase difference after ten periods, in periods"], ["phase_difference_max", "largest phase difference, in periods"]];
+const COMPARED = [["frequency_ratio", "ratio of frequencies"], ["frequency_ratio_error", "error bar of the ratio"], ["max_von_mises_ratio", "ratio of the largest stresses (rms)"], ["mean_von_mises_ratio", "ratio of the mean stresses (rms)"], ["strain_difference_max", "difference of C, over its amplitude"], ["q_difference_max", "difference of Q, relative"], ["elastic_difference_max", "difference of the elastic energy, over E₀"], ["max_stretch_difference_max", "difference of the largest stretch, relative"], ["dissipated_difference_max", "difference of the dissipated energy, relative"], ["tenth_of_period_after", "time until a tenth of a period apart"], ["phase_after_10_periods", "phase difference after ten periods, in periods"], ["phase_difference_max", "largest phase difference, in periods"]];
 // The column of the error bar of a quantity. −1 stands for "not known".
 const BARS = {frequency_ratio: "frequency_ratio_error", q_difference_max: "q_difference_error"};
 function barOf(t, model, end) {
