@@ -293,8 +293,8 @@ def changed_numbers(rng, value):
 
 
 def energy_drift(run):
-    """Largest change of the energy over the largest kinetic energy or change of another part, by model; only where the
-    energy is to stay."""
+    """Largest change of the energy over the largest kinetic energy, of the body or of the orbits, or change of another part, by
+    model; only where the energy is to stay."""
     drifts = {}
     for path in run.files(".csv"):
         if path.stem in ("comparison", "moving_frame", "manifolds") or path.stem.startswith("equilibria"):
@@ -305,7 +305,7 @@ def energy_drift(run):
         energy = table.column("energy")
         parts = [name for name in ("kinetic", "elastic", "gravitational", "external", "potential", "orbital", "interaction") if name in table.header]
         scale = max(max(abs(x - table.column(name)[0]) for x in table.column(name)) for name in parts)
-        scale = max(scale, max(map(abs, table.column("kinetic"))))
+        scale = max([scale] + [max(map(abs, table.column(name))) for name in ("kinetic", "orbital") if name in table.header])
         if scale > 0:
             drifts[path.stem] = max(abs(x - energy[0]) for x in energy) / scale
     return drifts
