@@ -31,36 +31,13 @@
 #include "entries/unit.h"
 #include "mechanics/core/kepler.h"
 #include "mechanics/core/principal_axes.h"
+#include "observables/observable_request.h"
 #include "observables/quantities.h"
 
 namespace pseudorigid::mechanics {
 
 /// The value of an observable that a model does not set.
 inline constexpr double not_observed = std::numeric_limits<double>::quiet_NaN();
-
-/// A column with an extreme value over the quadrature points of the whole body: the largest value(F) if `largest` is
-/// true, otherwise the least value(F). F is the deformation gradient at a point.
-struct OverPoints {
-  bool largest;
-  double (*value)(const Eigen::Matrix3d& F);
-};
-
-/// The groups of observables that the output requests. Models need not compute the other groups. `over_points` contains
-/// the requested columns of the type OverPoints.
-struct ObservableRequest : Quantities {
-  std::vector<OverPoints> over_points{};
-};
-
-/// Returns one value for each entry of request.over_points. The caller provides the function `least`: least(value)
-/// returns the least value(F) over the quadrature points of the whole body.
-template <class Least>
-std::vector<double> observe_over_points(const ObservableRequest& request, const Least& least) {
-  std::vector<double> values;
-  for (const OverPoints& asked : request.over_points)
-    values.push_back(asked.largest ? -least([&](const Eigen::Matrix3d& F) { return -asked.value(F); })
-                                   : least(asked.value));
-  return values;
-}
 
 /// The entries 12, 13 and 23 of an antisymmetric matrix.
 struct AntisymmetricEntries {
@@ -387,9 +364,9 @@ inline constexpr BodyColumn<ContinuumObservables> continuum_columns[] = {
     {"stretch", &Quantities::stretches, "", "principal stretches of the mean deformation gradient, in descending order",
      [](const ContinuumObservables& o) { return singular_values(o.F); }},
     {"max_stretch", &Quantities::stretches, "", "largest principal stretch at the integration points",
-     OverPoints{true, [](const Eigen::Matrix3d& F) { return singular_values(F)[0]; }}},
+     OverPoints{true, [](const Eigen::Matrix3d& F) { return singular_values(F)[0]; }, largest_singular_value_bound}},
     {"min_stretch", &Quantities::stretches, "", "least principal stretch at the integration points",
-     OverPoints{false, [](const Eigen::Matrix3d& F) { return singular_values(F)[2]; }}},
+     OverPoints{false, [](const Eigen::Matrix3d& F) { return singular_values(F)[2]; }, least_singular_value_bound}},
 };
 
 }  // namespace pseudorigid::mechanics

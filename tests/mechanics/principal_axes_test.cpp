@@ -59,5 +59,53 @@ TEST(PrincipalAxes, ClosedFormIsRightToEightDigits) {
   }
 }
 
+/// A matrix with these singular values and random directions.
+Matrix3d with_singular_values(const Vector3d& sigma, std::mt19937& generator) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto rotation = [&] {
+    return Eigen::Quaterniond(uniform(generator), uniform(generator), uniform(generator), uniform(generator))
+        .normalized()
+        .toRotationMatrix();
+  };
+  return rotation() * sigma.asDiagonal() * rotation();
+}
+
+TEST(PrincipalAxes, BoundsOfSingularValuesHoldAndAreClose) {
+  std::mt19937 generator(9);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int n = 0; n < 20000; ++n) {
+    // The differences of the singular values are of every size, and every third pair or triple is nearly equal.
+    const double size = std::pow(10, -8 + 7.7 * n / 20000);
+    Vector3d sigma(1, 1 + size * uniform(generator), 1 + size * uniform(generator));
+    if (n % 3 == 0) sigma[1] = sigma[0] + 1e-6 * size * uniform(generator);
+    if (n % 3 == 1) sigma[2] = sigma[1] + 1e-9 * size * uniform(generator);
+    const Matrix3d F = with_singular_values(std::pow(10, 3 * uniform(generator)) * sigma, generator);
+    const Vector3d exact = singular_values(F);
+    const double most = largest_singular_value_bound(F), least = least_singular_value_bound(F);
+    EXPECT_GE(most, exact[0]) << n;
+    EXPECT_LE(least, exact[2]) << n;
+    const double width = exact[0] - exact[2];
+    if (width > 1e-5 * exact[0]) {
+      EXPECT_LE(most - exact[0], 1e-3 * width) << n;
+      EXPECT_LE(exact[2] - least, 1e-3 * width) << n;
+    }
+  }
+}
+
+TEST(PrincipalAxes, BoundsHoldForThinAndRigidAndInfiniteMatrices) {
+  std::mt19937 generator(10);
+  for (int n = 0; n < 200; ++n)
+    for (const Vector3d& sigma :
+         {Vector3d(1, 1, 1), Vector3d(1e4, 1, 1e-4), Vector3d(1, 1, 0), Vector3d(1e3, 1e3, 1)}) {
+      const Matrix3d F = with_singular_values(sigma, generator);
+      const Vector3d exact = singular_values(F);
+      EXPECT_GE(largest_singular_value_bound(F), exact[0]);
+      EXPECT_LE(least_singular_value_bound(F), exact[2]);
+    }
+  EXPECT_TRUE(std::isnan(largest_singular_value_bound(Matrix3d::Constant(NAN))));
+  EXPECT_EQ(least_singular_value_bound(Matrix3d::Constant(NAN)), 0);
+  EXPECT_EQ(largest_singular_value_bound(Matrix3d::Zero()), 0);
+}
+
 }  // namespace
 }  // namespace pseudorigid::mechanics

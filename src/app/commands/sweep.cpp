@@ -108,9 +108,10 @@ class Workers {
         parameters_(parameters),
         context_(context),
         rows_(rows),
+        group_(task.group_size()),
         first_(rows.next_run()),
         end_(end),
-        next_(first_ / group * group) {}
+        next_(first_ / group_ * group_) {}
 
   /// Computes the runs with at most `n_threads` threads. Returns the number of threads, including the calling thread.
   /// This number is smaller than `n_threads` if a thread cannot be started. After the end of all threads, rethrows the
@@ -138,8 +139,6 @@ class Workers {
   const std::optional<std::pair<int, std::string>>& wrong_input() const { return wrong_input_; }
 
  private:
-  static constexpr int group = 8;  ///< runs of a group, as many as SIMD lanes (app/reduced/reduced_in_lanes.h)
-
   /// Consecutive runs with the numbers `begin` to `end` − 1. The runs from `next` on do not have a row yet.
   struct Group {
     int begin, next, end;
@@ -156,8 +155,8 @@ class Workers {
       return taken;
     }
     if (next_ >= end_) return {};
-    const int begin = std::exchange(next_, next_ + group);
-    return Group{begin, std::max(begin, first_), std::min(begin + group, end_)};
+    const int begin = std::exchange(next_, next_ + group_);
+    return Group{begin, std::max(begin, first_), std::min(begin + group_, end_)};
   }
 
   /// Computes groups until there are no further groups. If memory is exhausted and `has_others` is true, returns the
@@ -223,6 +222,7 @@ class Workers {
   const scene::Sweep& parameters_;
   const RunContext& context_;
   SweepRows& rows_;
+  int group_;                 ///< runs of a group
   int first_;                 ///< first run that did not have a row when the sweep started
   int end_;                   ///< number of the last run plus 1
   std::mutex mutex_;          ///< protects the members below; n_together_ is atomic

@@ -54,9 +54,12 @@ class SweepRun : public SweepTask {
     return columns_of_sweep(context_.scene, context_.needs, conserved_);
   }
   FinishedRun run(int k) const override;
+  int group_size() const override { return together_ ? n_lanes : 1; }
   std::optional<std::vector<FinishedRun>> run_together(int first, int last) const override;
 
  private:
+  static constexpr int n_lanes = 8;  ///< lanes of `together` (app/reduced/reduced_in_lanes.h)
+
   /// The rows and the outcome of one run.
   struct Result {
     io::Table rows;

@@ -28,6 +28,9 @@ class SweepTask {
   /// Computes run k. Several threads call this function at the same time. Throws UserError if the scene of the run is
   /// not valid.
   virtual FinishedRun run(int k) const = 0;
+  /// Number of runs that a thread takes at a time. More than 1 only for run_together, because threads share the last
+  /// runs of a sweep best if they take them one by one.
+  virtual int group_size() const { return 1; }
   /// Computes the runs first, …, last − 1 at the same time, in SIMD lanes, and returns them in this order. Returns an
   /// empty value if a caller must compute each run separately.
   virtual std::optional<std::vector<FinishedRun>> run_together(int /*first*/, int /*last*/) const { return {}; }

@@ -102,10 +102,12 @@ Status multiplier_of_motion(const S& system, const State<S>& state, typename S::
     scale(0.0, lambda);
     residual = rhs;
     constexpr int max_refinements = 8;
+    constexpr double round_off = 1e-14;
+    const double enough = round_off * max_norm(rhs);
     double before = HUGE_VAL;
     for (int i = 0; i < max_refinements; ++i) {
       const double norm = max_norm(residual);
-      if (norm == 0 || norm > 0.5 * before) break;  // a residual that did not halve is round-off
+      if (norm <= enough || norm > 0.5 * before) break;  // a residual that did not halve is round-off as well
       before = norm;
       if (SolveReport report = system.solve_gram(state.q, state.q, residual, workspace, delta); !report.status)
         return std::move(report.status);

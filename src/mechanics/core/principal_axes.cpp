@@ -51,15 +51,31 @@ double cosine_of_third(double q) {
   return c - 2 * f * slope / (2 * slope * slope - f * curvature);
 }
 
+namespace {
+
+/// The matrix B = C − m Id, m = ⅓ tr C, with |B|² = 6p², and its determinant. `far` is 2 cos(⅓ arccos q), so that the
+/// eigenvalue of B farthest from the other two is ±p `far`.
+struct Deviator {
+  double m, p, determinant, far;
+  Symmetric B;
+
+  explicit Deviator(const Symmetric& C) : m((C.diagonal[0] + C.diagonal[1] + C.diagonal[2]) / 3) {
+    B = {{C.diagonal[0] - m, C.diagonal[1] - m, C.diagonal[2] - m}, C.opposite};
+    const auto& [b, c] = B;
+    const double p_squared = (dot(b, b) + 2 * dot(c, c)) / 6;
+    p = std::sqrt(p_squared);
+    determinant =
+        (b[0] * (b[1] * b[2] - c[0] * c[0]) - b[1] * (c[1] * c[1])) + (2 * (c[0] * c[1]) * c[2] - b[2] * (c[2] * c[2]));
+    far = 2 * cosine_of_third(std::abs(determinant) / (2 * p_squared * p));
+  }
+};
+
+}  // namespace
+
 Eigen::Matrix3d eigenvectors(const Symmetric& C) {
-  const double mean = (C.diagonal[0] + C.diagonal[1] + C.diagonal[2]) / 3;
-  const Symmetric B{{C.diagonal[0] - mean, C.diagonal[1] - mean, C.diagonal[2] - mean}, C.opposite};
-  const auto& [b, c] = B;
-  const double p_squared = (dot(b, b) + 2 * dot(c, c)) / 6, p = std::sqrt(p_squared);
-  const double determinant =
-      (b[0] * (b[1] * b[2] - c[0] * c[0]) - b[1] * (c[1] * c[1])) + (2 * (c[0] * c[1]) * c[2] - b[2] * (c[2] * c[2]));
-  const double lambda =
-      std::copysign(2 * p * cosine_of_third(std::abs(determinant) / (2 * p_squared * p)), determinant);
+  const Deviator deviator(C);
+  const auto& [b, c] = deviator.B;
+  const double lambda = std::copysign(deviator.p * deviator.far, deviator.determinant);
 
   const Eigen::Vector3d n(b[0] - lambda, b[1] - lambda, b[2] - lambda);
   const Eigen::Vector3d minors(n[1] * n[2] - c[0] * c[0], n[2] * n[0] - c[1] * c[1], n[0] * n[1] - c[2] * c[2]);
@@ -72,8 +88,8 @@ Eigen::Matrix3d eigenvectors(const Symmetric& C) {
   const double length = std::sqrt(dot(v, v)), signed_length = std::copysign(length, v[2]), w = v[2] + signed_length;
   const double e = 1 / (signed_length * w), e0 = e * v[0], e1 = e * v[1];
   Eigen::Vector3d u0(1 - e0 * v[0], -e0 * v[1], -e0 * w), u1(-e1 * v[0], 1 - e1 * v[1], -e1 * w);
-  const Eigen::Vector3d B_u1 = B * u1;
-  diagonalizing(dot(u0, B * u0), dot(u1, B_u1), dot(u0, B_u1)).apply(u0, u1);
+  const Eigen::Vector3d B_u1 = deviator.B * u1;
+  diagonalizing(dot(u0, deviator.B * u0), dot(u1, B_u1), dot(u0, B_u1)).apply(u0, u1);
   Eigen::Matrix3d U;
   U << u0, u1, v / length;
   return U;
@@ -106,6 +122,19 @@ void sweep(Eigen::Matrix3d& W, Eigen::Matrix3d& U, double tolerance) {
     rotation.apply(u_of_U, v_of_U);
     W.col(i) = u, W.col(j) = v, U.col(i) = u_of_U, U.col(j) = v_of_U;
   }
+}
+
+/// Returns a number that is at least x = s λ for all eigenvalues λ of FᵀF, with the sign s = ±1. If det B has the sign
+/// s, the largest x is s m + 2pc, with c = cos(⅓ arccos q). Otherwise it is s m + p(c + √3 √(1 − c²)). The margins are
+/// larger than the error of cosine_of_third and the round-off.
+double bound_of_eigenvalues(const Eigen::Matrix3d& F, double s) {
+  constexpr double margin_of_cosine = 1e-7, margin = 1e-14, too_small = 1e-6;
+  const Deviator deviator(gram(F));
+  const double c = std::min(1.0, deviator.far / 2);
+  const double of_p = deviator.p < too_small * deviator.m ? 2
+                      : s * deviator.determinant > 0      ? 2 * c + margin_of_cosine
+                                                          : c + std::sqrt(3 * (1 - c * c + margin_of_cosine));
+  return (s + margin) * deviator.m + of_p * deviator.p;
 }
 
 }  // namespace
@@ -147,6 +176,13 @@ Eigen::Vector3d singular_values(const Eigen::Matrix3d& F) {
   Eigen::Vector3d sigma = principal_axes(F).a;
   std::sort(sigma.begin(), sigma.end(), std::greater<>());
   return sigma;
+}
+
+double largest_singular_value_bound(const Eigen::Matrix3d& F) {
+  return std::sqrt(detail::axes::bound_of_eigenvalues(F, 1));
+}
+double least_singular_value_bound(const Eigen::Matrix3d& F) {
+  return std::sqrt(std::max(0.0, -detail::axes::bound_of_eigenvalues(F, -1)));
 }
 
 }  // namespace pseudorigid::mechanics

@@ -82,4 +82,11 @@ PrincipalAxes principal_axes(const Eigen::Matrix3d& F);
 /// Returns the singular values σ₁ ≥ σ₂ ≥ σ₃ of F, which are the sorted lengths of the semi-axes.
 Eigen::Vector3d singular_values(const Eigen::Matrix3d& F);
 
+/// Returns a number that is at least σ₁(F), without iterations. It is larger by at most 1e-3 (σ₁ − σ₃) if σ₃ is at
+/// least half of σ₁ and differs from σ₁ by more than 1e-5 σ₁. Returns NaN if F is not finite.
+double largest_singular_value_bound(const Eigen::Matrix3d& F);
+/// Returns a number that is at most σ₃(F), and smaller by as much as largest_singular_value_bound is larger. Returns 0
+/// if F is not finite.
+double least_singular_value_bound(const Eigen::Matrix3d& F);
+
 }  // namespace pseudorigid::mechanics

@@ -85,7 +85,7 @@ class MethodChoice {
       double least_later = HUGE_VAL;
       for (auto later = method + 1; later != methods.end(); ++later)
         if (request_.spare_pilots || later->order > method->order)
-          least_later = std::min(least_later, search.least_forces(*later));
+          least_later = std::min(least_later, likely_forces(search, *later));
       trials_.push_back(search.try_method(*method, std::min(cheapest, clearly_dearer * least_later)));
       const Trial& trial = trials_.back();
       hopeless_ = trial.verdict == Trial::Verdict::failed && !adaptive_;

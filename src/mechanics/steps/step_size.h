@@ -15,9 +15,9 @@
 /// determines the order. A method is skipped if its least cost exceeds the cost of the best method so far. If force
 /// evaluations are costly, the bound is 0.8 of this cost. During the search for the step of a method, pilot runs
 /// predict the cost of the method. The search for this method ends if the predicted cost exceeds the cost of the best
-/// method so far. It also ends if the predicted cost is four times the least cost of a later method. If force
-/// evaluations are cheap, only later methods of higher order count. Without an adaptive method, the first method for
-/// which no step is found ends the whole search.
+/// method so far. It also ends if the predicted cost is four times the least cost of a later method, which
+/// counts twice for a method of order 2. If force evaluations are cheap, only later methods of higher order count.
+/// Without an adaptive method, the first method for which no step is found ends the whole search.
 
 #include <Eigen/Core>
 #include <optional>
