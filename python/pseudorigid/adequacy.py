@@ -41,7 +41,7 @@ RANGES = (("amplitude", "a", 0, 0.11, "frequency_ratio"), ("amplitude", "a", 0.2
 # Columns that the pages and the pictures use, after the parameters.
 KEPT = ("compared", "_finished", "_amplitude", "_frequency_ratio", "_frequency_ratio_error", "_strain_difference_max",
         "_max_stretch_difference_max", "_bulge_ratio", "_strain_ratio", "_strain_ratio_error", "_momentum_ratio", "_von_mises_ratio",
-        "_von_mises_difference_rms")
+        "_von_mises_ratio_error", "_von_mises_difference_rms")
 
 
 def read(folder: pathlib.Path, family: str) -> Rows:

@@ -254,6 +254,23 @@ double root_mean_square(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
+/// The error of the ratio `value` of the stress `name`, whose samples in the table of the model are r (StressRatio).
+ErrorBar error_of_stress_ratio(const Workshop& w, const std::string& name, const std::vector<double>& r, double value) {
+  ErrorBar error{.time = {}, .space = w.of_reference.space == 0.0 ? w.of_reference.space : std::nullopt};
+  if (const OtherResolution* other = w.of_reference.other; other && other->samples.has_column(name)) {
+    const double of_other = root_mean_square(r) / root_mean_square(other->samples.column(name));
+    error.space = other->factor_of_stress * std::abs(value - of_other);
+  }
+  const auto part = [&](std::optional<double> RunErrors::*of_Q) -> std::optional<double> {
+    const auto &a = w.of_model.*of_Q, &b = w.of_reference.*of_Q;
+    if (!a || !b || !w.out.has_state) return {};
+    return 3 * value * (ratio_or_zero(*a, w.out.model.departure) + ratio_or_zero(*b, w.out.reference.departure));
+  };
+  error.time = part(&RunErrors::time);
+  error.quadrature = part(&RunErrors::quadrature);
+  return error;
+}
+
 /// Compares the von Mises stresses, if both tables have them. Stresses up to 1e-10 of the unit of stress are round-off.
 void compare_stresses(Workshop& w) {
   const double round_off = 1e-10 * w.options.facts.stress_unit;
@@ -262,7 +279,9 @@ void compare_stresses(Workshop& w) {
     const std::vector<double> r = w.r.column(name), c = w.c.column(name);
     const double reference = std::max(largest(r), largest(c));
     if (reference > round_off) w.add(name + "_difference", reference, each(std::minus{}, c, r));
-    if (largest(c) > round_off) w.out.stress_ratios[name] = root_mean_square(r) / root_mean_square(c);
+    if (largest(c) <= round_off) continue;
+    const double ratio = root_mean_square(r) / root_mean_square(c);
+    w.out.stress_ratios[name] = {ratio, error_of_stress_ratio(w, name, r, ratio)};
   }
 }
 

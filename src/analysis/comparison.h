@@ -85,6 +85,16 @@ struct FrequencyRatio {
   ErrorBar error;    ///< bound for the error of the ratio due to the errors of both frequencies
 };
 
+/// The root mean square of a von Mises stress over the samples of model r, divided by that of the reference. `error`
+/// has these parts: `space` is the change of the ratio with the reference on another discretisation, times a factor
+/// (OtherResolution). `time` and `quadrature` are 3 (e_r/d_r + e_c/d_c) times the ratio. Here e is the error of an
+/// entry of Q and d is max_t |Q − Q(0)|. These two parts assume that strains have the relative error of the affine
+/// motion.
+struct StressRatio {
+  double value = 0;
+  ErrorBar error;
+};
+
 struct Comparison {
   std::vector<double> time;
   std::vector<Series> series;
@@ -104,9 +114,8 @@ struct Comparison {
   /// n → phase_difference after n periods of the reference, for n = 1, 2, 5, 10, 20, 50 … within the run. The value is
   /// interpolated linearly between samples. The map is empty if there is no series phase_difference.
   std::map<int, double> phase_after_periods;
-  /// The root mean square of a von Mises stress over the samples of model r, divided by that of the reference. The keys
-  /// are the columns of the stresses that both tables have, unless the stress of the reference is round-off.
-  std::map<std::string, double> stress_ratios;
+  /// The keys are the columns of the stresses that both tables have, unless the stress of the reference is round-off.
+  std::map<std::string, StressRatio> stress_ratios;
   // The next four members are empty if the table of the reference lacks the columns of the non-affine motion. Each one
   // also requires a column of its own: kinetic, min_jacobian, max_volume_error and volume_error. F is the deformation
   // gradient.

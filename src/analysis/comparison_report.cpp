@@ -274,7 +274,10 @@ nlohmann::ordered_json comparison_json(const Comparison& c) {
   json["frequency"] = c.has_state ? frequency_json(c) : Json(nullptr);
   json[c.model.name] = model_json(c.model, c.has_state);
   json[c.reference.name] = model_json(c.reference, c.has_state);
-  if (!c.stress_ratios.empty()) json["stress_ratios"] = c.stress_ratios;
+  for (const auto& [name, ratio] : c.stress_ratios) {
+    json["stress_ratios"][name] = {{"value", ratio.value}};
+    add_errors(json["stress_ratios"][name], "", ratio.error, false);
+  }
   json["mean_nonaffine_kinetic_fraction"] = to_json(c.mean_nonaffine_kinetic_fraction);
   json["min_jacobian"] = to_json(c.min_jacobian);
   json["volume_error"] = to_json(c.volume_error);

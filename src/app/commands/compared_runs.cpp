@@ -49,7 +49,7 @@ constexpr std::array differences{
     Difference{"multiplier_difference", &mechanics::Quantities::multiplier},
 };
 
-/// The columns of a von Mises stress. Each has a ratio if the scene requests the stresses.
+/// The columns of a von Mises stress. Each has a ratio and its error if the scene requests the stresses.
 constexpr std::array stresses{"mean_von_mises", "max_von_mises", "center_von_mises"};
 
 /// The results of all models for one run of the sweep. `end` is the outcome of the run. `message` is the reason why the
@@ -208,9 +208,11 @@ void add_results(const RunContext& context, const Results& results, std::vector<
       row.insert(row.end(), {series ? series->max : none, series ? series->rms : none});
     }
     if (!context.needs.quantities.stresses) continue;
-    for (const char* stress : stresses)
-      row.push_back(comparison && comparison->stress_ratios.contains(stress) ? comparison->stress_ratios.at(stress)
-                                                                             : none);
+    for (const char* stress : stresses) {
+      const bool is_known = comparison && comparison->stress_ratios.contains(stress);
+      const auto ratio = is_known ? comparison->stress_ratios.at(stress) : analysis::StressRatio{none, {}};
+      row.insert(row.end(), {ratio.value, ratio.error.total().value_or(unknown)});
+    }
   }
   for (const ColumnOfPair& column : columns_of_reference)
     row.push_back(comparisons.empty() ? none : column.value(comparisons.back()));
@@ -232,7 +234,9 @@ std::vector<std::string> columns_of_compared_runs(const scene::Scene& scene, con
       if (needs.quantities.*difference.group)
         for (const char* what : {"_max", "_rms"}) names.push_back(column_prefix(runs[i].name) + difference.name + what);
     if (needs.quantities.stresses)
-      for (const std::string stress : stresses) names.push_back(column_prefix(runs[i].name) + stress + "_ratio");
+      for (const std::string stress : stresses)
+        for (const char* what : {"_ratio", "_ratio_error"})
+          names.push_back(column_prefix(runs[i].name) + stress + what);
   }
   for (const ColumnOfPair& column : columns_of_reference) names.emplace_back(column.name);
   return names;

@@ -3,14 +3,31 @@
 #include "analysis/space_error.h"
 
 namespace pseudorigid::app {
+namespace {
+
+/// Appends all columns but the time to a table with the same times.
+void append_columns(const io::Table& columns, io::Table& table) {
+  io::Table joined{.columns = table.columns, .values = {}};
+  joined.columns.insert(joined.columns.end(), columns.columns.begin() + 1, columns.columns.end());
+  for (std::size_t n = 0; n < table.n_rows(); ++n) {
+    const auto first = table.row(n), second = columns.row(n).subspan(1);
+    joined.values.insert(joined.values.end(), first.begin(), first.end());
+    joined.values.insert(joined.values.end(), second.begin(), second.end());
+  }
+  table = std::move(joined);
+}
+
+}  // namespace
 
 analysis::OtherResolution other_resolution(const DeformationTrace& trace, double resolution, double resolution_of_trace,
                                            double least_rate, const RunContext& context) {
-  return {table_of(trace, context), analysis::space_error(1, resolution, resolution_of_trace, least_rate)};
+  const auto factor = [&](double rate) { return analysis::space_error(1, resolution, resolution_of_trace, rate); };
+  return {table_of(trace, context), factor(least_rate), factor(analysis::assumed_stress_rate)};
 }
 
 ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& pair, const RunOfPair& run) {
   DeformationTrace trace, other;
+  io::Table stresses;
   ModelOutcome outcome = run(context, false, {}, &trace);
   auto& counters = outcome.statistics.counters;
   counters["work"] = work(outcome);
@@ -19,7 +36,7 @@ ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& 
   const auto run_companion = [&](const RunContext& silent, const std::optional<Stepping>& stepping) {
     return run(silent, true, stepping, &other);
   };
-  ModelOutcome companion = run_silently(run_companion, context, context.scene, outcome.stepping);
+  ModelOutcome companion = run_silently(run_companion, context, context.scene, outcome.stepping, &stresses);
   if (companion.end == mechanics::Outcome::interrupted) {
     outcome.end = companion.end;
     outcome.message = "interrupted while the discretisation error was estimated";
@@ -39,6 +56,7 @@ ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& 
   counters["relative_space_error"] = error(apart.relative);
   counters["companion_work"] = work(companion);
   outcome.other = other_resolution(other, pair.resolution, pair.resolution_of_companion, pair.least_rate, context);
+  if (stresses.n_rows() == outcome.other->samples.n_rows()) append_columns(stresses, outcome.other->samples);
   const double seconds = outcome.statistics.timers["companion"] = companion.statistics.timers["run"];
   context.log->info("{}: discretisation error of Q {:.1e}, estimated by a run on {} ({:.3g} s)", pair.model,
                     error(apart.largest), pair.companion, seconds);

@@ -1,6 +1,6 @@
 #pragma once
-/// Runs of a model without observables, files or messages. Their only result is the history of Q, which has the affine
-/// part Q of the motion at each sample (app/run/deformation_trace.h).
+/// Runs of a model without files or messages. Their results are the history of Q, which has the affine part Q of the
+/// motion at each sample (app/run/deformation_trace.h), and the stresses if a caller asks for them.
 
 #include <memory>
 
@@ -11,16 +11,22 @@
 namespace pseudorigid::app {
 
 /// Runs the model with `scene`, in which only the section Time may differ from the scene of the context. `task` is the
-/// second argument of `run`, for example a ContinuumTask, whose member `trace` receives the history of Q.
+/// second argument of `run`, for example a ContinuumTask, whose member `trace` receives the history of Q. If `stresses`
+/// is not null, it receives the rows of the columns of stress that the scene requests.
 template <class Run, class Task>
-ModelOutcome run_silently(const Run& run, const RunContext& context, const scene::Scene& scene, const Task& task) {
+ModelOutcome run_silently(const Run& run, const RunContext& context, const scene::Scene& scene, const Task& task,
+                          io::Table* stresses = nullptr) {
   scene::Needs needs = context.needs;
   needs.graphics = needs.surface_watch = needs.quadrature_error = false;
   for (const auto& [name, member] : scene::quantities_kind.table) needs.quantities.*member = false;
+  needs.quantities.stresses = stresses && context.needs.comparison && context.needs.quantities.stresses;
   needs.quantities.volumetric = needs.quantities.second_orbit = needs.quantities.branches = false;
   RunContext silent = derived(context, scene, needs);
   silent.log = io::make_logger(io::Verbosity::silent, {});
-  silent.sink_of = [](const RunContext&, const char*) { return std::make_unique<ModelSink>(); };
+  silent.sink_of = [stresses](const RunContext&, const char*) -> std::unique_ptr<ModelSink> {
+    if (stresses) return std::make_unique<RowsInMemory>(*stresses);
+    return std::make_unique<ModelSink>();
+  };
   return run(silent, task);
 }
 
