@@ -143,10 +143,13 @@ install_while_building() {
     install_packages "$@"
     return
   fi
+  # Ctrl-C would end the build alone, because ninja turns it into a failure.
+  trap 'say "Interrupted"; exit 130' INT
   install_packages "$@" &
   installer=$!
   build_without_finite_elements || true  # its errors are those of the whole build
   wait "$installer"
+  trap - INT
 }
 
 # The objects serve the whole build. Without its build.ninja, the folder counts as not configured.
