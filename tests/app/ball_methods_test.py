@@ -51,6 +51,16 @@ class BallMethods(ProgramTest):
         self.assertLess(at_a_glance["pilot_forces"], rattle["pilot_forces"] / 3)
         self.assertLess(self.difference("auto", "rattle"), 1e-5)
 
+    def test_auto_takes_the_cheapest_method_for_a_polynomial_body(self):
+        """The least cost of RATTLE, whose steps accuracy makes much shorter, ended the search for symmetric-4."""
+        self.scene({"Models": "polynomial", "Polynomial/Degree": 5, "Time/End": 24, "Time/Tolerance": 1e-4, "Output/Samples": 240,
+                    "Initial state/Deformation": "0.9753099120283326, 0, 0; 0, 0.9753099120283326, 0; 0, 0, 1.0512710963760241"})
+        forces = {}
+        for method in ("auto", "rattle-4", "symmetric-4"):
+            self.run_done("run", "scene.prm", "--output", method, "--set", f"Time/Method={method}")
+            forces[method] = self.json(method, "manifest.json")["models"]["polynomial"]["counters"]["forces"]
+        self.assertLessEqual(forces["auto"], min(forces.values()), forces)
+
     def test_a_long_run_keeps_its_energy(self):
         """The energy of this release changed by 5.5 times the tolerance, as the motion spreads to fast modes. A small motion stays in
         its modes, and a short one is not looked at: their steps are longer."""

@@ -153,6 +153,46 @@ class Stresses(RanksTest):
             self.assertEqual(first, self.json("single", "comparison.json")["stress_ratios"][name]["value"])
             self.assertNotEqual(first, second)
 
+    def test_bars_of_the_ratios_hold(self):
+        """The bar of elements of degree 4 contains the ratio of degree 6, also after a release, whose largest stress converges slowly."""
+        starts = {"motion": {"Initial state/Velocity": "-0.1, 0, 0; 0, -0.1, 0; 0, 0, 0.2"}, "shear": SHEAR,
+                  "release": {"Initial state/Deformation": "0.95, 0, 0; 0, 0.95, 0; 0, 0, 1.1080332409972299"}}
+        for name, start in starts.items():
+            ratios = {}
+            for degree in (4, 6):
+                self.scene({**start, "Models": "reduced, continuum", "Continuum/Degree": degree, "Time/End": 4, "Output/Samples": 80,
+                            "Time/Tolerance": 1e-4, "Output/Quantities": "state, stresses"})
+                self.run_done("run", "scene.prm", "--output", f"{name}{degree}")
+                ratios[degree] = self.json(f"{name}{degree}", "comparison.json")["stress_ratios"]
+            for stress in COLUMNS:
+                bar = ratios[4][stress]
+                self.assertAlmostEqual(bar["uncertainty"], bar["time_error"] + bar["space_error"] + bar["quadrature_error"], delta=1e-15)
+                self.assertLess(abs(bar["value"] - ratios[6][stress]["value"]), bar["uncertainty"], f"{name} {stress} {ratios}")
+                self.assertLess(bar["uncertainty"], bar["value"], f"{name} {stress}: the bar is no smaller than the value")
+
+    def test_bar_of_a_ratio_in_a_sweep(self):
+        scene = {**SHEAR, "Models": "reduced, polynomial, continuum", "Polynomial/Degree": 3, "Continuum/Degree": 3, "Time/End": 0.5,
+                 "Output/Samples": 5, "Output/Quantities": "state, stresses"}
+        self.scene(scene)
+        self.run_done("run", "scene.prm", "--output", "single")
+        self.run_done("run", "scene.prm", "--output", "sweep", "--set", "Sweep/Parameters=m: 1, 3", "--set", "Material/Shear modulus=$(m)")
+        table = self.table("sweep", "sweep.csv")
+        for model, file in (("reduced", "comparison-reduced.json"), ("polynomial", "comparison-polynomial.json")):
+            for stress in COLUMNS:
+                bar = self.json("single", file)["stress_ratios"][stress]
+                self.assertGreater(bar["space_error"], 0)
+                self.assertEqual(table.column(f"{model}_{stress}_ratio_error")[0], bar["uncertainty"])
+
+    def test_a_bar_that_is_not_known(self):
+        self.scene({**SHEAR, "Models": "reduced, continuum", "Continuum/Degree": 2, "Continuum/Error estimate": "none", "Time/End": 0.5,
+                    "Output/Samples": 5, "Output/Quantities": "state, stresses"})
+        self.run_done("run", "scene.prm", "--output", "out")
+        bar = self.json("out", "comparison.json")["stress_ratios"]["max_von_mises"]
+        self.assertIsNone(bar["space_error"])
+        self.assertIsNone(bar["uncertainty"])
+        self.run_done("run", "scene.prm", "--output", "sweep", "--set", "Sweep/Parameters=m: 1, 3", "--set", "Material/Shear modulus=$(m)")
+        self.assertEqual(self.table("sweep", "sweep.csv").column("reduced_max_von_mises_ratio_error"), [-1, -1])
+
 
 if __name__ == "__main__":
     main()
