@@ -98,8 +98,8 @@ void describe_expected_error(const scene::Scene& scene, scene::Needs& needs) {
   for (const int N : {3, 5})
     if (const auto omega = pulsation_of_polynomial(scene, N))
       errors.push_back(fmt::format("polynomial N = {} {}", N, in_per_cent(*omega / (c * small->exact) - 1)));
-  needs.expected.push_back(
-      fmt::format("error of the slowest pulsation's frequency: {} (docs/adequacy.md)", fmt::join(errors, ", ")));
+  needs.expected.push_back(fmt::format("error of the slowest pulsation's frequency{}: {} (docs/adequacy.md)",
+                                       scene.sweep.empty() ? "" : " in the first run", fmt::join(errors, ", ")));
 }
 
 }  // namespace pseudorigid::app
