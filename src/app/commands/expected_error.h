@@ -31,7 +31,8 @@ namespace pseudorigid::app {
 /// Adds lines with the predicted errors to needs.expected. A motion has the error of the frequency, and an analysis of
 /// equilibria has the error of the bulge. Adds nothing for a system other than the ball, for other analyses, or if the
 /// scene is outside the ranges above. Also adds nothing for a body without frequencies in app/run/small_pulsation.h.
-/// For a sweep of motions, the line is that of the first run, and says so. The line of a motion omits a polynomial body whose frequency cannot be computed.
+/// For a sweep of motions, the line is that of the first run, and says so. The line of a motion omits a polynomial body
+/// whose frequency cannot be computed.
 void describe_expected_error(const scene::Scene& scene, scene::Needs& needs);
 
 }  // namespace pseudorigid::app
