@@ -254,12 +254,13 @@ double root_mean_square(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-/// The error of the ratio `value` of the stress `name`, whose samples in the table of the model are r (StressRatio).
-ErrorBar error_of_stress_ratio(const Workshop& w, const std::string& name, const std::vector<double>& r, double value) {
+/// The error of the ratio `value` of the stress `name`, whose samples in the table of the reference are c (StressRatio).
+ErrorBar error_of_stress_ratio(const Workshop& w, const std::string& name, const std::vector<double>& c, double value) {
   ErrorBar error{.time = {}, .space = w.of_reference.space == 0.0 ? w.of_reference.space : std::nullopt};
   if (const OtherResolution* other = w.of_reference.other; other && other->samples.has_column(name)) {
-    const double of_other = root_mean_square(r) / root_mean_square(other->samples.column(name));
-    error.space = other->factor_of_stress * std::abs(value - of_other);
+    const double apart = root_mean_square(each(std::minus{}, c, other->samples.column(name)));
+    const double part = other->factor_of_stress * apart / root_mean_square(c);
+    error.space = value * part / (1 - std::min(part, 0.5));
   }
   const auto part = [&](std::optional<double> RunErrors::*of_Q) -> std::optional<double> {
     const auto &a = w.of_model.*of_Q, &b = w.of_reference.*of_Q;
@@ -281,7 +282,7 @@ void compare_stresses(Workshop& w) {
     if (reference > round_off) w.add(name + "_difference", reference, each(std::minus{}, c, r));
     if (largest(c) <= round_off) continue;
     const double ratio = root_mean_square(r) / root_mean_square(c);
-    w.out.stress_ratios[name] = {ratio, error_of_stress_ratio(w, name, r, ratio)};
+    w.out.stress_ratios[name] = {ratio, error_of_stress_ratio(w, name, c, ratio)};
   }
 }
 
