@@ -254,7 +254,8 @@ double root_mean_square(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-/// The error of the ratio `value` of the stress `name`, whose samples in the table of the reference are c (StressRatio).
+/// The error of the ratio `value` of the stress `name`, whose samples in the table of the reference are c
+/// (StressRatio).
 ErrorBar error_of_stress_ratio(const Workshop& w, const std::string& name, const std::vector<double>& c, double value) {
   ErrorBar error{.time = {}, .space = w.of_reference.space == 0.0 ? w.of_reference.space : std::nullopt};
   if (const OtherResolution* other = w.of_reference.other; other && other->samples.has_column(name)) {

@@ -87,9 +87,9 @@ struct FrequencyRatio {
 
 /// The root mean square of a von Mises stress over the samples of model r, divided by that of the reference.
 ///
-/// `error.space` bounds the change of this ratio if the stress c of the reference changes by f rms_t(c − c'). Here c' is
-/// this stress on another discretisation, and f is the factor of OtherResolution. The bound has the first-order change,
-/// divided by 1 minus the relative change, which counts as ½ at most. `error.time` and `error.quadrature` are
+/// `error.space` bounds the change of this ratio if the stress c of the reference changes by f rms_t(c − c'). Here c'
+/// is this stress on another discretisation, and f is the factor of OtherResolution. The bound has the first-order
+/// change, divided by 1 minus the relative change, which counts as ½ at most. `error.time` and `error.quadrature` are
 /// 3 (e_r/d_r + e_c/d_c) times the ratio, with the error e of an entry of Q and d = max_t |Q − Q(0)|. They assume that
 /// strains have the relative error of the affine motion.
 struct StressRatio {
