@@ -60,7 +60,7 @@ TEST(ErrorBars, TimeErrorsThatGrowAreHeld) {
 TEST(ErrorBars, SpaceErrorFollowsFromAnotherResolution) {
   const Table coarse = continuum_run(pulsation(1.02 * omega), samples),
               fine = continuum_run(pulsation(1.005 * omega), samples);
-  const OtherResolution other{coarse, 0.5};
+  const OtherResolution other{coarse, 0.5, 0.5};
   const Table reduced = reduced_run(reduced_pulsation, samples);
   const Comparison c = compare(reduced, fine, {}, {.continuum = {.time = 0, .space = 1e-3, .other = &other}});
   EXPECT_NEAR(*c.reference.frequency_error.space, 0.5 * 0.015 * omega, 1e-6);
@@ -68,7 +68,7 @@ TEST(ErrorBars, SpaceErrorFollowsFromAnotherResolution) {
   EXPECT_LE(std::abs(c.ratio->value - incompressible_ball_ratio), *c.ratio->error.total());
   // Of a space error of Q alone nothing follows for a frequency, and a motion that broke off says nothing.
   EXPECT_FALSE(compare(reduced, fine, {}, {.continuum = {.time = 0, .space = 1e-3}}).ratio->error.space);
-  const OtherResolution broken_off{continuum_run(pulsation(omega), times(100, 5)), 0.5};
+  const OtherResolution broken_off{continuum_run(pulsation(omega), times(100, 5)), 0.5, 0.5};
   EXPECT_FALSE(
       compare(reduced, fine, {}, {.continuum = {.time = 0, .space = 1e-3, .other = &broken_off}}).ratio->error.space);
 }
@@ -77,7 +77,7 @@ TEST(ErrorBars, SpaceErrorFollowsFromAnotherResolution) {
 TEST(ErrorBars, RatioHoldsTheCornersOfItsFrequencies) {
   const Table coarse = continuum_run(pulsation(1.25 * omega), samples),
               fine = continuum_run(pulsation(1.1 * omega), samples);
-  const OtherResolution other{coarse, 1};
+  const OtherResolution other{coarse, 1, 1};
   const Comparison c =
       compare(reduced_run(reduced_pulsation, samples), fine, {},
               {.reduced = {.time = 1e-5, .space = 0}, .continuum = {.time = 1e-5, .space = 1e-3, .other = &other}});

@@ -124,9 +124,10 @@ TEST(Stretches, AreThoseOfTheStateObserved) {
   const IncompressibleBody body({.degree = 3});
   mechanics::ObservableRequest request;
   request.multiplier = false;
-  request.over_points = {
-      {.largest = true, .value = [](const Matrix3d& F) { return mechanics::singular_values(F)[0]; }},
-      {.largest = false, .value = [](const Matrix3d& F) { return mechanics::singular_values(F)[2]; }}};
+  request.over_points = {{.largest = true, .value = [](const Matrix3d& F) { return mechanics::singular_values(F)[0]; }},
+                         {.largest = false,
+                          .value = [](const Matrix3d& F) { return mechanics::singular_values(F)[2]; },
+                          .bound = mechanics::least_singular_value_bound}};
   mechanics::ContinuumObservables o;
   {
     const polynomial::BodyState state{0, body.affine(Vector3d(1.25, 1, 0.8).asDiagonal()), body.make_vector()};
