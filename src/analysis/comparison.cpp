@@ -258,7 +258,8 @@ double root_mean_square(const std::vector<double>& values) {
 /// (StressRatio).
 ErrorBar error_of_stress_ratio(const Workshop& w, const std::string& name, const std::vector<double>& c, double value) {
   ErrorBar error{.time = {}, .space = w.of_reference.space == 0.0 ? w.of_reference.space : std::nullopt};
-  if (const OtherResolution* other = w.of_reference.other; other && other->samples.has_column(name)) {
+  const OtherResolution* other = w.of_reference.other;
+  if (other && other->samples.has_column(name) && other->samples.n_rows() == c.size()) {
     const double apart = root_mean_square(each(std::minus{}, c, other->samples.column(name)));
     const double part = other->factor_of_stress * apart / root_mean_square(c);
     error.space = value * part / (1 - std::min(part, 0.5));

@@ -124,7 +124,9 @@ TEST(Stretches, AreThoseOfTheStateObserved) {
   const IncompressibleBody body({.degree = 3});
   mechanics::ObservableRequest request;
   request.multiplier = false;
-  request.over_points = {{.largest = true, .value = [](const Matrix3d& F) { return mechanics::singular_values(F)[0]; }},
+  request.over_points = {{.largest = true,
+                          .value = [](const Matrix3d& F) { return mechanics::singular_values(F)[0]; },
+                          .bound = mechanics::largest_singular_value_bound},
                          {.largest = false,
                           .value = [](const Matrix3d& F) { return mechanics::singular_values(F)[2]; },
                           .bound = mechanics::least_singular_value_bound}};
