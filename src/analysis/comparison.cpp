@@ -261,8 +261,8 @@ ErrorBar error_of_stress_ratio(const Workshop& w, const std::string& name, const
   const OtherResolution* other = w.of_reference.other;
   if (other && other->samples.has_column(name) && other->samples.n_rows() == c.size()) {
     const double apart = root_mean_square(each(std::minus{}, c, other->samples.column(name)));
-    const double part = other->factor_of_stress * apart / root_mean_square(c);
-    error.space = value * part / (1 - std::min(part, 0.5));
+    const double relative = other->factor_of_stress * apart / root_mean_square(c);
+    error.space = value * relative / (1 - std::min(relative, 0.5));
   }
   const auto part = [&](std::optional<double> RunErrors::*of_Q) -> std::optional<double> {
     const auto &a = w.of_model.*of_Q, &b = w.of_reference.*of_Q;
