@@ -254,12 +254,24 @@ double root_mean_square(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
+/// Bound of the relative error of the strain C − Id, if every entry of Q has the error e at most: 2 |Q| 3e / |C − Id|,
+/// with the largest values of both norms over the samples.
+double relative_error_of_strain(const io::Table& table, double e) {
+  double size = 0, strain = 0;
+  for (const Matrix3d& Q : read<Matrix3d>(table, Q_columns)) {
+    size = std::max(size, Q.norm());
+    strain = std::max(strain, (Q.transpose() * Q - Matrix3d::Identity()).norm());
+  }
+  return ratio_or_zero(6 * e * size, strain);
+}
+
 /// The error of the ratio `value` of the stress `name`, whose samples in the table of the reference are c
 /// (StressRatio).
 ErrorBar error_of_stress_ratio(const Workshop& w, const std::string& name, const std::vector<double>& c, double value) {
   ErrorBar error{.time = {}, .space = w.of_reference.space == 0.0 ? w.of_reference.space : std::nullopt};
   const OtherResolution* other = w.of_reference.other;
-  if (other && other->samples.has_column(name) && other->samples.n_rows() == c.size()) {
+  if (other && other->samples.has_column(name) && other->samples.n_rows() >= c.size()) {
+    // `each` uses the first c.size() samples. The comparison has fewer samples if model r stopped early.
     const double apart = root_mean_square(each(std::minus{}, c, other->samples.column(name)));
     const double relative = other->factor_of_stress * apart / root_mean_square(c);
     error.space = value * relative / (1 - std::min(relative, 0.5));
@@ -267,7 +279,7 @@ ErrorBar error_of_stress_ratio(const Workshop& w, const std::string& name, const
   const auto part = [&](std::optional<double> RunErrors::*of_Q) -> std::optional<double> {
     const auto &a = w.of_model.*of_Q, &b = w.of_reference.*of_Q;
     if (!a || !b || !w.out.has_state) return {};
-    return 3 * value * (ratio_or_zero(*a, w.out.model.departure) + ratio_or_zero(*b, w.out.reference.departure));
+    return value * (relative_error_of_strain(w.r, *a) + relative_error_of_strain(w.c, *b));
   };
   error.time = part(&RunErrors::time);
   error.quadrature = part(&RunErrors::quadrature);

@@ -90,8 +90,8 @@ struct FrequencyRatio {
 /// `error.space` bounds the change of this ratio if the stress c of the reference changes by f rms_t(c − c'). Here c'
 /// is this stress on another discretisation, and f is the factor of OtherResolution. The bound has the first-order
 /// change, divided by 1 minus the relative change, which counts as ½ at most. `error.time` and `error.quadrature` are
-/// 3 (e_r/d_r + e_c/d_c) times the ratio, with the error e of an entry of Q and d = max_t |Q − Q(0)|. They assume that
-/// strains have the relative error of the affine motion.
+/// the ratio times the sum of 6 e max_t |Q| / max_t |C − Id| over both models, with the error e of an entry of Q. They
+/// assume that strains have the relative error of the strain C − Id of the affine motion.
 struct StressRatio {
   double value = 0;
   ErrorBar error;

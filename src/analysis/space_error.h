@@ -33,8 +33,8 @@ inline constexpr double assumed_space_rate = 3, least_space_rate = 2.5, largest_
 /// incompressible balls after a release are above 2. If the pressure front of a compressible ball converges to the
 /// centre, the measured rate is 1.3, and the estimate is too small.
 inline constexpr double least_polynomial_rate = 1.5;
-/// The rate p that is assumed for stresses. Where shear fronts meet, the largest stress converges more slowly than Q:
-/// degrees 4, 5 and 7 give a rate of about 1.4 after a release (docs/adequacy.md, "Stress").
+/// The rate p that is assumed for stresses. The largest stress after a release shows no convergence from degree 4 to 7
+/// of finite elements (docs/adequacy.md, "Stress"). Its estimate is not a bound.
 inline constexpr double assumed_stress_rate = 1;
 
 /// The error e of a run with resolution N, if d is its difference from a run with resolution N_other. `rate` is p. The

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "continuum/balls.h"
 #include "continuum/constraint/gram_solver.h"
 
@@ -200,6 +202,15 @@ TEST_P(Kernels, GramSolverSolvesTheMixedSystem) {
   ball.constraint_rate(q1, reaction, residual);
   residual.add(-1.0, r);
   EXPECT_LT(residual.l2_norm(), 2 * continuum::GramSolver::reduction * r.l2_norm());
+}
+
+TEST_P(Kernels, MultiplierOfAMotionThatIsNotFiniteFails) {
+  auto workspace = ball.make_workspace();
+  Vector lambda = ball.make_multiplier();
+  for (const double bad : {NAN, HUGE_VAL, 1e200}) {
+    v.local_element(0) = bad;
+    EXPECT_FALSE(mechanics::multiplier_of_motion(ball, {0, x, v}, workspace, lambda)) << bad;
+  }
 }
 
 /// The acceleration a = M⁻¹(f + Gᵀλ) keeps the constraint to second order: G a + D²g(v, v) = 0.

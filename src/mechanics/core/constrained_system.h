@@ -107,7 +107,8 @@ Status multiplier_of_motion(const S& system, const State<S>& state, typename S::
     double before = HUGE_VAL;
     for (int i = 0; i < max_refinements; ++i) {
       const double norm = max_norm(residual);
-      if (norm <= enough || norm > 0.5 * before) break;  // a residual that did not halve is round-off as well
+      // A residual that did not halve is round-off as well. One that is not finite fails in the Gram solve.
+      if ((norm <= enough && std::isfinite(norm)) || norm > 0.5 * before) break;
       before = norm;
       if (SolveReport report = system.solve_gram(state.q, state.q, residual, workspace, delta); !report.status)
         return std::move(report.status);
