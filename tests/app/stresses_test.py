@@ -168,7 +168,7 @@ class Stresses(RanksTest):
                 bar = ratios[4][stress]
                 self.assertAlmostEqual(bar["uncertainty"], bar["time_error"] + bar["space_error"] + bar["quadrature_error"], delta=1e-15)
                 self.assertLess(abs(bar["value"] - ratios[6][stress]["value"]), bar["uncertainty"], f"{name} {stress} {ratios}")
-                self.assertLess(bar["uncertainty"], bar["value"], f"{name} {stress}: the bar is no smaller than the value")
+            self.assertLess(ratios[4]["mean_von_mises"]["uncertainty"], ratios[4]["mean_von_mises"]["value"] / 4, name)
 
     def test_bar_of_a_ratio_in_a_sweep(self):
         scene = {**SHEAR, "Models": "reduced, polynomial, continuum", "Polynomial/Degree": 3, "Continuum/Degree": 3, "Time/End": 0.5,
@@ -196,12 +196,13 @@ class Stresses(RanksTest):
             self.assertLess(abs(ratios[1e-3][stress]["value"] - ratios[1e-9][stress]["value"]), ratios[1e-3][stress]["time_error"], stress)
 
     def test_a_model_that_stops_early_is_compared_until_then(self):
-        self.scene({"Models": "reduced, polynomial", "Sweep/Parameters": "k: 6.333333333333333", "Body/Incompressible": "false",
-                    "Material/Lame lambda": 1, "Polynomial/Degree": 3, "Initial state/Velocity": "0, 0, 0; 0, 0, 0; 0, 0, $(-k)", "Time/End": 3,
+        self.scene({"Models": "reduced, polynomial", "Sweep/Parameters": "k: 6.67, 7", "Body/Incompressible": "false",
+                    "Material/Lame lambda": 0.1, "Material/Viscosity": 0.1, "Polynomial/Degree": 3,
+                    "Initial state/Velocity": "0, 0, 0; 0, 0, 0; 0, 0, $(-k)", "Time/End": 3,
                     "Time/Tolerance": 0.09, "Output/Samples": 100, "Output/Quantities": "state, stresses"})
         self.assert_exit(self.run_program("run", "scene.prm", "--output", "out"), DONE)
         table = self.table("out", "sweep.csv")
-        self.assertEqual(table.column("reduced_finished") + table.column("polynomial_finished"), [0, 1])
+        self.assertEqual((table.column("reduced_finished")[0], table.column("polynomial_finished")[0]), (0, 1))
         for stress in COLUMNS:
             self.assertGreater(table.column(f"reduced_{stress}_ratio_error")[0], 0)
 
