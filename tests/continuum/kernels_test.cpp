@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "continuum/balls.h"
 #include "continuum/constraint/gram_solver.h"
@@ -207,7 +208,7 @@ TEST_P(Kernels, GramSolverSolvesTheMixedSystem) {
 TEST_P(Kernels, MultiplierOfAMotionThatIsNotFiniteFails) {
   auto workspace = ball.make_workspace();
   Vector lambda = ball.make_multiplier();
-  for (const double bad : {NAN, HUGE_VAL, 1e200}) {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, 1e200}) {
     v.local_element(0) = bad;
     EXPECT_FALSE(mechanics::multiplier_of_motion(ball, {0, x, v}, workspace, lambda)) << bad;
   }

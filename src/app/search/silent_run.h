@@ -1,6 +1,6 @@
 #pragma once
-/// Runs of a model without files or messages. Their results are the history of Q, which has the affine part Q of the
-/// motion at each sample (app/run/deformation_trace.h), and the stresses if a caller asks for them.
+/// Runs of a model without files or messages. Their result is the history of Q, which has the affine part Q of the
+/// motion at each sample (app/run/deformation_trace.h). A caller can also ask for the stresses.
 
 #include <memory>
 
