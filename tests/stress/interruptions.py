@@ -1,6 +1,6 @@
 """Runs that end before their time. The tests of tests/app/stopped_*_test.py (Ctrl-C, SIGTERM, SIGKILL at random moments, a
-limit of file sizes; resumed, the run ends like an uninterrupted one) are repeated with new random moments; and a disk of
-1 MB, where the system lets us mount one, fills up at random places."""
+limit of file sizes; resumed, the run ends like an uninterrupted one) are repeated with new random moments; sweeps are ended
+(interrupted_sweeps.py); and a disk of 1 MB, where the system lets us mount one, fills up at random places."""
 import os
 import pathlib
 import random
@@ -8,6 +8,7 @@ import subprocess
 import sys
 import unittest
 
+from interrupted_sweeps import interrupted_sweeps
 from program import DONE, STOPPED, faults, largest_difference
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "app"))
@@ -117,4 +118,6 @@ def after_more_space(program, disk, folder, model, whole):
 
 def run(program, seed, quick, with_continuum=True, **_):
     records = [*full_disks(program, random.Random(seed), 2 if quick else 25, with_continuum)]
+    if not quick:
+        records += interrupted_sweeps(program, random.Random(seed), 10, with_continuum)
     return records + ([] if quick else [*repeated_tests(5, with_continuum)])
