@@ -154,21 +154,21 @@ class Stresses(RanksTest):
             self.assertNotEqual(first, second)
 
     def test_bars_of_the_ratios_hold(self):
-        """The bar of elements of degree 4 contains the ratio of degree 6, also after a release, whose largest stress converges slowly."""
+        """The bar of elements of degree 3 contains the ratio of degree 5, also after a release, whose largest stress converges slowly."""
         starts = {"motion": {"Initial state/Velocity": "-0.1, 0, 0; 0, -0.1, 0; 0, 0, 0.2"}, "shear": SHEAR,
                   "release": {"Initial state/Deformation": "0.95, 0, 0; 0, 0.95, 0; 0, 0, 1.1080332409972299"}}
         for name, start in starts.items():
             ratios = {}
-            for degree in (4, 6):
+            for degree in (3, 5):
                 self.scene({**start, "Models": "reduced, continuum", "Continuum/Degree": degree, "Time/End": 4, "Output/Samples": 80,
                             "Time/Tolerance": 1e-4, "Output/Quantities": "state, stresses"})
                 self.run_done("run", "scene.prm", "--output", f"{name}{degree}")
                 ratios[degree] = self.json(f"{name}{degree}", "comparison.json")["stress_ratios"]
             for stress in COLUMNS:
-                bar = ratios[4][stress]
+                bar = ratios[3][stress]
                 self.assertAlmostEqual(bar["uncertainty"], bar["time_error"] + bar["space_error"] + bar["quadrature_error"], delta=1e-15)
-                self.assertLess(abs(bar["value"] - ratios[6][stress]["value"]), bar["uncertainty"], f"{name} {stress} {ratios}")
-            self.assertLess(ratios[4]["mean_von_mises"]["uncertainty"], ratios[4]["mean_von_mises"]["value"] / 4, name)
+                self.assertLess(abs(bar["value"] - ratios[5][stress]["value"]), bar["uncertainty"], f"{name} {stress} {ratios}")
+            self.assertLess(ratios[3]["mean_von_mises"]["uncertainty"], ratios[3]["mean_von_mises"]["value"] / 4, name)
 
     def test_bar_of_a_ratio_in_a_sweep(self):
         scene = {**SHEAR, "Models": "reduced, polynomial, continuum", "Polynomial/Degree": 3, "Continuum/Degree": 3, "Time/End": 0.5,
@@ -184,16 +184,17 @@ class Stresses(RanksTest):
                 self.assertEqual(table.column(f"{model}_{stress}_ratio_error")[0], bar["uncertainty"])
 
     def test_bar_in_time_of_a_body_that_turns(self):
-        """Q of a round ball that spins departs by 2.8 from its start, but its strain is small. The bar was 32 times too small."""
+        """Q of a round ball that spins departs by 2.8 from its start, but its strain is small. A bar from the departure was 3.5 times too
+        small."""
         ratios = {}
-        for tolerance in (1e-3, 1e-9):
-            self.scene({"Models": "reduced, polynomial", "Polynomial/Degree": 3, "Material/Viscosity": 0.02, "Time/End": 60,
-                        "Initial state/Velocity": "0, -0.2, 0; 0.2, 0, 0; 0, 0, 0", "Time/Tolerance": tolerance, "Output/Samples": 600,
-                        "Output/Quantities": "state, stresses"})
+        for tolerance in (1e-3, 1e-6):
+            self.scene({"Models": "reduced, polynomial", "Polynomial/Degree": 3, "Initial state/Velocity": "0, -0.05, 0; 0.05, 0, 0; 0, 0, 0",
+                        "Time/End": 60, "Time/Tolerance": tolerance, "Output/Samples": 600, "Output/Quantities": "state, stresses"})
             self.run_done("run", "scene.prm", "--output", f"out{tolerance}")
             ratios[tolerance] = self.json(f"out{tolerance}", "comparison.json")["stress_ratios"]
         for stress in COLUMNS:
-            self.assertLess(abs(ratios[1e-3][stress]["value"] - ratios[1e-9][stress]["value"]), ratios[1e-3][stress]["time_error"], stress)
+            error = abs(ratios[1e-3][stress]["value"] - ratios[1e-6][stress]["value"])
+            self.assertLess(error, ratios[1e-3][stress]["time_error"], stress)
 
     def test_a_model_that_stops_early_is_compared_until_then(self):
         self.scene({"Models": "reduced, polynomial", "Sweep/Parameters": "k: 6.67, 7", "Body/Incompressible": "false",
