@@ -88,7 +88,15 @@ struct Assessment {
   /// with the matrix S of line_model.h.
   double deviation;
   double first_error;  ///< standard error of the first frequency Ω
+  /// The largest part of a change of the first Ω, from one accepted model to the next, that exceeds the standard error
+  /// of the former. It shows that this error was too small.
+  double excess = 0;
 };
+
+/// The excess after a change of the first Ω by `change` from a model with the quality `before`.
+double excess_after(const Assessment& before, double change) {
+  return std::max(before.excess, std::abs(change) - before.first_error);
+}
 
 /// Computes the quality of a model. `size` is the largest magnitude of the samples and determines their round-off.
 Assessment assess(LineModel& model, double size) {
@@ -125,6 +133,7 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   // Two close lines can imitate one line of varying amplitude, but the residual then has peaks. If the signal really
   // has two close lines, the residual has no peaks.
   if (round.neighbours == Neighbours::admitted && !outcome.peaks.empty()) return false;
+  outcome.excess = excess_after(state, trial.bases[0] - model.bases[0]);
   std::swap(model.bases, trial.bases);
   std::swap(model.waves, trial.waves);
   model.project();
@@ -153,21 +162,23 @@ Assessment complete_lines(LineModel& model, double size, const FrequencyOptions&
   polished.refine(LineModel::Accuracy::full);
   Assessment outcome = assess(polished, size);
   if (!(outcome.first_error < 2 * state.first_error)) return state;
+  outcome.excess = excess_after(state, polished.bases[0] - model.bases[0]);
   std::swap(model.bases, polished.bases);
   model.project();
   return outcome;
 }
 
-/// The lines of a model: the first line, and then the others by decreasing amplitude. `deviation` is the factor σ of
-/// the standard errors (FrequencyFit). `half_length` is half the length T of the record, so that ω = Ω/half_length.
-std::vector<Line> read_lines(LineModel& model, double deviation, double half_length) {
+/// The lines of a model with this quality: the first line, and then the others by decreasing amplitude. `half_length`
+/// is half the length T of the record, so that ω = Ω/half_length.
+std::vector<Line> read_lines(LineModel& model, const Assessment& quality, double half_length) {
   const VectorXd curvature = model.inverse_curvature();
   std::vector<Line> lines;
   for (std::size_t l = 0; l < model.waves.size(); ++l) {
     const auto [a, b] = model.amplitudes(l);
     const Wave& wave = model.waves[l];
     const double omega = model.omega(wave);
-    const double error = wave.multiple * deviation * std::sqrt(std::abs(curvature[Index(wave.base)]));
+    const double standard = quality.deviation * std::sqrt(std::abs(curvature[Index(wave.base)]));
+    const double error = wave.multiple * (standard + (wave.base == 0 ? quality.excess : 0));
     lines.push_back({.frequency = omega / half_length,
                      .uncertainty = error / half_length,
                      .amplitude = std::hypot(a, b),
@@ -212,7 +223,7 @@ FrequencyFit fit_frequency(std::span<const double> values, double interval, cons
   if (std::string reason = find_first_line(model, y, options.drift_degree); !reason.empty()) return refuse(reason);
   const Assessment outcome = complete_lines(model, size, options);
   const double half_length = interval * double(values.size() - 1) / 2;
-  std::vector<Line> lines = read_lines(model, outcome.deviation, half_length);
+  std::vector<Line> lines = read_lines(model, outcome, half_length);
   fit.residual_rms = std::sqrt(model.rss() / double(y.size()));
   fit.cycles = lines.front().frequency * half_length / pi;
   if (!(fit.cycles >= 1 && lines.front().uncertainty < least_precision * lines.front().frequency))

@@ -42,7 +42,8 @@ struct Line {
 /// times the error of ω₀. If the residual is noise, σ is its standard deviation, but at least the round-off of the
 /// samples. If the periodogram of the residual still has a peak, for example from a line close to another line, σ is
 /// the norm of the residual. By the inequality of Cauchy and Schwarz, the standard error is then a bound of the error
-/// that a signal of this size can cause.
+/// that a signal of this size can cause. Further lines can change ω₀ by more than its standard error before the change.
+/// The error of ω₀ then also contains the excess.
 struct FrequencyFit {
   std::vector<Line> lines;
   std::string reason;  ///< for example "the signal is constant"; empty if there are lines
