@@ -279,7 +279,9 @@ ErrorBar error_of_stress_ratio(const Workshop& w, const std::string& name, const
   const auto part = [&](std::optional<double> RunErrors::*of_Q) -> std::optional<double> {
     const auto &a = w.of_model.*of_Q, &b = w.of_reference.*of_Q;
     if (!a || !b || !w.out.has_state) return {};
-    return value * (relative_error_of_strain(w.r, *a) + relative_error_of_strain(w.c, *b));
+    // Without a strain of the affine motion, nothing follows from its error.
+    const double relative = relative_error_of_strain(w.r, *a) + relative_error_of_strain(w.c, *b);
+    return std::isfinite(relative) ? std::optional(value * relative) : std::nullopt;
   };
   error.time = part(&RunErrors::time);
   error.quadrature = part(&RunErrors::quadrature);
