@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/frequency_error.h"
 #include "io/files.h"
 
 namespace pseudorigid::analysis {
@@ -50,7 +51,7 @@ Json frequency_of_model(const ModelSummary& m) {
   for (const Line& l : fit.lines) {
     if (is_drift(l)) continue;
     json["lines"].push_back(
-        {{"omega", l.frequency}, {"fit_error", l.uncertainty}, {"amplitude", l.amplitude}, {"phase", l.phase}});
+        {{"omega", l.frequency}, {"fit_error", n_standard_errors * l.uncertainty}, {"amplitude", l.amplitude}, {"phase", l.phase}});
   }
   return json;
 }
@@ -107,7 +108,7 @@ std::string unknown_frequency(const ModelSummary& m) {
 std::string fitted_frequencies(const Comparison& c) {
   const double excess = c.ratio->value - 1;
   const std::string apart =
-      std::abs(excess) > 3 * c.ratio->error.fit
+      std::abs(excess) > c.ratio->error.fit
           ? fmt::format("pulsates {:.3g} % {} than", 100 * std::abs(excess), excess > 0 ? "faster" : "slower")
           : "pulsates with the same frequency as";
   return fmt::format("As far as the fits tell, the {} ball {} the {} ball ({})", c.model.adjective, apart,
@@ -119,14 +120,8 @@ std::string known_frequencies(const Comparison& c, double uncertainty) {
   const double excess = c.ratio->value - 1;
   constexpr double round_off = 1e-12, says_little = 0.05;
   const double known_to = std::max({std::abs(excess), uncertainty, round_off});
-  // The error of the fit is a standard error and counts three times: once in `uncertainty` and twice here. The other
-  // errors are bounds and count once.
-  if (std::abs(excess) > 2 * c.ratio->error.fit + uncertainty + round_off)
+  if (std::abs(excess) > uncertainty + round_off)
     return fmt::format("The {} ball pulsates {} % {} than the {} ball", c.model.adjective,
-                       percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower", c.reference.adjective);
-  // The difference exceeds the error bar, but not the error bar with three instead of one standard error of the fit.
-  if (std::abs(excess) > uncertainty && known_to > says_little)
-    return fmt::format("The {} ball pulsates {} % {} than the {} ball, within three standard errors", c.model.adjective,
                        percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower", c.reference.adjective);
   if (known_to <= says_little)
     return fmt::format("The two balls pulsate with the same frequency to within {} %", roughly(100 * known_to));

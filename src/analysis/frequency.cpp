@@ -33,6 +33,8 @@ double scan_low_frequencies(LineModel model, double peak) {
   return best;
 }
 
+constexpr double resolved = 0.7 * pi;  ///< least distance of two lines in Ω; π is one resolution width
+
 /// Whether a new line may be closer than two resolution widths to another line.
 enum class Neighbours { admitted, excluded };
 
@@ -40,8 +42,7 @@ enum class Neighbours { admitted, excluded };
 /// the first line, and otherwise free. If the peak is close to a constrained line, the function frees this line and
 /// does not add another. Returns false, without a change, if Ω is too close to another line.
 bool add_line(LineModel& model, double omega, Neighbours neighbours) {
-  constexpr double tie_width = 0.5 * pi, resolved = 0.7 * pi,
-                   well_separated = 2 * pi;  // distances in Ω; π is one resolution width
+  constexpr double tie_width = 0.5 * pi, well_separated = 2 * pi;  // distances in Ω
   double distance = std::numeric_limits<double>::infinity();
   for (Wave& wave : model.waves) {
     const double d = std::abs(model.omega(wave) - omega);
@@ -58,6 +59,16 @@ bool add_line(LineModel& model, double omega, Neighbours neighbours) {
   if (!tied) model.bases.push_back(omega);
   model.waves.push_back(tied ? Wave{0, multiple} : Wave{model.bases.size() - 1, 1});
   return true;
+}
+
+/// Returns true if all lines of the model are resolved. A line at −Ω is the line at Ω. If a refinement brings two lines
+/// together, they imitate one line of varying amplitude, with large amplitudes of opposite sign.
+bool is_resolved(const LineModel& model) {
+  std::vector<double> lines;
+  for (const Wave& wave : model.waves) lines.push_back(std::abs(model.omega(wave)));
+  std::ranges::sort(lines);
+  const auto too_close = [](double below, double above) { return above - below < resolved; };
+  return std::ranges::adjacent_find(lines, too_close) == lines.end();
 }
 
 /// Finds the first line and makes it the only line of the model. Returns the reason if there is no first line, and
@@ -128,6 +139,7 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   if (n_added == 0) return false;
   trial.project();
   trial.refine(LineModel::Accuracy::rough);
+  if (!is_resolved(trial)) return false;
   Assessment outcome = assess(trial, size);
   if (!(outcome.first_error < state.first_error)) return false;
   // Two close lines can imitate one line of varying amplitude, but the residual then has peaks. If the signal really
@@ -161,7 +173,7 @@ Assessment complete_lines(LineModel& model, double size, const FrequencyOptions&
   LineModel polished = model;
   polished.refine(LineModel::Accuracy::full);
   Assessment outcome = assess(polished, size);
-  if (!(outcome.first_error < 2 * state.first_error)) return state;
+  if (!is_resolved(polished) || !(outcome.first_error < 2 * state.first_error)) return state;
   outcome.excess = excess_after(state, polished.bases[0] - model.bases[0]);
   std::swap(model.bases, polished.bases);
   model.project();

@@ -16,8 +16,8 @@
 /// The fit has the following limits. The record must contain at least 16 samples and one period. A new line is at least
 /// two resolution widths 2π/T from other lines, with the length T of the record. A closer line is admitted only if the
 /// residual then has no peak, because a modulated or damped line also resembles several close lines. A line at a
-/// multiple of ω₀ may also be closer. Frequencies are below the Nyquist frequency. The fit cannot detect that a
-/// frequency is an alias of a higher frequency.
+/// multiple of ω₀ may also be closer. No two lines are closer than 0.7 widths, also after the refinement. Frequencies
+/// are below the Nyquist frequency. The fit cannot detect that a frequency is an alias of a higher frequency.
 
 #include <optional>
 #include <span>

@@ -40,14 +40,14 @@ ErrorBar frequency_error(const FrequencyFit& fit, const Deformation& deformation
   ErrorBar bar;
   if (!fit) return bar;
   const Line& own = fit.dominant();
-  bar.fit = own.uncertainty;
+  bar.fit = n_standard_errors * own.uncertainty;
   const auto of_phase = [&](const std::optional<double>& e) {
     return e ? std::optional(error_of_phase(fit, deformation, entry, *e)) : std::nullopt;
   };
   bar.time = of_phase(errors.time);
   bar.quadrature = of_phase(errors.quadrature);
   if (const auto other = other_line(entry, time, errors)) {
-    bar.fit = std::max(bar.fit, other->uncertainty);
+    bar.fit = std::max(bar.fit, n_standard_errors * other->uncertainty);
     bar.space = errors.other->factor * std::abs(own.frequency - other->frequency);
   } else if (!errors.other && errors.space == 0.0) {
     bar.space = 0;

@@ -2,8 +2,10 @@
 /// The error of a fitted frequency ω of a component of C = QᵀQ, with the matrix Q of the affine motion (motion.h). The
 /// error is the sum of four parts:
 ///
-///   fit     The standard error of the fit (frequency.h). If the standard error on another discretisation is larger, it
-///           is used instead. A coarse model has few lines, and its own standard error is too small for short records.
+///   fit     Three standard errors of the fit (frequency.h). The residual does not contain the part of a signal that the
+///           fit takes for a change of ω, so that one standard error is exceeded in some records of two close lines. If
+///           the standard error on another discretisation is larger, it is used instead. A coarse model has few lines,
+///           and its own standard error is too small for short records.
 ///   time    Let e bound the error in time of every entry of Q. Then the error of an entry of C is bounded by
 ///
 ///             |δC_ij| ≤ ε,   ε = max_t (|q_i|₁ + |q_j|₁) e,   with the columns q_i of Q.
@@ -28,6 +30,8 @@
 #include "analysis/motion.h"
 
 namespace pseudorigid::analysis {
+
+constexpr double n_standard_errors = 3;  ///< in the part `fit` of an error
 
 /// The error of the dominant frequency of `fit`, which was fitted to the values of C_ij at the times `time`, with
 /// `entry` = (i, j). If the fit does not have lines, the errors in time and space are not known.

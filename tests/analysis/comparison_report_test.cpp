@@ -45,7 +45,6 @@ TEST(ComparisonReport, SentenceOfFrequenciesThatAreHardlyKnown) {
   EXPECT_TRUE(contains(summary_sentence(c), "cannot be told apart: they are known to 20 %")) << summary_sentence(c);
   c.ratio->error.fit = 0.1;
   EXPECT_TRUE(contains(summary_sentence(c), "pulsates 18.6 +- 10 % faster")) << summary_sentence(c);
-  EXPECT_TRUE(contains(summary_sentence(c), "three standard errors")) << summary_sentence(c);
   c.ratio->error.fit = 0.2;
   c.ratio->value = 1.9;
   EXPECT_TRUE(contains(summary_sentence(c), "pulsates 90 +- 20 % faster")) << summary_sentence(c);
