@@ -14,12 +14,12 @@
 namespace pseudorigid::benchmarks {
 namespace {
 
-using continuum::Vector;
-
 template <int degree>
 class ForceOfDegree final : public FEEvaluationForce {
   using Lanes = dealii::VectorizedArray<double>;
   using MatrixFree = dealii::MatrixFree<3, double>;
+  /// The renumbering is compiled in the library only, for vectors of one number.
+  using LibrarySettings = dealii::MatrixFree<3, double, dealii::VectorizedArray<double, 1>>::AdditionalData;
 
  public:
   ForceOfDegree(const continuum::BallMesh& mesh, const materials::CiarletGeymonat& law)
@@ -35,16 +35,16 @@ class ForceOfDegree final : public FEEvaluationForce {
     });
     dof_handler_.distribute_dofs(element_);
     const dealii::AffineConstraints<double> none;
-    typename MatrixFree::AdditionalData settings;
-    settings.tasks_parallel_scheme = MatrixFree::AdditionalData::none;
-    settings.mapping_update_flags = dealii::update_gradients | dealii::update_JxW_values;
-    dealii::DoFRenumbering::matrix_free_data_locality(dof_handler_, none, settings);
-    matrix_free_.reinit(mapping_, dof_handler_, none, dealii::QGauss<1>(degree + 1), settings);
+    dealii::DoFRenumbering::matrix_free_data_locality(dof_handler_, none, settings<LibrarySettings>());
+    matrix_free_.reinit(mapping_, dof_handler_, none, dealii::QGauss<1>(degree + 1),
+                        settings<typename MatrixFree::AdditionalData>());
   }
 
   void force(const Vector& x, Vector& f) const override {
     matrix_free_.cell_loop(&ForceOfDegree::add_cells, this, f, x, true);
   }
+
+  int n_lanes() const override { return static_cast<int>(Lanes::size()); }
 
   Vector placed() const override {
     Vector x;
@@ -62,6 +62,14 @@ class ForceOfDegree final : public FEEvaluationForce {
   }
 
  private:
+  template <class Settings>
+  static Settings settings() {
+    Settings settings;
+    settings.tasks_parallel_scheme = Settings::none;
+    settings.mapping_update_flags = dealii::update_gradients | dealii::update_JxW_values;
+    return settings;
+  }
+
   void add_cells(const MatrixFree& data, Vector& f, const Vector& x,
                  const std::pair<unsigned int, unsigned int>& cells) const {
     dealii::FEEvaluation<3, degree, degree + 1, 3, double> cell(data);
@@ -101,12 +109,8 @@ std::unique_ptr<FEEvaluationForce> force_up_to(const continuum::BallMesh& mesh, 
 
 }  // namespace
 
-dealii::Point<3> placement(const dealii::Point<3>& X) {
-  return {X[0] + 0.1 * std::sin(2 * X[1]), X[1] + 0.1 * X[0] * X[2], X[2] + 0.1 * std::cos(X[0] + 2 * X[1])};
-}
-
-std::unique_ptr<FEEvaluationForce> make_fe_evaluation_force(const continuum::BallMesh& mesh, int degree,
-                                                            const materials::CiarletGeymonat& law) {
+std::unique_ptr<FEEvaluationForce> PSEUDORIGID_FE_EVALUATION(const continuum::BallMesh& mesh, int degree,
+                                                             const materials::CiarletGeymonat& law) {
   return force_up_to<8>(mesh, degree, law);
 }
 

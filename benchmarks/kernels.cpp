@@ -6,9 +6,10 @@
 /// interleaved, times are CPU times. Lines with # are the machine's limits and accounts of memory. Columns:
 ///
 ///   degree, refinements, unknowns   of the mesh
-///   kernel                          force, constraint, rate, reaction, gram (S = G M⁻¹ Gᵀ), or FEEvaluation (force)
+///   kernel                          force, constraint, rate, reaction, gram (S = G M⁻¹ Gᵀ), or the force by
+///                                   FEEvaluation, with its number of lanes: 1 in the installed library, or our number
 ///   per_second, best_per_second     unknowns per second: median and best of the rounds
-///   over_fe_evaluation              median against that of FEEvaluation's force
+///   over_fe_evaluation              median against that of FEEvaluation's force with our number of lanes
 ///   difference                      of |f|₂ from FEEvaluation's, relative (0 where there is nothing to compare)
 ///   flops, bytes                    of one unknown, counted (kernel_cost.h; 0 for FEEvaluation)
 ///   roofline                        unknowns per second that the machine's limits allow with them
@@ -97,10 +98,15 @@ void measure(int degree, const MachineLimits& limits) {
   std::printf(
       "# degree %d: %.0f bytes of each unknown for geometry, indices and basis, %.0f with mesh, nodes and masses\n",
       degree, static_cast<double>(kernels->memory()) / n_unknowns, (allocated_bytes() - before) / n_unknowns);
-  const auto rival = make_fe_evaluation_force(space->mesh(), degree, neo_hookean);
+  const auto installed = make_installed_fe_evaluation(space->mesh(), degree, neo_hookean),
+             rival = make_wide_fe_evaluation(space->mesh(), degree, neo_hookean);
+  if (rival->n_lanes() != limits.lanes) {
+    std::fprintf(stderr, "error: FEEvaluation has %d lanes, the kernels have %d\n", rival->n_lanes(), limits.lanes);
+    std::exit(1);
+  }
   Fields y(*space);
-  const Vector rival_x = rival->placed();
-  Vector rival_f = rival_x;
+  const FEEvaluationForce::Vector installed_x = installed->placed(), rival_x = rival->placed();
+  FEEvaluationForce::Vector installed_f = installed_x, rival_f = rival_x;
 
   std::vector<Job> jobs;
   const auto add = [&](const char* kernel, double vector_bytes, const std::function<void()>& call) {
@@ -108,7 +114,8 @@ void measure(int degree, const MachineLimits& limits) {
     jobs.push_back({kernel, call, cost.flops * space->n_cells() / n_unknowns,
                     cost.cell_bytes * space->n_cells() / n_unknowns + vector_bytes});
   };
-  jobs.push_back({"FEEvaluation", [&] { rival->force(rival_x, rival_f); }});
+  const auto of_width = [](int n_lanes) { return "FEEvaluation/" + std::to_string(n_lanes); };
+  jobs.push_back({of_width(rival->n_lanes()), [&] { rival->force(rival_x, rival_f); }});
   add("force", 8 + 24, [&] { kernels->force(y.x, y.f); });
   add("constraint", 8, [&] { kernels->constraint(y.x, y.g); });
   add("rate", 16, [&] { kernels->constraint_rate(y.x, y.v, y.g); });
@@ -121,9 +128,10 @@ void measure(int degree, const MachineLimits& limits) {
                     kernels->constraint_rate(y.x, y.f, y.g);
                   },
                   jobs[3].flops + jobs[4].flops + 1, jobs[3].bytes + jobs[4].bytes + 32});
-  jobs[0].call();
-  jobs[1].call();
+  jobs.push_back({of_width(installed->n_lanes()), [&] { installed->force(installed_x, installed_f); }});
+  for (Job* job : {&jobs[0], &jobs[1], &jobs.back()}) job->call();
   jobs[1].difference = std::abs(y.f.l2_norm() / rival_f.l2_norm() - 1);
+  jobs.back().difference = std::abs(installed_f.l2_norm() / rival_f.l2_norm() - 1);
   time_interleaved(jobs);
   const double median_of_rival = median(jobs[0].seconds);
   for (Job& job : jobs) {
