@@ -7,6 +7,15 @@
 #include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/matrix_free/fe_evaluation.h>
 #include <deal.II/matrix_free/matrix_free.h>
+#if DEAL_II_VECTORIZATION_WIDTH_IN_BITS > 0  // the installed library has these templates for vectors of one number only
+#include <deal.II/matrix_free/dof_info.templates.h>
+#include <deal.II/matrix_free/evaluation_template_factory.templates.h>
+#include <deal.II/matrix_free/evaluation_template_factory_hanging_nodes.templates.h>
+#include <deal.II/matrix_free/mapping_info.templates.h>
+#include <deal.II/matrix_free/mapping_info_storage.templates.h>
+#include <deal.II/matrix_free/matrix_free.templates.h>
+#include <deal.II/matrix_free/shape_info.templates.h>
+#endif
 
 #include <cmath>
 #include <stdexcept>
@@ -22,15 +31,16 @@ class ForceOfDegree final : public FEEvaluationForce {
   using LibrarySettings = dealii::MatrixFree<3, double, dealii::VectorizedArray<double, 1>>::AdditionalData;
 
  public:
-  ForceOfDegree(const continuum::BallMesh& mesh, const materials::CiarletGeymonat& law)
+  ForceOfDegree(const dealii::Triangulation<3>& triangulation, const Placement& position,
+                const materials::CiarletGeymonat& law)
       : law_(law),
         scalar_element_(degree),
         element_(scalar_element_, 3),
         mapping_(degree),
-        dof_handler_(mesh.triangulation()) {
-    mapping_.initialize(mesh.triangulation(), [&](const auto& cell) {
+        dof_handler_(triangulation) {
+    mapping_.initialize(triangulation, [&](const auto& cell) {
       std::vector<dealii::Point<3>> points;
-      for (const auto& xi : scalar_element_.get_unit_support_points()) points.push_back(mesh.position(cell, xi));
+      for (const auto& xi : scalar_element_.get_unit_support_points()) points.push_back(position(cell, xi));
       return points;
     });
     dof_handler_.distribute_dofs(element_);
@@ -100,18 +110,19 @@ class ForceOfDegree final : public FEEvaluationForce {
 };
 
 template <int degree>
-std::unique_ptr<FEEvaluationForce> force_up_to(const continuum::BallMesh& mesh, int wanted,
-                                               const materials::CiarletGeymonat& law) {
-  if (wanted == degree) return std::make_unique<ForceOfDegree<degree>>(mesh, law);
-  if constexpr (degree > 2) return force_up_to<degree - 1>(mesh, wanted, law);
+std::unique_ptr<FEEvaluationForce> force_up_to(int wanted, const dealii::Triangulation<3>& triangulation,
+                                               const Placement& position, const materials::CiarletGeymonat& law) {
+  if (wanted == degree) return std::make_unique<ForceOfDegree<degree>>(triangulation, position, law);
+  if constexpr (degree > 2) return force_up_to<degree - 1>(wanted, triangulation, position, law);
   throw std::invalid_argument("no FEEvaluation of that degree");
 }
 
 }  // namespace
 
-std::unique_ptr<FEEvaluationForce> PSEUDORIGID_FE_EVALUATION(const continuum::BallMesh& mesh, int degree,
+std::unique_ptr<FEEvaluationForce> PSEUDORIGID_FE_EVALUATION(const dealii::Triangulation<3>& triangulation,
+                                                             const Placement& position, int degree,
                                                              const materials::CiarletGeymonat& law) {
-  return force_up_to<8>(mesh, degree, law);
+  return force_up_to<8>(degree, triangulation, position, law);
 }
 
 }  // namespace pseudorigid::benchmarks

@@ -5,14 +5,15 @@
 ///
 ///   installed     the installed library. Debian's has vectors of one number.
 ///   equal width   the templates of the same library, compiled with the widest vectors of this processor
-///                 (fe_evaluation_instances.cpp). The renumbering is that for vectors of one number.
+///                 (fe_face_evaluation.cpp). The renumbering is that for vectors of one number.
 
+#include <deal.II/grid/tria.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <cmath>
+#include <functional>
 #include <memory>
 
-#include "continuum/mesh/ball_mesh.h"
 #include "materials/ciarlet_geymonat.h"
 
 namespace pseudorigid::benchmarks {
@@ -33,12 +34,17 @@ class FEEvaluationForce {
   virtual Vector placed() const = 0;
 };
 
-/// Degree 2 … 8, with the vectors of the installed library.
-std::unique_ptr<FEEvaluationForce> make_installed_fe_evaluation(const continuum::BallMesh& mesh, int degree,
+using CellIterator = dealii::Triangulation<3>::cell_iterator;
+using Placement = std::function<dealii::Point<3>(const CellIterator& cell, const dealii::Point<3>& xi)>;
+
+/// Degree 2 … 8, with the vectors of the installed library. `position` is that of the point xi of the unit cell.
+std::unique_ptr<FEEvaluationForce> make_installed_fe_evaluation(const dealii::Triangulation<3>& triangulation,
+                                                                const Placement& position, int degree,
                                                                 const materials::CiarletGeymonat& law);
-/// Degree 2 … 8, with the widest vectors of this processor. In a shared library of its own, because its types of deal.II
-/// have the same names as those of the installed library and other sizes.
+/// The same with the widest vectors of this processor. It is in a shared library of its own, because its types of
+/// deal.II have the same names as those of the installed library and other sizes.
 [[gnu::visibility("default")]] std::unique_ptr<FEEvaluationForce> make_wide_fe_evaluation(
-    const continuum::BallMesh& mesh, int degree, const materials::CiarletGeymonat& law);
+    const dealii::Triangulation<3>& triangulation, const Placement& position, int degree,
+    const materials::CiarletGeymonat& law);
 
 }  // namespace pseudorigid::benchmarks

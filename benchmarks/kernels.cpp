@@ -1,6 +1,6 @@
 /// The cell kernels against the machine's limits and against dealii::FEEvaluation, on one core (docs/kernels.md):
 ///
-///     kernels [first degree] [last degree] > kernels.csv
+///     kernels [first degree] [last degree] [least unknowns] > kernels.csv
 ///
 /// on the octant, refined to at least 10⁵ unknowns (components of positions), each kernel for each degree. Calls are
 /// interleaved, times are CPU times. Lines with # are the machine's limits and accounts of memory. Columns:
@@ -40,7 +40,6 @@ using continuum::Vector;
 
 constexpr continuum::Sector octant{{true, true, true}};
 constexpr materials::CiarletGeymonat neo_hookean{1, 0};
-constexpr unsigned int least_unknowns = 100'000;
 constexpr int n_rounds = 25;
 constexpr double least_seconds = 0.01;  // of one timing
 
@@ -84,7 +83,7 @@ struct Fields {
   Vector x, v, f, multiplier, g;
 };
 
-void measure(int degree, const MachineLimits& limits) {
+void measure(int degree, unsigned int least_unknowns, const MachineLimits& limits) {
   int n_refinements = 1;
   double before = allocated_bytes();
   auto space = std::make_unique<BallSpace>(BallMesh(octant, n_refinements), degree);
@@ -98,8 +97,10 @@ void measure(int degree, const MachineLimits& limits) {
   std::printf(
       "# degree %d: %.0f bytes of each unknown for geometry, indices and basis, %.0f with mesh, nodes and masses\n",
       degree, static_cast<double>(kernels->memory()) / n_unknowns, (allocated_bytes() - before) / n_unknowns);
-  const auto installed = make_installed_fe_evaluation(space->mesh(), degree, neo_hookean),
-             rival = make_wide_fe_evaluation(space->mesh(), degree, neo_hookean);
+  const BallMesh& mesh = space->mesh();
+  const Placement position = [&mesh](const auto& cell, const auto& xi) { return mesh.position(cell, xi); };
+  const auto installed = make_installed_fe_evaluation(mesh.triangulation(), position, degree, neo_hookean),
+             rival = make_wide_fe_evaluation(mesh.triangulation(), position, degree, neo_hookean);
   if (rival->n_lanes() != limits.lanes) {
     std::fprintf(stderr, "error: FEEvaluation has %d lanes, the kernels have %d\n", rival->n_lanes(), limits.lanes);
     std::exit(1);
@@ -148,11 +149,12 @@ void measure(int degree, const MachineLimits& limits) {
 
 int main(int argc, char** argv) {
   const int first = argc > 1 ? std::atoi(argv[1]) : 2, last = argc > 2 ? std::atoi(argv[2]) : argc > 1 ? first : 8;
+  const unsigned int least_unknowns = argc > 3 ? static_cast<unsigned int>(std::atoi(argv[3])) : 100'000;
   const MachineLimits limits = measure_machine_limits();
   std::printf("# one core: %.4g flops/s (fused multiply-adds, %d lanes), %.4g bytes/s (triad)\n",
               limits.flops_per_second, limits.lanes, limits.bytes_per_second);
   std::printf(
       "degree,refinements,unknowns,kernel,per_second,best_per_second,over_fe_evaluation,difference,"
       "flops,bytes,roofline\n");
-  for (int degree = first; degree <= last; ++degree) measure(degree, limits);
+  for (int degree = first; degree <= last; ++degree) measure(degree, least_unknowns, limits);
 }

@@ -104,6 +104,7 @@ measure_frequency() { into ball_frequency.csv "$bin/ball_frequency" "${quick[@]}
 measure_auto() { into auto_discretization.csv "$root/benchmarks/auto_discretization.py" "$program" "${quick[@]}"; }
 measure_kernels() {
   if ((${#quick[@]})); then into kernels.csv "$bin/kernels" 4; else into kernels.csv "$bin/kernels" 2 8; fi
+  into kernels_in_cache.csv "$bin/kernels" 4 4 1000
 }
 
 # Degree and refinements, ranks, preconditioner, steps. Lines of the header but the first are left out.
@@ -137,6 +138,20 @@ measure_scaling() {
 }
 measure_skipping() { into skipping.csv "$root/benchmarks/skipping.py" "$program" "${quick[@]}"; }
 
+# Name of a program, prefix of its files, packages.
+measure_release_by() {
+  local script="$root/benchmarks/peers/$2_release.py" packages
+  read -ra packages <<<"$3"
+  if [[ -n $(missing_packages "${packages[@]}") ]]; then
+    say "$1 is left out: apt-get install --no-install-recommends $3"
+  elif into "$2_release.csv" /usr/bin/python3 "$script" "${quick[@]}"; then
+    not_measured=
+    if ((!${#quick[@]})); then into "$2_sizes.csv" /usr/bin/python3 "$script" --sizes || say "$1 failed for large meshes"; fi
+  else
+    say "$1 failed; its earlier results stay"
+  fi
+}
+
 # What is not of this project may be missing or fail: then its earlier results stay, with their date.
 measure_peers() {
   not_measured=1
@@ -146,13 +161,8 @@ measure_peers() {
     into scipy_small_systems.csv /usr/bin/python3 "$root/benchmarks/peers/scipy_small_systems.py" "${quick[@]}" ||
       say "SciPy failed; its earlier results stay"
   fi
-  if [[ -n $(missing_packages python3-dolfinx-real) ]]; then
-    say "FEniCSx is left out: apt-get install --no-install-recommends python3-dolfinx-real"
-  elif into fenicsx_release.csv /usr/bin/python3 "$root/benchmarks/peers/fenicsx_release.py" "${quick[@]}"; then
-    not_measured=
-  else
-    say "FEniCSx failed; its earlier results stay"
-  fi
+  measure_release_by FEniCSx fenicsx python3-dolfinx-real
+  measure_release_by GetFEM getfem "python3-getfem++ python3-scipy"
 }
 
 measure_long_run() {

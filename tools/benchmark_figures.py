@@ -47,7 +47,9 @@ LINES = ("-", "--", ":", "-.")  # by refinements
 KERNELS = {"force": ("#0072B2", "o", "force"), "constraint": ("#009E73", "s", "constraint"),
            "rate": ("#E69F00", "D", "rate of the constraint"), "reaction": ("#CC79A7", "^", "reaction"),
            "gram": ("#000000", "v", "action of S"),
-           "FEEvaluation": ("#D55E00", "x", "force by dealii::FEEvaluation, scalar")}
+           "FEEvaluation/1": ("#D55E00", "x", "force by dealii::FEEvaluation, 1 lane"),
+           "FEEvaluation/4": ("#8B4513", "+", "force by dealii::FEEvaluation, 4 lanes"),
+           "FEEvaluation/8": ("#8B4513", "+", "force by dealii::FEEvaluation, 8 lanes")}
 
 
 def make(width=8, height=4.8):
@@ -120,17 +122,18 @@ def draw_uncertainty(axes, data):
 
 
 def draw_release(data, images):
-    rows, peers = read_rows(data, "ball_release.csv"), read_rows(data, "fenicsx_release.csv")
+    rows = read_rows(data, "ball_release.csv")
     if not rows:
         return None
     figure, axes = make(9, 5.4)
     draw_discretizations(axes, rows)
     draw_uncertainty(axes, data)
-    for scheme, marker, line in (("midpoint", "P", "-."), ("midpoint, order 4", "X", (0, (1, 1)))):
-        points = front([(float(r["seconds"]), float(r["error"])) for r in peers if r["scheme"] == scheme])
-        if points:
-            axes.loglog(*zip(*points), color="#8B4513", marker=marker, markersize=7, linewidth=1.6, linestyle=line,
-                        label=f"FEniCSx, {scheme}")
+    for name, program, colour in (("fenicsx_release.csv", "FEniCSx", "#8B4513"), ("getfem_release.csv", "GetFEM", "#777777")):
+        for scheme, marker, line in (("midpoint", "P", "-."), ("midpoint, order 4", "X", (0, (1, 1)))):
+            points = front([(float(r["seconds"]), float(r["error"])) for r in read_rows(data, name) if r["scheme"] == scheme])
+            if points:
+                axes.loglog(*zip(*points), color=colour, marker=marker, markersize=7, linewidth=1.6, linestyle=line,
+                            label=f"{program}, {scheme}")
     axes.set_xlabel("processor time of the run after start-up (s)")
     axes.set_ylabel("largest error of $Q_{33}$, 0 ≤ t ≤ 5")
     axes.set_title("nonlinear release of the ball, velocity 0.3 (x, y, −2z)", loc="left", fontsize=12)
@@ -248,8 +251,9 @@ def draw_kernels(data, images):
     figure, axes = make()
     for kernel, (colour, marker, label) in KERNELS.items():
         points = sorted((int(r["degree"]), float(r["per_second"]) / 1e6) for r in rows if r["kernel"] == kernel)
-        axes.semilogy(*zip(*points), color=colour, marker=marker, linewidth=1.3,
-                      linestyle="--" if kernel == "FEEvaluation" else "-", label=label)
+        if points:
+            axes.semilogy(*zip(*points), color=colour, marker=marker, linewidth=1.3,
+                          linestyle="--" if "/" in kernel else "-", label=label)
     axes.set_xlabel("degree k")
     axes.set_ylabel("million unknowns a second, one core")
     axes.xaxis.set_major_locator(plt.MultipleLocator(1))

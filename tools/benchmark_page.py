@@ -19,6 +19,7 @@ import sys
 
 import benchmark_sections as sections
 import benchmark_tables as tables
+import kernel_tables
 import package  # noqa: F401
 from pseudorigid.errors import WrongInput, exit_code_of
 
@@ -43,9 +44,10 @@ TABLES = {
     "lamb": tables.lamb,
     "frequency": tables.frequency,
     "auto_discretization": tables.auto_discretization,
-    "kernels": tables.kernels,
-    "kernels_of_degree_4": lambda data: tables.kernels_of_degree(data, "4"),
-    "kernel_sizes": tables.kernel_sizes,
+    "kernels": kernel_tables.kernels,
+    "equal_width": kernel_tables.equal_width,
+    "kernels_of_degree_4": lambda data: kernel_tables.kernels_of_degree(data, "4"),
+    "kernel_sizes": kernel_tables.kernel_sizes,
     "steps": tables.steps,
     "ranks": tables.ranks,
     "scaling": tables.scaling,

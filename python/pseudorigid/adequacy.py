@@ -109,7 +109,7 @@ def keep(rows: Rows, path: pathlib.Path) -> None:
 
 def print_ranges(folder: pathlib.Path) -> None:
     """A line for each row of RANGES: the least and the greatest value for each model in per cent (of an amplitude its ratio to that of
-    the finite elements), and the largest error bar."""
+    the finite elements), and the median and the largest of the error bars."""
     for family, parameter, low, high, measure in RANGES:
         rows = read(folder, family)
         inside = (rows[parameter] > low) & (rows[parameter] < high)
@@ -125,7 +125,7 @@ def print_ranges(folder: pathlib.Path) -> None:
             else:
                 values = 100 * values
             bars = 100 * rows.get(f"{model}_{measure}_error", np.array([np.nan] * len(inside)))[inside]
-            bar = f" (bars up to {bars.max():.2g})" if np.isfinite(bars).any() else ""
+            bar = f" (bars {np.median(bars):.2g}, up to {bars.max():.2g})" if np.isfinite(bars).any() else ""
             parts.append(f"{model} {np.nanmin(values):.3g} to {np.nanmax(values):.3g}{bar}")
         print(f"{family}, {parameter} = {low} to {high}, {measure}: {'; '.join(parts)}")
 

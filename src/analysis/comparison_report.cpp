@@ -50,8 +50,10 @@ Json frequency_of_model(const ModelSummary& m) {
   json["second_line"] = second ? Json{{"omega", second->frequency}, {"amplitude", second->amplitude}} : Json(nullptr);
   for (const Line& l : fit.lines) {
     if (is_drift(l)) continue;
-    json["lines"].push_back(
-        {{"omega", l.frequency}, {"fit_error", n_standard_errors * l.uncertainty}, {"amplitude", l.amplitude}, {"phase", l.phase}});
+    json["lines"].push_back({{"omega", l.frequency},
+                             {"fit_error", n_standard_errors * l.uncertainty},
+                             {"amplitude", l.amplitude},
+                             {"phase", l.phase}});
   }
   return json;
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -153,6 +155,35 @@ TEST(Frequency, UncertaintyCoversUnresolvedLines) {
         EXPECT_LT(error, 3 * f.dominant().uncertainty) << "epsilon " << epsilon << ", duration " << duration;
         EXPECT_LT(error, 0.005 * 2.665622189236);
       }
+}
+
+/// Two lines that merge in the refinement imitate one line of varying amplitude, with large amplitudes of opposite
+/// sign.
+TEST(Frequency, LinesStayResolved) {
+  std::mt19937 generator(4);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const double omega = 2.67, duration = 12;
+  for (int run = 0; run < 60; ++run) {
+    std::array<double, 5> amplitude, frequency, phase;
+    for (std::size_t l = 0; l < 5; ++l) {
+      amplitude[l] = 0.15 * std::pow(0.45, l) * (0.5 + uniform(generator));
+      frequency[l] = omega * double(l + 1) * (l == 0 ? 1 : 0.9 + 0.2 * uniform(generator));
+      phase[l] = 2 * pi * uniform(generator);
+    }
+    const FrequencyFit f = fit(121, duration, [&](double t) {
+      double x = 1;
+      for (std::size_t l = 0; l < 5; ++l)
+        x += amplitude[l] * std::cos(frequency[l] * t + phase[l]) * (l == 1 ? std::exp(-0.05 * t) : 1);
+      return x * x;
+    });
+    ASSERT_TRUE(f) << f.reason;
+    std::vector<double> lines;
+    for (const Line& line : f.lines) lines.push_back(std::abs(line.frequency));
+    std::ranges::sort(lines);
+    for (std::size_t l = 1; l < lines.size(); ++l)
+      EXPECT_GE((lines[l] - lines[l - 1]) * duration / (2 * pi), 0.699) << "run " << run;
+    EXPECT_NEAR(f.dominant().frequency, omega, 3 * f.dominant().uncertainty) << "run " << run;
+  }
 }
 
 TEST(Frequency, DampedLineKeepsItsFrequencyWithinTheUncertainty) {

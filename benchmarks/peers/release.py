@@ -1,0 +1,120 @@
+"""The implicit midpoint rule for the nonlinear release of the ball, shared by the scripts of other programs.
+
+  (2ρ/h²)(u¹ − u⁰ − h v⁰) = div(P(Fᵐ) + p Fᵐ⁻ᵀ),  Fᵐ = Id + ∇(u⁰ + u¹)/2,  ln det F(u¹) = 0,  v¹ = 2(u¹ − u⁰)/h − v⁰
+
+with ρ = μ = 1, W = (μ/2)(tr C − 3 − 2 ln J) and the constraint at the end of the step; or five such steps, composed to order 4
+(Suzuki). Modified Newton iterations keep their factors until an iteration converges slowly. They start from guesses that are
+extrapolated from the last four steps.
+
+A program gives a ball with: velocity (at the start), is_displacement (of each unknown), moment (Q33 = 1 + moment · u), begin(u⁰,
+u⁰ + h v⁰, h), residual(z), factors(z) (the function that solves with them).
+"""
+import pathlib
+import statistics
+import sys
+import time
+
+import numpy as np
+
+REFERENCE = pathlib.Path(__file__).resolve().parents[1] / "references/ball_release.csv"
+END, SAMPLES = 5.0, 50
+SUZUKI = (1 / (4 - 4 ** (1 / 3)),) * 2 + (1 - 4 / (4 - 4 ** (1 / 3)),) + (1 / (4 - 4 ** (1 / 3)),) * 2
+SCHEMES = {"midpoint": (1.0,), "midpoint, order 4": SUZUKI}
+TOLERANCE = 1e-7  # of the largest change of u in an iteration; with 1e-9 errors are the same
+SLOW = 0.5  # an iteration that reduces the change by less is with factors that are too old; 0.15 costs twice as much
+CUBIC = {0: [], 1: [1], 2: [-1, 2], 3: [1, -3, 3], 4: [-1, 4, -6, 4]}  # extrapolations from so many values
+
+
+class Motion:
+    def __init__(self, ball):
+        self.ball = ball
+        self.u, self.v = np.zeros_like(ball.velocity), ball.velocity.copy()
+        self.factors, self.past = {}, {}
+        self.n_iterations = self.n_factorizations = self.n_steps = 0
+
+    def step(self, h, place):
+        """`place` is that of the step in the composition. Its guesses come from steps at the same place."""
+        ball, is_u = self.ball, self.ball.is_displacement
+        moved = self.u + h * self.v
+        ball.begin(self.u, moved, h)
+        past = self.past.get(place, [])
+        z = sum((w * y for w, y in zip(CUBIC[len(past)], past)), np.where(is_u, moved, 0))
+        before = np.inf
+        for _ in range(30):
+            if h not in self.factors:
+                self.factors[h], before = ball.factors(z), np.inf
+                self.n_factorizations += 1
+            dz = self.factors[h](ball.residual(z))
+            z = z - dz
+            self.n_iterations += 1
+            change = np.abs(dz[is_u]).max()
+            if change < TOLERANCE:
+                break
+            if change > SLOW * before:
+                del self.factors[h]
+            before = change
+        else:
+            raise SystemExit(f"error: no convergence with step {h}")
+        self.n_steps += 1
+        self.past[place] = [*past[-3:], z - np.where(is_u, moved, 0)]
+        self.v = np.where(is_u, 2 * (z - self.u) / h - self.v, 0)
+        self.u = np.where(is_u, z, 0)
+
+    def run(self, weights, n_steps):
+        Q33, h = [1.0], END / SAMPLES / n_steps
+        for _ in range(SAMPLES):
+            for _ in range(n_steps):
+                for place, weight in enumerate(weights):
+                    self.step(weight * h, place)
+            Q33.append(1 + self.ball.moment @ self.u)
+        return Q33
+
+
+def main(make_ball, jobs, quick_jobs, sizes, documentation):
+    """`jobs` are {(degree, refinements): {scheme: steps between two samples}}, and `sizes` are (degree, refinements)."""
+    if sys.argv[1:] in ([], ["--quick"]):
+        measure_errors(make_ball, quick_jobs if len(sys.argv) > 1 else jobs, len(sys.argv) > 1)
+    elif sys.argv[1:] == ["--sizes"]:
+        measure_sizes(make_ball, sizes)
+    else:
+        raise SystemExit(documentation)
+
+
+def measure_sizes(make_ball, sizes):
+    """Prints the processor time of a factorisation and of a midpoint step without one, the mean of ten steps of 0.0125."""
+    print("degree,refinements,unknowns,seconds_factors,seconds_step,iterations_per_step", flush=True)
+    n_steps, h = 10, 0.0125
+    for degree, refinements in sizes:
+        ball = make_ball(degree, refinements)
+        motion = Motion(ball)
+        motion.step(h, 0)
+        start = time.process_time()
+        motion.factors[h] = ball.factors(motion.u)
+        factored = time.process_time()
+        before = motion.n_iterations
+        for _ in range(n_steps):
+            motion.step(h, 0)
+        seconds = time.process_time() - factored
+        print(degree, refinements, len(ball.velocity), f"{factored - start:.4g}", f"{seconds / n_steps:.4g}",
+              f"{(motion.n_iterations - before) / n_steps:.1f}", sep=",", flush=True)
+
+
+def measure_errors(make_ball, jobs, quick):
+    """Prints a row for each job; of the short form, in one round."""
+    print("degree,refinements,scheme,step,unknowns,seconds,error,iterations_per_step,factorizations")
+    exact = [float(line.split(",")[1]) for line in REFERENCE.read_text().splitlines()[2:]]
+    for (degree, refinements), schemes in jobs.items():
+        ball = make_ball(degree, refinements)
+        Motion(ball).step(1e-3, 0)  # whatever is done once
+        for scheme, steps in schemes.items():
+            for n_steps in steps:
+                seconds = []
+                while len(seconds) < (1 if quick else 3) and sum(seconds) < 10:
+                    motion = Motion(ball)
+                    start = time.process_time()
+                    Q33 = motion.run(SCHEMES[scheme], n_steps)
+                    seconds.append(time.process_time() - start)
+                error = max(abs(a - b) for a, b in zip(Q33, exact))
+                print(degree, refinements, f'"{scheme}"', f"{END / SAMPLES / n_steps:.4g}", len(ball.velocity),
+                      f"{statistics.median(seconds):.4g}", f"{error:.3g}",
+                      f"{motion.n_iterations / motion.n_steps:.1f}", motion.n_factorizations, sep=",", flush=True)

@@ -1,0 +1,62 @@
+"""Tables of the cell kernels as (header, rows of texts), from the files of docs/benchmarks/data; None without data."""
+
+from benchmark_data import read_rows
+
+NONE = "–"
+
+
+def name_of_kernel(name):
+    name, slash, lanes = name.partition("/")
+    return f"{name}, {lanes} lane{'s' * (lanes != '1')}" if slash else name
+
+
+def equal_width(data):
+    """The force against that of FEEvaluation with the same number of lanes."""
+    rows = read_rows(data, "kernels.csv") + read_rows(data, "kernels_in_cache.csv")
+    meshes = {}
+    for r in rows:
+        meshes.setdefault((r["degree"], int(r["unknowns"])), {})[r["kernel"]] = r
+    rivals = sorted({r["kernel"] for r in rows if "/" in r["kernel"]})
+    return (["k", "unknowns", *map(name_of_kernel, rivals), "force", f"force / {name_of_kernel(rivals[-1])}"], [
+        [degree, n_unknowns, *(f"{float(of[kernel]['per_second']) / 1e6:.0f}" for kernel in [*rivals, "force"]),
+         f"{float(of['force']['over_fe_evaluation']):.2f}"]
+        for (degree, n_unknowns), of in sorted(meshes.items())]) if rows else None
+
+
+def kernels(data):
+    rows = read_rows(data, "kernels.csv")
+    if not rows:
+        return None
+    names = [k for k in dict.fromkeys(r["kernel"] for r in rows)]
+    of = {(r["degree"], r["kernel"]): r for r in rows}
+    result = []
+    for degree in dict.fromkeys(r["degree"] for r in rows):
+        force = of[degree, "force"]
+        result.append([degree, force["unknowns"],
+                       *(f"{float(of[degree, name]['per_second']) / 1e6:.0f}" for name in names),
+                       f"{float(force['per_second']) / float(force['roofline']):.2f}"])
+    return ["k", "unknowns", *map(name_of_kernel, names), "force / roofline"], result
+
+
+def kernels_of_degree(data, degree):
+    """A column for each kernel: speed, what the machine would allow, and what was counted for that."""
+    rows = [r for r in read_rows(data, "kernels.csv") if r["degree"] == degree]
+    if not rows:
+        return None
+
+    def line(name, column, scale, digits=0):
+        return [name, *(f"{float(r[column]) / scale:.{digits}f}" if float(r[column]) else NONE for r in rows)]
+
+    return [f"k = {degree}, {rows[0]['unknowns']} unknowns", *(name_of_kernel(r["kernel"]) for r in rows)], [
+        line("median", "per_second", 1e6), line("best", "best_per_second", 1e6), line("roofline", "roofline", 1e6),
+        line("flops an unknown", "flops", 1),
+        line("bytes an unknown", "bytes", 1)]
+
+
+def kernel_sizes(data):
+    """Speed over the size of the mesh, by the kernels' times of the part `steps`."""
+    rows = [r for r in read_rows(data, "ball_steps.csv") if r["degree"] == "4" and r["ranks"] == "1"]
+    kinds = ("force", "constraint", "rate", "reaction")
+    return (["k = 4, unknowns", *kinds], [
+        [r["unknowns"], *(f"{int(r['unknowns']) / float(r[f'{kind}_s']) / 1e6:.0f}" for kind in kinds)]
+        for r in rows]) if rows else None
