@@ -102,9 +102,14 @@ measure_gravity() {
 measure_lamb() { into lamb_response.csv "$bin/lamb_response" "${quick[@]}"; }
 measure_frequency() { into ball_frequency.csv "$bin/ball_frequency" "${quick[@]}"; }
 measure_auto() { into auto_discretization.csv "$root/benchmarks/auto_discretization.py" "$program" "${quick[@]}"; }
+# The forces of kernels.csv, and those on a mesh that fits into the cache.
+forces() {
+  cat "$data/kernels.csv"
+  "$bin/kernels" 4 4 1000 | grep -v "^#\|^degree"
+}
 measure_kernels() {
   if ((${#quick[@]})); then into kernels.csv "$bin/kernels" 4; else into kernels.csv "$bin/kernels" 2 8; fi
-  into kernels_in_cache.csv "$bin/kernels" 4 4 1000
+  into fe_evaluation.csv forces
 }
 
 # Degree and refinements, ranks, preconditioner, steps. Lines of the header but the first are left out.

@@ -60,6 +60,13 @@ def errors_of(folder, name):
     return [(float(row["seconds"]), float(row["error"])) for row in read_rows(folder, name)]
 
 
+def release_times(data, level, column="motion_seconds"):
+    """Our time of the release and that of FEniCSx at an error, both interpolated on the fronts: the cheapest run below a
+    threshold would compare errors that differ by up to 3."""
+    own = [(float(r[column]), float(r["error"])) for r in read_rows(data, "ball_release.csv")]
+    return time_for(own, level), time_for(errors_of(data, "fenicsx_release.csv"), level)
+
+
 def release_uncertainty(folder):
     """Of the reference that the errors were measured against: the first line of benchmarks/references/ball_release.csv,
     which benchmarks/ball_release.py hands on to its results. None without data."""

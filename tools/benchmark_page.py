@@ -21,6 +21,7 @@ import benchmark_sections as sections
 import benchmark_tables as tables
 import kernel_tables
 import package  # noqa: F401
+import release_tables
 from pseudorigid.errors import WrongInput, exit_code_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -36,9 +37,12 @@ TABLES = {
     "small_systems_short": tables.small_systems_short,
     "single_calls": lambda data: tables.calls(data, "single_calls.csv"),
     "self_gravity": lambda data: tables.calls(data, "self_gravity.csv"),
-    "release": tables.release,
-    "release_runs": tables.release_runs,
-    "peers": tables.peers,
+    "release": release_tables.release,
+    "release_runs": release_tables.release_runs,
+    "three_programs": release_tables.three_programs,
+    "sizes_of_peers": release_tables.sizes,
+    "peers": lambda data: release_tables.runs_of_peer(data, "fenicsx_release.csv"),
+    "runs_of_getfem": lambda data: release_tables.runs_of_peer(data, "getfem_release.csv"),
     "gravitating_release": tables.gravitating_release,
     "gravity_cost": tables.gravity_cost,
     "lamb": tables.lamb,

@@ -118,7 +118,7 @@ def errors_of_the_ball(data):
           "step was found by hand. Its time over both of ours is that of times interpolated in logarithms on the fronts: the "
           "cheapest run below a threshold would give 16 at an error of 1.34e-4 and 85 at 1.0e-4.",
           reference_of_release(data), rates_in_space(data)],
-         lambda f, d, i: f.draw_release(d, i), ["release", "release_runs", "peers"]),
+         lambda f, d, i: f.draw_release(d, i), ["release", "three_programs", "release_runs", "peers", "runs_of_getfem", "sizes_of_peers"]),
         ("Ladder of models", "ladder",
          ["The same release by polynomial bodies of degree N and by finite elements of degree k, symmetric-4 with the "
           "tolerances 5e-3, 1e-3 and 1e-4. Time: processor time from the start of the process to its end, median; the search "

@@ -6,7 +6,7 @@ import statistics
 
 
 from benchmark_data import (
-    cheapest, discretization, errors_of, front, read_rows, read_runs, runs_of_skipping, runs_of_work_precision, time_for,
+    cheapest, discretization, front, read_rows, read_runs, release_times, runs_of_skipping, runs_of_work_precision, time_for,
     work_precision)
 
 LEVELS = (1e-6, 1e-8, 1e-10, 1e-12)
@@ -113,53 +113,6 @@ def calls(data, name):
     rows = [row for row in read_rows(data, name) if row["name"].endswith("_median")]
     return (["call", "ns"], [[row["name"].removesuffix("_median"), number(float(row["cpu_time"]))] for row in rows]) \
         if rows else None
-
-
-def release_times(data, level, column="motion_seconds"):
-    """Our time of the release and that of FEniCSx at an error, both interpolated on the fronts: the cheapest run below a
-    threshold would compare errors that differ by up to 3."""
-    own = [(float(r[column]), float(r["error"])) for r in read_rows(data, "ball_release.csv")]
-    return time_for(own, level), time_for(errors_of(data, "fenicsx_release.csv"), level)
-
-
-def release_ratio(data, level, column):
-    own, peer = release_times(data, level, column)
-    return peer / own
-
-
-def release(data):
-    rows, peers = read_rows(data, "ball_release.csv"), read_rows(data, "fenicsx_release.csv")
-    if not rows:
-        return None
-    result = []
-    for level in (3e-4, 1e-4, 5e-5, 2.5e-5, 1.3e-5, 1e-5, 5e-6, 2e-6):
-        own, peer = cheapest(rows, level), cheapest(peers, level)
-        line = [f"{level:.1e}"]
-        line += [f"{discretization(own)} ({own['unknowns']}), {own['method']}, tolerance {float(own['tolerance']):.0e}",
-                 number(float(own["seconds"])), number(float(own["motion_seconds"])),
-                 f"{float(own['error']):.1e}"] if own else [NONE] * 4
-        line += [f"{discretization(peer)} ({peer['unknowns']}), {peer['scheme']}, step {peer['step']}", number(float(peer["seconds"])),
-                 *(number(release_ratio(data, level, column), 2) for column in ("motion_seconds", "seconds"))] \
-            if own and peer else [NONE] * 4
-        result.append(line)
-    return ["error at most", "pseudorigid (coordinates)", "s, process", "s, motion", "its error",
-            "FEniCSx (coordinates and pressures)", "s",
-            "FEniCSx / our motion, interpolated", "FEniCSx / our process, interpolated"], result
-
-
-def release_runs(data):
-    rows = read_rows(data, "ball_release.csv")
-    return (["discretisation", "method", "tolerance", "step", "unknowns", "s, process", "s, motion", "error"],
-            [[discretization(r), r["method"], f"{float(r['tolerance']):.0e}", number(float(r["step"])), r["unknowns"],
-              number(float(r["seconds"])), number(float(r["motion_seconds"])), f"{float(r['error']):.1e}"] for r in rows]) if rows else None
-
-
-def peers(data):
-    rows = read_rows(data, "fenicsx_release.csv")
-    return (["discretisation", "scheme", "step", "unknowns", "s", "error", "iterations a step", "factorisations"],
-            [[discretization(r), r["scheme"], r["step"], r["unknowns"], number(float(r["seconds"])),
-              f"{float(r['error']):.1e}", r["iterations_per_step"], r["factorizations"]]
-             for r in rows]) if rows else None
 
 
 def gravitating_release(data):

@@ -12,13 +12,13 @@ def name_of_kernel(name):
 
 def equal_width(data):
     """The force against that of FEEvaluation with the same number of lanes."""
-    rows = read_rows(data, "kernels.csv") + read_rows(data, "kernels_in_cache.csv")
+    rows = read_rows(data, "fe_evaluation.csv")
     meshes = {}
     for r in rows:
         meshes.setdefault((r["degree"], int(r["unknowns"])), {})[r["kernel"]] = r
     rivals = sorted({r["kernel"] for r in rows if "/" in r["kernel"]})
     return (["k", "unknowns", *map(name_of_kernel, rivals), "force", f"force / {name_of_kernel(rivals[-1])}"], [
-        [degree, n_unknowns, *(f"{float(of[kernel]['per_second']) / 1e6:.0f}" for kernel in [*rivals, "force"]),
+        [degree, str(n_unknowns), *(f"{float(of[kernel]['per_second']) / 1e6:.0f}" for kernel in [*rivals, "force"]),
          f"{float(of['force']['over_fe_evaluation']):.2f}"]
         for (degree, n_unknowns), of in sorted(meshes.items())]) if rows else None
 

@@ -1,0 +1,69 @@
+"""Tables of the release of the ball by this and by other programs as (header, rows of texts), from the files of
+docs/benchmarks/data; None without data."""
+
+from benchmark_data import cheapest, discretization, errors_of, read_rows, release_times, time_for
+from benchmark_tables import NONE, number, two_digits
+
+PEERS = {"FEniCSx": "fenicsx", "GetFEM": "getfem"}
+
+
+def release_ratio(data, level, column):
+    own, peer = release_times(data, level, column)
+    return peer / own
+
+
+def release(data):
+    rows, peers = read_rows(data, "ball_release.csv"), read_rows(data, "fenicsx_release.csv")
+    if not rows:
+        return None
+    result = []
+    for level in (3e-4, 1e-4, 5e-5, 2.5e-5, 1.3e-5, 1e-5, 5e-6, 2e-6):
+        own, peer = cheapest(rows, level), cheapest(peers, level)
+        line = [f"{level:.1e}"]
+        line += [f"{discretization(own)} ({own['unknowns']}), {own['method']}, tolerance {float(own['tolerance']):.0e}",
+                 number(float(own["seconds"])), number(float(own["motion_seconds"])),
+                 f"{float(own['error']):.1e}"] if own else [NONE] * 4
+        line += [f"{discretization(peer)} ({peer['unknowns']}), {peer['scheme']}, step {peer['step']}", number(float(peer["seconds"])),
+                 *(number(release_ratio(data, level, column), 2) for column in ("motion_seconds", "seconds"))] \
+            if own and peer else [NONE] * 4
+        result.append(line)
+    return ["error at most", "pseudorigid (coordinates)", "s, process", "s, motion", "its error",
+            "FEniCSx (coordinates and pressures)", "s",
+            "FEniCSx / our motion, interpolated", "FEniCSx / our process, interpolated"], result
+
+
+def release_runs(data):
+    rows = read_rows(data, "ball_release.csv")
+    return (["discretisation", "method", "tolerance", "step", "unknowns", "s, process", "s, motion", "error"],
+            [[discretization(r), r["method"], f"{float(r['tolerance']):.0e}", number(float(r["step"])), r["unknowns"],
+              number(float(r["seconds"])), number(float(r["motion_seconds"])), f"{float(r['error']):.1e}"] for r in rows]) if rows else None
+
+
+def runs_of_peer(data, name):
+    rows = read_rows(data, name)
+    return (["discretisation", "scheme", "step", "unknowns", "s", "error", "iterations a step", "factorisations"],
+            [[discretization(r), r["scheme"], r["step"], r["unknowns"], number(float(r["seconds"])),
+              f"{float(r['error']):.1e}", r["iterations_per_step"], r["factorizations"]]
+             for r in rows]) if rows else None
+
+
+def three_programs(data):
+    """The times for one error, interpolated in logarithms on the front of each program."""
+    if not all(read_rows(data, f"{prefix}_release.csv") for prefix in PEERS.values()):
+        return None
+    rows = []
+    for level in (1e-3, 3e-4, 1e-4, 3e-5, 1e-5):
+        own = release_times(data, level)[0]
+        of_peers = [time_for(errors_of(data, f"{prefix}_release.csv"), level) for prefix in PEERS.values()]
+        rows.append([f"{level:.0e}", number(own, 2) if own else NONE, *(number(t, 2) if t else NONE for t in of_peers),
+                     *(two_digits(t / own) if t and own else NONE for t in of_peers)])
+    return ["error", "s, pseudorigid", *(f"s, {name}" for name in PEERS), *(f"{name} / pseudorigid" for name in PEERS)], rows
+
+
+def sizes(data):
+    """The time of a midpoint step over the number of unknowns, and of the factors that it needs."""
+    rows = [[name, discretization(r), r["unknowns"], number(float(r["seconds_factors"])), number(float(r["seconds_step"])),
+             f"{1e6 * float(r['seconds_step']) / int(r['unknowns']):.1f}", r["iterations_per_step"]]
+            for name, prefix in PEERS.items() for r in read_rows(data, f"{prefix}_sizes.csv")]
+    return (["program", "discretisation", "unknowns", "s, factors", "s, step", "µs a step and unknown", "iterations a step"],
+            rows) if rows else None
