@@ -64,11 +64,14 @@ class Release:
         self.scene = self.folder / "release.prm"
         self.scene.write_text(SCENE + GRAVITY * gravity)
 
+    def run_with(self, entries):
+        return program.run(self.executable, self.scene, self.folder / "out", entries)
+
     def run(self, degree, refinements, method, tolerance):
         """(Q33 at the samples, counters of the continuum, (seconds, motion_seconds))"""
         entries = {"Continuum/Degree": degree, "Continuum/Refinements": refinements, "Time/Method": method,
                    "Time/Tolerance": tolerance}
-        result = program.run(self.executable, self.scene, self.folder / "out", entries)
+        result = self.run_with(entries)
         # Beside each run: in the course of minutes it changes by more than a small run takes.
         start_up = program.start_up(self.executable)
         model = result.manifest["models"]["continuum"]

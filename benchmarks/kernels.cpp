@@ -9,7 +9,8 @@
 ///   kernel                          force, constraint, rate, reaction, gram (S = G M⁻¹ Gᵀ), or the force by
 ///                                   FEEvaluation, with its number of lanes: 1 in the installed library, or our number
 ///   per_second, best_per_second     unknowns per second: median and best of the rounds
-///   over_fe_evaluation              median against that of FEEvaluation's force with our number of lanes
+///   over_fe_evaluation              median against that of FEEvaluation's force with our number of lanes, or with one lane
+///                                   without PSEUDORIGID_NATIVE or AVX
 ///   difference                      of |f|₂ from FEEvaluation's, relative (0 where there is nothing to compare)
 ///   flops, bytes                    of one unknown, counted (kernel_cost.h; 0 for FEEvaluation)
 ///   roofline                        unknowns per second that the machine's limits allow with them
@@ -99,12 +100,16 @@ void measure(int degree, unsigned int least_unknowns, const MachineLimits& limit
       degree, static_cast<double>(kernels->memory()) / n_unknowns, (allocated_bytes() - before) / n_unknowns);
   const BallMesh& mesh = space->mesh();
   const Placement position = [&mesh](const auto& cell, const auto& xi) { return mesh.position(cell, xi); };
-  const auto installed = make_installed_fe_evaluation(mesh.triangulation(), position, degree, neo_hookean),
-             rival = make_wide_fe_evaluation(mesh.triangulation(), position, degree, neo_hookean);
+  const auto installed = make_installed_fe_evaluation(mesh.triangulation(), position, degree, neo_hookean);
+#ifdef PSEUDORIGID_HAS_WIDE_FE_EVALUATION
+  const auto rival = make_wide_fe_evaluation(mesh.triangulation(), position, degree, neo_hookean);
   if (rival->n_lanes() != limits.lanes) {
     std::fprintf(stderr, "error: FEEvaluation has %d lanes, the kernels have %d\n", rival->n_lanes(), limits.lanes);
     std::exit(1);
   }
+#else
+  const auto rival = make_installed_fe_evaluation(mesh.triangulation(), position, degree, neo_hookean);
+#endif
   Fields y(*space);
   const FEEvaluationForce::Vector installed_x = installed->placed(), rival_x = rival->placed();
   FEEvaluationForce::Vector installed_f = installed_x, rival_f = rival_x;

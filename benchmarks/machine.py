@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 PACKAGES = ("libgsl-dev", "libboost-dev", "libsundials-dev", "python3-scipy", "libdeal.ii-dev", "libpetsc-real-dev",
-            "libopenblas0-serial", "libopenblas0-pthread", "python3-dolfinx-real")
+            "libopenblas0-serial", "libopenblas0-pthread", "python3-dolfinx-real", "python3-getfem++")
 
 
 def first_match(path, pattern):

@@ -16,7 +16,7 @@
 #   steps       what a step costs, with the number of unknowns, the degree and two ranks; iterations of Gram solves
 #   scaling     messages and reductions of a step on 1, 2 and 4 ranks, for a model of runs on many cores
 #   skipping    what the scenes of params/ skip, and what it would have cost
-#   peers       the nonlinear release by FEniCSx, where python3-dolfinx-real is installed, and small systems by SciPy
+#   peers       the nonlinear release by FEniCSx and GetFEM, where their packages are installed, and small systems by SciPy
 #   long-run    a million periods of the reduced model: 15 minutes more
 # Options:
 #   --quick         all parts in about 3 minutes, for a look; results in build/benchmarks-quick
@@ -104,8 +104,8 @@ measure_frequency() { into ball_frequency.csv "$bin/ball_frequency" "${quick[@]}
 measure_auto() { into auto_discretization.csv "$root/benchmarks/auto_discretization.py" "$program" "${quick[@]}"; }
 # The forces of kernels.csv, and those on a mesh that fits into the cache.
 forces() {
-  cat "$data/kernels.csv"
-  "$bin/kernels" 4 4 1000 | grep -v "^#\|^degree"
+  grep "^#\|^degree\|FEEvaluation\|,force," "$data/kernels.csv"
+  "$bin/kernels" 4 4 1000 | grep "FEEvaluation\|,force,"
 }
 measure_kernels() {
   if ((${#quick[@]})); then into kernels.csv "$bin/kernels" 4; else into kernels.csv "$bin/kernels" 2 8; fi
@@ -146,11 +146,12 @@ measure_skipping() { into skipping.csv "$root/benchmarks/skipping.py" "$program"
 # Name of a program, prefix of its files, packages.
 measure_release_by() {
   local script="$root/benchmarks/peers/$2_release.py" packages
+  left_out=yes
   read -ra packages <<<"$3"
   if [[ -n $(missing_packages "${packages[@]}") ]]; then
     say "$1 is left out: apt-get install --no-install-recommends $3"
   elif into "$2_release.csv" /usr/bin/python3 "$script" "${quick[@]}"; then
-    not_measured=
+    left_out=
     if ((!${#quick[@]})); then into "$2_sizes.csv" /usr/bin/python3 "$script" --sizes || say "$1 failed for large meshes"; fi
   else
     say "$1 failed; its earlier results stay"
@@ -167,7 +168,13 @@ measure_peers() {
       say "SciPy failed; its earlier results stay"
   fi
   measure_release_by FEniCSx fenicsx python3-dolfinx-real
+  [[ -n $left_out ]] || not_measured=
   measure_release_by GetFEM getfem "python3-getfem++ python3-scipy"
+  # Only runs of one day and machine belong into one table.
+  if [[ -z $not_measured && -z $left_out && " ${parts[*]} " == *" release "* ]]; then
+    into three_programs.csv "$root/benchmarks/peers/three_programs.py" "$data"
+  fi
+  if ((!${#quick[@]})); then into release_sizes.csv "$root/benchmarks/release_sizes.py" "$program"; fi
 }
 
 measure_long_run() {

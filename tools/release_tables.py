@@ -1,10 +1,10 @@
 """Tables of the release of the ball by this and by other programs as (header, rows of texts), from the files of
 docs/benchmarks/data; None without data."""
 
-from benchmark_data import cheapest, discretization, errors_of, read_rows, release_times, time_for
+from benchmark_data import cheapest, discretization, read_rows, release_times, time_for
 from benchmark_tables import NONE, number, two_digits
 
-PEERS = {"FEniCSx": "fenicsx", "GetFEM": "getfem"}
+PEERS = ("FEniCSx", "GetFEM")
 
 
 def release_ratio(data, level, column):
@@ -47,23 +47,30 @@ def runs_of_peer(data, name):
              for r in rows]) if rows else None
 
 
+def time_within_front(runs, level):
+    """Of the cheapest run if it has more than twice this accuracy, None: it would not be a time for the error `level`."""
+    return time_for(runs, level) if min(runs)[1] > level / 2 else None
+
+
 def three_programs(data):
     """The times for one error, interpolated in logarithms on the front of each program."""
-    if not all(read_rows(data, f"{prefix}_release.csv") for prefix in PEERS.values()):
-        return None
+    runs = read_rows(data, "three_programs.csv")
     rows = []
     for level in (1e-3, 3e-4, 1e-4, 3e-5, 1e-5):
-        own = release_times(data, level)[0]
-        of_peers = [time_for(errors_of(data, f"{prefix}_release.csv"), level) for prefix in PEERS.values()]
-        rows.append([f"{level:.0e}", number(own, 2) if own else NONE, *(number(t, 2) if t else NONE for t in of_peers),
+        own, *of_peers = (time_within_front([(float(r["seconds"]), float(r["error"])) for r in runs if r["program"] == name], level)
+                          for name in ("pseudorigid", *PEERS))
+        rows.append([f"{level:.0e}", *(number(t, 2) if t else NONE for t in (own, *of_peers)),
                      *(two_digits(t / own) if t and own else NONE for t in of_peers)])
-    return ["error", "s, pseudorigid", *(f"s, {name}" for name in PEERS), *(f"{name} / pseudorigid" for name in PEERS)], rows
+    return (["error", "s, pseudorigid", *(f"s, {name}" for name in PEERS), *(f"{name} / pseudorigid" for name in PEERS)],
+            rows) if runs else None
 
 
 def sizes(data):
-    """The time of a midpoint step over the number of unknowns, and of the factors that it needs."""
-    rows = [[name, discretization(r), r["unknowns"], number(float(r["seconds_factors"])), number(float(r["seconds_step"])),
-             f"{1e6 * float(r['seconds_step']) / int(r['unknowns']):.1f}", r["iterations_per_step"]]
-            for name, prefix in PEERS.items() for r in read_rows(data, f"{prefix}_sizes.csv")]
-    return (["program", "discretisation", "unknowns", "s, factors", "s, step", "µs a step and unknown", "iterations a step"],
-            rows) if rows else None
+    """The time of a step over the number of unknowns: of symmetric-4, and of the midpoint rule with factors that are made once."""
+    rows = [["pseudorigid", discretization(r), r["unknowns"], NONE, number(float(r["seconds_step"])),
+             two_digits(1e6 * float(r["seconds_step"]) / int(r["unknowns"]))] for r in read_rows(data, "release_sizes.csv")]
+    for name in PEERS:
+        rows += [[name, discretization(r), r["unknowns"], number(float(r["seconds_factors"])), number(float(r["seconds_step"])),
+                  two_digits(1e6 * float(r["seconds_step"]) / int(r["unknowns"]))]
+                 for r in read_rows(data, f"{name.lower()}_sizes.csv")]
+    return (["program", "discretisation", "unknowns", "s, factors", "s, step", "µs a step and unknown"], rows) if rows else None

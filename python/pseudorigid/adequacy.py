@@ -125,7 +125,7 @@ def print_ranges(folder: pathlib.Path) -> None:
             else:
                 values = 100 * values
             bars = 100 * rows.get(f"{model}_{measure}_error", np.array([np.nan] * len(inside)))[inside]
-            bar = f" (bars {np.median(bars):.2g}, up to {bars.max():.2g})" if np.isfinite(bars).any() else ""
+            bar = f" (bars {np.median(bars[bars >= 0]):.2g}, up to {bars.max():.2g})" if np.isfinite(bars).any() else ""
             parts.append(f"{model} {np.nanmin(values):.3g} to {np.nanmax(values):.3g}{bar}")
         print(f"{family}, {parameter} = {low} to {high}, {measure}: {'; '.join(parts)}")
 

@@ -61,8 +61,8 @@ bool add_line(LineModel& model, double omega, Neighbours neighbours) {
   return true;
 }
 
-/// Returns true if all lines of the model are resolved. A line at −Ω is the line at Ω. If a refinement brings two lines
-/// together, they imitate one line of varying amplitude, with large amplitudes of opposite sign.
+/// Returns true if no two lines of the model are closer than `resolved`. A line at −Ω is the line at Ω. If a refinement
+/// brings two lines together, they imitate one line of varying amplitude, with large amplitudes of opposite sign.
 bool is_resolved(const LineModel& model) {
   std::vector<double> lines;
   for (const Wave& wave : model.waves) lines.push_back(std::abs(model.omega(wave)));
