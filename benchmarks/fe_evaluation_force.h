@@ -1,7 +1,7 @@
 #pragma once
 /// The elastic force f_n = −∫P(F):∇φ_n of the same discretisation by dealii::MatrixFree and dealii::FEEvaluation, with
-/// the settings that suit it best: geometry stored at the points, unknowns renumbered for its cell loop, which also
-/// clears the result, no test of det F. There are two of them:
+/// the geometry stored at the points, unknowns renumbered for the cell loop, which also clears the result, and no test
+/// of det F. There are two of them:
 ///
 ///   installed     the installed library. Debian's has vectors of one number.
 ///   equal width   the templates of the same library, compiled with the widest vectors of this processor

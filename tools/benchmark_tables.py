@@ -56,7 +56,7 @@ def methods_together(data, level="1e-10"):
 
 
 def two_digits(x):
-    return f"{x:.0f}" if x >= 9.95 else f"{x:#.2g}"
+    return f"{float(f'{x:.2g}'):.0f}" if x >= 9.95 else f"{x:#.2g}"
 
 
 def fastest(points, level, of_libraries):

@@ -6,8 +6,8 @@
 
 The same problem and reference as benchmarks/ball_release.py, on the same octant (fenicsx_octant.py), with the schemes of
 release.py. Displacement u in Q_k with geometry of degree k, Kirchhoff pressure p discontinuous of degree k − 1, ∫ q ln det F = 0.
-What helps it: factors by MUMPS, forms compiled with -O3 -march=native, quadrature of degree 2k, processor time without imports,
-mesh, and compilation of forms.
+The settings are those that suit FEniCSx: factors by MUMPS, forms compiled with -O3 -march=native, quadrature of degree 2k. Imports,
+mesh and compilation of forms are not timed.
 
 Columns: degree, refinements, scheme, step, unknowns, seconds (processor time from the first assembly to the last sample;
 median of three runs, or of as many as 10 seconds hold), error (largest difference of Q33 over the 50 samples),

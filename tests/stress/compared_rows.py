@@ -1,6 +1,6 @@
-"""Rows of sweeps of several models, drawn at random from the samples of docs/adequacy.md: each is a single run bit by bit, and a
-finer comparison (two degrees more, in the short form one, and a tenth of the tolerance) lies within its error bars, those of the ratio
-of the frequencies and of the largest difference of Q."""
+"""Rows of sweeps of several models, drawn at random from the samples of docs/adequacy.md. Each row is a single run bit by bit. A finer
+comparison has two degrees more, in the short form one, and a tenth of the tolerance. Its ratio of the frequencies and its largest
+difference of Q lie within the error bars of the row."""
 import json
 import pathlib
 import random
