@@ -180,7 +180,7 @@ TEST(Frequency, LinesStayResolved) {
     });
     ASSERT_TRUE(f) << f.reason;
     std::vector<double> lines;
-    for (const Line& line : f.lines) lines.push_back(std::abs(line.frequency));
+    for (const pseudorigid::analysis::Line& line : f.lines) lines.push_back(std::abs(line.frequency));
     std::ranges::sort(lines);
     for (std::size_t l = 1; l < lines.size(); ++l)
       EXPECT_GE((lines[l] - lines[l - 1]) * duration / (2 * pi), 0.699) << "run " << run;
