@@ -5,6 +5,8 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "analysis/line_model.h"
@@ -33,7 +35,9 @@ double scan_low_frequencies(LineModel model, double peak) {
   return best;
 }
 
-constexpr double resolved = 0.7 * pi;  ///< least distance of two lines in Ω; π is one resolution width
+// Distances of two lines in Ω. One resolution width is π.
+constexpr double resolved = 0.7 * pi;      ///< least distance of two lines
+constexpr double well_separated = 2 * pi;  ///< least distance of a new line from others if neighbours are excluded
 
 /// Whether a new line may be closer than two resolution widths to another line.
 enum class Neighbours { admitted, excluded };
@@ -42,7 +46,7 @@ enum class Neighbours { admitted, excluded };
 /// the first line, and otherwise free. If the peak is close to a constrained line, the function frees this line and
 /// does not add another. Returns false, without a change, if Ω is too close to another line.
 bool add_line(LineModel& model, double omega, Neighbours neighbours) {
-  constexpr double tie_width = 0.5 * pi, well_separated = 2 * pi;  // distances in Ω
+  constexpr double tie_width = 0.5 * pi;  // a distance in Ω
   double distance = std::numeric_limits<double>::infinity();
   for (Wave& wave : model.waves) {
     const double d = std::abs(model.omega(wave) - omega);
@@ -61,14 +65,44 @@ bool add_line(LineModel& model, double omega, Neighbours neighbours) {
   return true;
 }
 
-/// Returns true if no two lines of the model are closer than `resolved`. A line at −Ω is the line at Ω. If a refinement
-/// brings two lines together, they imitate one line of varying amplitude, with large amplitudes of opposite sign.
-bool is_resolved(const LineModel& model) {
-  std::vector<double> lines;
-  for (const Wave& wave : model.waves) lines.push_back(std::abs(model.omega(wave)));
-  std::ranges::sort(lines);
-  const auto too_close = [](double below, double above) { return above - below < resolved; };
-  return std::ranges::adjacent_find(lines, too_close) == lines.end();
+/// The later of two lines that are closer than `resolved`, or nothing if all lines are resolved. The samples do not
+/// distinguish Ω from its images −Ω and Ω + π(n − 1), for n samples. A line must also be resolved from its images.
+std::optional<std::size_t> merged_line(const LineModel& model) {
+  const double period = pi * double(model.residual().size() - 1);
+  const auto distance = [&](double a, double b) { return std::abs(std::remainder(a - b, period)); };
+  for (std::size_t l = 1; l < model.waves.size(); ++l) {
+    const double line = model.omega(model.waves[l]);
+    if (distance(line, -line) < resolved) return l;
+    for (std::size_t k = 0; k < l; ++k) {
+      const double other = model.omega(model.waves[k]);
+      if (std::min(distance(line, other), distance(line, -other)) < resolved) return l;
+    }
+  }
+  return {};
+}
+
+/// Removes the line with the index `line` > 0, together with its frequency if this is free.
+void remove_line(LineModel& model, std::size_t line) {
+  const auto [base, multiple] = model.waves[line];
+  model.waves.erase(model.waves.begin() + std::ptrdiff_t(line));
+  if (multiple > 1) return;
+  model.bases.erase(model.bases.begin() + std::ptrdiff_t(base));
+  for (Wave& wave : model.waves) wave.base -= wave.base > base;
+}
+
+/// Refines the frequencies. If the refinement brings two lines together, they imitate one line of varying amplitude,
+/// with large amplitudes of opposite sign. The function then removes the later of both, which was found at a lower
+/// peak, and repeats the refinement from the beginning.
+void refine_resolved(LineModel& model, LineModel::Accuracy accuracy) {
+  while (true) {
+    const std::vector<double> start = model.bases;
+    model.project();
+    model.refine(accuracy);
+    const std::optional<std::size_t> merged = merged_line(model);
+    if (!merged) return;
+    model.bases = start;
+    remove_line(model, *merged);
+  }
 }
 
 /// Finds the first line and makes it the only line of the model. Returns the reason if there is no first line, and
@@ -99,15 +133,10 @@ struct Assessment {
   /// with the matrix S of line_model.h.
   double deviation;
   double first_error;  ///< standard error of the first frequency Ω
-  /// The largest part of a change of the first Ω, from one accepted model to the next, that exceeds the standard error
-  /// of the former. It shows that this error was too small.
-  double excess = 0;
+  /// The largest change of the first Ω from one accepted model to the next, in standard errors of the former, but at
+  /// least 1. A larger value shows that the standard errors of this signal are too small by this factor.
+  double factor = 1;
 };
-
-/// The excess after a change of the first Ω by `change` from a model with the quality `before`.
-double excess_after(const Assessment& before, double change) {
-  return std::max(before.excess, std::abs(change) - before.first_error);
-}
 
 /// Computes the quality of a model. `size` is the largest magnitude of the samples and determines their round-off.
 Assessment assess(LineModel& model, double size) {
@@ -119,65 +148,84 @@ Assessment assess(LineModel& model, double size) {
   return a;
 }
 
-/// A round of the search for further lines: the largest number of peaks that become lines, and whether new lines may be
-/// close to other lines.
-struct Round {
-  std::size_t n_peaks;
-  Neighbours neighbours;
+/// The search for the lines of a signal.
+struct Search {
+  LineModel& model;
+  Assessment state;  ///< quality of `model`
+  double size;       ///< the largest magnitude of the samples
+  int max_lines;
+
+  /// Adds lines at the peaks `peaks` of the residual if this reduces the error of the first frequency. Then updates the
+  /// model and its quality and returns true. Otherwise the model does not change, and the result is false.
+  bool add_lines(std::span<const double> peaks, Neighbours neighbours);
+  /// Adds lines at all peaks of the residual, or otherwise one line at the first peak that permits this. Returns false
+  /// if no peak permits it.
+  bool add_lines();
+  /// Refines all frequencies, unless this doubles the error of the first frequency.
+  void polish();
+
+ private:
+  /// Replaces the model by `trial`, with the quality `outcome`.
+  void accept(LineModel& trial, Assessment outcome);
 };
 
-/// Adds lines at the peaks `state.peaks` of the residual if this reduces the error of the first frequency. Then updates
-/// the quality `state` of the model and returns true. Otherwise the model does not change, and the result is false.
-bool add_lines(LineModel& model, Assessment& state, const Round& round, double size, int max_lines) {
-  LineModel trial = model;
-  std::size_t n_added = 0;
-  for (const double peak : state.peaks) {
-    const bool full = int(trial.waves.size()) >= max_lines || 2 * (trial.n_parameters() + 3) > trial.residual().size();
-    if (full || n_added == round.n_peaks) break;
-    n_added += add_line(trial, peak, round.neighbours);
-  }
-  if (n_added == 0) return false;
-  trial.project();
-  trial.refine(LineModel::Accuracy::rough);
-  if (!is_resolved(trial)) return false;
-  Assessment outcome = assess(trial, size);
-  if (!(outcome.first_error < state.first_error)) return false;
-  // Two close lines can imitate one line of varying amplitude, but the residual then has peaks. If the signal really
-  // has two close lines, the residual has no peaks.
-  if (round.neighbours == Neighbours::admitted && !outcome.peaks.empty()) return false;
-  outcome.excess = excess_after(state, trial.bases[0] - model.bases[0]);
+void Search::accept(LineModel& trial, Assessment outcome) {
+  outcome.factor = std::max(state.factor, std::abs(trial.bases[0] - model.bases[0]) / state.first_error);
   std::swap(model.bases, trial.bases);
   std::swap(model.waves, trial.waves);
   model.project();
   state = std::move(outcome);
+}
+
+bool Search::add_lines(std::span<const double> peaks, Neighbours neighbours) {
+  LineModel trial = model;
+  for (const double peak : peaks) {
+    const bool full = int(trial.waves.size()) >= max_lines || 2 * (trial.n_parameters() + 3) > trial.residual().size();
+    if (full) break;
+    if (add_line(trial, peak, neighbours)) trial.project();
+  }
+  if (trial.n_parameters() == model.n_parameters()) return false;
+  refine_resolved(trial, LineModel::Accuracy::rough);
+  if (trial.n_parameters() <= model.n_parameters()) return false;
+  Assessment outcome = assess(trial, size);
+  if (!(outcome.first_error < state.first_error)) return false;
+  // Two close lines can imitate one line of varying amplitude, but the residual then has peaks close to them. If the
+  // signal really has two close lines, the residual has no such peaks.
+  const auto is_near = [&](double peak) {
+    return std::ranges::any_of(peaks, [&](double line) { return std::abs(peak - line) < well_separated; });
+  };
+  if (neighbours == Neighbours::admitted && std::ranges::any_of(outcome.peaks, is_near)) return false;
+  accept(trial, std::move(outcome));
   return true;
 }
 
+bool Search::add_lines() {
+  const std::vector<double> peaks = state.peaks;
+  if (add_lines(peaks, Neighbours::excluded)) return true;
+  for (const Neighbours neighbours : {Neighbours::excluded, Neighbours::admitted})
+    for (const double& peak : peaks)
+      if (add_lines({&peak, 1}, neighbours)) return true;
+  return false;
+}
+
+void Search::polish() {
+  LineModel polished = model;
+  refine_resolved(polished, LineModel::Accuracy::full);
+  Assessment outcome = assess(polished, size);
+  if (outcome.first_error < 2 * state.first_error) accept(polished, std::move(outcome));
+}
+
 /// Adds lines until the residual is round-off or the first frequency has the precision `options.precision`. The search
-/// also ends if no further line is permitted, or if no further line reduces the error of the first frequency. Then the
-/// function refines all frequencies, unless this doubles the error of the first frequency. Returns the quality of the
-/// model.
+/// also ends if no further line is permitted, or if no further line reduces the error of the first frequency. Returns
+/// the quality of the model.
 Assessment complete_lines(LineModel& model, double size, const FrequencyOptions& options) {
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * size;
-  const std::size_t all = std::size_t(options.max_lines);
-  const Round rounds[] = {{all, Neighbours::excluded}, {1, Neighbours::excluded}, {1, Neighbours::admitted}};
-  Assessment state = assess(model, size);
-  bool gained = true;
-  while (gained && std::sqrt(model.rss() / double(model.residual().size())) > round_off &&
-         state.first_error > options.precision * model.bases[0]) {
-    const auto gains = [&](const Round& round) { return add_lines(model, state, round, size, options.max_lines); };
-    gained = std::ranges::any_of(rounds, gains);
+  Search search{.model = model, .state = assess(model, size), .size = size, .max_lines = options.max_lines};
+  while (std::sqrt(model.rss() / double(model.residual().size())) > round_off &&
+         search.state.first_error > options.precision * model.bases[0] && search.add_lines()) {
   }
-  // If two lines merge during the refinement, the residual can decrease and the error of the frequency increase. The
-  // unrefined frequencies are then better.
-  LineModel polished = model;
-  polished.refine(LineModel::Accuracy::full);
-  Assessment outcome = assess(polished, size);
-  if (!is_resolved(polished) || !(outcome.first_error < 2 * state.first_error)) return state;
-  outcome.excess = excess_after(state, polished.bases[0] - model.bases[0]);
-  std::swap(model.bases, polished.bases);
-  model.project();
-  return outcome;
+  search.polish();
+  return search.state;
 }
 
 /// The lines of a model with this quality: the first line, and then the others by decreasing amplitude. `half_length`
@@ -190,7 +238,7 @@ std::vector<Line> read_lines(LineModel& model, const Assessment& quality, double
     const Wave& wave = model.waves[l];
     const double omega = model.omega(wave);
     const double standard = quality.deviation * std::sqrt(std::abs(curvature[Index(wave.base)]));
-    const double error = wave.multiple * (standard + (wave.base == 0 ? quality.excess : 0));
+    const double error = wave.multiple * standard * (wave.base == 0 ? quality.factor : 1);
     lines.push_back({.frequency = omega / half_length,
                      .uncertainty = error / half_length,
                      .amplitude = std::hypot(a, b),
