@@ -190,6 +190,36 @@ TEST(Frequency, LinesStayResolved) {
   EXPECT_LT(mean_uncertainty, 0.01 * omega);  // a bound set after the mean 0.0077 had been seen
 }
 
+/// A line close to frequency 0 and its image at the negative frequency imitate a drift. The same happens at the Nyquist
+/// frequency.
+TEST(Frequency, LinesAreResolvedFromTheirImages) {
+  for (const double rate : {0.0, 0.4}) {
+    const double duration = 24;
+    const FrequencyFit f = fit(241, duration, [&](double t) {
+      return (1 + 0.3 * t / duration) * std::exp(-rate * t / duration) * std::cos(2.67 * t) +
+             0.1 * std::cos(6.3 * t + 1);
+    });
+    ASSERT_TRUE(f) << f.reason;
+    for (const pseudorigid::analysis::Line& line : f.lines) {
+      EXPECT_LE(line.amplitude, 1.5) << "line at " << line.frequency;
+      EXPECT_GT(std::abs(line.frequency), 0.3 * 2 * pi / duration);
+      EXPECT_LT(line.frequency, 10 * pi);
+    }
+  }
+}
+
+/// Two lines that the record does not resolve do not hide a third one.
+TEST(Frequency, AMergedLineDoesNotEndTheSearch) {
+  const double duration = 12, width = 2 * pi / duration;
+  const FrequencyFit f = fit(121, duration, [&](double t) {
+    return std::cos(2.67 * t) + 0.4 * std::cos((2.67 + 0.35 * width) * t + 2) + 0.02 * std::cos(6.3 * t + 1) +
+           0.005 * std::cos(9.1 * t);
+  });
+  ASSERT_TRUE(f) << f.reason;
+  const auto is_third = [](const pseudorigid::analysis::Line& line) { return std::abs(line.frequency - 9.1) < 0.1; };
+  EXPECT_TRUE(std::ranges::any_of(f.lines, is_third));
+}
+
 TEST(Frequency, DampedLineKeepsItsFrequencyWithinTheUncertainty) {
   for (const double rate : {0.001, 0.01, 0.1}) {
     const FrequencyFit f = fit(400, 40, [&](double t) { return std::exp(-rate * t) * std::cos(2.7 * t); });
