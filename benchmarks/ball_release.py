@@ -42,7 +42,7 @@ GRAVITY = """subsection Gravity
 end
 """
 REFERENCES = pathlib.Path(__file__).parent / "references"
-DISCRETIZATIONS = [(2, 1), (3, 0), (4, 0), (3, 1), (5, 0), (6, 0), (4, 1), (2, 2), (7, 0), (5, 1), (8, 0)]
+DISCRETIZATIONS = [(2, 0), (2, 1), (3, 0), (4, 0), (3, 1), (5, 0), (6, 0), (4, 1), (2, 2), (7, 0), (5, 1), (8, 0)]
 REFERENCE_DEGREES = (4, 5, 6)
 LARGE = [(7, 0), (5, 1), (8, 0)]  # where only the smallest errors are worth their time
 QUICK = [(2, 1), (3, 0), (4, 0), (3, 1), (5, 0)]

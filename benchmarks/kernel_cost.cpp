@@ -6,37 +6,11 @@
 #include "continuum/kernels/pressure_basis.h"
 #include "continuum/kernels/stress_points.h"
 #include "continuum/kernels/sum_factorization.h"
+#include "counted.h"
 #include "materials/ciarlet_geymonat.h"
 
 namespace pseudorigid::benchmarks {
 namespace {
-
-/// A number that counts what is done to it.
-struct Counted {
-  static inline long n_operations = 0;
-  double v = 1;
-
-  Counted() = default;
-  Counted(double value) : v(value) {}
-  static Counted counted(double value) {
-    ++n_operations;
-    return value;
-  }
-  friend Counted operator+(Counted a, Counted b) { return counted(a.v + b.v); }
-  friend Counted operator-(Counted a, Counted b) { return counted(a.v - b.v); }
-  friend Counted operator*(Counted a, Counted b) { return counted(a.v * b.v); }
-  friend Counted operator/(Counted a, Counted b) { return counted(a.v / b.v); }
-  Counted& operator+=(Counted b) { return *this = *this + b; }
-  friend Counted operator-(Counted a) { return counted(-a.v); }
-  friend Counted min(Counted a, Counted b) { return a.v < b.v ? a : b; }
-};
-
-template <class Run>
-double operations(const Run& run) {
-  const long before = Counted::n_operations;
-  run();
-  return static_cast<double>(Counted::n_operations - before);
-}
 
 using Tensor = materials::Tensor<Counted>;
 using Law = materials::CiarletGeymonat;

@@ -12,7 +12,7 @@
 ///   over_fe_evaluation              median against that of FEEvaluation's force with our number of lanes, or with one lane
 ///                                   without PSEUDORIGID_NATIVE or AVX
 ///   difference                      of |f|₂ from FEEvaluation's, relative (0 where there is nothing to compare)
-///   flops, bytes                    of one unknown, counted (kernel_cost.h; 0 for FEEvaluation)
+///   flops, bytes                    of one unknown, counted (kernel_cost.h; 0 for FEEvaluation with the installed lanes)
 ///   roofline                        unknowns per second that the machine's limits allow with them
 
 #include <algorithm>
@@ -115,13 +115,16 @@ void measure(int degree, unsigned int least_unknowns, const MachineLimits& limit
   FEEvaluationForce::Vector installed_f = installed_x, rival_f = rival_x;
 
   std::vector<Job> jobs;
-  const auto add = [&](const char* kernel, double vector_bytes, const std::function<void()>& call) {
-    const CellCost cost = cell_cost(kernel, degree);
+  const auto add_job = [&](const std::string& kernel, const CellCost& cost, double vector_bytes,
+                           const std::function<void()>& call) {
     jobs.push_back({kernel, call, cost.flops * space->n_cells() / n_unknowns,
                     cost.cell_bytes * space->n_cells() / n_unknowns + vector_bytes});
   };
+  const auto add = [&](const char* kernel, double vector_bytes, const std::function<void()>& call) {
+    add_job(kernel, cell_cost(kernel, degree), vector_bytes, call);
+  };
   const auto of_width = [](int n_lanes) { return "FEEvaluation/" + std::to_string(n_lanes); };
-  jobs.push_back({of_width(rival->n_lanes()), [&] { rival->force(rival_x, rival_f); }});
+  add_job(of_width(rival->n_lanes()), fe_evaluation_cost(degree), 8 + 24, [&] { rival->force(rival_x, rival_f); });
   add("force", 8 + 24, [&] { kernels->force(y.x, y.f); });
   add("constraint", 8, [&] { kernels->constraint(y.x, y.g); });
   add("rate", 16, [&] { kernels->constraint_rate(y.x, y.v, y.g); });

@@ -56,7 +56,7 @@ def three_programs(data):
     """The times for one error, interpolated in logarithms on the front of each program."""
     runs = read_rows(data, "three_programs.csv")
     rows = []
-    for level in (1e-3, 3e-4, 1e-4, 3e-5, 1e-5):
+    for level in (1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6):
         own, *of_peers = (time_within_front([(float(r["seconds"]), float(r["error"])) for r in runs if r["program"] == name], level)
                           for name in ("pseudorigid", *PEERS))
         rows.append([f"{level:.0e}", *(number(t, 2) if t else NONE for t in (own, *of_peers)),

@@ -32,7 +32,8 @@ JOBS = {
     (4, 0): {"midpoint": (4, 8, 16, 32), "midpoint, order 4": (1, 2)},
     (3, 1): {"midpoint, order 4": (1, 2, 3)},
     (5, 0): {"midpoint": (32,), "midpoint, order 4": (1, 2, 3)},
-    (4, 1): {"midpoint, order 4": (2,)},
+    (4, 1): {"midpoint, order 4": (1, 2)},
+    (5, 1): {"midpoint, order 4": (2, 3)},
 }
 QUICK = {(3, 0): {"midpoint": (4,)}, (4, 0): {"midpoint": (8,), "midpoint, order 4": (1,)}}
 SIZES = ((3, 0), (4, 0), (4, 1), (3, 2), (4, 2))

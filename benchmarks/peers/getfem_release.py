@@ -27,8 +27,8 @@ from release import main
 JOBS = {
     (2, 0): {"midpoint": (2, 4)},
     (2, 1): {"midpoint": (4, 8), "midpoint, order 4": (1,)},
-    (3, 0): {"midpoint": (2, 4), "midpoint, order 4": (1,)},
-    (2, 2): {"midpoint": (8,)},
+    (3, 0): {"midpoint": (2,)},
+    (2, 2): {"midpoint": (8,), "midpoint, order 4": (1, 2)},
 }
 QUICK = {(2, 0): {"midpoint": (2,)}}
 SIZES = ((2, 0), (2, 1), (3, 1), (2, 2))
