@@ -10,12 +10,13 @@
 namespace pseudorigid::benchmarks {
 namespace {
 
-/// The sweeps of one component, as in FEEvaluationImplTransformToCollocation: three that change the basis to the
-/// Lagrange polynomials of the Gauss points, and three derivatives. Integration has the transposed sweeps.
+/// The operations of the sweeps of one component. They are those of FEEvaluationImplTransformToCollocation: three
+/// sweeps change the basis to the Lagrange polynomials of the Gauss points, and three differentiate. Integration has
+/// the transposed sweeps.
 template <int n>
 double sweeps_of_component() {
   using Sweeps = dealii::internal::EvaluatorTensorProduct<dealii::internal::evaluate_evenodd, 3, n, n, Counted, double>;
-  dealii::AlignedVector<double> shapes(n * ((n + 1) / 2) * 2, 1.0);
+  dealii::AlignedVector<double> shapes(n * ((n + 1) / 2), 1.0);
   const Sweeps sweeps(shapes, shapes, shapes);
   std::vector<Counted> nodal(n * n * n), at_points(n * n * n), gradient(3 * n * n * n);
   const double evaluation = operations([&] {
@@ -37,23 +38,25 @@ double sweeps_of_component() {
   return evaluation + integration;
 }
 
-/// The gradient from the stored (∂X/∂ξ)⁻ᵀ, the stress and its sign, and the way back with the weight.
-double point() {
+/// The operations at a point: the gradient in space by a stored matrix, the stress, its sign, and the product with this
+/// matrix and the weight.
+double operations_at_point() {
   constexpr double gradient = 9 * (3 + 2), submitted = 9 * (3 + 2 + 1), signs = 9;
   const double stress = operations([] { materials::CiarletGeymonat{1, 0}.stress(materials::Tensor<Counted>{}); });
   return gradient + stress + signs + submitted;
 }
 
 template <int degree>
-CellCost cost_up_to(int wanted) {
+CellCost fe_cost_up_to(int wanted) {
   constexpr int n = degree + 1, n_points = n * n * n;
-  if (wanted == degree) return {3 * sweeps_of_component<n>() + n_points * point(), n_points * (10 * 8.0 + 3 * 4.0)};
-  if constexpr (degree > 2) return cost_up_to<degree - 1>(wanted);
+  if (wanted == degree)
+    return {3 * sweeps_of_component<n>() + n_points * operations_at_point(), n_points * (10 * 8.0 + 3 * 4.0)};
+  if constexpr (degree > 2) return fe_cost_up_to<degree - 1>(wanted);
   throw std::invalid_argument("no cost known of that degree");
 }
 
 }  // namespace
 
-CellCost fe_evaluation_cost(int degree) { return cost_up_to<8>(degree); }
+CellCost fe_evaluation_cost(int degree) { return fe_cost_up_to<8>(degree); }
 
 }  // namespace pseudorigid::benchmarks

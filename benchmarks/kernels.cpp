@@ -12,7 +12,8 @@
 ///   over_fe_evaluation              median against that of FEEvaluation's force with our number of lanes, or with one lane
 ///                                   without PSEUDORIGID_NATIVE or AVX
 ///   difference                      of |f|₂ from FEEvaluation's, relative (0 where there is nothing to compare)
-///   flops, bytes                    of one unknown, counted (kernel_cost.h; 0 for FEEvaluation with the installed lanes)
+///   flops, bytes                    of one unknown, counted (kernel_cost.h; 0 for the last row, FEEvaluation with the
+///                                   installed lanes). FEEvaluation clears the force in the cache
 ///   roofline                        unknowns per second that the machine's limits allow with them
 
 #include <algorithm>
@@ -124,7 +125,7 @@ void measure(int degree, unsigned int least_unknowns, const MachineLimits& limit
     add_job(kernel, cell_cost(kernel, degree), vector_bytes, call);
   };
   const auto of_width = [](int n_lanes) { return "FEEvaluation/" + std::to_string(n_lanes); };
-  add_job(of_width(rival->n_lanes()), fe_evaluation_cost(degree), 8 + 24, [&] { rival->force(rival_x, rival_f); });
+  add_job(of_width(rival->n_lanes()), fe_evaluation_cost(degree), 8 + 16, [&] { rival->force(rival_x, rival_f); });
   add("force", 8 + 24, [&] { kernels->force(y.x, y.f); });
   add("constraint", 8, [&] { kernels->constraint(y.x, y.g); });
   add("rate", 16, [&] { kernels->constraint_rate(y.x, y.v, y.g); });

@@ -15,7 +15,7 @@ import tempfile
 from ball_release import Release
 
 N_STEPS = 40
-SIZES = ((4, 0, 0.01), (4, 1, 0.005), (4, 2, 0.0025), (4, 3, 0.00125), (6, 3, 0.0008))  # degree, refinements, step
+SIZES = ((4, 0, 0.01), (4, 1, 0.005), (4, 2, 0.0025), (4, 3, 0.00125), (6, 3, 0.0006))  # degree, refinements, step
 
 
 def main():

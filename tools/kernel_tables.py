@@ -17,10 +17,12 @@ def equal_width(data):
     for r in rows:
         meshes.setdefault((r["degree"], int(r["unknowns"])), {})[r["kernel"]] = r
     rivals = sorted({r["kernel"] for r in rows if "/" in r["kernel"]}, key=lambda name: int(name.partition("/")[2]))
-    return (["k", "unknowns", *map(name_of_kernel, rivals), "force", f"force / {name_of_kernel(rivals[-1])}", "of the best rounds"], [
+    return (["k", "unknowns", *map(name_of_kernel, rivals), "force", f"force / {name_of_kernel(rivals[-1])}", "of the best rounds",
+             "flops an unknown, FEEvaluation / force", "bytes an unknown, FEEvaluation / force"], [
         [degree, str(n_unknowns), *(f"{float(of[kernel]['per_second']) / 1e6:.0f}" for kernel in [*rivals, "force"]),
          f"{float(of['force']['over_fe_evaluation']):.2f}",
-         f"{float(of['force']['best_per_second']) / float(of[rivals[-1]]['best_per_second']):.2f}"]
+         f"{float(of['force']['best_per_second']) / float(of[rivals[-1]]['best_per_second']):.2f}",
+         *(f"{of[rivals[-1]][column]} / {of['force'][column]}" for column in ("flops", "bytes"))]
         for (degree, n_unknowns), of in sorted(meshes.items())]) if rows else None
 
 

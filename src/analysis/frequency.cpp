@@ -66,7 +66,8 @@ bool add_line(LineModel& model, double omega, Neighbours neighbours) {
 }
 
 /// The later of two lines that are closer than `resolved`, or nothing if all lines are resolved. The samples do not
-/// distinguish Ω from its images −Ω and Ω + π(n − 1), for n samples. A line must also be resolved from its images.
+/// distinguish Ω from its images −Ω and Ω + π(n − 1), for n samples. Lines after the first must also be resolved from
+/// their images.
 std::optional<std::size_t> merged_line(const LineModel& model) {
   const double period = pi * double(model.residual().size() - 1);
   const auto distance = [&](double a, double b) { return std::abs(std::remainder(a - b, period)); };
@@ -91,8 +92,8 @@ void remove_line(LineModel& model, std::size_t line) {
 }
 
 /// Refines the frequencies. If the refinement brings two lines together, they imitate one line of varying amplitude,
-/// with large amplitudes of opposite sign. The function then removes the later of both, which was found at a lower
-/// peak, and repeats the refinement from the beginning.
+/// with large amplitudes of opposite sign. The function then removes the later of both and repeats the refinement from
+/// the beginning. Lines are added at the highest peaks first, so the later line is usually the weaker one.
 void refine_resolved(LineModel& model, LineModel::Accuracy accuracy) {
   while (true) {
     const std::vector<double> start = model.bases;
@@ -148,7 +149,7 @@ Assessment assess(LineModel& model, double size) {
   return a;
 }
 
-/// The search for the lines of a signal.
+/// The search for the lines of a signal with more than one line.
 struct Search {
   LineModel& model;
   Assessment state;  ///< quality of `model`
@@ -161,7 +162,8 @@ struct Search {
   /// Adds lines at all peaks of the residual, or otherwise one line at the first peak that permits this. Returns false
   /// if no peak permits it.
   bool add_lines();
-  /// Refines all frequencies, unless this doubles the error of the first frequency.
+  /// Refines all frequencies, and removes lines that merge. Does nothing if this doubles the error of the first
+  /// frequency.
   void polish();
 
  private:
@@ -178,10 +180,13 @@ void Search::accept(LineModel& trial, Assessment outcome) {
 }
 
 bool Search::add_lines(std::span<const double> peaks, Neighbours neighbours) {
+  const auto is_full = [this](const LineModel& m) {
+    return int(m.waves.size()) >= max_lines || 2 * (m.n_parameters() + 3) > m.residual().size();
+  };
+  if (is_full(model)) return false;
   LineModel trial = model;
   for (const double peak : peaks) {
-    const bool full = int(trial.waves.size()) >= max_lines || 2 * (trial.n_parameters() + 3) > trial.residual().size();
-    if (full) break;
+    if (is_full(trial)) break;
     if (add_line(trial, peak, neighbours)) trial.project();
   }
   if (trial.n_parameters() == model.n_parameters()) return false;
@@ -202,9 +207,11 @@ bool Search::add_lines(std::span<const double> peaks, Neighbours neighbours) {
 bool Search::add_lines() {
   const std::vector<double> peaks = state.peaks;
   if (add_lines(peaks, Neighbours::excluded)) return true;
-  for (const Neighbours neighbours : {Neighbours::excluded, Neighbours::admitted})
+  for (const Neighbours neighbours : {Neighbours::excluded, Neighbours::admitted}) {
+    if (peaks.size() == 1 && neighbours == Neighbours::excluded) continue;  // tried already
     for (const double& peak : peaks)
       if (add_lines({&peak, 1}, neighbours)) return true;
+  }
   return false;
 }
 
@@ -216,8 +223,8 @@ void Search::polish() {
 }
 
 /// Adds lines until the residual is round-off or the first frequency has the precision `options.precision`. The search
-/// also ends if no further line is permitted, or if no further line reduces the error of the first frequency. Returns
-/// the quality of the model.
+/// also ends if no further line is permitted, or if no further line reduces the error of the first frequency. Then
+/// `polish` refines all lines. Returns the quality of the model.
 Assessment complete_lines(LineModel& model, double size, const FrequencyOptions& options) {
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * size;
   Search search{.model = model, .state = assess(model, size), .size = size, .max_lines = options.max_lines};

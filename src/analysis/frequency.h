@@ -15,10 +15,10 @@
 ///
 /// The fit has the following limits. The record must contain at least 16 samples and one period. A new line is at least
 /// two resolution widths 2π/T from other lines, with the length T of the record. A closer line is admitted only if the
-/// residual then has no peak, because a modulated or damped line also resembles several close lines. A line at a
-/// multiple of ω₀ may also be closer. If the refinement brings two lines closer than 0.7 widths, the later line is
-/// removed. Frequencies are below the Nyquist frequency. The fit cannot detect that a frequency is an alias of a higher
-/// frequency.
+/// residual then has no peak within two widths of it, because a modulated or damped line also resembles several close
+/// lines. A line at a multiple of ω₀ may also be closer. If the refinement brings two lines closer than 0.7 widths, the
+/// later line is removed. The same holds for a line and its image at −ω, or beyond the Nyquist frequency. Frequencies
+/// are below the Nyquist frequency. The fit cannot detect that a frequency is an alias of a higher frequency.
 
 #include <optional>
 #include <span>
@@ -43,8 +43,8 @@ struct Line {
 /// times the error of ω₀. If the residual is noise, σ is its standard deviation, but at least the round-off of the
 /// samples. If the periodogram of the residual still has a peak, for example from a line close to another line, σ is
 /// the norm of the residual. By the inequality of Cauchy and Schwarz, the standard error is then a bound of the error
-/// that a signal of this size can cause. If further lines change ω₀ by more than its standard error before the change,
-/// the standard error of ω₀ is multiplied by the largest ratio of both.
+/// that a signal of this size can cause. The search for lines can change ω₀ by more than the standard error that ω₀ had
+/// before. The standard error is then multiplied by the change over the error before, the largest one of the search.
 struct FrequencyFit {
   std::vector<Line> lines;
   std::string reason;  ///< for example "the signal is constant"; empty if there are lines

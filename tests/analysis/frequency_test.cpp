@@ -187,11 +187,10 @@ TEST(Frequency, LinesStayResolved) {
     EXPECT_NEAR(f.dominant().frequency, omega, 3 * f.dominant().uncertainty) << "run " << run;
     mean_uncertainty += f.dominant().uncertainty / n_runs;
   }
-  EXPECT_LT(mean_uncertainty, 0.01 * omega);  // a bound set after the mean 0.0077 had been seen
+  EXPECT_LT(mean_uncertainty, 0.01 * omega);  // a bound set after the mean 0.0077 ω had been seen
 }
 
-/// A line close to frequency 0 and its image at the negative frequency imitate a drift. The same happens at the Nyquist
-/// frequency.
+/// A line close to frequency 0 and its image at the negative frequency imitate a drift.
 TEST(Frequency, LinesAreResolvedFromTheirImages) {
   for (const double rate : {0.0, 0.4}) {
     const double duration = 24;
@@ -203,7 +202,6 @@ TEST(Frequency, LinesAreResolvedFromTheirImages) {
     for (const pseudorigid::analysis::Line& line : f.lines) {
       EXPECT_LE(line.amplitude, 1.5) << "line at " << line.frequency;
       EXPECT_GT(std::abs(line.frequency), 0.3 * 2 * pi / duration);
-      EXPECT_LT(line.frequency, 10 * pi);
     }
   }
 }
