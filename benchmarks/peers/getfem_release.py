@@ -7,8 +7,9 @@
 The same problem, reference and schemes as in fenicsx_release.py (release.py), on the same hexahedra of the octant.
 Displacements are in Q_k with geometry of degree k, k = 2 or 3. GetFEM 5.4 has no discontinuous P_{k−1} on hexahedra, so the
 Kirchhoff pressure is continuous in Q_{k−1} (Taylor–Hood). All forces and tangents are written in GWFL, with k + 1
-Gauss points in each direction. Factors are by SuperLU, because GetFEM's interface to MUMPS forgets its factors. Degrees above 3 are
-left out, since GetFEM 5.4 tabulates its polynomials again in every assembly.
+Gauss points in each direction. Factors are by SuperLU, because GetFEM's interface to MUMPS forgets its factors. Errors are measured
+for degree 2 only, since GetFEM 5.4 tabulates the polynomials of higher degrees again in every assembly: on an Intel Xeon, a run
+with degree 3 on the unrefined mesh took 256 s and had an error of 4e-3.
 
 Columns: degree, refinements, scheme, step, unknowns, seconds (processor time from the first assembly to the last sample;
 median of three runs, or of as many as 10 seconds hold), error (largest difference of Q33 over the 50 samples),
@@ -27,7 +28,6 @@ from release import main
 JOBS = {
     (2, 0): {"midpoint": (2, 4)},
     (2, 1): {"midpoint": (4, 8), "midpoint, order 4": (1,)},
-    (3, 0): {"midpoint": (2,)},
     (2, 2): {"midpoint": (8,), "midpoint, order 4": (1, 2)},
 }
 QUICK = {(2, 0): {"midpoint": (2,)}}
