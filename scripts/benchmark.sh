@@ -143,14 +143,15 @@ measure_scaling() {
 }
 measure_skipping() { into skipping.csv "$root/benchmarks/skipping.py" "$program" "${quick[@]}"; }
 
-# Name of a program, prefix of its files, packages.
+# Name of a program, prefix of its files, packages, options unless --quick is given.
 measure_release_by() {
-  local script="$root/benchmarks/peers/$2_release.py" packages
+  local script="$root/benchmarks/peers/$2_release.py" packages options=("${quick[@]}")
+  if ((!${#quick[@]})); then options=("${@:4}"); fi
   left_out=yes
   read -ra packages <<<"$3"
   if [[ -n $(missing_packages "${packages[@]}") ]]; then
     say "$1 is left out: apt-get install --no-install-recommends $3"
-  elif into "$2_release.csv" /usr/bin/python3 "$script" "${quick[@]}"; then
+  elif into "$2_release.csv" /usr/bin/python3 "$script" "${options[@]}"; then
     left_out=
     if ((!${#quick[@]})); then into "$2_sizes.csv" /usr/bin/python3 "$script" --sizes || say "$1 failed for large meshes"; fi
   else
@@ -167,9 +168,9 @@ measure_peers() {
     into scipy_small_systems.csv /usr/bin/python3 "$root/benchmarks/peers/scipy_small_systems.py" "${quick[@]}" ||
       say "SciPy failed; its earlier results stay"
   fi
-  measure_release_by FEniCSx fenicsx python3-dolfinx-real
+  measure_release_by FEniCSx fenicsx python3-dolfinx-real --reference "$data/fenicsx_reference.csv"
   [[ -n $left_out ]] || not_measured=
-  measure_release_by GetFEM getfem "python3-getfem++ python3-scipy"
+  measure_release_by GetFEM getfem "python3-getfem++ python3-scipy python3-petsc4py"
   # Only runs of one day and machine belong into one table.
   if [[ -z $not_measured && -z $left_out && " ${parts[*]} " == *" release "* ]]; then
     into three_programs.csv "$root/benchmarks/peers/three_programs.py" "$data"

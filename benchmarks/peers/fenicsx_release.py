@@ -2,17 +2,19 @@
 """The nonlinear release of the ball by FEniCSx (Debian's python3-dolfinx-real): error against run time.
 
     benchmarks/peers/fenicsx_release.py [--quick] > fenicsx_release.csv
+    benchmarks/peers/fenicsx_release.py --reference fenicsx_reference.csv > fenicsx_release.csv
     benchmarks/peers/fenicsx_release.py --sizes > fenicsx_sizes.csv
 
 The same problem and reference as benchmarks/ball_release.py, on the same octant (fenicsx_octant.py), with the schemes of
 release.py. Displacement u in Q_k with geometry of degree k, Kirchhoff pressure p discontinuous of degree k − 1, ∫ q ln det F = 0.
 The settings are those that suit FEniCSx: factors by MUMPS, forms compiled with -O3 -march=native, quadrature of degree 2k. Imports,
-mesh and compilation of forms are not timed.
+mesh and compilation of forms are not timed. With --reference the runs of degree 3, 4 and 5 refined once are extrapolated to a
+reference of FEniCSx alone (release.py).
 
 Columns: degree, refinements, scheme, step, unknowns, seconds (processor time from the first assembly to the last sample;
 median of three runs, or of as many as 10 seconds hold), error (largest difference of Q33 over the 50 samples),
-iterations_per_step (Newton iterations of a midpoint step), factorizations; with --sizes seconds_factors and seconds_step
-(release.py).
+iterations_per_step (Newton iterations of a midpoint step), factorizations; with --sizes solver, seconds_factors and seconds_step
+(release.py). The largest meshes of --sizes have the iterations of saddle_point.py in place of factors.
 """
 import logging
 
@@ -23,6 +25,7 @@ from dolfinx import fem
 from dolfinx.fem import petsc
 from petsc4py import PETSc
 
+import saddle_point
 from fenicsx_octant import octant
 from release import main
 
@@ -32,16 +35,17 @@ JOBS = {
     (4, 0): {"midpoint": (4, 8, 16, 32), "midpoint, order 4": (1, 2)},
     (3, 1): {"midpoint, order 4": (1, 2, 3)},
     (5, 0): {"midpoint": (32,), "midpoint, order 4": (1, 2, 3)},
-    (4, 1): {"midpoint, order 4": (1, 2)},
+    (4, 1): {"midpoint, order 4": (1, 2, 3)},
     (5, 1): {"midpoint, order 4": (2, 3)},
 }
 QUICK = {(3, 0): {"midpoint": (4,)}, (4, 0): {"midpoint": (8,), "midpoint, order 4": (1,)}}
-SIZES = ((3, 0), (4, 0), (4, 1), (3, 2), (4, 2))
+SIZES = {"MUMPS": ((3, 0), (4, 0), (4, 1), (3, 2), (4, 2)), "iterations": ((3, 2), (4, 2), (3, 3), (4, 3), (3, 4))}
 JIT = {"cffi_extra_compile_args": ["-O3", "-march=native", "-ffast-math"]}
 
 
 class Ball:
-    def __init__(self, degree, refinements):
+    def __init__(self, degree, refinements, solver="MUMPS"):
+        self.solver = solver
         mesh = octant(degree, refinements)
         cell = mesh.ufl_cell()
         self.space = fem.FunctionSpace(mesh, ufl.MixedElement([
@@ -93,13 +97,15 @@ class Ball:
             local.set(0)
         petsc.assemble_vector(self.b, self.residual_form)
         self.b.array[self.held] = 0
-        return self.b
+        return self.b.array
 
     def factors(self, z):
         self.z.x.array[:] = z
         self.matrix.zeroEntries()
         petsc.assemble_matrix(self.matrix, self.jacobian, bcs=self.conditions)
         self.matrix.assemble()
+        if self.solver == "iterations":
+            return saddle_point.solver(self.matrix, self.is_displacement)
         solver = PETSc.KSP().create(PETSc.COMM_SELF)
         solver.setOperators(self.matrix.copy())
         solver.setType("preonly")
@@ -107,12 +113,12 @@ class Ball:
         solver.getPC().setFactorSolverType("mumps")
         solver.setUp()
 
-        def solve(residual):
-            solver.solve(residual, self.dx)
+        def solve(_):  # of what residual() returned
+            solver.solve(self.b, self.dx)
             return self.dx.array
         return solve
 
 
 if __name__ == "__main__":
     logging.disable(logging.WARNING)  # FFCx tells of each of its files
-    main(Ball, JOBS, QUICK, SIZES, __doc__)
+    main(Ball, JOBS, QUICK, SIZES, __doc__, of_reference=((3, 1), (4, 1), (5, 1)))

@@ -13,14 +13,16 @@ with degree 3 on the unrefined mesh took 256 s and had an error of 4e-3.
 
 Columns: degree, refinements, scheme, step, unknowns, seconds (processor time from the first assembly to the last sample;
 median of three runs, or of as many as 10 seconds hold), error (largest difference of Q33 over the 50 samples),
-iterations_per_step (Newton iterations of a midpoint step), factorizations; with --sizes seconds_factors and seconds_step
-(release.py).
+iterations_per_step (Newton iterations of a midpoint step), factorizations; with --sizes solver, seconds_factors and seconds_step
+(release.py). The largest meshes of --sizes have the iterations of saddle_point.py in place of factors.
 """
 import getfem as gf
 import numpy as np
 import scipy.sparse as sp
+from petsc4py import PETSc
 from scipy.sparse.linalg import splu
 
+import saddle_point
 from getfem_impact import coarse_cells, position, scipy_matrix
 from release import main
 
@@ -31,7 +33,7 @@ JOBS = {
     (2, 2): {"midpoint": (8,), "midpoint, order 4": (1, 2)},
 }
 QUICK = {(2, 0): {"midpoint": (2,)}}
-SIZES = ((2, 0), (2, 1), (3, 1), (2, 2))
+SIZES = {"SuperLU": ((2, 0), (2, 1), (3, 1), (2, 2)), "iterations": ((2, 2), (2, 3), (2, 4))}
 PLACED = "(Id(3)+0.5*Grad_u+0.5*Grad_start)"
 RESIDUAL = (f"h2*(u-moved).Test_u + ({PLACED}+(p-1)*Inv({PLACED})'):Grad_Test_u + log(Det(Id(3)+Grad_u))*Test_p")
 
@@ -50,7 +52,8 @@ def octant(degree, refinements):
 
 
 class Ball:
-    def __init__(self, degree, refinements):
+    def __init__(self, degree, refinements, solver="SuperLU"):
+        self.solver = solver
         mesh = octant(degree, refinements)
         displacements, pressures = gf.MeshFem(mesh, 3), gf.MeshFem(mesh, 1)
         displacements.set_fem(gf.Fem(f"FEM_QK(3,{degree})"))
@@ -94,7 +97,11 @@ class Ball:
     def factors(self, z):
         self.assemble(z, "build_matrix")
         free, held = (sp.diags(chosen.astype(float)) for chosen in (self.free, ~self.free))
-        return splu((free @ scipy_matrix(self.model.tangent_matrix()) @ free + held).tocsc()).solve
+        tangent = (free @ scipy_matrix(self.model.tangent_matrix()) @ free + held).tocsr()
+        if self.solver == "iterations":
+            return saddle_point.solver(PETSc.Mat().createAIJ(tangent.shape, csr=(tangent.indptr, tangent.indices, tangent.data)),
+                                       self.is_displacement)
+        return splu(tangent.tocsc()).solve
 
 
 if __name__ == "__main__":

@@ -6,8 +6,9 @@ with ρ = μ = 1, W = (μ/2)(tr C − 3 − 2 ln J) and the constraint at the en
 (Suzuki). Modified Newton iterations keep their factors until an iteration converges slowly. They start from guesses that are
 extrapolated from the last four steps.
 
-A program gives a ball with: velocity (at the start), is_displacement (of each unknown), moment (Q33 = 1 + moment · u), begin(u⁰,
-u⁰ + h v⁰, h), residual(z), factors(z) (the function that solves with them).
+A program gives a ball for a degree, refinements and, for sizes, the name of a solver. The ball has: velocity (at the start),
+is_displacement (of each unknown), moment (Q33 = 1 + moment · u), begin(u⁰, u⁰ + h v⁰, h), residual(z), factors(z) (the function
+that solves with them).
 """
 import pathlib
 import statistics
@@ -70,47 +71,86 @@ class Motion:
         return Q33
 
 
-def main(make_ball, jobs, quick_jobs, sizes, documentation):
-    """`jobs` are {(degree, refinements): {scheme: steps between two samples}}, and `sizes` are (degree, refinements)."""
-    if sys.argv[1:] in ([], ["--quick"]):
-        measure_errors(make_ball, quick_jobs if len(sys.argv) > 1 else jobs, len(sys.argv) > 1)
-    elif sys.argv[1:] == ["--sizes"]:
+def main(make_ball, jobs, quick_jobs, sizes, documentation, of_reference=()):
+    """`jobs` are {(degree, refinements): {scheme: steps between two samples}}, `sizes` {solver: ((degree, refinements), …)}, and
+    `of_reference` three (degree, refinements) whose runs are extrapolated."""
+    arguments = sys.argv[1:]
+    if arguments in ([], ["--quick"]):
+        measure_errors(make_ball, quick_jobs if arguments else jobs, bool(arguments))
+    elif arguments == ["--sizes"]:
         measure_sizes(make_ball, sizes)
+    elif len(arguments) == 2 and arguments[0] == "--reference" and of_reference:
+        runs = measure_errors(make_ball, jobs, False)
+        write_reference(pathlib.Path(arguments[1]), [runs[mesh] for mesh in of_reference], of_reference)
     else:
         raise SystemExit(documentation)
 
 
+def write_reference(path, runs, meshes):
+    """Writes Q33 of the last mesh, extrapolated in step and degree. `runs` have {steps between two samples: Q33} for each mesh, of
+    the composition of order 4. In step the error falls as h⁴. In degree, the differences of the three meshes (root mean squares)
+    fall by a factor ρ, and the last difference over ρ − 1 is left. The bar is the sum of the largest corrections in step and in degree."""
+    def norm(values):
+        return np.sqrt(np.mean(values**2))
+
+    extrapolated, in_step = [], 0
+    for of_steps in runs:
+        coarse, fine = sorted(of_steps)[-2:]
+        correction = (np.array(of_steps[fine]) - of_steps[coarse]) / ((fine / coarse) ** 4 - 1)
+        in_step = np.abs(correction).max()
+        extrapolated.append(of_steps[fine] + correction)
+    first, second, third = extrapolated
+    rho = norm(second - first) / norm(third - second)
+    in_degree = (third - second) / (rho - 1)
+    with open(path, "w") as file:
+        of_meshes = ", ".join(f"degree {degree} refined {refinements}" for degree, refinements in meshes)
+        print(f"# {of_meshes}, extrapolated; uncertainty {in_step + np.abs(in_degree).max():.1e}", file=file)
+        print("time,Q33", file=file)
+        for i, value in enumerate(third + in_degree):
+            print(f"{i * END / SAMPLES:g},{value:.12f}", file=file)
+
+
 def measure_sizes(make_ball, sizes):
-    """Prints the processor time of assembly and factors of the tangent, and the mean of six midpoint steps of 0.0125 after four
-    others. A row whose steps made factors again is left out."""
-    print("degree,refinements,unknowns,seconds_factors,seconds_step,iterations_per_step", flush=True)
-    n_steps, h = 6, 0.0125
-    for degree, refinements in sizes:
-        ball = make_ball(degree, refinements)
-        motion = Motion(ball)
-        for _ in range(4):
-            motion.step(h, 0)
-        start = time.process_time()
-        motion.factors[h] = ball.factors(motion.z)
-        factored = time.process_time()
-        before, n_factorizations = motion.n_iterations, motion.n_factorizations
-        for _ in range(n_steps):
-            motion.step(h, 0)
-        seconds = time.process_time() - factored
-        if motion.n_factorizations > n_factorizations:
-            continue
-        print(degree, refinements, len(ball.velocity), f"{factored - start:.4g}", f"{seconds / n_steps:.4g}",
-              f"{(motion.n_iterations - before) / n_steps:.1f}", sep=",", flush=True)
+    """Prints the processor time of the assembly of the tangent and of its factors or preconditioner, and the mean of three midpoint
+    steps of 0.0125 after four others. A row whose steps made factors again is left out."""
+    print("degree,refinements,unknowns,solver,seconds_factors,seconds_step,iterations_per_step", flush=True)
+    n_steps, h = 3, 0.0125
+    for solver, meshes in sizes.items():
+        for degree, refinements in meshes:
+            ball = make_ball(degree, refinements, solver)
+            motion, make = Motion(ball), ball.factors
+            seconds_factors = []
+
+            def timed_factors(z):
+                start = time.process_time()
+                made = make(z)
+                seconds_factors.append(time.process_time() - start)
+                return made
+
+            ball.factors = timed_factors
+            for _ in range(4):
+                motion.step(h, 0)
+            n_made, n_iterations, start = len(seconds_factors), motion.n_iterations, time.process_time()
+            for _ in range(n_steps):
+                motion.step(h, 0)
+            seconds = time.process_time() - start
+            if len(seconds_factors) > n_made:
+                continue
+            print(degree, refinements, len(ball.velocity), solver, f"{seconds_factors[-1]:.4g}", f"{seconds / n_steps:.4g}",
+                  f"{(motion.n_iterations - n_iterations) / n_steps:.1f}", sep=",", flush=True)
 
 
 def measure_errors(make_ball, jobs, quick):
-    """Prints a row for each job; of the short form, in one round."""
+    """Prints a row for each job; of the short form, in one round. Returns {(degree, refinements): {steps between two samples: Q33}}
+    of the last scheme of each mesh."""
+    runs = {}
     print("degree,refinements,scheme,step,unknowns,seconds,error,iterations_per_step,factorizations")
     exact = [float(line.split(",")[1]) for line in REFERENCE.read_text().splitlines()[2:]]
     for (degree, refinements), schemes in jobs.items():
         ball = make_ball(degree, refinements)
         Motion(ball).step(1e-3, 0)  # whatever is done once
         for scheme, steps in schemes.items():
+            of_steps = runs[degree, refinements] = {}
             for n_steps in steps:
                 seconds = []
                 while len(seconds) < (1 if quick else 3) and sum(seconds) < 10:
@@ -118,7 +158,9 @@ def measure_errors(make_ball, jobs, quick):
                     start = time.process_time()
                     Q33 = motion.run(SCHEMES[scheme], n_steps)
                     seconds.append(time.process_time() - start)
+                of_steps[n_steps] = Q33
                 error = max(abs(a - b) for a, b in zip(Q33, exact))
                 print(degree, refinements, f'"{scheme}"', f"{END / SAMPLES / n_steps:.4g}", len(ball.velocity),
                       f"{statistics.median(seconds):.4g}", f"{error:.3g}",
                       f"{motion.n_iterations / motion.n_steps:.1f}", motion.n_factorizations, sep=",", flush=True)
+    return runs
