@@ -7,11 +7,9 @@
 #include <cmath>
 #include <functional>
 #include <initializer_list>
-#include <numbers>
 #include <utility>
 
-#include "analysis/frequency_error.h"
-#include "analysis/phase.h"
+#include "analysis/comparison_workshop.h"
 #include "analysis/samples.h"
 #include "scene/user_error.h"
 
@@ -19,47 +17,6 @@ namespace pseudorigid::analysis {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
-/// The data of a comparison: the tables r of the model and c of the reference, their errors, and the result `out`, to
-/// which the functions of this file add series.
-struct Workshop {
-  const io::Table& r;
-  const io::Table& c;
-  RunErrors of_model, of_reference;
-  const ComparisonOptions& options;
-  Comparison out;
-
-  /// Whether both tables have the columns. If not, adds the name `what` of the quantity and the first missing column to
-  /// `out.not_compared`.
-  bool available(std::string_view what, const Columns& columns) {
-    return has(r, out.model, what, columns) && has(c, out.reference, what, columns);
-  }
-
-  /// Whether the table of `model` has the columns. If not, adds the name `what` of the quantity and the first missing
-  /// column to `out.not_compared`.
-  bool has(const io::Table& table, const ModelSummary& model, std::string_view what, const Columns& columns) {
-    const auto lacks = [&table](const std::string& name) { return !table.has_column(name); };
-    const auto missing = std::ranges::find_if(columns, lacks);
-    if (missing == columns.end()) return true;
-    out.not_compared.push_back(fmt::format("{} (no column {} in {}.csv)", what, *missing, model.name));
-    return false;
-  }
-
-  /// Adds the series of the quotients values/reference, with its maximum and root mean square. A quotient is 0 if its
-  /// value is 0, even if `reference` is 0.
-  void add(std::string name, double reference, std::vector<double> values) {
-    Series s{.name = std::move(name), .reference = reference, .values = std::move(values)};
-    double squares = 0;
-    for (std::size_t n = 0; n < s.values.size(); ++n) {
-      s.values[n] = ratio_or_zero(s.values[n], reference);
-      squares += s.values[n] * s.values[n];
-      if (n > 0 && std::abs(s.values[n]) <= s.max) continue;
-      s.max = std::abs(s.values[n]);
-      s.time_of_max = out.time[n];
-    }
-    s.rms = std::sqrt(squares / double(s.values.size()));
-    out.series.push_back(std::move(s));
-  }
-};
 
 /// Throws UserError if a table is empty or has a value that is not finite, or if the tables have different numbers of
 /// samples.
@@ -96,135 +53,41 @@ std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable
   return time;
 }
 
-/// The ratio of the dominant frequencies and the bound of its error. A part of the error (ErrorBar) is empty if this
-/// part is not known for one of the models.
-FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference) {
-  const double a = model.frequency.dominant().frequency, b = reference.frequency.dominant().frequency;
-  const ErrorBar &of_a = model.frequency_error, &of_b = reference.frequency_error;
-  // The frequencies are a ± δa and b ± δb with the bounds δa, δb of their errors. The largest possible ratio has the
-  // denominator b − δb. If δb exceeds b/2, the ratio is not determined, and the denominator is b/2.
-  const double least =
-      b - std::min(of_b.fit + of_b.time.value_or(0) + of_b.space.value_or(0) + of_b.quadrature.value_or(0), b / 2);
-  const auto of_parts = [&](double da, double db) { return (da + db * a / b) / least; };
-  FrequencyRatio ratio{a / b, {.fit = of_parts(of_a.fit, of_b.fit)}};
-  const auto both = [&](std::optional<double> ErrorBar::*part) {
-    return of_a.*part && of_b.*part ? std::optional(of_parts(*(of_a.*part), *(of_b.*part))) : std::nullopt;
+/// The exact volume of an incompressible body is known, so that its error is known as well.
+void compare_volumes(Workshop& w) {
+  const Columns volume{"volume_ratio"};
+  if (!w.available("volume ratio", volume)) return;
+  const std::vector<double> c = w.c.column(volume[0]), r = w.r.column(volume[0]);
+  const auto error_of = [](const std::vector<double>& ratios) {
+    return largest(each([](double ratio) { return ratio - 1; }, ratios));
   };
-  ratio.error.time = both(&ErrorBar::time);
-  ratio.error.space = both(&ErrorBar::space);
-  ratio.error.quadrature = both(&ErrorBar::quadrature);
-  return ratio;
+  w.add("volume_ratio_difference", 1, each(std::minus{}, c, r),
+        w.options.facts.incompressible ? ErrorBar{.time = error_of(c) + error_of(r), .space = 0}
+                                       : w.errors.of_quantity({.columns = volume, .undeformed = 1}, 1));
 }
 
-/// Adds the series phase_difference, and its values after 1, 2, 5, 10, 20, 50 … periods of the reference. `r` and `c`
-/// are the samples of the fitted component of C in both models. Adds nothing if one of the models does not have a phase
-/// (phase.h).
-void compare_phases(Workshop& w, const std::vector<double>& r, const std::vector<double>& c) {
-  Comparison& out = w.out;
-  const double interval = (out.time.back() - out.time.front()) / double(out.time.size() - 1);
-  const double omega = out.reference.frequency.dominant().frequency;
-  const std::vector<double> of_r = phase(r, interval, out.model.frequency.dominant().frequency),
-                            of_c = phase(c, interval, omega);
-  if (of_r.empty() || of_c.empty()) return;
-  constexpr double turn = 2 * std::numbers::pi;
-  std::vector<double> apart = each([](double a, double b) { return (a - b) / turn; }, of_r, of_c);
-  const double whole_turns = std::nearbyint(apart.front());
-  for (double& periods : apart) periods -= whole_turns;
-  for (int decade = 1; decade <= 1'000'000; decade *= 10)
-    for (const int n : {decade, 2 * decade, 5 * decade}) {
-      const double position = n * turn / (omega * interval);  // number of sampling intervals in n periods
-      const auto before = std::size_t(position);
-      if (before + 1 < apart.size())
-        out.phase_after_periods[n] = std::lerp(apart[before], apart[before + 1], position - double(before));
-    }
-  w.add("phase_difference", 1, std::move(apart));
-}
-
-/// Fits the frequency of the same component of C in both models. Adds the ratio of the frequencies and the phases,
-/// unless a model has no frequency or its frequency is that of a load.
-void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
-  Comparison& out = w.out;
-  const bool by_reference = !out.model.deforms && out.reference.deforms;
-  const auto [i, j] = (by_reference ? c : r).liveliest_component();
-  out.signal = fmt::format("C{}{}", i + 1, j + 1);
-  out.signal_reason =
-      fmt::format("entry of C = Q^T Q that varies most in the {}",
-                  by_reference ? fmt::format("{} (the {} model keeps its shape)", out.reference.name, out.model.name)
-                               : out.model.name + " model");
-  const bool loads_rise = w.options.facts.loads_rise;
-  out.model.frequency = fit_component(r.component(i, j), out.time, out.model.deforms, loads_rise);
-  out.reference.frequency = fit_component(c.component(i, j), out.time, out.reference.deforms, loads_rise);
-  const auto judge = [&](ModelSummary& model, const Deformation& deformation, const RunErrors& errors) {
-    model.frequency_error = frequency_error(model.frequency, deformation, {i, j}, out.time, errors);
-    model.load = load_of_line(model.frequency, w.options.facts.load_frequencies);
-  };
-  judge(out.model, r, w.of_model);
-  judge(out.reference, c, w.of_reference);
-  if (!out.model.frequency || !out.reference.frequency || out.model.load || out.reference.load) return;
-  out.ratio = ratio_of(out.model, out.reference);
-  compare_phases(w, r.component(i, j), c.component(i, j));
-}
-
-/// True if the body spins: the norm of Q̇Qᵀ − QQ̇ᵀ or of QᵀQ̇ − Q̇ᵀQ at a sample exceeds spin_threshold times the largest
-/// |Q||Q̇|. Let J be the angular momentum, Z the circulation and m̄ the factor in the kinetic energy ½m̄|Q̇|². The axial
-/// vectors of the two matrices are J/m̄ and Z/m̄. The table must have the columns of Q and Q̇.
-bool spins(const io::Table& table) {
-  const auto Q = read<Matrix3d>(table, Q_columns), Qdot = read<Matrix3d>(table, Qdot_columns);
-  double spin = 0, bound = 0;
-  for (std::size_t n = 0; n < Q.size(); ++n) {
-    const Matrix3d L = Qdot[n] * Q[n].transpose(), R = Q[n].transpose() * Qdot[n];
-    spin = std::max({spin, (L - L.transpose()).norm(), (R - R.transpose()).norm()});
-    bound = std::max(bound, Q[n].norm() * Qdot[n].norm());
-  }
-  return spin > spin_threshold * bound;
-}
-
-/// Adds the series of the differences of Q and of C, the error of Q, and the frequencies. Adds the exact ratio of the
-/// frequencies only if the table of the model shows that the body does not spin. If a table lacks a column of Q, only
-/// adds an entry to `not_compared`.
-void compare_states(Workshop& w) {
-  if (!w.available("deformation and frequency", Q_columns)) return;
-  Comparison& out = w.out;
-  out.has_state = true;
-  const double resolution = w.options.facts.resolution;
-  const Deformation r(w.r, resolution, out.model), c(w.c, resolution, out.reference);
-  const std::vector<double> apart = distances(c.Q, r.Q);
-  const std::vector<double> sizes = norms(r.Q);
-  w.add("q_difference", 1, each(ratio_or_zero, apart, sizes));
-  out.error.space = w.of_reference.space;
-  const auto of_both = [&](std::optional<double> RunErrors::*part) {
-    const auto &a = w.of_model.*part, &b = w.of_reference.*part;
-    return a && b ? std::optional(ratio_or_zero(3 * (*a + *b), std::ranges::min(sizes))) : std::nullopt;
-  };
-  out.error.time = of_both(&RunErrors::time);
-  out.error.quadrature = of_both(&RunErrors::quadrature);
-  // The divisors of the next two series are the larger departure and the larger strain amplitude of both models. If
-  // neither ball moves, they are the resolution times |Q| and |C| of model r at the first sample.
-  const double departure = std::max({out.model.departure, out.reference.departure, resolution * r.Q[0].norm()});
-  const double amplitude =
-      std::max({out.model.strain_amplitude, out.reference.strain_amplitude, resolution * r.C[0].norm()});
-  w.add("q_difference_of_departure", departure, apart);
-  w.add("strain_difference", amplitude, distances(c.C, r.C));
-  fit_frequencies(w, r, c);
-  const bool turning = !w.r.has_column(Qdot_columns.front()) || spins(w.r);
-  if (!turning) out.exact_ratio = w.options.exact_frequency_ratio;
-}
-
+/// Adds the series of the semi-axes, which are r times the singular values of Q, with the radius r of the ball.
 void compare_axes(Workshop& w) {
   const Columns axes{"a1", "a2", "a3"};
-  if (w.available("semi-axes", axes))
-    for (const std::string& axis : axes)
-      w.add(axis + "_difference", 1,
-            each([](double c, double r) { return ratio_or_zero(c - r, r); }, w.c.column(axis), w.r.column(axis)));
-  if (w.available("volume ratio", {"volume_ratio"}))
-    w.add("volume_ratio_difference", 1, each(std::minus{}, w.c.column("volume_ratio"), w.r.column("volume_ratio")));
+  if (w.available("semi-axes", axes)) {
+    const auto a = read<Vector3d>(w.r, axes);
+    const double radius = w.out.has_state ? a[0].norm() / read<Matrix3d>(w.r, Q_columns)[0].norm() : 0;
+    for (const std::string& axis : axes) {
+      const std::vector<double> of_c = w.c.column(axis), of_r = w.r.column(axis);
+      const ErrorBar error = w.out.has_state ? w.errors.of_function_of_Q(radius / std::ranges::min(of_r)) : unknown;
+      w.add(axis + "_difference", 1, each([](double c, double r) { return ratio_or_zero(c - r, r); }, of_c, of_r),
+            error);
+    }
+  }
+  compare_volumes(w);
 }
 
 void compare_energies(Workshop& w) {
   if (!w.available("energies", {"kinetic", "elastic", "energy"})) return;
   const double reference = energy_reference({&w.r, &w.c}, w.options.facts.energy_unit);
   for (const std::string name : {"kinetic", "elastic", "energy"})
-    w.add(name + "_difference", reference, each(std::minus{}, w.c.column(name), w.r.column(name)));
+    w.add(name + "_difference", reference, each(std::minus{}, w.c.column(name), w.r.column(name)),
+          w.errors.of_quantity({.columns = {name}, .n_strains = 2, .constant = name == "energy"}, reference));
   set_energy_drift(w.r, reference, w.options.facts.tolerance, w.out.model);
   set_energy_drift(w.c, reference, w.options.facts.tolerance, w.out.reference);
 }
@@ -234,7 +97,8 @@ void compare_dissipation(Workshop& w) {
   if (!w.r.has_column("dissipated") || !w.c.has_column("dissipated")) return;
   const std::vector<double> r = w.r.column("dissipated"), c = w.c.column("dissipated");
   if (const double reference = std::max(largest(r), largest(c)); reference > 0)
-    w.add("dissipated_difference", reference, each(std::minus{}, c, r));
+    w.add("dissipated_difference", reference, each(std::minus{}, c, r),
+          w.errors.of_quantity({.columns = {"dissipated"}, .n_strains = 2}, reference));
 }
 
 /// Compares the extreme principal stretches in the body, if both tables have them. For a pseudo-rigid body, these are
@@ -243,8 +107,13 @@ void compare_stretches(Workshop& w) {
   for (const auto& [name, of_mean] : {std::pair{"max_stretch", "stretch1"}, std::pair{"min_stretch", "stretch3"}}) {
     const std::string of_model = w.r.has_column(name) ? name : of_mean;
     if (!w.r.has_column(of_model) || !w.c.has_column(name)) continue;
-    w.add(fmt::format("{}_difference", name), 1,
-          each([](double c, double r) { return ratio_or_zero(c - r, r); }, w.c.column(name), w.r.column(of_model)));
+    const std::vector<double> r = w.r.column(of_model);
+    w.add(
+        fmt::format("{}_difference", name), 1,
+        each([](double c, double r) { return ratio_or_zero(c - r, r); }, w.c.column(name), r),
+        w.errors.of_quantity(
+            {.columns = {name}, .of_model = {of_model}, .undeformed = 1, .factor = &OtherResolution::factor_of_stress},
+            std::ranges::min(r)));
   }
 }
 
@@ -252,17 +121,6 @@ double root_mean_square(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value * value;
   return std::sqrt(sum / static_cast<double>(values.size()));
-}
-
-/// Bound of the relative error of the strain C − Id, if every entry of Q has the error e at most: 2 |Q| 3e / |C − Id|,
-/// with the largest values of both norms over the samples.
-double relative_error_of_strain(const io::Table& table, double e) {
-  double size = 0, strain = 0;
-  for (const Matrix3d& Q : read<Matrix3d>(table, Q_columns)) {
-    size = std::max(size, Q.norm());
-    strain = std::max(strain, (Q.transpose() * Q - Matrix3d::Identity()).norm());
-  }
-  return ratio_or_zero(6 * e * size, strain);
 }
 
 /// The error of the ratio `value` of the stress `name`, whose samples in the table of the reference are c
@@ -295,7 +153,9 @@ void compare_stresses(Workshop& w) {
     if (!w.r.has_column(name) || !w.c.has_column(name)) continue;
     const std::vector<double> r = w.r.column(name), c = w.c.column(name);
     const double reference = std::max(largest(r), largest(c));
-    if (reference > round_off) w.add(name + "_difference", reference, each(std::minus{}, c, r));
+    if (reference > round_off)
+      w.add(name + "_difference", reference, each(std::minus{}, c, r),
+            w.errors.of_quantity({.columns = {name}, .factor = &OtherResolution::factor_of_stress}, reference));
     if (largest(c) <= round_off) continue;
     const double ratio = root_mean_square(r) / root_mean_square(c);
     w.out.stress_ratios[name] = {ratio, error_of_stress_ratio(w, name, c, ratio)};
@@ -311,7 +171,8 @@ void compare_momentum(Workshop& w, const std::string& name, const Columns& colum
   const auto r = read<Vector3d>(w.r, columns), c = read<Vector3d>(w.c, columns);
   double reference = momentum_reference(w.r, r);
   if (reference == 0) reference = largest(norms(c));
-  w.add(name + "_difference", reference, distances(c, r));
+  w.add(name + "_difference", reference, distances(c, r),
+        w.errors.of_quantity({.columns = columns, .n_strains = 2, .constant = w.options.facts.is_free}, reference));
   w.out.model.*drift_of = drift(r, reference);
   w.out.reference.*drift_of = drift(c, reference);
 }
@@ -327,7 +188,9 @@ void judge_total_momentum(Workshop& w) {
 void compare_multipliers(Workshop& w) {
   if (!w.available("multiplier", {"multiplier"})) return;
   const std::vector<double> r = w.r.column("multiplier"), c = w.c.column("multiplier");
-  w.add("multiplier_difference", std::max(largest(r), largest(c)), each(std::minus{}, c, r));
+  const double reference = std::max(largest(r), largest(c));
+  w.add("multiplier_difference", reference, each(std::minus{}, c, r),
+        w.errors.of_quantity({.columns = {"multiplier"}, .n_strains = 2}, reference));
 }
 
 /// Adds the series of the non-affine motion, its mean fraction of the kinetic energy, and the extremes of det F, from
@@ -336,12 +199,24 @@ void compare_multipliers(Workshop& w) {
 void report_nonaffine_motion(Workshop& w) {
   const Columns columns{"nonaffine_kinetic_fraction", "nonaffine_displacement"};
   if (!w.has(w.c, w.out.reference, "non-affine motion", columns)) return;
-  for (const std::string& name : columns) w.add(name, 1, w.c.column(name));
+  const auto error_of = [&w](const std::string& name) {
+    return w.errors.of_quantity({.columns = {name}, .n_strains = 2, .in_both_models = false}, 1);
+  };
+  for (const std::string& name : columns) w.add(name, 1, w.c.column(name), error_of(name));
   if (w.c.has_column("min_jacobian")) w.out.min_jacobian = std::ranges::min(w.c.column("min_jacobian"));
   if (w.c.has_column("volume_error")) w.out.volume_error = std::ranges::max(w.c.column("volume_error"));
   if (w.c.has_column("max_volume_error")) w.out.max_volume_error = std::ranges::max(w.c.column("max_volume_error"));
   if (!w.c.has_column("kinetic")) return;
-  w.out.mean_nonaffine_kinetic_fraction = weighted_mean(w.c.column(columns[0]), w.c.column("kinetic"));
+  const auto mean_of = [&](const io::Table& t) { return weighted_mean(t.column(columns[0]), t.column("kinetic")); };
+  const double mean = mean_of(w.c);
+  w.out.mean_nonaffine_kinetic_fraction = mean;
+  // The fraction itself is ill-determined when the body nearly rests, but its weight is then small.
+  w.out.mean_nonaffine_error = error_of(columns[0]);
+  const OtherResolution* other = w.of_reference.other;
+  if (auto& space = w.out.mean_nonaffine_error.space; space && other)
+    space = other->samples.n_rows() == w.c.n_rows()
+                ? std::optional(other->factor * std::abs(mean - mean_of(other->samples)))
+                : std::nullopt;
 }
 
 }  // namespace

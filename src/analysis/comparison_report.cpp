@@ -264,9 +264,11 @@ nlohmann::ordered_json comparison_json(const Comparison& c) {
   json["first_time"] = c.time.front();
   json["last_time"] = c.time.back();
   json["differences"] = Json::object();
-  for (const Series& s : c.series)
-    json["differences"][s.name] = {
-        {"max", s.max}, {"time_of_max", s.time_of_max}, {"rms", s.rms}, {"reference", s.reference}};
+  for (const Series& s : c.series) {
+    Json& difference = json["differences"][s.name];
+    difference = {{"max", s.max}, {"time_of_max", s.time_of_max}, {"rms", s.rms}, {"reference", s.reference}};
+    add_errors(difference, "", s.error, false);
+  }
   json["model_difference"] = c.has_state ? model_difference_json(c) : Json(nullptr);
   json["frequency"] = c.has_state ? frequency_json(c) : Json(nullptr);
   json[c.model.name] = model_json(c.model, c.has_state);
@@ -276,6 +278,8 @@ nlohmann::ordered_json comparison_json(const Comparison& c) {
     add_errors(json["stress_ratios"][name], "", ratio.error, false);
   }
   json["mean_nonaffine_kinetic_fraction"] = to_json(c.mean_nonaffine_kinetic_fraction);
+  json["mean_nonaffine_kinetic_fraction_uncertainty"] =
+      to_json(c.mean_nonaffine_kinetic_fraction ? c.mean_nonaffine_error.total() : std::nullopt);
   json["min_jacobian"] = to_json(c.min_jacobian);
   json["volume_error"] = to_json(c.volume_error);
   json["max_volume_error"] = to_json(c.max_volume_error);

@@ -11,29 +11,38 @@ namespace {
 double record_length(const FrequencyFit& fit) { return 2 * std::numbers::pi * fit.cycles / fit.dominant().frequency; }
 
 /// The bound (3/2) ε/(A T) of the error of the frequency, which frequency_error.h derives. A is the amplitude of the
-/// dominant line, and T is the length of the record. Let e bound the error of every entry of Q. Then ε = max_t
-/// (|q_i|₁ + |q_j|₁) e bounds the error of C_ij, with the columns q_i, q_j of Q and `entry` = (i, j).
+/// dominant line, and T is the length of the record. `entry` is (i, j), and e bounds the error of every entry of Q.
 double error_of_phase(const FrequencyFit& fit, const Deformation& deformation, std::pair<int, int> entry, double e) {
   constexpr double of_growing_phase = 1.5;
-  const auto [i, j] = entry;
-  double columns = 0;
-  for (const Eigen::Matrix3d& Q : deformation.Q)
-    columns = std::max(columns, Q.col(i).lpNorm<1>() + Q.col(j).lpNorm<1>());
-  return of_growing_phase * columns * e / (fit.dominant().amplitude * record_length(fit));
+  return of_growing_phase * error_of_component(deformation, entry, e) / (fit.dominant().amplitude * record_length(fit));
 }
 
 /// The dominant line of C_ij on the discretisation `errors.other`, with `entry` = (i, j). The result is empty if there
 /// is no other discretisation, if its record is shorter, or if its fit does not have lines.
 std::optional<Line> other_line(std::pair<int, int> entry, const std::vector<double>& time, const RunErrors& errors) {
-  if (!errors.other || errors.other->samples.n_rows() < time.size()) return std::nullopt;
-  ModelSummary summary;
-  std::vector<double> signal = Deformation(errors.other->samples, 0, summary).component(entry.first, entry.second);
-  signal.resize(time.size());
+  const std::vector<double> signal = other_component(entry, time.size(), errors);
+  if (signal.empty()) return std::nullopt;
   const FrequencyFit fit = fit_component(signal, time, true);
   return fit ? std::optional(fit.dominant()) : std::nullopt;
 }
 
 }  // namespace
+
+double error_of_component(const Deformation& deformation, std::pair<int, int> entry, double e) {
+  const auto [i, j] = entry;
+  double columns = 0;
+  for (const Eigen::Matrix3d& Q : deformation.Q)
+    columns = std::max(columns, Q.col(i).lpNorm<1>() + Q.col(j).lpNorm<1>());
+  return columns * e;
+}
+
+std::vector<double> other_component(std::pair<int, int> entry, std::size_t n_samples, const RunErrors& errors) {
+  if (!errors.other || errors.other->samples.n_rows() < n_samples) return {};
+  ModelSummary summary;
+  std::vector<double> signal = Deformation(errors.other->samples, 0, summary).component(entry.first, entry.second);
+  signal.resize(n_samples);
+  return signal;
+}
 
 ErrorBar frequency_error(const FrequencyFit& fit, const Deformation& deformation, std::pair<int, int> entry,
                          const std::vector<double>& time, const RunErrors& errors) {

@@ -24,6 +24,7 @@
 ///           space, this part is 0. For any other model, the part is not known if there is no other discretisation, if
 ///           its record is shorter, or if its samples do not give a frequency.
 
+#include <utility>
 #include <vector>
 
 #include "analysis/error_bar.h"
@@ -32,6 +33,13 @@
 namespace pseudorigid::analysis {
 
 constexpr double n_standard_errors = 3;  ///< in the part `fit` of an error
+
+/// The bound ε of the error of C_ij, with `entry` = (i, j), if e bounds the error of every entry of Q.
+double error_of_component(const Deformation& deformation, std::pair<int, int> entry, double e);
+
+/// The samples of C_ij on the discretisation `errors.other`, with `entry` = (i, j). The result is empty if there is no
+/// other discretisation, or if it has fewer than n_samples samples.
+std::vector<double> other_component(std::pair<int, int> entry, std::size_t n_samples, const RunErrors& errors);
 
 /// The error of the dominant frequency of `fit`, which was fitted to the values of C_ij at the times `time`, with
 /// `entry` = (i, j). If the fit does not have lines, the errors in time and space are not known.

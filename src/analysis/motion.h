@@ -146,6 +146,8 @@ struct SceneFacts {
   std::optional<double> tolerance{};
   std::vector<double> load_frequencies{};  ///< nonzero angular frequencies of the periodic loads, of either sign
   bool loads_rise = false;                 ///< true if Loads/Rise time is positive
+  bool is_free = false;                    ///< true if no load acts, so that J and Z are constants of the motion
+  bool incompressible = false;             ///< true if the exact volume is constant
 };
 
 /// Summary of the run of a model of the ball. The summary omits quantities whose columns the table lacks. The table

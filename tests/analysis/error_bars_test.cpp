@@ -1,11 +1,14 @@
-/// Of runs whose errors are known the bar of a frequency holds what the errors do to it.
+/// Of runs whose errors are known the bars of a frequency and of all differences hold what the errors do to them.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "analysis/frequency_error.h"
+#include "analysis/samples.h"
 #include "synthetic_runs.h"
 
 namespace {
@@ -22,7 +25,11 @@ Motion with_phase(const std::function<double(double)>& phase, double size) {
   const auto Q = [=](double t) -> Eigen::Matrix3d {
     return Eigen::Matrix3d::Identity() + amplitude * std::cos(omega * t + size * phase(t / end)) * H;
   };
-  return {Q, [](double) -> Eigen::Matrix3d { return Eigen::Matrix3d::Zero(); }};
+  constexpr double h = 1e-5;
+  return {Q, [=](double t) -> Eigen::Matrix3d {
+            const double before = std::max(t - h, 0.0);
+            return (Q(t + h) - Q(before)) / (t + h - before);
+          }};
 }
 
 /// Largest entry of the error of Q.
@@ -86,6 +93,77 @@ TEST(ErrorBars, RatioHoldsTheCornersOfItsFrequencies) {
   const double corner = (a + bar_of(c.model)) / (b - bar_of(c.reference));
   EXPECT_NEAR(*c.ratio->error.total(), corner - a / b, 1e-12);
   EXPECT_LT((a - bar_of(c.model)) / (b + bar_of(c.reference)), corner);
+}
+
+/// Expects that every series but those of the non-affine motion, which is 0 here, is as in `exact`, within its bar.
+void expect_within_bars(const Comparison& c, const Comparison& exact) {
+  EXPECT_GE(c.series.size(), 13);
+  for (const Series& s : c.series) {
+    const auto bar = s.error.total();
+    ASSERT_TRUE(bar) << s.name;
+    const Series& of_exact = *exact.find(s.name);
+    constexpr double round_off = 1e-12;
+    EXPECT_LE(std::abs(s.max - of_exact.max), *bar + round_off) << s.name;
+    EXPECT_LE(std::abs(s.rms - of_exact.rms), *bar + round_off) << s.name;
+  }
+}
+
+TEST(ErrorBars, DifferencesHoldErrorsInTime) {
+  const Table reduced = reduced_run(pulsation(pseudo_rigid_omega, amplitude), samples);
+  const Comparison exact = compare(reduced, continuum_run(pulsation(omega, amplitude), samples));
+  for (const double size : {1e-3, 0.03, -0.1}) {
+    const Motion motion = with_phase([](double s) { return s; }, size);
+    const RunErrors errors{.time = error_of(motion), .space = 0};
+    expect_within_bars(compare(reduced, continuum_run(motion, samples), {}, {.continuum = errors}), exact);
+    // The same error of the other model, or of its quadrature, has the same bar.
+    const auto bar_of = [&](const RunErrors& of_model, const char* series) {
+      return *compare(reduced, reduced, {}, {.reduced = of_model}).find(series)->error.total();
+    };
+    for (const char* series : {"q_difference", "strain_difference", "a3_difference", "kinetic_difference"})
+      EXPECT_DOUBLE_EQ(bar_of(errors, series), bar_of({.time = 0, .space = 0, .quadrature = errors.time}, series));
+  }
+}
+
+TEST(ErrorBars, DifferencesHoldErrorsInSpace) {
+  const Table reduced = reduced_run(pulsation(pseudo_rigid_omega, amplitude), samples);
+  const Table truth = continuum_run(pulsation(omega, amplitude), samples);
+  const Table fine = continuum_run(pulsation(1.005 * omega, amplitude), samples);
+  const OtherResolution other{continuum_run(pulsation(1.02 * omega, amplitude), samples), 0.5, 0.5};
+  const auto Q = read<Eigen::Matrix3d>(fine, Q_columns), Q_other = read<Eigen::Matrix3d>(other.samples, Q_columns);
+  const double relative = 0.5 * largest(each(ratio_or_zero, distances(Q, Q_other), norms(Q)));
+  const KnownErrors errors{.continuum = {.time = 0, .space = relative, .other = &other}};
+  const Comparison c = compare(reduced, fine, {}, errors);
+  expect_within_bars(c, compare(reduced, truth));
+  const Series& kinetic = *c.find("kinetic_difference");
+  EXPECT_DOUBLE_EQ(*kinetic.error.space,
+                   0.5 * largest(each(std::minus{}, fine.column("kinetic"), other.samples.column("kinetic"))) /
+                       kinetic.reference * (1 + kinetic.max));
+  // Without samples on another discretisation only functions of Q have a bar.
+  const Comparison without = compare(reduced, fine, {}, {.continuum = {.time = 0, .space = relative}});
+  EXPECT_TRUE(without.find("strain_difference")->error.total());
+  EXPECT_TRUE(without.find("a1_difference")->error.total());
+  EXPECT_FALSE(without.find("kinetic_difference")->error.total());
+  EXPECT_FALSE(without.find("phase_difference")->error.total());
+}
+
+/// A momentum is a constant of the motion if no load acts: its error is its drift. With a load, its error is unknown
+/// without the error of Q.
+TEST(ErrorBars, ConstantsOfTheMotionHaveTheirDrift) {
+  const Motion spinning = turning(pulsation(omega, 0.1), 0.3);
+  const auto with_drift = [&](double drift) {
+    return continuum_run(spinning, ten, {.orbit = false}, [drift](double t, auto& o) {
+      o.angular_momentum = Eigen::Vector3d::UnitZ() * (1 + drift * t / 10);
+    });
+  };
+  const Table steady = with_drift(0), drifting = with_drift(1e-3);
+  const KnownErrors unknown_in_time{.reduced = {.time = {}, .space = 0}, .continuum = {.time = {}, .space = 0}};
+  const ComparisonOptions free{.facts = {.is_free = true}};
+  const auto bar = [&](const Table& table, const ComparisonOptions& options) {
+    return compare(steady, table, options, unknown_in_time).find("angular_momentum_difference")->error.time;
+  };
+  EXPECT_NEAR(*bar(drifting, free), 1e-3, 2e-6);  // and 1 + the difference 1e-3
+  EXPECT_EQ(*bar(steady, free), 0);
+  EXPECT_FALSE(bar(drifting, {}));
 }
 
 TEST(ErrorBars, PartsAreNamed) {

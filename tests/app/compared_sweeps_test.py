@@ -25,13 +25,20 @@ class ComparedSweeps(ReducedTest):
                          "frequency_ratio_error": single["frequency"]["ratio_uncertainty"],
                          "frequency": single["frequency"][model]["omega"],
                          "amplitude": single[model]["strain_amplitude"],
-                         "q_difference_error": single["model_difference"]["uncertainty"]}
+                         "phase_difference_error": single["differences"]["phase_difference"]["uncertainty"]}
+                self.assertEqual(single["differences"]["q_difference"]["uncertainty"], single["model_difference"]["uncertainty"])
                 for name in ("q_difference", "strain_difference", "a3_difference", "elastic_difference",
                              "max_stretch_difference", "circulation_difference", "multiplier_difference"):
                     found[f"{name}_max"] = single["differences"][name]["max"]
                     found[f"{name}_rms"] = single["differences"][name]["rms"]
+                    found[f"{name}_error"] = single["differences"][name]["uncertainty"]
                 for name, value in found.items():
                     self.assertEqual(table.column(f"{model}_{name}")[row], value, f"{model}_{name}")
+            for column, key in (("nonaffine_kinetic_fraction", "mean_nonaffine_kinetic_fraction"),
+                                ("nonaffine_kinetic_fraction_error", "mean_nonaffine_kinetic_fraction_uncertainty")):
+                self.assertEqual(table.column(column)[row], single[key])
+            self.assertEqual(table.column("nonaffine_displacement_error")[row],
+                             single["differences"]["nonaffine_displacement"]["uncertainty"])
             counters = self.json("output/single/manifest.json")["models"]["continuum"]["counters"]
             self.assertEqual(table.column("continuum_steps")[row], counters["steps"])
             self.assertEqual(table.column("continuum_time_error")[row], counters["estimated_time_error"])

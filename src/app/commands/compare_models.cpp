@@ -77,7 +77,9 @@ analysis::SceneFacts facts_of(const RunContext& context) {
           .stress_unit = context.units.stress(),
           .tolerance = scene.time.step ? std::nullopt : std::optional(scene.time.tolerance),
           .load_frequencies = loads::angular_frequencies(scene.loads),
-          .loads_rise = scene::loads_rise(scene)};
+          .loads_rise = scene::loads_rise(scene),
+          .is_free = scene::is_free(scene),
+          .incompressible = scene.body.incompressible};
 }
 
 /// Compares a run with the reference, which is the last run.

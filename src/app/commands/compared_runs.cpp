@@ -124,6 +124,9 @@ double phase_after(const Comparison& c) {
   return found == c.phase_after_periods.end() ? unknown : std::abs(found->second);
 }
 
+/// The bound of the error of a difference; −1 if it is not known.
+double error_of(const analysis::Series* series) { return series ? series->error.total().value_or(unknown) : unknown; }
+
 /// A column for a comparison: its name, and a function that returns its value. In columns_of_pair, the name is the part
 /// after "m_" (compared_runs.h).
 struct ColumnOfPair {
@@ -142,18 +145,25 @@ constexpr std::array columns_of_pair{
                    const auto* series = c.find("phase_difference");
                    return series ? series->max : unknown;
                  }},
-    ColumnOfPair{"q_difference_error", [](const Comparison& c) { return c.error.total().value_or(unknown); }},
+    ColumnOfPair{"phase_difference_error", [](const Comparison& c) { return error_of(c.find("phase_difference")); }},
 };
 
 /// The columns of the last model, the reference of all comparisons.
 constexpr std::array columns_of_reference{
     ColumnOfPair{"nonaffine_kinetic_fraction",
                  [](const Comparison& c) { return c.mean_nonaffine_kinetic_fraction.value_or(none); }},
+    ColumnOfPair{"nonaffine_kinetic_fraction_error",
+                 [](const Comparison& c) {
+                   return c.mean_nonaffine_kinetic_fraction ? c.mean_nonaffine_error.total().value_or(unknown)
+                                                            : unknown;
+                 }},
     ColumnOfPair{"nonaffine_displacement",
                  [](const Comparison& c) {
                    const auto* series = c.find("nonaffine_displacement");
                    return series ? series->max : none;
                  }},
+    ColumnOfPair{"nonaffine_displacement_error",
+                 [](const Comparison& c) { return error_of(c.find("nonaffine_displacement")); }},
     ColumnOfPair{"min_jacobian", [](const Comparison& c) { return c.min_jacobian.value_or(none); }},
     ColumnOfPair{"volume_error", [](const Comparison& c) { return c.volume_error.value_or(none); }},
     ColumnOfPair{"surface_limit_time", [](const Comparison& c) { return c.surface_limit_time.value_or(unknown); }},
@@ -205,7 +215,7 @@ void add_results(const RunContext& context, const Results& results, std::vector<
     for (const Difference& difference : differences) {
       if (!(context.needs.quantities.*difference.group)) continue;
       const auto* series = comparison ? comparison->find(difference.name) : nullptr;
-      row.insert(row.end(), {series ? series->max : none, series ? series->rms : none});
+      row.insert(row.end(), {series ? series->max : none, series ? series->rms : none, error_of(series)});
     }
     if (!context.needs.quantities.stresses) continue;
     for (const char* stress : stresses) {
@@ -232,7 +242,8 @@ std::vector<std::string> columns_of_compared_runs(const scene::Scene& scene, con
     for (const ColumnOfPair& column : columns_of_pair) names.push_back(column_prefix(runs[i].name) + column.name);
     for (const Difference& difference : differences)
       if (needs.quantities.*difference.group)
-        for (const char* what : {"_max", "_rms"}) names.push_back(column_prefix(runs[i].name) + difference.name + what);
+        for (const char* what : {"_max", "_rms", "_error"})
+          names.push_back(column_prefix(runs[i].name) + difference.name + what);
     if (needs.quantities.stresses)
       for (const std::string stress : stresses)
         for (const char* what : {"_ratio", "_ratio_error"})

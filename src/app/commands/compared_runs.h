@@ -11,13 +11,15 @@
 ///                with the values of comparison.json;
 ///   for every m but the last
 ///                m_frequency_ratio, m_frequency_ratio_error, m_tenth_of_period_after, m_phase_after_1_period,
-///                m_phase_after_10_periods, m_phase_difference_max, m_q_difference_error, and m_c_max, m_c_rms (over
-///                the samples) for every other column c of comparison.csv that compares m with the last model, and
-///                with the stresses m_s_ratio and m_s_ratio_error for each von Mises stress s (its root mean square over that of the last model, and the bar);
+///                m_phase_after_10_periods, m_phase_difference_max, m_phase_difference_error, and m_c_max, m_c_rms (over
+///                the samples), m_c_error (bar of both) for every other column c of comparison.csv that compares m with
+///                the last model, and with the stresses m_s_ratio and m_s_ratio_error for each von Mises stress s (its
+///                root mean square over that of the last model, and the bar);
 ///   for the last model  nonaffine_kinetic_fraction (mean non-affine fraction of the kinetic energy, weighted by
-///                the kinetic energy), nonaffine_displacement (largest), min_jacobian (least det F, with the
-///                deformation gradient F), volume_error (largest root mean square of ln det F in the body), and
-///                surface_limit_time (first time at which the surface reaches Biot's limit).
+///                the kinetic energy), nonaffine_displacement (largest), each with its bar in a column with the suffix
+///                _error, min_jacobian (least det F, with the deformation gradient F), volume_error (largest root mean
+///                square of ln det F in the body), and surface_limit_time (first time at which the surface reaches
+///                Biot's limit).
 ///
 /// A quantity that does not exist is 0. An error, a drift, a phase or a time that is not known is −1. However, if
 /// compared is 0, all columns from the first m_frequency_ratio on are 0. The column m_tenth_of_period_after is the time

@@ -27,7 +27,7 @@ analysis::OtherResolution other_resolution(const DeformationTrace& trace, double
 
 ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& pair, const RunOfPair& run) {
   DeformationTrace trace, other;
-  io::Table stresses;
+  io::Table compared;
   ModelOutcome outcome = run(context, false, {}, &trace);
   auto& counters = outcome.statistics.counters;
   counters["work"] = work(outcome);
@@ -36,7 +36,7 @@ ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& 
   const auto run_companion = [&](const RunContext& silent, const std::optional<Stepping>& stepping) {
     return run(silent, true, stepping, &other);
   };
-  ModelOutcome companion = run_silently(run_companion, context, context.scene, outcome.stepping, &stresses);
+  ModelOutcome companion = run_silently(run_companion, context, context.scene, outcome.stepping, &compared);
   if (companion.end == mechanics::Outcome::interrupted) {
     outcome.end = companion.end;
     outcome.message = "interrupted while the discretisation error was estimated";
@@ -56,7 +56,7 @@ ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& 
   counters["relative_space_error"] = error(apart.relative);
   counters["companion_work"] = work(companion);
   outcome.other = other_resolution(other, pair.resolution, pair.resolution_of_companion, pair.least_rate, context);
-  if (stresses.n_rows() == outcome.other->samples.n_rows()) append_columns(stresses, outcome.other->samples);
+  if (compared.n_rows() == outcome.other->samples.n_rows()) append_columns(compared, outcome.other->samples);
   const double seconds = outcome.statistics.timers["companion"] = companion.statistics.timers["run"];
   context.log->info("{}: discretisation error of Q {:.1e}, estimated by a run on {} ({:.3g} s)", pair.model,
                     error(apart.largest), pair.companion, seconds);

@@ -1,6 +1,6 @@
 #pragma once
 /// Runs of a model without files or messages. Their result is the history of Q, which has the affine part Q of the
-/// motion at each sample (app/run/deformation_trace.h). A caller can also ask for the stresses.
+/// motion at each sample (app/run/deformation_trace.h). A caller can also ask for the other compared quantities.
 
 #include <memory>
 
@@ -10,21 +10,28 @@
 
 namespace pseudorigid::app {
 
+/// The groups of columns, apart from Q, whose differences a comparison of the models contains.
+inline constexpr bool mechanics::Quantities::*compared_groups[]{
+    &mechanics::Quantities::energies, &mechanics::Quantities::momenta,   &mechanics::Quantities::multiplier,
+    &mechanics::Quantities::axes,     &mechanics::Quantities::nonaffine, &mechanics::Quantities::stretches,
+    &mechanics::Quantities::stresses};
+
 /// Runs the model with `scene`, in which only the section Time may differ from the scene of the context. `task` is the
-/// second argument of `run`, for example a ContinuumTask, whose member `trace` receives the history of Q. If `stresses`
-/// is not null, it receives the rows of the columns of stress that the scene requests.
+/// second argument of `run`, for example a ContinuumTask, whose member `trace` receives the history of Q. If `compared`
+/// is not null and the models are compared, it receives the rows of the compared groups that the scene requests.
 template <class Run, class Task>
 ModelOutcome run_silently(const Run& run, const RunContext& context, const scene::Scene& scene, const Task& task,
-                          io::Table* stresses = nullptr) {
+                          io::Table* compared = nullptr) {
   scene::Needs needs = context.needs;
   needs.graphics = needs.surface_watch = needs.quadrature_error = false;
   for (const auto& [name, member] : scene::quantities_kind.table) needs.quantities.*member = false;
-  needs.quantities.stresses = stresses && context.needs.comparison && context.needs.quantities.stresses;
+  if (compared && context.needs.comparison)
+    for (const auto group : compared_groups) needs.quantities.*group = context.needs.quantities.*group;
   needs.quantities.volumetric = needs.quantities.second_orbit = needs.quantities.branches = false;
   RunContext silent = derived(context, scene, needs);
   silent.log = io::make_logger(io::Verbosity::silent, {});
-  silent.sink_of = [stresses](const RunContext&, const char*) -> std::unique_ptr<ModelSink> {
-    if (stresses) return std::make_unique<RowsInMemory>(*stresses);
+  silent.sink_of = [compared](const RunContext&, const char*) -> std::unique_ptr<ModelSink> {
+    if (compared) return std::make_unique<RowsInMemory>(*compared);
     return std::make_unique<ModelSink>();
   };
   return run(silent, task);
