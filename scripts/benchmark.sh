@@ -109,7 +109,8 @@ forces() {
 }
 measure_kernels() {
   if ((${#quick[@]})); then into kernels.csv "$bin/kernels" 4; else into kernels.csv "$bin/kernels" 2 8; fi
-  into fe_evaluation.csv forces
+  # A table for each kind of processor.
+  into "fe_evaluation_$(grep -qm1 AuthenticAMD /proc/cpuinfo && echo amd || echo intel).csv" forces
 }
 
 # Degree and refinements, ranks, preconditioner, steps. Lines of the header but the first are left out.

@@ -41,6 +41,7 @@ TABLES = {
     "release_runs": release_tables.release_runs,
     "three_programs": release_tables.three_programs,
     "sizes_of_peers": release_tables.sizes,
+    "references_of_release": release_tables.references,
     "peers": lambda data: release_tables.runs_of_peer(data, "fenicsx_release.csv"),
     "runs_of_getfem": lambda data: release_tables.runs_of_peer(data, "getfem_release.csv"),
     "gravitating_release": tables.gravitating_release,

@@ -122,8 +122,9 @@ def errors_of_the_ball(data):
         ("Elastic ball: three programs", "peers",
          ["The same release by pseudorigid, FEniCSx and GetFEM in one run on one machine. Motion of pseudorigid, and processor "
           "time of the others, interpolated in logarithms on the fronts. Last table: a step of symmetric-4 of pseudorigid, and a "
-          "midpoint step of 0.0125 of the others with the factors of the tangent, made once."],
-         lambda f, d, i: f.draw_three_programs(d, i), ["three_programs", "runs_of_getfem", "sizes_of_peers"]),
+          "midpoint step of 0.0125 of the others with the factors of the tangent, or a preconditioner (saddle_point.py), made once. "
+          "The reference of FEniCSx alone is extrapolated from its own runs (benchmarks/peers/release.py)."],
+         lambda f, d, i: f.draw_three_programs(d, i), ["three_programs", "runs_of_getfem", "sizes_of_peers", "references_of_release"]),
         ("Ladder of models", "ladder",
          ["The same release by polynomial bodies of degree N and by finite elements of degree k, symmetric-4 with the "
           "tolerances 5e-3, 1e-3 and 1e-4. Time: processor time from the start of the process to its end, median; the search "

@@ -10,20 +10,26 @@ def name_of_kernel(name):
     return f"{name}, {lanes} lane{'s' * (lanes != '1')}" if slash else name
 
 
+PROCESSORS = {"AMD EPYC": "fe_evaluation_amd.csv", "Intel Xeon": "fe_evaluation_intel.csv"}
+
+
 def equal_width(data):
-    """The force against that of FEEvaluation with the same number of lanes."""
-    rows = read_rows(data, "fe_evaluation.csv")
-    meshes = {}
-    for r in rows:
-        meshes.setdefault((r["degree"], int(r["unknowns"])), {})[r["kernel"]] = r
-    rivals = sorted({r["kernel"] for r in rows if "/" in r["kernel"]}, key=lambda name: int(name.partition("/")[2]))
-    return (["k", "unknowns", *map(name_of_kernel, rivals), "force", f"force / {name_of_kernel(rivals[-1])}", "of the best rounds",
-             "flops an unknown, FEEvaluation / force", "bytes an unknown, FEEvaluation / force"], [
-        [degree, str(n_unknowns), *(f"{float(of[kernel]['per_second']) / 1e6:.0f}" for kernel in [*rivals, "force"]),
-         f"{float(of['force']['over_fe_evaluation']):.2f}",
-         f"{float(of['force']['best_per_second']) / float(of[rivals[-1]]['best_per_second']):.2f}",
-         *(f"{of[rivals[-1]][column]} / {of['force'][column]}" for column in ("flops", "bytes"))]
-        for (degree, n_unknowns), of in sorted(meshes.items())]) if rows else None
+    """The force against that of FEEvaluation with the same number of lanes, for each kind of processor."""
+    lines = []
+    for processor, name in PROCESSORS.items():
+        meshes = {}
+        for r in read_rows(data, name):
+            meshes.setdefault((r["degree"], int(r["unknowns"])), {})[r["kernel"]] = r
+        for (degree, n_unknowns), of in sorted(meshes.items()):
+            scalar, rival = (of[f"FEEvaluation/{n_lanes}"] for n_lanes in (1, 8))
+            lines.append([processor, degree, str(n_unknowns),
+                          *(f"{float(r['per_second']) / 1e6:.0f}" for r in (scalar, rival, of["force"])),
+                          f"{float(of['force']['over_fe_evaluation']):.2f}",
+                          f"{float(of['force']['best_per_second']) / float(rival['best_per_second']):.2f}",
+                          *(f"{rival[column]} / {of['force'][column]}" for column in ("flops", "bytes"))])
+    return (["processor", "k", "unknowns", "FEEvaluation, 1 lane", "FEEvaluation, 8 lanes", "force", "force / FEEvaluation, 8 lanes",
+             "of the best rounds", "flops an unknown, FEEvaluation / force", "bytes an unknown, FEEvaluation / force"], lines) \
+        if lines else None
 
 
 def kernels(data):

@@ -1,10 +1,13 @@
 """Tables of the release of the ball by this and by other programs as (header, rows of texts), from the files of
 docs/benchmarks/data; None without data."""
 
-from benchmark_data import cheapest, discretization, read_rows, release_times, time_for
+import pathlib
+
+from benchmark_data import cheapest, discretization, read_notes, read_rows, release_times, time_for
 from benchmark_tables import NONE, number, two_digits
 
 PEERS = ("FEniCSx", "GetFEM")
+REFERENCES = pathlib.Path(__file__).resolve().parents[1] / "benchmarks" / "references"
 
 
 def release_ratio(data, level, column):
@@ -66,11 +69,27 @@ def three_programs(data):
 
 
 def sizes(data):
-    """The time of a step over the number of unknowns: of symmetric-4, and of the midpoint rule with factors that are made once."""
-    rows = [["pseudorigid", discretization(r), r["unknowns"], NONE, number(float(r["seconds_step"])),
+    """The time of a step over the number of unknowns: of symmetric-4, and of the midpoint rule with factors or a preconditioner that
+    are made once."""
+    rows = [["pseudorigid", discretization(r), r["unknowns"], "symmetric-4", NONE, number(float(r["seconds_step"])),
              two_digits(1e6 * float(r["seconds_step"]) / int(r["unknowns"]))] for r in read_rows(data, "release_sizes.csv")]
     for name in PEERS:
-        rows += [[name, discretization(r), r["unknowns"], number(float(r["seconds_factors"])), number(float(r["seconds_step"])),
-                  two_digits(1e6 * float(r["seconds_step"]) / int(r["unknowns"]))]
+        rows += [[name, discretization(r), r["unknowns"], r["solver"], number(float(r["seconds_factors"])),
+                  number(float(r["seconds_step"])), two_digits(1e6 * float(r["seconds_step"]) / int(r["unknowns"]))]
                  for r in read_rows(data, f"{name.lower()}_sizes.csv")]
-    return (["program", "discretisation", "unknowns", "s, factors", "s, step", "µs a step and unknown"], rows) if rows else None
+    return (["program", "discretisation", "unknowns", "method or solver", "s, set-up", "s, step", "µs a step and unknown"],
+            rows) if rows else None
+
+
+def references(data):
+    """How far the reference of FEniCSx alone is from ours, and the bars of both."""
+    other = read_rows(data, "fenicsx_reference.csv")
+    if not other:
+        return None
+    own = read_rows(REFERENCES, "ball_release.csv")
+    apart = max(abs(float(a["Q33"]) - float(b["Q33"])) for a, b in zip(own, other))
+    bars = [read_notes(folder, name)[0].split()[-1] for folder, name in
+            ((REFERENCES, "ball_release.csv"), (data, "fenicsx_reference.csv"))]
+    return (["reference", "uncertainty of Q33"],
+            [["pseudorigid, degrees 4 to 6 refined once", bars[0]], ["FEniCSx alone, degrees 3 to 5 refined once", bars[1]],
+             ["largest difference of the two", f"{apart:.1e}"]])

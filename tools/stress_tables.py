@@ -6,6 +6,7 @@ stability_map.svg and local_volume.svg in docs/images from the results of the st
 """
 import argparse
 import collections
+import csv
 import json
 import pathlib
 import shutil
@@ -108,12 +109,21 @@ def main():
         from pseudorigid import stability_map
 
         stability_map.write(data, ROOT / "docs/images/stability_map.svg")
-    if (results / "violent.csv").is_file():
-        shutil.copy(results / "violent.csv", ROOT / "docs/data/violent_motions.csv")
+    join([results / f"{part}.csv" for part in ("violent", "violent-high")], ROOT / "docs/data/violent_motions.csv")
     if (results / "volume.csv").is_file():
         data = ROOT / "docs/data/local_volume.csv"
         shutil.copy(results / "volume.csv", data)
         local_volume_figure.write(data, ROOT / "docs/images/local_volume.svg")
+
+
+def join(paths, joined):
+    """Writes the rows of those tables that exist, if there are any."""
+    rows = [row for path in paths if path.is_file() for row in csv.DictReader(path.open())]
+    if rows:
+        with open(joined, "w", newline="") as file:
+            writer = csv.DictWriter(file, list(dict.fromkeys(column for row in rows for column in row)), lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
 
 
 if __name__ == "__main__":

@@ -104,6 +104,7 @@ class Ball:
         self.matrix.zeroEntries()
         petsc.assemble_matrix(self.matrix, self.jacobian, bcs=self.conditions)
         self.matrix.assemble()
+        PETSc.garbage_cleanup(PETSc.COMM_SELF)  # earlier factors, which petsc4py keeps until then
         if self.solver == "iterations":
             return saddle_point.solver(self.matrix, self.is_displacement)
         solver = PETSc.KSP().create(PETSc.COMM_SELF)

@@ -29,7 +29,7 @@ from release import main
 # (degree, refinements): {scheme: steps between two samples}
 JOBS = {
     (2, 0): {"midpoint": (2, 4)},
-    (2, 1): {"midpoint": (4, 8), "midpoint, order 4": (1,)},
+    (2, 1): {"midpoint": (4, 8), "midpoint, order 4": (1, 2)},
     (2, 2): {"midpoint": (8,), "midpoint, order 4": (1, 2)},
 }
 QUICK = {(2, 0): {"midpoint": (2,)}}

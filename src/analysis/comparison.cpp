@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <initializer_list>
+#include <numbers>
 #include <utility>
 
 #include "analysis/comparison_workshop.h"
@@ -53,17 +54,27 @@ std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable
   return time;
 }
 
-/// The exact volume of an incompressible body is known, so that its error is known as well.
+/// The exact volume of an incompressible body is known, so that its error is known as well. Otherwise the error in time
+/// of the volume is that of det Q, at most |cof Q| |δQ|.
 void compare_volumes(Workshop& w) {
   const Columns volume{"volume_ratio"};
   if (!w.available("volume ratio", volume)) return;
   const std::vector<double> c = w.c.column(volume[0]), r = w.r.column(volume[0]);
-  const auto error_of = [](const std::vector<double>& ratios) {
-    return largest(each([](double ratio) { return ratio - 1; }, ratios));
-  };
-  w.add("volume_ratio_difference", 1, each(std::minus{}, c, r),
-        w.options.facts.incompressible ? ErrorBar{.time = error_of(c) + error_of(r), .space = 0}
-                                       : w.errors.of_quantity({.columns = volume, .undeformed = 1}, 1));
+  ErrorBar error = unknown;
+  if (w.options.facts.incompressible) {
+    const auto error_of = [](const std::vector<double>& ratios) {
+      return largest(each([](double ratio) { return ratio - 1; }, ratios));
+    };
+    error = {.time = error_of(c) + error_of(r), .space = 0};
+  } else if (w.out.has_state) {
+    double cofactor = 0;
+    for (const io::Table* table : {&w.r, &w.c})
+      for (const Matrix3d& Q : read<Matrix3d>(*table, Q_columns))
+        cofactor = std::max(cofactor, Q.norm() * Q.norm() / std::numbers::sqrt3);  // |cof Q| ≤ |Q|²/√3
+    error = w.errors.of_function_of_Q(cofactor);
+    error.space = w.errors.of_quantity({.columns = volume}, 1).space;
+  }
+  w.add("volume_ratio_difference", 1, each(std::minus{}, c, r), error);
 }
 
 /// Adds the series of the semi-axes, which are r times the singular values of Q, with the radius r of the ball.
@@ -74,7 +85,8 @@ void compare_axes(Workshop& w) {
     const double radius = w.out.has_state ? a[0].norm() / read<Matrix3d>(w.r, Q_columns)[0].norm() : 0;
     for (const std::string& axis : axes) {
       const std::vector<double> of_c = w.c.column(axis), of_r = w.r.column(axis);
-      const ErrorBar error = w.out.has_state ? w.errors.of_function_of_Q(radius / std::ranges::min(of_r)) : unknown;
+      const double lipschitz = radius / std::ranges::min(of_r);
+      const ErrorBar error = w.out.has_state ? w.errors.of_function_of_Q(lipschitz) : unknown;
       w.add(axis + "_difference", 1, each([](double c, double r) { return ratio_or_zero(c - r, r); }, of_c, of_r),
             error);
     }
@@ -85,9 +97,13 @@ void compare_axes(Workshop& w) {
 void compare_energies(Workshop& w) {
   if (!w.available("energies", {"kinetic", "elastic", "energy"})) return;
   const double reference = energy_reference({&w.r, &w.c}, w.options.facts.energy_unit);
+  const auto error_of = [&](const std::string& name, bool constant) {
+    return w.errors.of_quantity({.columns = {name}, .n_strains = 2, .constant = constant}, reference);
+  };
+  const ErrorBar of_reference = sum(error_of("kinetic", false), error_of("elastic", false));
   for (const std::string name : {"kinetic", "elastic", "energy"})
     w.add(name + "_difference", reference, each(std::minus{}, w.c.column(name), w.r.column(name)),
-          w.errors.of_quantity({.columns = {name}, .n_strains = 2, .constant = name == "energy"}, reference));
+          error_of(name, name == "energy"), of_reference);
   set_energy_drift(w.r, reference, w.options.facts.tolerance, w.out.model);
   set_energy_drift(w.c, reference, w.options.facts.tolerance, w.out.reference);
 }
@@ -96,9 +112,10 @@ void compare_energies(Workshop& w) {
 void compare_dissipation(Workshop& w) {
   if (!w.r.has_column("dissipated") || !w.c.has_column("dissipated")) return;
   const std::vector<double> r = w.r.column("dissipated"), c = w.c.column("dissipated");
-  if (const double reference = std::max(largest(r), largest(c)); reference > 0)
-    w.add("dissipated_difference", reference, each(std::minus{}, c, r),
-          w.errors.of_quantity({.columns = {"dissipated"}, .n_strains = 2}, reference));
+  const double reference = std::max(largest(r), largest(c));
+  if (reference == 0) return;
+  const ErrorBar error = w.errors.of_quantity({.columns = {"dissipated"}, .n_strains = 2}, reference);
+  w.add("dissipated_difference", reference, each(std::minus{}, c, r), error, error);
 }
 
 /// Compares the extreme principal stretches in the body, if both tables have them. For a pseudo-rigid body, these are
@@ -153,9 +170,11 @@ void compare_stresses(Workshop& w) {
     if (!w.r.has_column(name) || !w.c.has_column(name)) continue;
     const std::vector<double> r = w.r.column(name), c = w.c.column(name);
     const double reference = std::max(largest(r), largest(c));
-    if (reference > round_off)
-      w.add(name + "_difference", reference, each(std::minus{}, c, r),
-            w.errors.of_quantity({.columns = {name}, .factor = &OtherResolution::factor_of_stress}, reference));
+    if (reference > round_off) {
+      const ErrorBar error =
+          w.errors.of_quantity({.columns = {name}, .factor = &OtherResolution::factor_of_stress}, reference);
+      w.add(name + "_difference", reference, each(std::minus{}, c, r), error, error);
+    }
     if (largest(c) <= round_off) continue;
     const double ratio = root_mean_square(r) / root_mean_square(c);
     w.out.stress_ratios[name] = {ratio, error_of_stress_ratio(w, name, c, ratio)};
@@ -171,8 +190,9 @@ void compare_momentum(Workshop& w, const std::string& name, const Columns& colum
   const auto r = read<Vector3d>(w.r, columns), c = read<Vector3d>(w.c, columns);
   double reference = momentum_reference(w.r, r);
   if (reference == 0) reference = largest(norms(c));
-  w.add(name + "_difference", reference, distances(c, r),
-        w.errors.of_quantity({.columns = columns, .n_strains = 2, .constant = w.options.facts.is_free}, reference));
+  const ErrorBar error =
+      w.errors.of_quantity({.columns = columns, .n_strains = 2, .constant = w.options.facts.is_free}, reference);
+  w.add(name + "_difference", reference, distances(c, r), error, error);
   w.out.model.*drift_of = drift(r, reference);
   w.out.reference.*drift_of = drift(c, reference);
 }
@@ -189,8 +209,38 @@ void compare_multipliers(Workshop& w) {
   if (!w.available("multiplier", {"multiplier"})) return;
   const std::vector<double> r = w.r.column("multiplier"), c = w.c.column("multiplier");
   const double reference = std::max(largest(r), largest(c));
-  w.add("multiplier_difference", reference, each(std::minus{}, c, r),
-        w.errors.of_quantity({.columns = {"multiplier"}, .n_strains = 2}, reference));
+  const ErrorBar error = w.errors.of_quantity({.columns = {"multiplier"}, .n_strains = 2}, reference);
+  w.add("multiplier_difference", reference, each(std::minus{}, c, r), error, error);
+}
+
+/// Sets the mean of the non-affine fraction η of the kinetic energy K, weighted by K, and its error. In time, K and ηK
+/// have the relative error 2ε of energies, of their largest values.
+void set_mean_nonaffine_fraction(Workshop& w) {
+  const std::string fraction = "nonaffine_kinetic_fraction";
+  const std::size_t n = w.c.n_rows();
+  const auto mean_of = [&](const io::Table& table) {
+    std::vector<double> eta = table.column(fraction), K = table.column("kinetic");
+    eta.resize(n), K.resize(n);  // the other discretisation has more samples if model r stopped early
+    return weighted_mean(eta, K);
+  };
+  const std::vector<double> eta = w.c.column(fraction), K = w.c.column("kinetic");
+  const double mean = mean_of(w.c);
+  w.out.mean_nonaffine_kinetic_fraction = mean;
+  double sum_of_K = 0;
+  for (const double value : K) sum_of_K += value;
+  const double most = largest(each(std::multiplies{}, eta, K)) + mean * largest(K);
+  const auto from = [&](const std::optional<double>& e) -> std::optional<double> {
+    if (e == 0.0 || most == 0) return 0;
+    if (!e || !w.out.has_state) return {};
+    return if_finite(2 * relative_error_of_strain(w.c, *e) * most * double(n) / sum_of_K);
+  };
+  ErrorBar& error = w.out.mean_nonaffine_error;
+  error = {.time = from(w.of_reference.time), .space = {}, .quadrature = from(w.of_reference.quadrature)};
+  const OtherResolution* other = w.of_reference.other;
+  if (!other)
+    error.space = w.of_reference.space == 0.0 ? w.of_reference.space : std::nullopt;
+  else if (other->samples.n_rows() >= n && other->samples.has_column(fraction) && other->samples.has_column("kinetic"))
+    error.space = if_finite(other->factor * std::abs(mean - mean_of(other->samples)));
 }
 
 /// Adds the series of the non-affine motion, its mean fraction of the kinetic energy, and the extremes of det F, from
@@ -199,24 +249,14 @@ void compare_multipliers(Workshop& w) {
 void report_nonaffine_motion(Workshop& w) {
   const Columns columns{"nonaffine_kinetic_fraction", "nonaffine_displacement"};
   if (!w.has(w.c, w.out.reference, "non-affine motion", columns)) return;
-  const auto error_of = [&w](const std::string& name) {
-    return w.errors.of_quantity({.columns = {name}, .n_strains = 2, .in_both_models = false}, 1);
-  };
-  for (const std::string& name : columns) w.add(name, 1, w.c.column(name), error_of(name));
+  // The fraction has narrow peaks when the affine motion turns back, whose values nothing bounds.
+  w.add(columns[0], 1, w.c.column(columns[0]), unknown);
+  w.add(columns[1], 1, w.c.column(columns[1]),
+        w.errors.of_quantity({.columns = {columns[1]}, .in_both_models = false}, 1));
   if (w.c.has_column("min_jacobian")) w.out.min_jacobian = std::ranges::min(w.c.column("min_jacobian"));
   if (w.c.has_column("volume_error")) w.out.volume_error = std::ranges::max(w.c.column("volume_error"));
   if (w.c.has_column("max_volume_error")) w.out.max_volume_error = std::ranges::max(w.c.column("max_volume_error"));
-  if (!w.c.has_column("kinetic")) return;
-  const auto mean_of = [&](const io::Table& t) { return weighted_mean(t.column(columns[0]), t.column("kinetic")); };
-  const double mean = mean_of(w.c);
-  w.out.mean_nonaffine_kinetic_fraction = mean;
-  // The fraction itself is ill-determined when the body nearly rests, but its weight is then small.
-  w.out.mean_nonaffine_error = error_of(columns[0]);
-  const OtherResolution* other = w.of_reference.other;
-  if (auto& space = w.out.mean_nonaffine_error.space; space && other)
-    space = other->samples.n_rows() == w.c.n_rows()
-                ? std::optional(other->factor * std::abs(mean - mean_of(other->samples)))
-                : std::nullopt;
+  if (w.c.has_column("kinetic")) set_mean_nonaffine_fraction(w);
 }
 
 }  // namespace

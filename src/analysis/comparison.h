@@ -78,7 +78,7 @@ struct Series {
   double max = 0;          ///< largest absolute value
   double time_of_max = 0;  ///< first time of the largest absolute value
   double rms = 0;          ///< root mean square of the values over the samples
-  ErrorBar error;          ///< bound for the errors of `max` and `rms` (difference_error.h)
+  ErrorBar error;          ///< estimate of the errors of `max` and `rms` (difference_error.h)
 };
 
 struct FrequencyRatio {
@@ -102,14 +102,10 @@ struct Comparison {
   std::vector<double> time;
   std::vector<Series> series;
   ModelSummary model, reference;
-  bool has_state = false;     ///< true if both tables have the columns of Q
-  std::string signal;         ///< component of C with the fitted frequency, for example "C33"
-  std::string signal_reason;  ///< reason for the choice of this component
-  /// Bound for |δQ|/|Q|, the largest part of q_difference that the discretisations may cause. `space` is the error of
-  /// the reference. `time` is 3 e / min_t |Q_r|. Here e is the sum of the time errors of both models, each the largest
-  /// error of an entry of Q. The factor 3 bounds the norm of a matrix by its largest entry. `quadrature` is the same
-  /// expression with the errors of the quadrature rules.
-  ErrorBar error;
+  bool has_state = false;               ///< true if both tables have the columns of Q
+  std::string signal;                   ///< component of C with the fitted frequency, for example "C33"
+  std::string signal_reason;            ///< reason for the choice of this component
+  ErrorBar error;                       ///< that of the series q_difference
   std::optional<FrequencyRatio> ratio;  ///< empty if a model has no frequency, or if its frequency is that of a load
   /// Exact value of the ratio for small amplitudes. It is empty if the options have none, if the body of model r spins,
   /// or if its table does not have the column Qdot11.

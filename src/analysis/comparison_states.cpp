@@ -46,40 +46,44 @@ std::vector<double> periods_apart(const std::vector<double>& a, const std::vecto
   return apart;
 }
 
-/// The fitted component (i, j) of C of the models r and c.
+/// The fitted component (i, j) of C of the models r and c, and the time between two samples.
 struct FittedComponent {
   const Deformation &r, &c;
   std::pair<int, int> entry;
-  double interval;  ///< time between two samples
+  double interval;
+};
 
-  std::vector<double> phase_of(const std::vector<double>& samples, const ModelSummary& model) const {
-    return phase(samples, interval, model.frequency.dominant().frequency);
-  }
-  std::vector<double> component(const Deformation& deformation) const {
-    return deformation.component(entry.first, entry.second);
-  }
+/// The phase of a component of C with the frequency of `model`, and its least amplitude.
+struct PhaseOfModel {
+  PhaseOfModel(const std::vector<double>& samples, double interval, const ModelSummary& model)
+      : theta(phase(samples, interval, model.frequency.dominant().frequency, &least_amplitude)) {}
+
+  double least_amplitude = 0;
+  std::vector<double> theta;
 };
 
 /// The parts of the error of phase_difference. An error ε of the component with the amplitude A changes its phase by
-/// ε/A. The part in space is f max_t |θ_c − θ'_c|, as for other quantities (difference_error.h). The amplitude varies
-/// if two lines share the motion. Nothing is then known.
-ErrorBar error_of_phases(const Workshop& w, const FittedComponent& fitted, const std::vector<double>& of_c) {
+/// arcsin(ε/A) at most. The part in space is f max_t |θ_c − θ'_c|, as for other quantities (difference_error.h).
+/// Nothing is known if ε exceeds A, or if two lines share the motion.
+ErrorBar error_of_phases(const Workshop& w, const FittedComponent& fitted, const PhaseOfModel& of_r,
+                         const PhaseOfModel& of_c) {
   ErrorBar bar = unknown;
-  const ModelSummary &model = w.out.model, &reference = w.out.reference;
-  if (second_line(model.frequency) || second_line(reference.frequency)) return bar;
+  if (second_line(w.out.model.frequency) || second_line(w.out.reference.frequency)) return bar;
   const auto of_both = [&](std::optional<double> RunErrors::*part) -> std::optional<double> {
     const auto &a = w.of_model.*part, &b = w.of_reference.*part;
     if (!a || !b) return {};
-    return (error_of_component(fitted.r, fitted.entry, *a) / model.frequency.dominant().amplitude +
-            error_of_component(fitted.c, fitted.entry, *b) / reference.frequency.dominant().amplitude) /
-           turn;
+    const double of_model = error_of_component(fitted.r, fitted.entry, *a) / of_r.least_amplitude,
+                 of_reference = error_of_component(fitted.c, fitted.entry, *b) / of_c.least_amplitude;
+    if (!(of_model < 1 && of_reference < 1)) return {};
+    return (std::asin(of_model) + std::asin(of_reference)) / turn;
   };
   bar.time = of_both(&RunErrors::time);
   bar.quadrature = of_both(&RunErrors::quadrature);
   if (w.of_reference.space == 0.0 && !w.of_reference.other) bar.space = 0;
-  const std::vector<double> other = other_component(fitted.entry, of_c.size(), w.of_reference);
-  const std::vector<double> of_other = other.empty() ? other : fitted.phase_of(other, reference);
-  if (!of_other.empty()) bar.space = w.of_reference.other->factor * largest(periods_apart(of_c, of_other));
+  const std::vector<double> samples = other_component(fitted.entry, of_c.theta.size(), w.of_reference);
+  if (samples.empty()) return bar;
+  const PhaseOfModel other(samples, fitted.interval, w.out.reference);
+  if (!other.theta.empty()) bar.space = w.of_reference.other->factor * largest(periods_apart(of_c.theta, other.theta));
   return bar;
 }
 
@@ -87,10 +91,11 @@ ErrorBar error_of_phases(const Workshop& w, const FittedComponent& fitted, const
 /// if one of the models does not have a phase (phase.h).
 void compare_phases(Workshop& w, const FittedComponent& fitted) {
   Comparison& out = w.out;
-  const std::vector<double> of_r = fitted.phase_of(fitted.component(fitted.r), out.model),
-                            of_c = fitted.phase_of(fitted.component(fitted.c), out.reference);
-  if (of_r.empty() || of_c.empty()) return;
-  std::vector<double> apart = periods_apart(of_r, of_c);
+  const auto [i, j] = fitted.entry;
+  const PhaseOfModel of_r(fitted.r.component(i, j), fitted.interval, out.model),
+      of_c(fitted.c.component(i, j), fitted.interval, out.reference);
+  if (of_r.theta.empty() || of_c.theta.empty()) return;
+  std::vector<double> apart = periods_apart(of_r.theta, of_c.theta);
   const double omega = out.reference.frequency.dominant().frequency;
   for (int decade = 1; decade <= 1'000'000; decade *= 10)
     for (const int n : {decade, 2 * decade, 5 * decade}) {
@@ -99,7 +104,7 @@ void compare_phases(Workshop& w, const FittedComponent& fitted) {
       if (before + 1 < apart.size())
         out.phase_after_periods[n] = std::lerp(apart[before], apart[before + 1], position - double(before));
     }
-  w.add("phase_difference", 1, std::move(apart), error_of_phases(w, fitted, of_c));
+  w.add("phase_difference", 1, std::move(apart), error_of_phases(w, fitted, of_r, of_c));
 }
 
 /// Fits the frequency of the same component of C in both models. Adds the ratio of the frequencies and the phases,
@@ -151,18 +156,20 @@ void compare_states(Workshop& w) {
   const Deformation r(w.r, resolution, out.model), c(w.c, resolution, out.reference);
   const std::vector<double> apart = distances(c.Q, r.Q);
   const std::vector<double> sizes = norms(r.Q);
-  out.error = w.errors.of_function_of_Q(1 / std::ranges::min(sizes));
-  out.error.space = w.of_reference.space;
-  w.add("q_difference", 1, each(ratio_or_zero, apart, sizes), {});
-  out.series.back().error = out.error;
+  const double least = std::ranges::min(sizes);
+  w.add("q_difference", 1, each(ratio_or_zero, apart, sizes), w.errors.of_function_of_Q(1 / least),
+        w.errors.of_function_of_model(1 / least));
+  out.error = out.series.back().error;
   // The divisors of the next two series are the larger departure and the larger strain amplitude of both models. If
   // neither ball moves, they are the resolution times |Q| and |C| of model r at the first sample.
   const double departure = std::max({out.model.departure, out.reference.departure, resolution * r.Q[0].norm()});
   const double amplitude =
       std::max({out.model.strain_amplitude, out.reference.strain_amplitude, resolution * r.C[0].norm()});
-  w.add("q_difference_of_departure", departure, apart, w.errors.of_function_of_Q(1 / departure));
+  const ErrorBar of_departure = w.errors.of_function_of_Q(1 / departure);
+  w.add("q_difference_of_departure", departure, apart, of_departure, of_departure);
   const double size = std::max(largest(sizes), largest(norms(c.Q)));
-  w.add("strain_difference", amplitude, distances(c.C, r.C), w.errors.of_function_of_Q(2 * size / amplitude));
+  const ErrorBar of_strain = w.errors.of_function_of_Q(2 * size / amplitude);
+  w.add("strain_difference", amplitude, distances(c.C, r.C), of_strain, times(std::numbers::sqrt2, of_strain));
   fit_frequencies(w, r, c);
   const bool turning = !w.r.has_column(Qdot_columns.front()) || spins(w.r);
   if (!turning) out.exact_ratio = w.options.exact_frequency_ratio;

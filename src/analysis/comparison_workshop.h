@@ -19,7 +19,7 @@ namespace pseudorigid::analysis {
 inline const ErrorBar unknown{.time = {}, .space = {}, .quadrature = {}};
 
 /// The data of a comparison: the tables r of the model and c of the reference, their errors, and the result `out`, to
-/// which the functions of this file add series.
+/// which the parts of the comparison add series. Must not be copied, because `errors` refers to other members.
 struct Workshop {
   const io::Table& r;
   const io::Table& c;
@@ -45,9 +45,11 @@ struct Workshop {
   }
 
   /// Adds the series of the quotients values/reference, with its maximum and root mean square. A quotient is 0 if its
-  /// value is 0, even if `reference` is 0. `error` has the parts of difference_error.h.
-  void add(std::string name, double reference, std::vector<double> values, const ErrorBar& error) {
-    Series s{.name = std::move(name), .reference = reference, .values = std::move(values), .error = error};
+  /// value is 0, even if `reference` is 0. `error` is the error of the numerators over the divisors
+  /// (difference_error.h), and `of_divisor` the relative error of the divisors.
+  void add(std::string name, double reference, std::vector<double> values, const ErrorBar& error,
+           const ErrorBar& of_divisor = {.time = 0, .space = 0}) {
+    Series s{.name = std::move(name), .reference = reference, .values = std::move(values), .error = {}};
     double squares = 0;
     for (std::size_t n = 0; n < s.values.size(); ++n) {
       s.values[n] = ratio_or_zero(s.values[n], reference);
@@ -57,8 +59,7 @@ struct Workshop {
       s.time_of_max = out.time[n];
     }
     s.rms = std::sqrt(squares / double(s.values.size()));
-    for (auto* part : {&s.error.time, &s.error.space, &s.error.quadrature})
-      if (*part) **part *= 1 + s.max;
+    s.error = sum(error, times(s.max, of_divisor));
     out.series.push_back(std::move(s));
   }
 };

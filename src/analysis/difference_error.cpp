@@ -29,8 +29,6 @@ double size_of(const io::Table& table, const Columns& columns, double undeformed
                       vectors(table, columns)));
 }
 
-std::optional<double> if_finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
-
 }  // namespace
 
 double relative_error_of_strain(const io::Table& table, double e) {
@@ -51,6 +49,14 @@ ErrorBar DifferenceErrors::of_function_of_Q(double lipschitz) const {
   if (of_reference_.space)
     bar.space = if_finite(lipschitz * *of_reference_.space * largest(norms(read<Matrix3d>(c_, Q_columns))));
   return bar;
+}
+
+ErrorBar DifferenceErrors::of_function_of_model(double lipschitz) const {
+  const auto part = [&](Part of_Q) {
+    const auto& e = of_model_.*of_Q;
+    return e ? if_finite(3 * lipschitz * *e) : std::nullopt;
+  };
+  return {.time = part(&RunErrors::time), .space = 0, .quadrature = part(&RunErrors::quadrature)};
 }
 
 ErrorBar DifferenceErrors::of_quantity(const ComparedQuantity& quantity, double divisor) const {
@@ -94,8 +100,9 @@ std::optional<double> DifferenceErrors::in_space(const ComparedQuantity& quantit
   if (!other) return of_reference_.space == 0.0 ? of_reference_.space : std::nullopt;
   if (!has(other->samples, quantity.columns) || other->samples.n_rows() < c_.n_rows()) return {};
   // The comparison has fewer samples if model r stopped early. `distances` uses those of the reference.
-  return other->*quantity.factor *
-         largest(distances(vectors(c_, quantity.columns), vectors(other->samples, quantity.columns)));
+  const auto apart = distances(vectors(c_, quantity.columns), vectors(other->samples, quantity.columns));
+  if (!std::ranges::all_of(apart, [](double value) { return std::isfinite(value); })) return {};
+  return other->*quantity.factor * largest(apart);
 }
 
 }  // namespace pseudorigid::analysis

@@ -1,5 +1,5 @@
 #pragma once
-/// Bounds of the errors of the differences in a comparison (comparison.h), as parts of an error bar. Model r is
+/// Estimates of the errors of the differences in a comparison (comparison.h), as parts of an error bar. Model r is
 /// compared with the reference c. Let x be a quantity, and R the divisor of its difference. e_m is a bound of the error
 /// of every entry of Q of model m, in time or due to the quadrature rule. s is the largest relative error |δQ|/|Q| in
 /// space of the reference. Model r has no error in space. The rules for the parts are as follows.
@@ -8,14 +8,14 @@
 ///     time, quadrature   3 L (e_r + e_c) / R
 ///     space              L s max_t |Q_c| / R
 ///   other quantities, with n times the relative error ε_m of the strain
-///     time, quadrature   n (ε_r max_t |x_r − x₀| + ε_c max_t |x_c − x₀|) / R,  ε_m = 6 e_m max_t |Q_m| / max_t |C_m − Id|
+///     time, quadrature   n (ε_r max_t |x_r| + ε_c max_t |x_c|) / R,  ε_m = 6 e_m max_t |Q_m| / max_t |C_m − Id|
 ///     space              f max_t |x_c − x'_c| / R
 ///
-/// |·| is the Frobenius norm, and the factor 3 bounds it by the largest entry of a matrix. x₀ is the value of x in the
-/// undeformed body. x' is the same quantity on another discretisation, with the factor f (OtherResolution). In small
-/// oscillations, stresses and velocities have the relative error of strains (n = 1), and energies twice this error
-/// (n = 2). In time, the error of a constant of the motion is its drift. R is a largest value of the same motions, with
-/// the same relative error as the numerator. The caller therefore multiplies the parts by 1 + max_t |x_c − x_r|/R.
+/// |·| is the Frobenius norm, and the factor 3 bounds it by the largest entry of a matrix. x is 0 in the undeformed
+/// body; stretches are counted from 1. x' is the same quantity on another discretisation, with the factor f
+/// (OtherResolution). In small oscillations, stresses and velocities have the relative error of strains (n = 1), and
+/// energies twice this error (n = 2). This is an assumption for quantities that are not affine. In time, the error of a
+/// constant of the motion is its drift. Comparison adds the relative error of R times the difference.
 
 #include <optional>
 #include <string>
@@ -51,6 +51,8 @@ class DifferenceErrors {
 
   /// The parts of a function of Q, with `lipschitz` = L/R. Both tables must have the columns of Q.
   ErrorBar of_function_of_Q(double lipschitz) const;
+  /// The parts of a function of Q of model r alone, which has no error in space.
+  ErrorBar of_function_of_model(double lipschitz) const;
   /// The parts of another quantity. A part is empty if it does not follow from the tables and the known errors.
   ErrorBar of_quantity(const ComparedQuantity& quantity, double divisor) const;
 

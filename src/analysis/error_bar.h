@@ -29,6 +29,25 @@ struct ErrorBar {
   }
 };
 
+/// Empty if the value is not finite.
+inline std::optional<double> if_finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// The sum of two errors, part by part. A part is known if it is known in both.
+inline ErrorBar sum(const ErrorBar& a, const ErrorBar& b) {
+  const auto both = [](const std::optional<double>& x, const std::optional<double>& y) {
+    return x && y ? std::optional(*x + *y) : std::nullopt;
+  };
+  return {a.fit + b.fit, both(a.time, b.time), both(a.space, b.space), both(a.quadrature, b.quadrature)};
+}
+
+/// The error times a factor.
+inline ErrorBar times(double factor, const ErrorBar& bar) {
+  const auto multiple = [factor](const std::optional<double>& x) { return x ? std::optional(factor * *x) : x; };
+  return {factor * bar.fit, multiple(bar.time), multiple(bar.space), multiple(bar.quadrature)};
+}
+
 /// An error printed with one significant digit, for example "0.003" or "2e-06". The error is rounded up, because it is
 /// a bound. An error that is not positive is printed as "0".
 inline std::string printed_error(double error) {

@@ -57,7 +57,7 @@ class MovingFit {
 
 }  // namespace
 
-std::vector<double> phase(std::span<const double> values, double interval, double frequency) {
+std::vector<double> phase(std::span<const double> values, double interval, double frequency, double* least_amplitude) {
   const double angle = frequency * interval;
   const std::size_t n_values = values.size(), n_window = std::size_t(std::lround(2 * pi / angle));
   if (double(n_window) < least_samples_per_period || n_window > n_values) return {};
@@ -71,6 +71,8 @@ std::vector<double> phase(std::span<const double> values, double interval, doubl
     amplitudes[n] = n > 0 && first == 0 ? amplitudes[n - 1] : fit.amplitude();
     largest = std::max(largest, std::abs(amplitudes[n]));
   }
+  if (least_amplitude)
+    *least_amplitude = std::abs(*std::ranges::min_element(amplitudes, {}, [](auto a) { return std::abs(a); }));
   constexpr double faint = 0.01;
   std::vector<double> phases(n_values);
   double slow = std::arg(amplitudes[0]);

@@ -19,7 +19,9 @@ inline constexpr double least_samples_per_period = 4;
 
 /// The phases θ_n, in radians, at the samples `values`, which have the constant positive time step `interval`. The
 /// argument `frequency` is ω > 0. The number of samples in a period is rounded to a whole number. The result is empty
-/// if this number exceeds the number of samples, or is less than `least_samples_per_period`.
-std::vector<double> phase(std::span<const double> values, double interval, double frequency);
+/// if this number exceeds the number of samples, or is less than `least_samples_per_period`. If `least_amplitude` is
+/// not null and the result is not empty, it becomes the least A_n.
+std::vector<double> phase(std::span<const double> values, double interval, double frequency,
+                          double* least_amplitude = nullptr);
 
 }  // namespace pseudorigid::analysis

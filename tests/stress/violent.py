@@ -1,19 +1,21 @@
 """Violent releases: the ball is let go at rest from a large stretch along z, over the stretch, the self-gravity γ = ρgr/μ and
-the degree of the elements, on the unrefined octant until t = 60 r/c. Method and step are chosen by the program.
+the degree of the elements, on the unrefined octant until t = 60 r/c. Method and step are chosen by the program. The part
+`violent` has degrees 3 and 4, and `violent-high` degrees 5 to 7 and the largest stretches.
 
 Each run is one of: finished; ended, the program stopped and said why, which is admitted only after the surface has reached
 Biot's limit; long, the time limit interrupted it. The drift is the largest change of the energy over the elastic energy at
-the start. Of a run that finished it must not exceed MOST_DRIFT. docs/violent_motions.md has the results."""
+the start. Of a run that finished it must not exceed MOST_DRIFT. q33_apart is the largest difference of Q33 from the run of one
+degree more, before both have reached Biot's limit. docs/violent_motions.md has the results."""
 import math
 
 from program import DONE, STOPPED, faults, reason_without_numbers
 
 STRETCHES = (1.1, 1.2, 1.35, 1.5, 2.0)
 GRAVITIES = (0, 5, 20)
-DEGREES = (3, 4)
+DEGREES, HIGH_DEGREES = (3, 4), (5, 6, 7)
 END, INTERVAL = 60, 0.1
 MOST_DRIFT = 1e-3  # what the step control aims at
-LONGEST = 90
+LONGEST, LONGEST_OF_HIGH = 90, 1200
 
 
 def entries(stretch, gamma, degree, end):
@@ -49,18 +51,37 @@ def judge(record):
 
 
 def run(program, quick, **_):
+    if quick:
+        return releases(program, (3,), (0, 5), (1.5,), 10, LONGEST)
+    return releases(program, DEGREES, GRAVITIES, STRETCHES, END, LONGEST)
+
+
+def run_high(program, quick, **_):
+    """An hour of processor time a degree or more; nothing in the short form."""
+    return [] if quick else releases(program, HIGH_DEGREES, GRAVITIES, STRETCHES[2:], END, LONGEST_OF_HIGH)
+
+
+def releases(program, degrees, gravities, stretches, end, longest):
     records = []
-    for degree in (3,) if quick else DEGREES:
-        for gamma in (0, 5) if quick else GRAVITIES:
-            for stretch in (1.5,) if quick else STRETCHES:
-                end = 10 if quick else END
-                result = program.run(entries(stretch, gamma, degree, end), limit=LONGEST)
+    for gamma in gravities:
+        for stretch in stretches:
+            of_degrees = []
+            for degree in degrees:
+                result = program.run(entries(stretch, gamma, degree, end), limit=longest)
                 record = {"kind": f"degree {degree}", "stretch": stretch, "gamma": gamma, "degree": degree, "code": result.code,
-                          "seconds": round(result.seconds, 2), "too_long": bool(result.too_long)}
+                          "seconds": round(result.seconds, 2), "too_long": bool(result.too_long), "q33_apart": ""}
                 found = list(faults(result))
                 if not found and result.code in (DONE, STOPPED):
                     record.update(outcome(result))
                     found += judge(record)
+                    of_degrees.append((record, result.table("continuum")))
                 record["faults"] = "; ".join(found)
                 records.append(record)
+            for (record, table), (other, of_other) in zip(of_degrees, of_degrees[1:]):
+                record["q33_apart"] = apart(table, of_other, min(t or math.inf for t in (record["biot_time"], other["biot_time"])))
     return records
+
+
+def apart(table, other, end):
+    rows = zip(table.column("time"), table.column("Q33"), other.column("Q33"))
+    return max(abs(a - b) for time, a, b in rows if time <= end)

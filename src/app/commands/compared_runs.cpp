@@ -215,13 +215,14 @@ void add_results(const RunContext& context, const Results& results, std::vector<
     for (const Difference& difference : differences) {
       if (!(context.needs.quantities.*difference.group)) continue;
       const auto* series = comparison ? comparison->find(difference.name) : nullptr;
-      row.insert(row.end(), {series ? series->max : none, series ? series->rms : none, error_of(series)});
+      row.insert(row.end(),
+                 {series ? series->max : none, series ? series->rms : none, comparison ? error_of(series) : none});
     }
     if (!context.needs.quantities.stresses) continue;
     for (const char* stress : stresses) {
       const bool is_known = comparison && comparison->stress_ratios.contains(stress);
       const auto ratio = is_known ? comparison->stress_ratios.at(stress) : analysis::StressRatio{none, {}};
-      row.insert(row.end(), {ratio.value, ratio.error.total().value_or(unknown)});
+      row.insert(row.end(), {ratio.value, comparison ? ratio.error.total().value_or(unknown) : none});
     }
   }
   for (const ColumnOfPair& column : columns_of_reference)

@@ -17,11 +17,6 @@ namespace {
 
 using mechanics::FigureFamily, mechanics::FigureMember, mechanics::SpecialFigure;
 
-/// The small motions about a figure are computed in a basis of n_eigenvectors_of_figure eigenvectors of each parity.
-/// The difference from the rates in a basis of n_fewer_eigenvectors of each parity is regarded as a bound of the error
-/// that the basis causes.
-constexpr int n_fewer_eigenvectors = 6;
-
 /// The largest difference |s_a − s_b| between the rates s of small motions about two figures, among the n_slowest_rates
 /// rates of a row.
 double difference_of_rates(const FigureMember& a, const FigureMember& b) {
@@ -29,6 +24,14 @@ double difference_of_rates(const FigureMember& a, const FigureMember& b) {
   double largest = 0;
   for (std::size_t i = 0; i < rates.size(); ++i) largest = std::max(largest, std::abs(rates[i] - others[i]));
   return largest;
+}
+
+/// The error of the rates of a figure that the finite basis of the small motions causes. The difference from the rates
+/// in the smaller basis is regarded as its bound.
+double error_of_basis(const FigureMember& member) {
+  FigureMember in_smaller_basis = member;
+  for (mechanics::ClassStability& of_class : in_smaller_basis.classes) of_class.stability = of_class.in_smaller_basis;
+  return difference_of_rates(member, in_smaller_basis);
 }
 
 /// The family of the scene on one discretisation.
@@ -53,14 +56,6 @@ class FamilyOnMesh {
     numbers.spin = figures_.drive() == continuum::Drive::rotation ? std::sqrt(std::max(member.figure.drive, 0.0)) : 0;
     numbers.axes = numbers.observables.Q.diagonal();
     return {};
-  }
-  /// Sets `error` to the error of the rates of a figure that the finite basis of the small motions causes. Fails if the
-  /// rates cannot be computed.
-  mechanics::Status error_of_basis(const FigureMember& member, double& error) const {
-    FigureMember with_fewer = member;
-    auto status = continuum::stability_of(figures_, member.figure, n_fewer_eigenvectors, with_fewer.classes);
-    error = difference_of_rates(member, with_fewer);
-    return status;
   }
   const continuum::BallFigures& figures() const { return figures_; }
 
@@ -151,11 +146,9 @@ ModelOutcome run_continuum_equilibria(const RunContext& context) {
       [](const mechanics::MotionClass& motions) { return name_of(motions, mechanics::Figure::ellipsoid); },
       [&](int index, const FigureMember& member, const SpecialFigure* special, std::vector<double>& row) {
         FigureNumbers numbers{};
-        double of_basis = 0;
         if (auto status = mesh.numbers(member, numbers); !status) return status;
-        if (auto status = mesh.error_of_basis(member, of_basis); !status) return status;
         row = figure_row(index, member, special, numbers);
-        return companion.append_errors(member, special, numbers, of_basis, row);
+        return companion.append_errors(member, special, numbers, error_of_basis(member), row);
       });
   const continuum::FigureCounts& counts = mesh.figures().counts();
   auto& counters = run.outcome().statistics.counters;

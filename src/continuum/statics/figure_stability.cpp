@@ -44,12 +44,12 @@ Vector turned_within(const BallSpace& space, int axis, const Vector& x) {
 }
 
 /// A basis of displacements u of one parity. The vectors of the basis satisfy G u = 0, and are orthonormal in the inner
-/// product of the mass.
+/// product of the mass. They span eigenvectors, responses and other displacements, which are added in this order.
 class SectorBasis {
  public:
   SectorBasis(const TangentProblem& problem, int number) : sector_(problem, parity_of_sector(number)) {}
 
-  /// Appends the eigenvectors of K for the n lowest eigenvalues, without uniform translations. Must be called before
+  /// Adds the eigenvectors of K for the n lowest eigenvalues, without uniform translations. Must be called before
   /// add_response and add_projected, because this function factorises the operator of the sector.
   mechanics::Status add_eigenvectors(int n) {
     if (auto status = sector_.factorize(); !status) return status;
@@ -62,19 +62,28 @@ class SectorBasis {
     for (std::size_t i = n_uniform; i < known.size(); ++i) {
       ParitySector::Mode mode;
       if (auto status = sector_.mode_of(known[i].vector, mode); !status) return status;
-      add(sector_.entries_of(mode.u));
+      eigenvectors_.push_back(sector_.entries_of(mode.u));
     }
     return {};
   }
-  /// Appends the static response to a force.
+  std::size_t n_eigenvectors() const { return eigenvectors_.size(); }
+  Vector eigenvector(std::size_t i) const { return sector_.field_of(eigenvectors_[i]); }
+  /// Adds the static response to a force, which follows from the next eigenvector of the other basis of the class.
   mechanics::Status add_response(const Vector& force) {
     Vector u;
     if (auto status = sector_.respond(force, u); !status) return status;
-    add(sector_.entries_of(u));
+    responses_.push_back(sector_.entries_of(u));
     return {};
   }
-  /// Appends a displacement near u that satisfies G u = 0.
-  void add_projected(const Vector& u) { add(sector_.without_volume(sector_.entries_of(u))); }
+  /// Adds a displacement near u that satisfies G u = 0.
+  void add_projected(const Vector& u) { others_.push_back(sector_.without_volume(sector_.entries_of(u))); }
+  /// Makes the basis of the first n eigenvectors, the first n responses and all other displacements.
+  void span(std::size_t n) {
+    basis_.clear();
+    for (const auto* vectors : {&eigenvectors_, &responses_})
+      for (std::size_t i = 0; i < std::min(n, vectors->size()); ++i) append((*vectors)[i]);
+    for (const Eigen::VectorXd& u : others_) append(u);
+  }
 
   const ParitySector& sector() const { return sector_; }
   Eigen::Index size() const { return static_cast<Eigen::Index>(basis_.size()); }
@@ -119,7 +128,7 @@ class SectorBasis {
   }
   /// Appends the part of u that is orthogonal to the basis, divided by its length. Omits this part if it is short
   /// (`dependent`).
-  void add(Eigen::VectorXd u) {
+  void append(Eigen::VectorXd u) {
     const double before = std::sqrt(u.dot(sector_.mass().cwiseProduct(u)));
     for (int repetition = 0; repetition < 2; ++repetition)
       for (const Eigen::VectorXd& b : basis_) u -= b.dot(sector_.mass().cwiseProduct(u)) * b;
@@ -128,6 +137,7 @@ class SectorBasis {
   }
 
   ParitySector sector_;
+  std::vector<Eigen::VectorXd> eigenvectors_, responses_, others_;
   std::vector<Eigen::VectorXd> basis_;
 };
 
@@ -153,6 +163,9 @@ struct ClassBasis {
         parts{SectorBasis(problem, numbers[0]), SectorBasis(problem, numbers[1])} {}
 
   bool contains(int number) const { return number == numbers[0] || number == numbers[1]; }
+  void span(int n_eigenvectors) {
+    for (SectorBasis& part : parts) part.span(static_cast<std::size_t>(n_eigenvectors));
+  }
   Eigen::Index size() const { return parts[0].size() + parts[1].size(); }
   /// The coordinates of the field u in both bases. `number` is the parity of u, one of the two parities of the class.
   Eigen::VectorXd coordinates(const Vector& u, int number) const {
@@ -190,16 +203,23 @@ class StabilityProblem {
     }
   }
 
-  mechanics::Status solve(std::size_t of_class, int n_eigenvectors, mechanics::LinearStability& stability) const {
-    ClassBasis basis(problem_, of_class);
+  mechanics::Status solve(std::size_t number, int n_eigenvectors, mechanics::ClassStability& of_class) const {
+    ClassBasis basis(problem_, number);
     if (auto status = fill(n_eigenvectors, basis); !status) return status;
-    const auto system = mechanics::reduce(stiffness(basis), coriolis(basis), symmetries(basis), dependent);
-    return mechanics::analyse_stability(system, stability);
+    const auto analyse = [&](int n, mechanics::LinearStability& stability) {
+      basis.span(n);
+      const auto system = mechanics::reduce(stiffness(basis), coriolis(basis), symmetries(basis), dependent);
+      return mechanics::analyse_stability(system, stability);
+    };
+    // Without the rates in the smaller basis, the error of a rate is the rate itself.
+    if (!analyse(3 * n_eigenvectors / 5, of_class.in_smaller_basis)) of_class.in_smaller_basis = {};
+    return analyse(n_eigenvectors, of_class.stability);
   }
   mechanics::Status solve(std::size_t of_class, int n_eigenvectors, std::complex<double> rate,
                           SmallMotionOfBall& motion) const {
     ClassBasis basis(problem_, of_class);
     if (auto status = fill(n_eigenvectors, basis); !status) return status;
+    basis.span(n_eigenvectors);
     mechanics::SmallMotion found;
     if (auto status = mechanics::motion_near(stiffness(basis), coriolis(basis), rate, found); !status) return status;
     motion.rate = found.rate;
@@ -214,16 +234,15 @@ class StabilityProblem {
   }
 
  private:
-  /// Fills both bases: eigenvectors, then the static responses to the forces of Coriolis of the other basis, then
-  /// rotations.
+  /// Adds the vectors of both bases: eigenvectors, the static responses to the forces of Coriolis of the eigenvectors
+  /// of the other basis, and rotations.
   mechanics::Status fill(int n_eigenvectors, ClassBasis& basis) const {
     for (SectorBasis& part : basis.parts)
       if (auto status = part.add_eigenvectors(n_eigenvectors); !status) return status;
-    const std::array n_before{basis.parts[0].size(), basis.parts[1].size()};
     if (spin_ > 0)
       for (std::size_t part = 0; part < 2; ++part)
-        for (Eigen::Index i = 0; i < n_before[1 - part]; ++i) {
-          Vector force = turned(space_, 2, basis.parts[1 - part].field(i));
+        for (std::size_t i = 0; i < basis.parts[1 - part].n_eigenvectors(); ++i) {
+          Vector force = turned(space_, 2, basis.parts[1 - part].eigenvector(i));
           for (unsigned int k = 0; k < 3 * space_.n_nodes(); ++k)
             force.local_element(k) *= space_.mass().local_element(k);
           if (auto status = basis.parts[part].add_response(force); !status) return status;
@@ -300,7 +319,7 @@ mechanics::Status all_classes(const StabilityProblem& problem, int n_eigenvector
   for (std::size_t k = 0; k < parities_of_classes.size(); ++k) {
     const int first = parities_of_classes[k][0];
     mechanics::ClassStability of_class{{(first & 4) != 0, first & 1}, {}};
-    if (auto status = problem.solve(k, n_eigenvectors, of_class.stability); !status) return status;
+    if (auto status = problem.solve(k, n_eigenvectors, of_class); !status) return status;
     classes.push_back(std::move(of_class));
   }
   return {};

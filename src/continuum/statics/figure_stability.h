@@ -29,10 +29,11 @@
 namespace pseudorigid::continuum {
 
 /// Sets `classes` to the stability in the four classes. `n_eigenvectors` is the number of eigenvectors of each parity.
-/// The azimuthal number m of a class is 0 if its motions are even under the half turn, and otherwise 1. Fails if an
-/// eigenvalue problem does not converge, or if the figure is unstable with a rate above about 8√k in internal units.
-/// For a rotation, k is typical_stiffness() plus Ω². For a ball at rest, k is typical_stiffness(), plus the largest
-/// stiffness per mass with which a quadratic potential repels the ball from the centre.
+/// The smaller basis (mechanics::ClassStability) has three fifths of them. The azimuthal number m of a class is 0 if
+/// its motions are even under the half turn, and otherwise 1. Fails if an eigenvalue problem does not converge, or if
+/// the figure is unstable with a rate above about 8√k in internal units. For a rotation, k is typical_stiffness() plus
+/// Ω². For a ball at rest, k is typical_stiffness(), plus the largest stiffness per mass with which a quadratic
+/// potential repels the ball from the centre.
 mechanics::Status stability_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
                                int n_eigenvectors, std::vector<mechanics::ClassStability>& classes);
 

@@ -44,7 +44,8 @@ function tableQuantities(t) {
 // Of a sweep of several models, the comparison of each with the last. −1 and, of a ratio, 0 stand for "not known".
 const COMPARED = [["frequency_ratio", "ratio of frequencies"], ["frequency_ratio_error", "error bar of the ratio"], ["max_von_mises_ratio", "ratio of the largest stresses (rms)"], ["mean_von_mises_ratio", "ratio of the mean stresses (rms)"], ["strain_difference_max", "difference of C, over its amplitude"], ["q_difference_max", "difference of Q, relative"], ["elastic_difference_max", "difference of the elastic energy, over E₀"], ["max_stretch_difference_max", "difference of the largest stretch, relative"], ["dissipated_difference_max", "difference of the dissipated energy, relative"], ["tenth_of_period_after", "time until a tenth of a period apart"], ["phase_after_10_periods", "phase difference after ten periods, in periods"], ["phase_difference_max", "largest phase difference, in periods"]];
 // The column of the error bar of a quantity. −1 stands for "not known".
-const BARS = {frequency_ratio: "frequency_ratio_error", q_difference_max: "q_difference_error", max_von_mises_ratio: "max_von_mises_ratio_error", mean_von_mises_ratio: "mean_von_mises_ratio_error"};
+const BARS = {frequency_ratio: "frequency_ratio_error", max_von_mises_ratio: "max_von_mises_ratio_error", mean_von_mises_ratio: "mean_von_mises_ratio_error",
+  ...Object.fromEntries(["q", "strain", "elastic", "max_stretch", "dissipated", "phase"].map(of => [`${of}_difference_max`, `${of}_difference_error`]))};
 function barOf(t, model, end) {
   const bars = t.columns[`${model}_${BARS[end]}`];
   return bars && bars.map(v => v >= 0 ? v : NaN);

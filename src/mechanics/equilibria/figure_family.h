@@ -28,6 +28,9 @@ struct MotionClass {
 struct ClassStability {
   MotionClass motions;
   LinearStability stability;
+  /// The stability in a smaller basis of motions, from which the error of a finite basis is estimated. It has no rates
+  /// if the rates are exact for the discretisation.
+  LinearStability in_smaller_basis{};
 };
 
 struct FigureMember {

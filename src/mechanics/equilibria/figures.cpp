@@ -19,16 +19,27 @@ Status FigureEquations::solve(const FigureCondition& condition, EquilibriumFigur
 
 Status FigureEquations::follow(double from, const FigureCondition& condition, EquilibriumFigure& figure) const {
   constexpr double shortest = 1.0 / 512;  // shortest step, as a fraction of the distance between the parameters
-  constexpr double longest = 0.25;  // largest step of the parameter, so that the search does not jump to other branches
-  constexpr double astray = 0.5;    // bound of the distance between solution and prediction, as a fraction of the step
+  // The largest changes of the logarithm of a ratio of axes, and of an entry of x in a prediction, so that the search
+  // does not jump to other branches.
+  constexpr double largest_ratio = 0.25, largest_move = 0.25;
+  constexpr double astray = 0.5;  // bound of the distance between solution and prediction, as a fraction of the step
   const double way = condition.value - from;
-  double at = from, step = std::copysign(std::min(std::abs(way), longest), way);
+  if (!std::isfinite(way)) return Status::failure("there is no figure with this parameter");
+  const double longest = condition.parameter == FigureParameter::drive ? std::abs(way) : largest_ratio;
+  double at = from, step = std::min(std::abs(way), longest);
+  EquilibriumFigure along;
+  bool is_known = false;  // whether `along` is the tangent at `figure`
   while (at != condition.value) {
-    const bool is_last = std::abs(step) >= std::abs(condition.value - at);
-    if (is_last) step = condition.value - at;
-    const double next = is_last ? condition.value : at + step;
+    if (!is_known) along = tangent({condition.parameter, at}, figure);
+    is_known = true;
+    const double rate = along.x.lpNorm<Eigen::Infinity>();
+    if (std::isfinite(rate) && rate * step > largest_move)
+      step = std::max(largest_move / rate, shortest * std::abs(way));
+    const bool is_last = step >= std::abs(condition.value - at);
+    const double signed_step = is_last ? condition.value - at : std::copysign(step, way);
+    const double next = is_last ? condition.value : at + signed_step;
     EquilibriumFigure predicted = figure;
-    add(step, tangent({condition.parameter, at}, figure), predicted);
+    add(signed_step, along, predicted);
     EquilibriumFigure found = predicted;
     Status status = Status::failure("the family ends here, or turns back");
     if (predicted.x.allFinite() && is_admissible(predicted.x)) {
@@ -39,10 +50,11 @@ Status FigureEquations::follow(double from, const FigureCondition& condition, Eq
     if (status) {
       figure = found;
       at = next;
-      step = std::copysign(std::min(2 * std::abs(step), longest), way);
+      step = std::min(2 * std::abs(signed_step), longest);
+      is_known = false;
     } else {
-      step /= 2;
-      if (std::abs(step) < shortest * std::abs(way)) return status;
+      step = std::abs(signed_step) / 2;
+      if (step < shortest * std::abs(way)) return status;
     }
   }
   return complete(figure);

@@ -59,9 +59,11 @@ class FigureEquations {
   Status solve(const FigureCondition& condition, EquilibriumFigure& figure) const;
   /// Replaces `figure`, a known figure with the parameter `from`, by the figure with `condition` in the same family. A
   /// step is halved if Newton's iteration fails or does not stay close to the prediction. After a step that succeeds,
-  /// the next step is doubled up to a bound. Fails if a step becomes shorter than 1/512 of the distance between the two
-  /// parameters, for example because the family ends or turns back before `condition`. `figure` is then the last figure
-  /// that was found. Also fails if a force of the last figure cannot be computed.
+  /// the next step is doubled. A step changes the logarithm of a ratio of axes by at most 0.25. It is also shortened
+  /// until no entry of x changes by more than 0.25 in the prediction, but not below 1/512 of the distance between the
+  /// two parameters. Fails if a step would have to be shorter, for example because the family ends or turns back before
+  /// `condition`. `figure` is then the last figure that was found. Also fails if a force of the last figure cannot be
+  /// computed.
   Status follow(double from, const FigureCondition& condition, EquilibriumFigure& figure) const;
   /// Returns the derivative of ν along the family with respect to condition.parameter, or NaN if it cannot be computed.
   /// `figure` must satisfy the condition.
