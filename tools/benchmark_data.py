@@ -116,4 +116,4 @@ def cheapest(rows, level):
 def discretization(row, prefix=""):
     """By the columns degree and refinements, their names with the prefix."""
     degree, refinements = row[f"{prefix}degree"], int(row[f"{prefix}refinements"])
-    return f"k = {degree}" + (f", refined {('once', 'twice', 'three times')[refinements - 1]}" if refinements else "")
+    return f"k = {degree}" + (f", refined {('once', 'twice', 'three times', 'four times')[refinements - 1]}" if refinements else "")

@@ -18,8 +18,8 @@ namespace pseudorigid::analysis {
 
 inline const ErrorBar unknown{.time = {}, .space = {}, .quadrature = {}};
 
-/// The data of a comparison: the tables r of the model and c of the reference, their errors, and the result `out`, to
-/// which the parts of the comparison add series. Must not be copied, because `errors` refers to other members.
+/// The data of a comparison: the tables r of the model and c of the reference, their errors, and the result `out`. The
+/// parts of the comparison add series to `out`. Must not be copied, because `errors` refers to other members.
 struct Workshop {
   const io::Table& r;
   const io::Table& c;

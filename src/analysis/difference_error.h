@@ -1,8 +1,8 @@
 #pragma once
 /// Estimates of the errors of the differences in a comparison (comparison.h), as parts of an error bar. Model r is
-/// compared with the reference c. Let x be a quantity, and R the divisor of its difference. e_m is a bound of the error
-/// of every entry of Q of model m, in time or due to the quadrature rule. s is the largest relative error |δQ|/|Q| in
-/// space of the reference. Model r has no error in space. The rules for the parts are as follows.
+/// compared with the reference c. Let x be a quantity, and R the divisor of its difference. The number e_m bounds the
+/// error of every entry of Q of model m, in time or due to the quadrature rule. In space, model r has no error, and s
+/// is the largest relative error of the reference, |δQ|/|Q|. The rules for the parts are as follows.
 ///
 ///   functions of Q, with |δx| ≤ L |δQ|
 ///     time, quadrature   3 L (e_r + e_c) / R
@@ -11,11 +11,11 @@
 ///     time, quadrature   n (ε_r max_t |x_r| + ε_c max_t |x_c|) / R,  ε_m = 6 e_m max_t |Q_m| / max_t |C_m − Id|
 ///     space              f max_t |x_c − x'_c| / R
 ///
-/// |·| is the Frobenius norm, and the factor 3 bounds it by the largest entry of a matrix. x is 0 in the undeformed
-/// body; stretches are counted from 1. x' is the same quantity on another discretisation, with the factor f
-/// (OtherResolution). In small oscillations, stresses and velocities have the relative error of strains (n = 1), and
-/// energies twice this error (n = 2). This is an assumption for quantities that are not affine. In time, the error of a
-/// constant of the motion is its drift. Comparison adds the relative error of R times the difference.
+/// |·| is the Frobenius norm, and the factor 3 bounds it by the largest entry of a matrix. In the undeformed body, x is
+/// 0. Stretches are counted from 1. The quantity on another discretisation is x', with the factor f of OtherResolution.
+/// In small oscillations, stresses and velocities have the relative error of strains (n = 1), and energies twice this
+/// error (n = 2). This is an assumption for quantities that are not affine. In time, the error of a constant of the
+/// motion is its drift. Comparison adds the relative error of R times the difference.
 
 #include <optional>
 #include <string>

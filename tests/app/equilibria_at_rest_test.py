@@ -103,8 +103,10 @@ class EquilibriaAtRest(ProgramTest):
         process.send_signal(signal.SIGINT)
         _, error = process.communicate()
         self.assertEqual(process.returncode, STOPPED, error)
-        self.assertIn("degree 11", error)
-        self.assertEqual(self.table("output/scene", "equilibria-polynomial.csv").column("degree"), [9])
+        # Which degree is under way at the interrupt depends on the machine.
+        rows = {"degree 9": [], "degree 11": [9]}
+        (named,) = (degree for degree in rows if degree in error)
+        self.assertEqual(self.table("output/scene", "equilibria-polynomial.csv").column("degree"), rows[named])
 
     def test_units_of_the_scene_do_not_matter(self):
         own = self.at_rest({**TRAP, "Loads/Nominal traction": matrix(0.1, 0.2, 0)}, "own")
