@@ -172,6 +172,10 @@ measure_peers() {
   measure_release_by FEniCSx fenicsx python3-dolfinx-real --reference "$data/fenicsx_reference.csv"
   [[ -n $left_out ]] || not_measured=
   measure_release_by GetFEM getfem "python3-getfem++ python3-scipy python3-petsc4py"
+  if [[ -z $not_measured && ! ${quick[*]} ]]; then
+    into fenicsx_static.csv /usr/bin/python3 "$root/benchmarks/peers/fenicsx_static.py" &&
+      into static_figure.csv "$root/benchmarks/static_figure.py" "$program"
+  fi
   # Only runs of one day and machine belong into one table.
   if [[ -z $not_measured && -z $left_out && " ${parts[*]} " == *" release "* ]]; then
     into three_programs.csv "$root/benchmarks/peers/three_programs.py" "$data"

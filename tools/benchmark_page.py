@@ -42,6 +42,7 @@ TABLES = {
     "three_programs": release_tables.three_programs,
     "sizes_of_peers": release_tables.sizes,
     "references_of_release": release_tables.references,
+    "static_figures": release_tables.static_figures,
     "peers": lambda data: release_tables.runs_of_peer(data, "fenicsx_release.csv"),
     "runs_of_getfem": lambda data: release_tables.runs_of_peer(data, "getfem_release.csv"),
     "gravitating_release": tables.gravitating_release,

@@ -125,6 +125,11 @@ def errors_of_the_ball(data):
           "midpoint step of 0.0125 of the others with the factors of the tangent, or a preconditioner (saddle_point.py), made once. "
           "The reference of FEniCSx alone is extrapolated from its own runs (benchmarks/peers/release.py)."],
          lambda f, d, i: f.draw_three_programs(d, i), ["three_programs", "runs_of_getfem", "sizes_of_peers", "references_of_release"]),
+        ("Elastic ball at rest in a trap", "peers",
+         ["Figure of equilibrium of the neo-Hookean ball under the force −ρ T x, T = diag(0.6, 0.6, 0). pseudorigid: processor time of "
+          "the process less that of a start, with the small motions about the figure and both again on a companion mesh. FEniCSx: "
+          "Newton's iteration with factors by MUMPS, from the first assembly to the last solution."],
+         None, ["static_figures"]),
         ("Ladder of models", "ladder",
          ["The same release by polynomial bodies of degree N and by finite elements of degree k, symmetric-4 with the "
           "tolerances 5e-3, 1e-3 and 1e-4. Time: processor time from the start of the process to its end, median; the search "

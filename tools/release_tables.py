@@ -93,3 +93,20 @@ def references(data):
     return (["reference", "uncertainty of Q33"],
             [["pseudorigid, degrees 4 to 6 refined once", bars[0]], ["FEniCSx alone, degrees 3 to 5 refined once", bars[1]],
              ["largest difference of the two", f"{apart:.1e}"]])
+
+
+def static_figures(data):
+    """A ball at rest in a trap, mesh by mesh. The error is the difference from the finest mesh of pseudorigid."""
+    own = read_rows(data, "static_figure.csv")
+    others = {(r["degree"], r["refinements"]): r for r in read_rows(data, "fenicsx_static.csv")}
+    if not own or not others:
+        return None
+    finest = float(own[-1]["Q33"])
+    rows = []
+    for r in own[:-1]:
+        other = others[r["degree"], r["refinements"]]
+        rows.append([discretization(r), f"{r['unknowns']} / {other['unknowns']}",
+                     *(f"{abs(float(of['Q33']) - finest):.0e}" for of in (r, other)), number(float(r["seconds"]), 2),
+                     number(float(other["seconds"]), 2)])
+    return ["discretisation", "coordinates / unknowns of FEniCSx", "error of Q33, pseudorigid", "FEniCSx",
+            "s, pseudorigid with small motions and error bars", "s, FEniCSx"], rows
