@@ -14,7 +14,7 @@
 #   map            the map of stability
 #   rows           rows of the samples of docs/adequacy.md: single runs and finer comparisons
 #   violent        releases from large stretches: energy, local volume, Biot's limit
-#   violent-high   the same from degree 5 on, which takes hours
+#   violent-high   the same with degrees 5 to 8, which takes an hour
 #   volume         local volume and error of Q over degree, refinement and volumetric stiffness
 #   sanitizers     the tests and damaged files above in a build with the address, leak and undefined behaviour
 #                  sanitizers, sweeps in one with the thread sanitizer

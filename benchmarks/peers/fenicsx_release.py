@@ -39,7 +39,7 @@ JOBS = {
     (5, 1): {"midpoint, order 4": (2, 3)},
 }
 QUICK = {(3, 0): {"midpoint": (4,)}, (4, 0): {"midpoint": (8,), "midpoint, order 4": (1,)}}
-SIZES = {"MUMPS": ((3, 0), (4, 0), (4, 1), (3, 2), (4, 2)), "iterations": ((3, 2), (4, 2), (3, 3), (4, 3), (3, 4))}
+SIZES = {"MUMPS": ((3, 0), (4, 0), (4, 1), (3, 2), (4, 2)), "iterations": ((3, 2), (4, 2), (3, 3), (4, 3))}
 JIT = {"cffi_extra_compile_args": ["-O3", "-march=native", "-ffast-math"]}
 
 
