@@ -267,7 +267,7 @@ nlohmann::ordered_json comparison_json(const Comparison& c) {
   for (const Series& s : c.series) {
     Json& difference = json["differences"][s.name];
     difference = {{"max", s.max}, {"time_of_max", s.time_of_max}, {"rms", s.rms}, {"reference", s.reference}};
-    add_errors(difference, "", s.error, false);
+    add_errors(difference, "", s.error, s.error.fit > 0);
   }
   json["model_difference"] = c.has_state ? model_difference_json(c) : Json(nullptr);
   json["frequency"] = c.has_state ? frequency_json(c) : Json(nullptr);

@@ -67,8 +67,9 @@ struct PhaseOfModel {
 /// Nothing is known if ε exceeds A, or if two lines share the motion.
 ErrorBar error_of_phases(const Workshop& w, const FittedComponent& fitted, const PhaseOfModel& of_r,
                          const PhaseOfModel& of_c) {
+  const ModelSummary &r = w.out.model, &c = w.out.reference;
+  if (second_line(r.frequency) || second_line(c.frequency)) return unknown;
   ErrorBar bar = unknown;
-  if (second_line(w.out.model.frequency) || second_line(w.out.reference.frequency)) return bar;
   const auto of_both = [&](std::optional<double> RunErrors::*part) -> std::optional<double> {
     const auto &a = w.of_model.*part, &b = w.of_reference.*part;
     if (!a || !b) return {};
@@ -81,10 +82,13 @@ ErrorBar error_of_phases(const Workshop& w, const FittedComponent& fitted, const
   bar.quadrature = of_both(&RunErrors::quadrature);
   if (w.of_reference.space == 0.0 && !w.of_reference.other) bar.space = 0;
   const std::vector<double> samples = other_component(fitted.entry, of_c.theta.size(), w.of_reference);
-  if (samples.empty()) return bar;
-  const PhaseOfModel other(samples, fitted.interval, w.out.reference);
-  if (!other.theta.empty()) bar.space = w.of_reference.other->factor * largest(periods_apart(of_c.theta, other.theta));
-  return bar;
+  if (!samples.empty()) {
+    const PhaseOfModel other(samples, fitted.interval, c);
+    if (!other.theta.empty())
+      bar.space = w.of_reference.other->factor * largest(periods_apart(of_c.theta, other.theta));
+  }
+  return sum(bar, sum(times(0.5 / r.frequency.dominant().frequency, r.frequency_error),
+                      times(0.5 / c.frequency.dominant().frequency, c.frequency_error)));
 }
 
 /// Adds the series phase_difference, and its values after 1, 2, 5, 10, 20, 50 … periods of the reference. Adds nothing
