@@ -13,8 +13,8 @@ reference of FEniCSx alone (release.py).
 
 Columns: degree, refinements, scheme, step, unknowns, seconds (processor time from the first assembly to the last sample;
 median of three runs, or of as many as 10 seconds hold), error (largest difference of Q33 over the 50 samples),
-iterations_per_step (Newton iterations of a midpoint step), factorizations, tolerance (of these iterations); with --sizes solver, seconds_factors and seconds_step
-(release.py). The largest meshes of --sizes have the iterations of saddle_point.py in place of factors.
+iterations_per_step (Newton iterations of a midpoint step), factorizations, tolerance (of these iterations); with --sizes solver,
+seconds_factors and seconds_step (release.py). The largest meshes of --sizes have the iterations of saddle_point.py in place of factors.
 """
 import logging
 

@@ -13,8 +13,8 @@ with degree 3 on the unrefined mesh took 256 s and had an error of 4e-3.
 
 Columns: degree, refinements, scheme, step, unknowns, seconds (processor time from the first assembly to the last sample;
 median of three runs, or of as many as 10 seconds hold), error (largest difference of Q33 over the 50 samples),
-iterations_per_step (Newton iterations of a midpoint step), factorizations, tolerance (of these iterations); with --sizes solver, seconds_factors and seconds_step
-(release.py). The largest meshes of --sizes have the iterations of saddle_point.py in place of factors.
+iterations_per_step (Newton iterations of a midpoint step), factorizations, tolerance (of these iterations); with --sizes solver,
+seconds_factors and seconds_step (release.py). The largest meshes of --sizes have the iterations of saddle_point.py in place of factors.
 """
 import getfem as gf
 import numpy as np

@@ -21,8 +21,8 @@ REFERENCE = pathlib.Path(__file__).resolve().parents[1] / "references/ball_relea
 END, SAMPLES = 5.0, 50
 SUZUKI = (1 / (4 - 4 ** (1 / 3)),) * 2 + (1 - 4 / (4 - 4 ** (1 / 3)),) + (1 / (4 - 4 ** (1 / 3)),) * 2
 SCHEMES = {"midpoint": (1.0,), "midpoint, order 4": SUZUKI}
-# Of the largest change of u in an iteration. On unrefined meshes the errors of FEniCSx are the same with 1e-9. On refined meshes
-# both are tried, and the last one is that of the reference.
+# An iteration ends when no displacement changes by more. On unrefined meshes the errors of FEniCSx are the same with 1e-9. On refined
+# meshes both are tried, and the reference has the last one.
 TOLERANCES, TOLERANCES_OF_REFINED = (1e-7,), (1e-7, 1e-9)
 SLOW = 0.5  # an iteration that reduces the change by less is with factors that are too old; 0.15 costs FEniCSx twice as much
 CUBIC = {0: [], 1: [1], 2: [-1, 2], 3: [1, -3, 3], 4: [-1, 4, -6, 4]}  # extrapolations from so many values

@@ -88,7 +88,7 @@ void compare_axes(Workshop& w) {
       const double lipschitz = radius / std::ranges::min(of_r);
       const ErrorBar error = w.out.has_state ? w.errors.of_function_of_Q(lipschitz) : unknown;
       w.add(axis + "_difference", 1, each([](double c, double r) { return ratio_or_zero(c - r, r); }, of_c, of_r),
-            error);
+            error, w.errors.of_function_of_model(lipschitz));
     }
   }
   compare_volumes(w);
@@ -125,12 +125,11 @@ void compare_stretches(Workshop& w) {
     const std::string of_model = w.r.has_column(name) ? name : of_mean;
     if (!w.r.has_column(of_model) || !w.c.has_column(name)) continue;
     const std::vector<double> r = w.r.column(of_model);
-    w.add(
-        fmt::format("{}_difference", name), 1,
-        each([](double c, double r) { return ratio_or_zero(c - r, r); }, w.c.column(name), r),
-        w.errors.of_quantity(
-            {.columns = {name}, .of_model = {of_model}, .undeformed = 1, .factor = &OtherResolution::factor_of_stress},
-            std::ranges::min(r)));
+    const ErrorBar error = w.errors.of_quantity(
+        {.columns = {name}, .of_model = {of_model}, .undeformed = 1, .factor = &OtherResolution::factor_of_stress},
+        std::ranges::min(r));
+    w.add(fmt::format("{}_difference", name), 1,
+          each([](double c, double r) { return ratio_or_zero(c - r, r); }, w.c.column(name), r), error, error);
   }
 }
 

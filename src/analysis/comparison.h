@@ -120,7 +120,7 @@ struct Comparison {
   // gradient.
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with the non-affine
                                                           ///< fraction η_K of the kinetic energy K
-  ErrorBar mean_nonaffine_error;                          ///< bound for the error of mean_nonaffine_kinetic_fraction
+  ErrorBar mean_nonaffine_error;                          ///< estimate of the error of mean_nonaffine_kinetic_fraction
   std::optional<double> min_jacobian, max_volume_error;   ///< least det F and largest |ln det F| of the reference
   std::optional<double> volume_error;  ///< largest value of the column volume_error over the samples: the root mean
                                        ///< square of ln det F in the body of the reference

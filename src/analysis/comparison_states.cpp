@@ -63,8 +63,9 @@ struct PhaseOfModel {
 };
 
 /// The parts of the error of phase_difference. An error ε of the component with the amplitude A changes its phase by
-/// arcsin(ε/A) at most. The part in space is f max_t |θ_c − θ'_c|, as for other quantities (difference_error.h).
-/// Nothing is known if ε exceeds A, or if two lines share the motion.
+/// arcsin(ε/A) at most. The part in space is f max_t |θ_c − θ'_c|, as for other quantities (difference_error.h). Each
+/// part also contains the error δω of the frequencies. They extrapolate the phases over half a period at both ends of
+/// the record, which adds δω/(2ω) periods. Nothing is known if ε exceeds A, or if two lines share the motion.
 ErrorBar error_of_phases(const Workshop& w, const FittedComponent& fitted, const PhaseOfModel& of_r,
                          const PhaseOfModel& of_c) {
   const ModelSummary &r = w.out.model, &c = w.out.reference;

@@ -1,4 +1,5 @@
-/// Of runs whose errors are known the bars of a frequency and of all differences hold what the errors do to them.
+/// The errors of some runs are known. Their bars of a frequency and of all differences contain the effects of these
+/// errors.
 
 #include <gtest/gtest.h>
 
@@ -123,6 +124,20 @@ TEST(ErrorBars, DifferencesHoldErrorsInTime) {
     };
     for (const char* series : {"q_difference", "strain_difference", "a3_difference", "kinetic_difference"})
       EXPECT_DOUBLE_EQ(bar_of(errors, series), bar_of({.time = 0, .space = 0, .quadrature = errors.time}, series));
+  }
+}
+
+/// A relative difference has the values of model r as its divisor. An error of this model therefore counts more.
+TEST(ErrorBars, ErrorsOfDivisorsCount) {
+  const Table reduced = reduced_run(pulsation(pseudo_rigid_omega, 0.1), ten),
+              continuum = continuum_run(pulsation(omega, 0.1), ten);
+  const RunErrors wrong{.time = 1e-4, .space = 0};
+  const Comparison of_model = compare(reduced, continuum, {}, {.reduced = wrong});
+  const Comparison of_reference = compare(reduced, continuum, {}, {.continuum = wrong});
+  for (const char* name : {"q_difference", "a1_difference", "a3_difference"}) {
+    const Series& s = *of_model.find(name);
+    EXPECT_GT(s.max, 0.05) << name;
+    EXPECT_NEAR(*s.error.time / *of_reference.find(name)->error.time, 1 + s.max, 1e-12) << name;
   }
 }
 
