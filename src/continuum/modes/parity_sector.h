@@ -44,7 +44,7 @@ class ParitySector {
   ~ParitySector();
   ParitySector(ParitySector&&) noexcept = delete;  // E may refer to the sector
 
-  /// Factorises B. Call this function before `apply`, `respond`, `solve`, `mode_of` and `without_volume`. Fails if B is
+  /// Factorises B. Call this function before the solutions, products with T, and `without_volume`. Fails if B is
   /// not positive definite.
   mechanics::Status factorize();
   std::size_t n_unknowns() const { return n_unknowns_; }
@@ -56,6 +56,7 @@ class ParitySector {
   Eigen::VectorXd entries_of(const Vector& field) const;
   const Eigen::VectorXd& mass() const { return mass_; }     ///< M of each unknown
   Eigen::VectorXd product(const Eigen::VectorXd& u) const;  ///< (K + E + s M) u
+  void solve_penalized(Eigen::VectorXd& f) const;           ///< f ← B⁻¹f
   /// Returns u minus a displacement with the same G u. The result w therefore has G w = 0.
   Eigen::VectorXd without_volume(const Eigen::VectorXd& u) const;
 
@@ -89,7 +90,6 @@ class ParitySector {
   void condense(Cell& cell, unsigned int number, Eigen::MatrixXd& coupling) const;
   Eigen::VectorXd gather(const Cell& cell, const Eigen::VectorXd& u) const;
   void scatter_add(const Cell& cell, const Eigen::VectorXd& local, Eigen::VectorXd& u) const;
-  void solve_penalized(Eigen::VectorXd& f) const;                    ///< f ← B⁻¹f
   Eigen::VectorXd constraint_of(const Eigen::VectorXd& u) const;     ///< G u
   Eigen::VectorXd reaction_of(const Eigen::VectorXd& lambda) const;  ///< Gᵀλ
   /// `solve_cells` returns T f without E. `solve_definite` sets u to T f with E. n_corrections is the number of
