@@ -14,8 +14,11 @@ using mechanics::FamilyOfFigures, mechanics::FigureFamily, mechanics::FigureMemb
 
 class BodyFigureFinder {
  public:
-  BodyFigureFinder(const BodySetup& body, bool incompressible, FamilyOfFigures family, Drive drive = Drive::rotation)
+  /// The members have no classes of small motions if `small_motions` is false.
+  BodyFigureFinder(const BodySetup& body, bool incompressible, FamilyOfFigures family, Drive drive = Drive::rotation,
+                   bool small_motions = true)
       : setup_{body, incompressible, drive, family.figure},
+        small_motions_(small_motions),
         figures_(setup_),
         spectrum_(setup_),
         finder_(figures_, analysis(), std::move(family)) {}
@@ -37,11 +40,12 @@ class BodyFigureFinder {
  private:
   mechanics::StabilityOfFigure analysis() const {
     return [this](const EquilibriumFigure& figure, std::vector<ClassStability>& classes) {
-      return spectrum_.analyse(figure, classes);
+      return small_motions_ ? spectrum_.analyse(figure, classes) : mechanics::Status();
     };
   }
 
   FigureSetup setup_;
+  bool small_motions_;
   BodyFigures figures_;
   FigureSpectrum spectrum_;
   mechanics::FigureFinder finder_;

@@ -17,7 +17,7 @@ concept SceneOrConst = std::same_as<std::remove_const_t<S>, Scene>;
 
 template <SceneOrConst S, class Visit>
 void visit_equilibria(S& scene, Visit& visit) {
-  auto& [family, first, last, number, ratio] = scene.equilibria;
+  auto& [family, first, last, number, ratio, small_motions] = scene.equilibria;
   visit(
       family, family_kind,
       About{"Equilibrium/Family", "",
@@ -36,6 +36,12 @@ void visit_equilibria(S& scene, Visit& visit) {
   visit(number, Integer{1, 1'000'000},
         About{"Equilibrium/Number", "", "Number of members, equally spaced in the parameter."});
   visit(ratio, positive, About{"Equilibrium/Axis ratio", "", "a3/a1 of Riemann's families."});
+  visit(
+      small_motions, Boolean{},
+      About{"Equilibrium/Small motions", "",
+            "Whether polynomial bodies and finite elements compute the small motions about a figure. With false, their "
+            "tables have no rates, no stability and no special points but folds, and take a fraction of the time. The "
+            "pseudo-rigid model always computes them."});
 }
 
 template <SceneOrConst S, class Visit>

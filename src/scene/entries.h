@@ -221,7 +221,9 @@ void visit_continuum(S& scene, Visit& visit) {
   visit(error_estimate, error_estimate_kind,
         About{"Continuum/Error estimate", "",
               "With auto, a comparison also runs the continuum on a coarser discretisation, for about a third of the "
-              "cost, and reports the discretisation error. With none, this run is left out."});
+              "cost, and reports the discretisation error. Equilibria then also have columns with their errors, from "
+              "figures on "
+              "a coarser mesh. With none, this run and these columns are left out."});
   visit(gravity_points, AutoOrInteger{{2, 16}},
         About{"Continuum/Gravity points", "",
               "Gauss points per direction on each face of the surface; self-gravity sums over their pairs. With auto, "

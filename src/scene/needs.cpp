@@ -122,6 +122,10 @@ void describe_output(const Scene& scene, Needs& needs) {
   else
     needs.skipped.push_back(
         "tangent stiffness and preconditioners for it: every method is explicit in the elastic force");
+  if (scene.analysis == Analysis::equilibrium && std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine))
+    sort_out(needs, scene.equilibria.small_motions,
+             "small motions about each figure: an eigenvalue problem for each class",
+             "small motions about figures: Equilibrium/Small motions is false; no rates, no stability");
   std::vector<std::string_view> evaluated, unwanted;
   for (std::size_t i = 0; i < quantities_kind.table.size(); ++i) {
     const auto& [name, member] = quantities_kind.table[i];

@@ -120,6 +120,7 @@ struct Scene {
     double first = 0.1, last = 0.99;
     int number = 90;
     double ratio = 0.5;  ///< ratio a₃/a₁ of the semi-axes in Riemann's families
+    bool small_motions = true;  ///< true if models with non-affine motions compute the small motions about figures
   } equilibria;
   struct Modes {
     int number = 8;

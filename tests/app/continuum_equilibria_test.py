@@ -131,6 +131,37 @@ class ContinuumEquilibria(ProgramTest):
         self.assertAlmostEqual(table.column("rate_1_im")[0], lowest, delta=2e-3)
         self.assertLess(table.column("rates_error")[0], 0.02)
 
+    def test_figures_without_small_motions_and_errors(self):
+        """The figures are the same; rates, stability and special points but folds are left out."""
+        entries = {**FIGURES, "Models": "reduced, polynomial, continuum", "Polynomial/Degree": 3}
+        tables = {}
+        for name, other in (("all", {}), ("figures", {"Equilibrium/Small motions": "false", "Continuum/Error estimate": "none"})):
+            self.scene({**entries, **other})
+            tables[name] = {}
+            self.run_done("run", "scene.prm", "--output", name)
+            for model in ("polynomial", "continuum"):
+                tables[name][model] = self.table(name, f"equilibria-{model}.csv")
+        for model in ("polynomial", "continuum"):
+            whole, part = tables["all"][model], tables["figures"][model]
+            missing = [column for column in whole.header if column not in part.header]
+            self.assertEqual(missing[:5], ["growth_rate", "stable", "n_negative", "odd_in_z", "m"])
+            self.assertEqual([c for c in missing[5:] if not c.startswith("rate")],
+                             ["parameter_error", "omega3_error", "axes_error"] if model == "continuum" else [])
+            for column in part.header:
+                self.assertEqual(part.column(column), whole.column(column), (model, column))
+        self.assertIn("growth_rate", self.table("figures", "equilibria.csv").header)
+        self.assertIn("Small motions", self.run_done("check", "scene.prm").stdout)
+
+    def test_sweep_without_small_motions(self):
+        self.scene({**AT_REST, "Models": "continuum", "Loads/Tidal matrix": "$(k), 0, 0; 0, $(k), 0; 0, 0, 0",
+                    "Sweep/Parameters": "k: 0.1, 0.2",
+                    "Continuum/Volumetric stiffness": 1, "Equilibrium/Small motions": "false"})
+        self.run_done("run", "scene.prm", "--output", "swept")
+        table = self.table("swept", "sweep.csv")
+        self.assertNotIn("growth_rate", " ".join(table.header))
+        a3 = table.column("continuum_a3")
+        self.assertTrue(1 < a3[0] < a3[1], a3)
+
 
 class RefusedContinuumEquilibria(RefusedInputTest):
     def test_refused(self):

@@ -58,7 +58,7 @@ std::optional<Eigen::Matrix3d> potential_of_figures(const scene::Scene& scene, d
   const loads::Forcing forcing = loads::constant_forcing(internal_loads(scene));
   if (!forcing.nominal_traction.isZero(0) || !forcing.acceleration.isZero(0)) return {};
   if (scene::finds_static_equilibria(scene)) return forcing.quadratic / (c * c);
-  const auto& [family, first, last, number, axis_ratio] = scene.equilibria;
+  const auto& [family, first, last, number, axis_ratio, small_motions] = scene.equilibria;
   if (family != scene::Family::spinning) return {};
   const double spin = number == 1 ? first : std::max(std::abs(first), std::abs(last));
   const double squared = std::pow(spin * units_of(scene).time / c, 2);

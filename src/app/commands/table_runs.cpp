@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/figures/figure_families.h"
 #include "app/run/love_table.h"
 #include "app/run/mode_table.h"
 #include "scene/models.h"
@@ -48,6 +49,8 @@ Part equilibrium_part(const scene::ModelDescription& model, const scene::Scene& 
   const std::vector<scene::ModelRun> runs = scene::runs_of(model, scene);
   Part part{
       std::string(model.equilibria.file), column_prefix(runs[k].name), names_of(model.equilibria.columns), 0, {}, true};
+  if (model.has_nonaffine)
+    std::erase_if(part.names, [&](const std::string& name) { return !has_figure_column(scene, name); });
   part.first = static_cast<std::size_t>(std::ranges::find(part.names, "kind") - part.names.begin()) + 1;
   WantedRow row{"", {{"kind", 0}}};
   if (runs.size() > 1) row.keys.emplace_back("degree", scene.polynomial.degrees[k]);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
 
 #include "app/continuum/figure_setup.h"
 #include "app/figures/continuum_figure_columns.h"
@@ -67,6 +68,7 @@ class FamilyOnMesh {
   }
   mechanics::StabilityOfFigure analysis() const {
     return [this](const auto& figure, auto& classes) {
+      if (!context_.scene.equilibria.small_motions) return mechanics::Status();
       return continuum::stability_of(figures_, figure, n_eigenvectors_of_figure, classes);
     };
   }
@@ -139,7 +141,9 @@ ModelOutcome run_continuum_equilibria(const RunContext& context) {
   FamilyOnMesh mesh(context, discretization);
   const FigureFamily family = mesh.family(1);
   const double factor = family.members.empty() ? 1 : family.members.front().parameter;
-  Companion companion(context, scene::companion(discretization), factor);
+  std::optional<Companion> companion;
+  if (scene.continuum.error_estimate == scene::ErrorEstimate::automatic)
+    companion.emplace(context, scene::companion(discretization), factor);
   if (context.interrupted()) run.end(mechanics::Outcome::interrupted, "interrupted while computing equilibria");
   run.add(
       "elements of " + scene::describe(discretization), family,
@@ -148,7 +152,9 @@ ModelOutcome run_continuum_equilibria(const RunContext& context) {
         FigureNumbers numbers{};
         if (auto status = mesh.numbers(member, numbers); !status) return status;
         row = figure_row(index, member, special, numbers);
-        return companion.append_errors(member, special, numbers, error_of_basis(member), row);
+        if (companion) return companion->append_errors(member, special, numbers, error_of_basis(member), row);
+        row.resize(row.size() + n_error_columns);
+        return mechanics::Status();
       });
   const continuum::FigureCounts& counts = mesh.figures().counts();
   auto& counters = run.outcome().statistics.counters;

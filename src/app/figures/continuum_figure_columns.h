@@ -7,7 +7,9 @@
 
 namespace pseudorigid::app {
 
-/// The columns of figure_columns, and then four columns with the estimated errors of the discretisation.
+inline constexpr std::size_t n_error_columns = 4;
+
+/// The columns of figure_columns, and then n_error_columns columns with the estimated errors of the discretisation.
 inline std::vector<scene::Column> continuum_figure_columns() {
   std::vector<scene::Column> columns =
       figure_columns("degree of the elements",

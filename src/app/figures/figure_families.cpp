@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -36,6 +37,21 @@ int negative_directions(const FigureMember& member) {
   int n = 0;
   for (const ClassStability& of_class : member.classes) n += of_class.stability.n_negative;
   return n;
+}
+
+/// The indices of the columns that the table of the scene has.
+std::vector<std::size_t> kept_columns(const scene::Scene& scene, const std::vector<scene::Column>& columns) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (has_figure_column(scene, columns[i].name)) kept.push_back(i);
+  return kept;
+}
+
+template <class T>
+std::vector<T> chosen(const std::vector<T>& all, const std::vector<std::size_t>& indices) {
+  std::vector<T> result;
+  for (const std::size_t i : indices) result.push_back(all[i]);
+  return result;
 }
 
 }  // namespace
@@ -125,6 +141,14 @@ mechanics::FamilyOfFigures family_of_figures(const scene::Scene& scene, Family f
                 return status;
               }};
   }
+}
+
+bool has_figure_column(const scene::Scene& scene, std::string_view name) {
+  constexpr std::array of_small_motions{"growth_rate", "stable", "n_negative", "odd_in_z", "m", "rates_error"};
+  const bool is_of_small_motions =
+      name.starts_with("rate_") || std::ranges::find(of_small_motions, name) != of_small_motions.end();
+  if (is_of_small_motions && !scene.equilibria.small_motions) return false;
+  return !name.ends_with("_error") || scene.continuum.error_estimate == scene::ErrorEstimate::automatic;
 }
 
 std::vector<double> parameters_of(const scene::Scene::Equilibria& asked) {
@@ -247,7 +271,8 @@ FigureRun::FigureRun(const RunContext& context, std::string_view file, const std
     : context_(context),
       file_(file),
       parameter_(parameter_name(context.scene.equilibria.family)),
-      table_(table_of(context, file_, columns)) {}
+      kept_(kept_columns(context.scene, columns)),
+      table_(table_of(context, file_, chosen(columns, kept_))) {}
 
 void FigureRun::end(mechanics::Outcome how, std::string message) {
   outcome_.end = how;
@@ -272,7 +297,8 @@ void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily&
   const auto n_stable =
       std::ranges::count_if(family.members, [](const FigureMember& member) { return !fastest_growing(member); });
   add_result(outcome_, context_,
-             fmt::format("{}: {} equilibria, {} of them stable", of_degree, family.members.size(), n_stable));
+             fmt::format("{}: {} equilibria{}", of_degree, family.members.size(),
+                         context_.scene.equilibria.small_motions ? fmt::format(", {} of them stable", n_stable) : ""));
   for (const auto& special : family.special)
     add_result(outcome_, context_,
                fmt::format("  {} at {} = {:.10g} ({})", mechanics::name_of(special.kind), parameter_,
@@ -306,7 +332,7 @@ void FigureRun::write(const mechanics::FigureFamily& family, const RowOf& row_of
     std::vector<double> row;
     if (const auto status = row_of(++index_, *member, special, row); !status)
       return end(mechanics::Outcome::failed, status.reason());
-    table_.append(row);
+    table_.append(chosen(row, kept_));
   }
 }
 

@@ -47,6 +47,10 @@ std::vector<double> parameters_of(const scene::Scene::Equilibria& asked);
 /// The class of small motions that contains the fastest growing motion; null if no motion grows.
 const mechanics::ClassStability* fastest_growing(const mechanics::FigureMember& member);
 
+/// True if the table of the scene has the column with this name. Columns about small motions are absent if
+/// Equilibrium/Small motions is false. Columns with errors are absent if Continuum/Error estimate is none.
+bool has_figure_column(const scene::Scene& scene, std::string_view name);
+
 /// The number of rates in a row of the table.
 inline constexpr std::size_t n_slowest_rates = 10;
 
@@ -86,12 +90,13 @@ using NameOfClass = std::function<std::string(const mechanics::MotionClass& moti
 /// The table and the results of a run that computes one family of figures for each degree of a model.
 class FigureRun {
  public:
-  /// A function that sets `row` to the row of a figure, and fails if it cannot compute the row. `special` is null for
-  /// an ordinary member.
+  /// A function that sets `row` to the row of a figure, and fails if it cannot compute the row. The row has a number
+  /// for each column of the constructor. `special` is null for an ordinary member.
   using RowOf = std::function<mechanics::Status(int index, const mechanics::FigureMember& member,
                                                 const mechanics::SpecialFigure* special, std::vector<double>& row)>;
 
-  /// `file` is the name of the table without ".csv". The object refers to `context`.
+  /// `file` is the name of the table without ".csv". The table has those of `columns` that has_figure_column admits.
+  /// The object refers to `context`.
   FigureRun(const RunContext& context, std::string_view file, const std::vector<scene::Column>& columns);
 
   /// Writes the members and the special points of the family of one degree by increasing parameter. A run of a sweep
@@ -120,6 +125,7 @@ class FigureRun {
   const RunContext& context_;
   std::string file_, parameter_;  ///< name of the table without ".csv"; name of the family's parameter for messages
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::vector<std::size_t> kept_;  ///< indices of the columns that the table has
   io::ColumnTable table_;
   ModelOutcome outcome_;
   std::string reason_;  ///< sentence about the first missing member; empty if no member is missing

@@ -20,7 +20,8 @@ void add_degree(int degree, const RunContext& context, FigureRun& run) {
   const mechanics::FamilyOfFigures family = family_of_figures(scene, scene.equilibria.family);
   const bool is_at_rest = scene::finds_static_equilibria(scene);
   polynomial::BodyFigureFinder finder(setup, scene.body.incompressible, family,
-                                      is_at_rest ? mechanics::Drive::loads : mechanics::Drive::rotation);
+                                      is_at_rest ? mechanics::Drive::loads : mechanics::Drive::rotation,
+                                      scene.equilibria.small_motions);
   const mechanics::FigureFamily found =
       is_at_rest ? finder.at_rest()
                  : finder.family(parameters_of(scene.equilibria), [&] { return context.interrupted(); });
