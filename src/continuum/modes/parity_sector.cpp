@@ -23,9 +23,8 @@ constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
 /// Relative tolerances of the conjugate gradients in the energy norm. The first is for eigenvectors and modes, the
 /// second for a static response.
 constexpr double tolerance_of_operator = 1e-9, tolerance_of_response = 1e-13;
-/// GMRES in `solve` also ends if the norm of its residual is below this fraction of the norm of B⁻¹f', the displacement
-/// without the corrections of the constraint. Here f' is f minus the force of a displacement with G u = h.
-constexpr double balanced = 1e-9;
+/// Largest number of steps of the augmented Lagrangian method in `solve`.
+constexpr int n_steps_of_multiplier = 8;
 /// Largest numbers of iterations of the conjugate gradients and of GMRES.
 constexpr int n_iterations_of_gradients = 100, n_iterations_of_gmres = 120;
 /// The matrix of the unknowns between cells is factorised as a dense matrix for up to this number of unknowns.
@@ -266,19 +265,6 @@ Eigen::VectorXd ParitySector::product(const Eigen::VectorXd& u) const {
   return f;
 }
 
-Eigen::VectorXd ParitySector::multiplier_of(Eigen::VectorXd f) const {
-  Eigen::VectorXd lambda =
-      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(cells_.size() * problem_.space.n_pressure()));
-  for (int correction = 0; correction < n_corrections_of_mode; ++correction) {
-    Eigen::VectorXd u = f;
-    solve_penalized(u);
-    const Eigen::VectorXd part = problem_.penalty * constraint_of(u);
-    lambda += part;
-    f -= reaction_of(part);
-  }
-  return lambda;
-}
-
 Eigen::VectorXd ParitySector::with_volume(const Eigen::VectorXd& h) const {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n_unknowns_));
   if (!problem_.incompressible) return u;
@@ -298,25 +284,36 @@ Eigen::VectorXd ParitySector::without_volume(const Eigen::VectorXd& u) const {
 mechanics::SolveReport ParitySector::solve(const Eigen::VectorXd& f, const Eigen::VectorXd& h, double tolerance,
                                            Eigen::VectorXd& u, Eigen::VectorXd& lambda) const {
   const auto n = static_cast<Eigen::Index>(n_unknowns_);
-  const Eigen::VectorXd particular = with_volume(h);
   const LinearOperator preconditioned = [&](std::span<const double> in, std::span<double> out) -> mechanics::Status {
-    Eigen::Map<Eigen::VectorXd>(out.data(), n) =
-        solve_cells(product(Eigen::Map<const Eigen::VectorXd>(in.data(), n)), n_corrections_of_mode);
+    const Eigen::Map<const Eigen::VectorXd> change(in.data(), n);
+    Eigen::VectorXd force = beyond_cells_(change);
+    solve_penalized(force);
+    Eigen::Map<Eigen::VectorXd>(out.data(), n) = change + force;
     return {};
   };
-  Eigen::VectorXd penalized = f - product(particular);
-  const Eigen::VectorXd right = solve_cells(penalized, n_corrections_of_mode);
-  // `penalized` is the force f' = f − (K + E + s M) `particular`. If the constraint balances f', T f' is only
-  // round-off, and a tolerance relative to T f' would be too small. The displacement B⁻¹f' is above round-off even in
-  // this case.
-  solve_penalized(penalized);
-  const double round_off = balanced * penalized.norm();
-  std::vector<double> rest;
-  const mechanics::SolveReport report =
-      solve_by_gmres(preconditioned, {right.begin(), right.end()}, tolerance, round_off, n_iterations_of_gmres, rest);
-  if (!report.status) return report;
-  u = particular + Eigen::Map<const Eigen::VectorXd>(rest.data(), n);
-  lambda = problem_.incompressible ? multiplier_of(product(u) - f) : Eigen::VectorXd();
+  u = Eigen::VectorXd::Zero(n);
+  lambda = Eigen::VectorXd::Zero(h.size());
+  Eigen::VectorXd rest = f, rest_of_constraint = h;
+  mechanics::SolveReport report;
+  for (int step = 0; step < n_steps_of_multiplier; ++step) {
+    if (problem_.incompressible) rest += reaction_of(problem_.penalty * rest_of_constraint);
+    solve_penalized(rest);
+    if (beyond_cells_) {
+      std::vector<double> change;
+      const mechanics::SolveReport of_step = solve_by_gmres(preconditioned, {rest.begin(), rest.end()}, tolerance,
+                                                            tolerance * u.norm(), n_iterations_of_gmres, change);
+      report.iterations += of_step.iterations;
+      if (!of_step.status) return {of_step.status, report.iterations};
+      rest = Eigen::Map<const Eigen::VectorXd>(change.data(), n);
+    }
+    u += rest;
+    if (!problem_.incompressible) break;
+    const bool is_last = rest.norm() <= tolerance * u.norm();
+    rest_of_constraint -= constraint_of(rest);
+    lambda += problem_.penalty * rest_of_constraint;
+    if (is_last) break;
+    rest.setZero();
+  }
   return report;
 }
 

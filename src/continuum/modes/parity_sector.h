@@ -69,9 +69,11 @@ class ParitySector {
   mechanics::Status respond(const Vector& f, Vector& u) const;
 
   /// Solves (K + E + s M) u − Gᵀλ = f, G u = h. Unlike `respond`, this function does not need a positive definite K + E
-  /// + s M. The equation is solved by GMRES. The preconditioner is T without E. `tolerance` is relative to the
-  /// preconditioned right-hand side. If the constraint nearly balances f, the iteration ends earlier, at the round-off
-  /// of the displacement. `lambda` is empty for a compressible body. Fails if GMRES does not converge.
+  /// + s M. The augmented Lagrangian method solves (B + E) δ = r + γGᵀ(h − G u) and adds δ to u and γ(h − G u) to λ,
+  /// with the residual r of the first equation. The error of G u falls by a factor of the order of γ in each step. If
+  /// there is an E, GMRES solves for δ with the preconditioner B⁻¹, up to `tolerance` relative to B⁻¹ times the right
+  /// side. The steps end when δ is at most `tolerance` times u. `lambda` is empty for a compressible body. Fails if
+  /// GMRES does not converge.
   mechanics::SolveReport solve(const Eigen::VectorXd& f, const Eigen::VectorXd& h, double tolerance, Eigen::VectorXd& u,
                                Eigen::VectorXd& lambda) const;
 
@@ -99,8 +101,6 @@ class ParitySector {
   mechanics::Status solve_definite(const Eigen::VectorXd& f, int n_corrections, double tolerance,
                                    Eigen::VectorXd& u) const;
   Eigen::VectorXd with_volume(const Eigen::VectorXd& h) const;  ///< some u with G u = h; 0 for a compressible body
-  /// Returns the λ with Gᵀλ = f. The force f must have this form.
-  Eigen::VectorXd multiplier_of(Eigen::VectorXd f) const;
 
   const LinearProblem& problem_;
   Parity parity_;
