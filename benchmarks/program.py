@@ -28,10 +28,15 @@ class Run:
         return dict(zip(header, ([float(x) for x in column] for column in zip(*rows))))
 
 
-def run(program, scene, folder, entries=(), environment=()):
+# Of processes under mpirun: one thread each, and Open MPI starts them for root too.
+ON_RANKS = {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "OMPI_ALLOW_RUN_AS_ROOT",
+                                   "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM")}
+
+
+def run(program, scene, folder, entries=(), environment=(), launcher=()):
     """Runs a scene with entries {"Section/Entry": value} changed; a failed run ends the benchmark with its message."""
     changes = [f"--set={p}={v}" for p, v in dict(entries).items()]
-    command = [program, "run", scene, "--quiet", "--output", folder, *changes]
+    command = [*launcher, program, "run", scene, "--quiet", "--output", folder, *changes]
     start = time.monotonic()
     process = subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL,
                                env={**os.environ, **dict(environment)})

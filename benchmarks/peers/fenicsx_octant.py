@@ -48,7 +48,8 @@ def position(cell, xi):
     return X
 
 
-def octant(degree, n_refinements):
+def octant(degree, n_refinements, comm=MPI.COMM_SELF):
+    """The mesh of a communicator. The first rank gives all cells, and dolfinx distributes them."""
     # The interpolant of the map at Gauss–Lobatto points, by its values at equidistant ones, which FFCx takes for geometry.
     gauss_lobatto, equidistant = (basix.create_element(basix.ElementFamily.P, basix.CellType.hexahedron, degree, variant)
                                   for variant in (basix.LagrangeVariant.gll_warped, basix.LagrangeVariant.equispaced))
@@ -67,4 +68,6 @@ def octant(degree, n_refinements):
     m = degree * n
     assert len(nodes) == (m + 1) ** 3 + 3 * m**2 * (m + 1) + m  # the block, what lies outside of it, the diagonal
     element = ufl.VectorElement("Lagrange", "hexahedron", degree)
-    return dolfinx.mesh.create_mesh(MPI.COMM_SELF, cells.reshape(4 * n**3, -1), points[nodes], ufl.Mesh(element))
+    given = slice(None) if comm.rank == 0 else slice(0)
+    return dolfinx.mesh.create_mesh(comm, cells.reshape(4 * n**3, -1)[given], points[nodes][given], ufl.Mesh(element),
+                                    dolfinx.mesh.GhostMode.none)

@@ -23,6 +23,7 @@ import numpy as np
 import ufl
 from dolfinx import fem
 from dolfinx.fem import petsc
+from mpi4py import MPI
 from petsc4py import PETSc
 
 import saddle_point
@@ -44,12 +45,15 @@ JIT = {"cffi_extra_compile_args": ["-O3", "-march=native", "-ffast-math"]}
 
 
 class Ball:
-    def __init__(self, degree, refinements, solver="MUMPS"):
-        self.solver = solver
-        mesh = octant(degree, refinements)
+    """Its arrays are those of the unknowns that this rank owns."""
+
+    def __init__(self, degree, refinements, solver="MUMPS", comm=MPI.COMM_SELF):
+        self.solver, self.comm = solver, comm
+        mesh = octant(degree, refinements, comm)
         cell = mesh.ufl_cell()
         self.space = fem.FunctionSpace(mesh, ufl.MixedElement([
             ufl.VectorElement("Lagrange", cell, degree), ufl.FiniteElement("DPC", cell, degree - 1)]))
+        self.n_own = self.space.dofmap.index_map.size_local
         self.h2 = fem.Constant(mesh, PETSc.ScalarType(1))  # 2/h²
         self.z, self.start, self.moving = (fem.Function(self.space) for _ in range(3))  # (u¹, p), (u⁰, ·), (u⁰ + h v⁰, ·)
         u, p = ufl.split(self.z)
@@ -64,14 +68,15 @@ class Ball:
         self.jacobian = fem.form(ufl.derivative(residual, self.z), jit_params=JIT)
         X = ufl.SpatialCoordinate(mesh)
         self.conditions = self.planes(mesh)
-        self.moment = petsc.assemble_vector(fem.form(X[2] * w[2] * dx, jit_params=JIT)).array.copy()
-        self.moment /= fem.assemble_scalar(fem.form(X[2] ** 2 * dx, jit_params=JIT))
+        moment = petsc.assemble_vector(fem.form(X[2] * w[2] * dx, jit_params=JIT))
+        self.add_shared(moment)
+        self.moment = moment.array / comm.allreduce(fem.assemble_scalar(fem.form(X[2] ** 2 * dx, jit_params=JIT)))
         velocity = fem.Function(self.space)
         velocity.sub(0).interpolate(lambda x: 0.3 * np.array([x[0], x[1], -2 * x[2]]))
-        self.velocity = velocity.x.array.copy()
-        displacement_dofs = self.space.sub(0).collapse()[1]
+        self.velocity = velocity.x.array[:self.n_own].copy()
+        displacement_dofs = np.array(self.space.sub(0).collapse()[1])
         self.is_displacement = np.zeros(len(self.velocity), bool)
-        self.is_displacement[displacement_dofs] = True
+        self.is_displacement[displacement_dofs[displacement_dofs < self.n_own]] = True
         self.matrix, self.b = petsc.create_matrix(self.jacobian), petsc.create_vector(self.residual_form)
         self.dx = self.b.duplicate()
 
@@ -83,31 +88,41 @@ class Ball:
             collapsed, _ = component.collapse()
             dofs = fem.locate_dofs_geometrical((component, collapsed), lambda x, i=i: np.isclose(x[i], 0, atol=1e-10))
             found.append(fem.dirichletbc(fem.Function(collapsed), dofs, component))
-        self.held = np.unique(np.concatenate([bc.dof_indices()[0] for bc in found]))
+        held = np.unique(np.concatenate([bc.dof_indices()[0] for bc in found]))
+        self.held = held[held < self.n_own]
         return found
 
+    def set(self, function, values):
+        function.x.array[:self.n_own] = values
+        function.x.scatter_forward()
+
+    @staticmethod
+    def add_shared(vector):
+        vector.ghostUpdate(addv=PETSc.InsertMode.ADD, mode=PETSc.ScatterMode.REVERSE)
+
     def begin(self, u, moved, h):
-        self.start.x.array[:] = u
-        self.moving.x.array[:] = moved
+        self.set(self.start, u)
+        self.set(self.moving, moved)
         self.h2.value = 2 / h**2
 
     def residual(self, z):
-        self.z.x.array[:] = z
+        self.set(self.z, z)
         with self.b.localForm() as local:
             local.set(0)
         petsc.assemble_vector(self.b, self.residual_form)
+        self.add_shared(self.b)
         self.b.array[self.held] = 0
         return self.b.array
 
     def factors(self, z):
-        self.z.x.array[:] = z
+        self.set(self.z, z)
         self.matrix.zeroEntries()
         petsc.assemble_matrix(self.matrix, self.jacobian, bcs=self.conditions)
         self.matrix.assemble()
-        PETSc.garbage_cleanup(PETSc.COMM_SELF)  # earlier factors, which petsc4py keeps until then
+        PETSc.garbage_cleanup(self.comm)  # earlier factors, which petsc4py keeps until then
         if self.solver == "iterations":
-            return saddle_point.solver(self.matrix, self.is_displacement)
-        solver = PETSc.KSP().create(PETSc.COMM_SELF)
+            return saddle_point.solver(self.matrix, self.is_displacement, self.comm)
+        solver = PETSc.KSP().create(self.comm)
         solver.setOperators(self.matrix.copy())
         solver.setType("preonly")
         solver.getPC().setType("lu")

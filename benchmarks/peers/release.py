@@ -24,6 +24,7 @@ SCHEMES = {"midpoint": (1.0,), "midpoint, order 4": SUZUKI}
 # An iteration ends when no displacement changes by more. On unrefined meshes the errors of FEniCSx are the same with 1e-9. On refined
 # meshes both are tried, and the reference has the last one.
 TOLERANCES, TOLERANCES_OF_REFINED = (1e-7,), (1e-7, 1e-9)
+STEP_OF_SIZES = 0.0125
 SLOW = 0.5  # an iteration that reduces the change by less is with factors that are too old; 0.15 costs FEniCSx twice as much
 CUBIC = {0: [], 1: [1], 2: [-1, 2], 3: [1, -3, 3], 4: [-1, 4, -6, 4]}  # extrapolations from so many values
 
@@ -38,6 +39,10 @@ class Motion:
         self.u, self.v = np.zeros_like(ball.velocity), ball.velocity.copy()
         self.factors, self.past = {}, {}
         self.n_iterations = self.n_factorizations = self.n_steps = 0
+
+    def change(self, dz):
+        """The largest of a displacement in one iteration."""
+        return np.abs(dz[self.ball.is_displacement]).max()
 
     def step(self, h, place):
         """`place` is that of the step in the composition. Its guesses come from steps at the same place."""
@@ -54,7 +59,7 @@ class Motion:
             dz = self.factors[h](ball.residual(z))
             z = z - dz
             self.n_iterations += 1
-            change = np.abs(dz[is_u]).max()
+            change = self.change(dz)
             if change < self.tolerance:
                 break
             if change > SLOW * before:
@@ -117,33 +122,40 @@ def write_reference(path, runs, meshes):
 
 
 def measure_sizes(make_ball, sizes):
-    """Prints the processor time of the assembly of the tangent and of its factors or preconditioner, and the mean of three midpoint
-    steps of 0.0125 after four others. A row whose steps made factors again is left out."""
+    """Prints the processor time of `time_of_steps`. A row whose steps made factors again is left out."""
     print("degree,refinements,unknowns,solver,seconds_factors,seconds_step,iterations_per_step", flush=True)
-    n_steps, h = 3, 0.0125
     for solver, meshes in sizes.items():
         for degree, refinements in meshes:
             ball = make_ball(degree, refinements, solver)
-            motion, make = Motion(ball), ball.factors
-            seconds_factors = []
+            if measured := time_of_steps(Motion(ball), time.process_time):
+                seconds_factors, seconds_step, n_iterations = measured
+                print(degree, refinements, len(ball.velocity), solver, f"{seconds_factors:.4g}", f"{seconds_step:.4g}",
+                      f"{n_iterations:.1f}", sep=",", flush=True)
 
-            def timed_factors(z):
-                start = time.process_time()
-                made = make(z)
-                seconds_factors.append(time.process_time() - start)
-                return made
 
-            ball.factors = timed_factors
-            for _ in range(4):
-                motion.step(h, 0)
-            n_made, n_iterations, start = len(seconds_factors), motion.n_iterations, time.process_time()
-            for _ in range(n_steps):
-                motion.step(h, 0)
-            seconds = time.process_time() - start
-            if len(seconds_factors) > n_made:
-                continue
-            print(degree, refinements, len(ball.velocity), solver, f"{seconds_factors[-1]:.4g}", f"{seconds / n_steps:.4g}",
-                  f"{(motion.n_iterations - n_iterations) / n_steps:.1f}", sep=",", flush=True)
+def time_of_steps(motion, clock):
+    """(seconds of the assembly of the tangent and of its factors or preconditioner, seconds of a step, its iterations). The step is
+    the mean of three midpoint steps of 0.0125 after four others. None if one of the three made factors again."""
+    n_steps, h = 3, STEP_OF_SIZES
+    ball, make, seconds_factors = motion.ball, motion.ball.factors, []
+
+    def timed_factors(z):
+        start = clock()
+        made = make(z)
+        seconds_factors.append(clock() - start)
+        return made
+
+    ball.factors = timed_factors
+    for _ in range(4):
+        motion.step(h, 0)
+    n_made, n_iterations, start = len(seconds_factors), motion.n_iterations, clock()
+    for _ in range(n_steps):
+        motion.step(h, 0)
+    seconds = clock() - start
+    ball.factors = make
+    if len(seconds_factors) > n_made:
+        return None
+    return seconds_factors[-1], seconds / n_steps, (motion.n_iterations - n_iterations) / n_steps
 
 
 def measure_errors(make_ball, jobs, quick):

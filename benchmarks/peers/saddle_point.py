@@ -18,14 +18,15 @@ OPTIONS = {
 }
 
 
-def solver(matrix, is_displacement):
-    """The function that solves with a PETSc matrix; the matrix stays the caller's."""
-    ksp, options = PETSc.KSP().create(PETSc.COMM_SELF), PETSc.Options()
+def solver(matrix, is_displacement, comm=PETSc.COMM_SELF):
+    """The function that solves with a PETSc matrix; the matrix stays the caller's. Vectors are those of this rank."""
+    ksp, options = PETSc.KSP().create(comm), PETSc.Options()
     ksp.setOperators(matrix)
     for name, value in OPTIONS.items():
         options[name] = value
     ksp.getPC().setType("fieldsplit")
-    ksp.getPC().setFieldSplitIS(*((name, PETSc.IS().createGeneral(np.flatnonzero(chosen).astype(np.int32)))
+    first = matrix.getOwnershipRange()[0]
+    ksp.getPC().setFieldSplitIS(*((name, PETSc.IS().createGeneral((first + np.flatnonzero(chosen)).astype(np.int32), comm))
                                   for name, chosen in (("u", is_displacement), ("p", ~is_displacement))))
     ksp.setFromOptions()
     ksp.setUp()
