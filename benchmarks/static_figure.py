@@ -1,14 +1,15 @@
 #!/usr/bin/python3
 """A ball at rest in a trap: error against run time.
 
-    benchmarks/static_figure.py build/release/bin/pseudorigid > static_figure.csv
+    benchmarks/static_figure.py build/release/bin/pseudorigid [--quick] > static_figure.csv
 
-The problem of benchmarks/peers/fenicsx_static.py, with Analysis = equilibrium and Family = static. A run also computes the small
-motions about the figure, and both again on the companion mesh for the error bars.
+The problem of benchmarks/peers/fenicsx_static.py, with Analysis = equilibrium and Family = static. By default a run also computes the
+small motions about the figure, and both again on the companion mesh for the error bars. A run of the figure alone does neither.
 
 Columns: degree, refinements, unknowns, newton_steps, factorizations (of the mesh without its companion), seconds (processor time of
-the process less that of a start after it, median of three), run_seconds (wall time of the analysis, median), Q33 (the semi-axis a3),
-uncertainty (axes_error).
+the process less that of a start after it, median of three), seconds_figure (of the figure alone, in the same way, less
+seconds_libraries), seconds_libraries (start of the finite-element library, MPI and PETSc, which FEniCSx does not time: the time of the
+figure alone on degree 2), Q33 (the semi-axis a3), uncertainty (axes_error).
 """
 import pathlib
 import statistics
@@ -19,29 +20,37 @@ import program
 
 ENTRIES = {"Analysis": "equilibrium", "Models": "continuum", "Equilibrium/Family": "static",
            "Loads/Tidal matrix": "0.6, 0, 0; 0, 0.6, 0; 0, 0, 0", "Continuum/Volumetric stiffness": 0}
+ALONE = {"Equilibrium/Small motions": "false", "Continuum/Error estimate": "none"}
 MESHES = ((3, 0), (4, 0), (3, 1), (5, 0), (4, 1), (6, 0), (5, 1))
+QUICK = ((3, 0), (4, 0))
+
+
+def measure(executable, entries):
+    """(median of the seconds of three runs, the last run's model in its manifest, its table)"""
+    seconds = []
+    for _ in range(3):
+        with tempfile.TemporaryDirectory() as folder:
+            scene = pathlib.Path(folder) / "figure.prm"
+            scene.write_text("")
+            run = program.run(executable, scene, pathlib.Path(folder) / "out", {**ENTRIES, **entries})
+            seconds.append(run.cpu - program.start_up(executable))
+            model, table = run.manifest["models"]["continuum"], run.table("equilibria-continuum.csv")
+    return statistics.median(seconds), model, table
 
 
 def main():
-    if len(sys.argv) != 2:
+    if sys.argv[2:] not in ([], ["--quick"]) or len(sys.argv) < 2:
         raise SystemExit(__doc__)
     executable = pathlib.Path(sys.argv[1]).resolve()
-    print("degree,refinements,unknowns,newton_steps,factorizations,seconds,run_seconds,Q33,uncertainty", flush=True)
-    for degree, refinements in MESHES:
-        seconds, run_seconds = [], []
-        for _ in range(3):
-            with tempfile.TemporaryDirectory() as folder:
-                scene = pathlib.Path(folder) / "figure.prm"
-                scene.write_text("")
-                entries = {**ENTRIES, "Continuum/Degree": degree, "Continuum/Refinements": refinements}
-                run = program.run(executable, scene, pathlib.Path(folder) / "out", entries)
-                seconds.append(run.cpu - program.start_up(executable))
-                model = run.manifest["models"]["continuum"]
-                run_seconds.append(model["timers"]["run"])
-                table = run.table("equilibria-continuum.csv")
+    print("degree,refinements,unknowns,newton_steps,factorizations,seconds,seconds_figure,seconds_libraries,Q33,uncertainty", flush=True)
+    for degree, refinements in QUICK if sys.argv[2:] else MESHES:
+        mesh = {"Continuum/Degree": degree, "Continuum/Refinements": refinements}
+        libraries = measure(executable, {**ALONE, "Continuum/Degree": 2})[0]
+        alone = measure(executable, {**ALONE, **mesh})[0] - libraries
+        seconds, model, table = measure(executable, mesh)
         print(degree, refinements, *(int(model["counters"][name]) for name in ("unknowns", "newton_steps", "factorizations")),
-              f"{statistics.median(seconds):.4g}", f"{statistics.median(run_seconds):.4g}", f"{table['a3'][0]:.12f}",
-              f"{table['axes_error'][0]:.2g}", sep=",", flush=True)
+              *(f"{s:.4g}" for s in (seconds, alone, libraries)), f"{table['a3'][0]:.12f}", f"{table['axes_error'][0]:.2g}", sep=",",
+              flush=True)
 
 
 if __name__ == "__main__":

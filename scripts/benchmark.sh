@@ -16,7 +16,12 @@
 #   steps       what a step costs, with the number of unknowns, the degree and two ranks; iterations of Gram solves
 #   scaling     messages and reductions of a step on 1, 2 and 4 ranks, for a model of runs on many cores
 #   skipping    what the scenes of params/ skip, and what it would have cost
+#   midpoint    the release by the implicit midpoint rule inside the program
+#   bulk        both forms of the bulk term of a nearly incompressible ball
 #   peers       the nonlinear release by FEniCSx and GetFEM, where their packages are installed, and small systems by SciPy
+#   modes       the frequencies of the ball by the program and by FEniCSx with SLEPc
+#   figures     a ball at rest by the program and by FEniCSx
+#   ranks       steps of the program and of FEniCSx on one and on two ranks
 #   long-run    a million periods of the reduced model: 15 minutes more
 # Options:
 #   --quick         all parts in about 3 minutes, for a look; results in build/benchmarks-quick
@@ -26,7 +31,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_parts=(small-systems methods release ladder gravity lamb frequency auto kernels steps scaling skipping peers)
+all_parts=(small-systems methods release ladder gravity lamb frequency auto kernels steps scaling skipping midpoint bulk peers modes figures ranks)
 parts=()
 quick=()
 output=
@@ -172,15 +177,41 @@ measure_peers() {
   measure_release_by FEniCSx fenicsx python3-dolfinx-real --reference "$data/fenicsx_reference.csv"
   [[ -n $left_out ]] || not_measured=
   measure_release_by GetFEM getfem "python3-getfem++ python3-scipy python3-petsc4py"
-  if [[ -z $not_measured && ! ${quick[*]} ]]; then
-    into fenicsx_static.csv /usr/bin/python3 "$root/benchmarks/peers/fenicsx_static.py" &&
-      into static_figure.csv "$root/benchmarks/static_figure.py" "$program"
-  fi
   # Only runs of one day and machine belong into one table.
-  if [[ -z $not_measured && -z $left_out && " ${parts[*]} " == *" release "* ]]; then
+  if [[ -z $not_measured && -z $left_out && " ${parts[*]} " == *" release "*" midpoint "* ]]; then
     into three_programs.csv "$root/benchmarks/peers/three_programs.py" "$data"
   fi
   if ((!${#quick[@]})); then into release_sizes.csv "$root/benchmarks/release_sizes.py" "$program"; fi
+}
+
+measure_midpoint() { into implicit_midpoint.csv "$bin/implicit_midpoint" "${quick[@]}"; }
+measure_bulk() { into nearly_incompressible.csv "$root/benchmarks/nearly_incompressible.py" "$program" "${quick[@]}"; }
+
+# The rest is compared with FEniCSx, and is left out without it.
+has_fenicsx() {
+  [[ -z $(missing_packages python3-dolfinx-real python3-scipy) ]] && return
+  say "$1 is left out: apt-get install --no-install-recommends python3-dolfinx-real python3-scipy"
+  not_measured=1
+  return 1
+}
+measure_modes() {
+  has_fenicsx modes || return 0
+  into mode_cost.csv env PSEUDORIGID="$program" "$root/benchmarks/mode_cost.py" "${quick[@]}"
+  into fenicsx_modes.csv /usr/bin/python3 "$root/benchmarks/peers/fenicsx_modes.py" "${quick[@]}"
+}
+measure_figures() {
+  has_fenicsx figures || return 0
+  into static_figure.csv "$root/benchmarks/static_figure.py" "$program" "${quick[@]}"
+  into fenicsx_static.csv /usr/bin/python3 "$root/benchmarks/peers/fenicsx_static.py" "${quick[@]}"
+}
+measure_ranks() {
+  has_fenicsx ranks || return 0
+  if ! command -v mpirun >/dev/null || (($(getconf _NPROCESSORS_ONLN) < 2)); then
+    not_measured=1
+    return 0
+  fi
+  into fenicsx_ranks.csv /usr/bin/python3 "$root/benchmarks/peers/fenicsx_ranks.py" "${quick[@]}"
+  if ((!${#quick[@]})); then into release_ranks.csv "$root/benchmarks/release_sizes.py" "$program" --ranks; fi
 }
 
 measure_long_run() {

@@ -125,10 +125,27 @@ def errors_of_the_ball(data):
           "midpoint step of 0.0125 of the others with the factors of the tangent, or a preconditioner (saddle_point.py), made once. "
           "The reference of FEniCSx alone is extrapolated from its own runs (benchmarks/peers/release.py)."],
          lambda f, d, i: f.draw_three_programs(d, i), ["three_programs", "runs_of_getfem", "sizes_of_peers", "references_of_release"]),
-        ("Elastic ball at rest in a trap", "peers",
+        ("Elastic ball: method and implementation", "midpoint",
+         ["The release by the implicit midpoint rule of FEniCSx inside pseudorigid (benchmarks/implicit_midpoint.cpp). Elements, steps, "
+          "guesses and tolerances are the same. The mass is lumped, and the matrices are condensed to the unknowns between cells."],
+         None, ["method_and_implementation", "runs_of_midpoint"]),
+        ("Elastic ball on one and two ranks", "ranks",
+         ["Wall time of a step, and of the factors or the preconditioner that FEniCSx makes once. The method is symmetric-4 in "
+          "pseudorigid, and the midpoint rule with steps of 0.0125 in FEniCSx."],
+         None, ["ranks_of_peers"]),
+        ("Elastic ball: modes by two programs", "modes",
+         ["The 12 lowest frequencies with all their modes. pseudorigid: processor time of the process less that of a start and of the "
+          "start of PETSc and SLEPc. FEniCSx: from the first assembly to the eigenvalues, without sorting by kind and degree."],
+         None, ["modes_of_peers"]),
+        ("Elastic ball: nearly incompressible", "bulk",
+         ["The release with λ from 10² to 10⁵ μ and both forms of Material/Bulk. Wall time of one thread from the search for the step to "
+          "the last sample, interpolated in logarithms on the fronts (benchmarks/nearly_incompressible.py)."],
+         None, ["nearly_incompressible"]),
+        ("Elastic ball at rest in a trap", "figures",
          ["Figure of equilibrium of the neo-Hookean ball under the force −ρ T x, T = diag(0.6, 0.6, 0). pseudorigid: processor time of "
-          "the process less that of a start, with the small motions about the figure and both again on a companion mesh. FEniCSx: "
-          "Newton's iteration with factors by MUMPS, from the first assembly to the last solution."],
+          "the process less that of a start and of the start of the libraries. The last column also has the small motions about the "
+          "figure, and both again on a companion mesh. FEniCSx: Newton's iteration with factors by MUMPS, from the first assembly to the "
+          "last solution."],
          None, ["static_figures"]),
         ("Ladder of models", "ladder",
          ["The same release by polynomial bodies of degree N and by finite elements of degree k, symmetric-4 with the "

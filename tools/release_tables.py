@@ -55,17 +55,75 @@ def time_within_front(runs, level):
     return time_for(runs, level) if min(runs)[1] > level / 2 else None
 
 
-def three_programs(data):
-    """The times for one error, interpolated in logarithms on the front of each program."""
+def times_for_errors(data, names, levels):
+    """[(error, times of the programs)], interpolated in logarithms on the front of each program."""
     runs = read_rows(data, "three_programs.csv")
-    rows = []
-    for level in (1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6):
-        own, *of_peers = (time_within_front([(float(r["seconds"]), float(r["error"])) for r in runs if r["program"] == name], level)
-                          for name in ("pseudorigid", *PEERS))
-        rows.append([f"{level:.0e}", *(number(t, 2) if t else NONE for t in (own, *of_peers)),
-                     *(two_digits(t / own) if t and own else NONE for t in of_peers)])
+    return [(level, [time_within_front(runs_of, level) for runs_of in
+                     ([(float(r["seconds"]), float(r["error"])) for r in runs if r["program"] == name] for name in names)])
+            for level in levels] if runs else []
+
+
+def ratio(a, b):
+    return two_digits(a / b) if a and b else NONE
+
+
+def three_programs(data):
+    rows = [[f"{level:.0e}", *(number(t, 2) if t else NONE for t in (own, *of_peers)), *(ratio(t, own) for t in of_peers)]
+            for level, (own, *of_peers) in times_for_errors(data, ("pseudorigid", *PEERS), (1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6))]
     return (["error", "s, pseudorigid", *(f"s, {name}" for name in PEERS), *(f"{name} / pseudorigid" for name in PEERS)],
-            rows) if runs else None
+            rows) if rows else None
+
+
+def method_and_implementation(data):
+    """The ratio to FEniCSx as a product: one method in two programs, and two methods in one program."""
+    names = ("pseudorigid", "midpoint inside", "FEniCSx")
+    rows = [[f"{level:.0e}", *(number(t, 2) if t else NONE for t in (own, inside, peer)), ratio(inside, own), ratio(peer, inside)]
+            for level, (own, inside, peer) in times_for_errors(data, names, (1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6))]
+    return (["error", "s, explicit", "s, midpoint inside", "s, FEniCSx", "method: midpoint inside / explicit",
+             "implementation: FEniCSx / midpoint inside"], rows) if rows else None
+
+
+def ranks(data):
+    """The wall time of a step on one and on two ranks."""
+    rows = {}
+    for r in read_rows(data, "release_ranks.csv") + read_rows(data, "fenicsx_ranks.csv"):
+        of_case = rows.setdefault((r["program"], discretization(r), r["unknowns"], r["solver"]), {})
+        of_case[r["ranks"]] = (r["seconds_factors"], float(r["seconds_step"]))
+    result = []
+    for case, of_ranks in rows.items():
+        (factors_1, step_1), (factors_2, step_2) = of_ranks["1"], of_ranks["2"]
+        set_up = [number(float(s), 2) if s else NONE for s in (factors_1, factors_2)]
+        result.append([*case, *set_up, number(step_1, 2), number(step_2, 2), two_digits(step_1 / step_2)])
+    return (["program", "discretisation", "unknowns", "method or solver", "s, set-up, 1 rank", "2 ranks", "s, step, 1 rank", "2 ranks",
+             "1 rank / 2 ranks"], result) if result else None
+
+
+def modes(data):
+    """The 12 lowest frequencies with all their modes: one pair of matrices in both programs, and the best pair of FEniCSx."""
+    others = {}
+    for r in read_rows(data, "fenicsx_modes.csv"):
+        others.setdefault((r["degree"], r["refinements"]), {})[r["mass"], r["pressure"], r["sectors"]] = r
+    rows = []
+    for own in read_rows(data, "mode_cost.csv"):
+        of_mesh = others.get((own["degree"], own["refinements"]), {})
+        same, usual = of_mesh.get(("lumped", "X", "4")), of_mesh.get(("consistent", "xi", "4"))
+        seconds = float(own["seconds"]) - float(own["seconds_libraries"])
+        rows.append([discretization(own), own["unknowns"], number(seconds, 2), f"{float(own['error_S2']):.0e}",
+                     *(cell for other in (same, usual) for cell in ((number(float(other["seconds"]), 2), f"{float(other['error_S2']):.0e}")
+                                                                     if other else (NONE, NONE)))])
+    return (["discretisation", "coordinates", "s, pseudorigid", "error of S2", "s, FEniCSx, same matrices", "error of S2",
+             "s, FEniCSx, its usual matrices", "error of S2"], rows) if rows else None
+
+
+def nearly_incompressible(data):
+    """The times of both forms of the bulk term for one error, interpolated in logarithms on their fronts."""
+    runs, rows = read_rows(data, "nearly_incompressible.csv"), []
+    for modulus in dict.fromkeys(r["lambda"] for r in runs):
+        for level in (1e-4, 3e-5):
+            times = [time_within_front([(float(r["seconds"]), float(r["error"])) for r in runs
+                                        if (r["lambda"], r["bulk"]) == (modulus, bulk)], level) for bulk in ("pointwise", "projected")]
+            rows.append([f"{float(modulus):g}", f"{level:.0e}", *(number(t, 2) if t else NONE for t in times), ratio(*times)])
+    return (["λ/μ", "error", "s, pointwise", "s, projected", "pointwise / projected"], rows) if rows else None
 
 
 def sizes(data):
@@ -106,7 +164,8 @@ def static_figures(data):
     for r in own[:-1]:
         other = others[r["degree"], r["refinements"]]
         rows.append([discretization(r), f"{r['unknowns']} / {other['unknowns']}",
-                     *(f"{abs(float(of['Q33']) - finest):.0e}" for of in (r, other)), number(float(r["seconds"]), 2),
-                     number(float(other["seconds"]), 2)])
-    return ["discretisation", "coordinates / unknowns of FEniCSx", "error of Q33, pseudorigid", "FEniCSx",
-            "s, pseudorigid with small motions and error bars", "s, FEniCSx"], rows
+                     *(f"{abs(float(of['Q33']) - finest):.0e}" for of in (r, other)), number(float(r["seconds_figure"]), 2),
+                     number(float(other["seconds"]), 2), ratio(float(other["seconds"]), float(r["seconds_figure"])),
+                     number(float(r["seconds"]), 2)])
+    return ["discretisation", "coordinates / unknowns of FEniCSx", "error of Q33, pseudorigid", "FEniCSx", "s, pseudorigid", "s, FEniCSx",
+            "FEniCSx / pseudorigid", "s, with small motions and error bars"], rows

@@ -3,14 +3,16 @@
 
     benchmarks/peers/three_programs.py DATA > three_programs.csv
 
-DATA is a folder with ball_release.csv, fenicsx_release.csv and getfem_release.csv of one day and machine. Columns: program,
+DATA is a folder with ball_release.csv, implicit_midpoint.csv, fenicsx_release.csv and getfem_release.csv of one day and machine. The
+program "midpoint inside" is the implicit midpoint rule of FEniCSx inside pseudorigid. Columns: program,
 degree, refinements, method, step, unknowns, seconds (of pseudorigid motion_seconds), error.
 """
 import csv
 import pathlib
 import sys
 
-FILES = {"pseudorigid": ("ball_release.csv", "method", "motion_seconds"), "FEniCSx": ("fenicsx_release.csv", "scheme", "seconds"),
+FILES = {"pseudorigid": ("ball_release.csv", "method", "motion_seconds"),
+         "midpoint inside": ("implicit_midpoint.csv", "scheme", "seconds"), "FEniCSx": ("fenicsx_release.csv", "scheme", "seconds"),
          "GetFEM": ("getfem_release.csv", "scheme", "seconds")}
 
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "materials/bulk_energy.h"
 #include "polynomial/dense_kernels.h"
 #include "polynomial/scratch.h"
 
@@ -39,6 +40,19 @@ double constraint(const PolynomialSpace& space, const Eigen::VectorXd& q, Eigen:
   const double least = dense().log_jacobian(space.n_points(), space.weights().data(), F, y);
   test_with_pressures(space, y, g);
   return least;
+}
+
+double bulk(const PolynomialSpace& space, double lambda, const Eigen::VectorXd& g, Eigen::VectorXd& b) {
+  const materials::BulkEnergy bulk{lambda};
+  ScratchArray theta(space.n_points());
+  space.pressures().evaluate(space.pressure_blocks(), 1, g.data(), theta);
+  double energy = 0;
+  for (int p = 0; p < space.n_points(); ++p) {
+    energy += space.weights()[p] * bulk.energy(theta[p]);
+    theta[p] = space.weights()[p] * bulk.rate(theta[p]);
+  }
+  test_with_pressures(space, theta, b);
+  return energy;
 }
 
 void constraint_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,

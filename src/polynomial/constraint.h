@@ -18,6 +18,9 @@ namespace pseudorigid::polynomial {
 /// Sets g to the constraint at q. Returns the least det F at the quadrature points. If it is not positive, g is not
 /// valid.
 double constraint(const PolynomialSpace& space, const Eigen::VectorXd& q, Eigen::VectorXd& g);
+/// Sets b_j = ∫ψ_j B′(θ) dX with θ = Σ g_j ψ_j and the bulk term B of the modulus λ (materials/bulk_energy.h). Returns
+/// ∫B(θ) dX.
+double bulk(const PolynomialSpace& space, double lambda, const Eigen::VectorXd& g, Eigen::VectorXd& b);
 /// r ← G(q) v
 void constraint_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                      Eigen::VectorXd& r);

@@ -120,19 +120,23 @@ GramSolver::GramSolver(const PolynomialSpace& space)
 
 bool GramSolver::factor(const Eigen::VectorXd& q) {
   matrix_.at(q, S_);
+  S_.diagonal().array() += shift_;
   factor_.compute(S_);
   factored_at_ = q;
+  factored_for_ = shift_;
   ++n_factorizations_;
   return factor_.info() == Eigen::Success;
 }
 
-bool GramSolver::ensure_factor(const Eigen::VectorXd& q0) {
+bool GramSolver::ensure_factor(const Eigen::VectorXd& q0, double shift) {
   if (!is_known_ || spent_ > factorization_cost()) {
     position_ = q0.head(space_->n_unknowns());
+    shift_ = shift;
     is_known_ = true;
     spent_ = 0;
   }
-  if (factored_at_.size() == position_.size() && factored_at_ == position_) return factor_.info() == Eigen::Success;
+  if (factored_at_.size() == position_.size() && factored_at_ == position_ && factored_for_ == shift_)
+    return factor_.info() == Eigen::Success;
   return factor(position_);
 }
 
@@ -152,35 +156,39 @@ double GramSolver::factorization_cost() const {
 }
 
 mechanics::SolveReport GramSolver::solve(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0, const Eigen::VectorXd& r,
-                                         double enough, Eigen::VectorXd& lambda) {
+                                         double enough, double shift, Eigen::VectorXd& lambda) {
   ReactionsBetween S(*space_, q1, q0);
   int n_iterations = 0;
   const auto dependent = [&]() -> mechanics::SolveReport {
     return {mechanics::Status::failure("the constraints on the volume have become dependent: use a smaller step"),
             n_iterations};
   };
-  if (!ensure_factor(q0)) return dependent();
-  if (iterate(S, r, enough, lambda, n_iterations)) return {{}, n_iterations};
+  if (!ensure_factor(q0, shift)) return dependent();
+  if (iterate(S, r, enough, shift, lambda, n_iterations)) return {{}, n_iterations};
   // The iteration did not converge. If the factor was computed at this q₀, S is almost singular. Otherwise the factor
   // may be too old and is computed again.
-  if (factored_at_ == q0.head(space_->n_unknowns())) return dependent();
+  if (factored_at_ == q0.head(space_->n_unknowns()) && factored_for_ == shift) return dependent();
   spent_ = 2 * factorization_cost();
-  if (!ensure_factor(q0) || !iterate(S, r, enough, lambda, n_iterations)) return dependent();
+  if (!ensure_factor(q0, shift) || !iterate(S, r, enough, shift, lambda, n_iterations)) return dependent();
   return {{}, n_iterations};
 }
 
-bool GramSolver::iterate(ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,
-                         int& n_iterations) {
+bool GramSolver::iterate(ReactionsBetween& S, const Eigen::VectorXd& r, double enough, double shift,
+                         Eigen::VectorXd& lambda, int& n_iterations) {
   constexpr double part = 1e-4;
-  constexpr int max_iterations = 12;
+  const int max_iterations = shift == 0 ? 12 : 60;
   residual_ = r;
   const double norm = r.norm();
-  const auto result = iteration_.solve([&](const Eigen::VectorXd& z, Eigen::VectorXd& y) { S.multiply(z, y); },
-                                       [&](const Eigen::VectorXd& residual, Eigen::VectorXd& z) {
-                                         z = residual;
-                                         factor_.solveInPlace(z);
-                                       },
-                                       norm, std::max(part * norm, enough), max_iterations, residual_, lambda);
+  const auto result = iteration_.solve(
+      [&](const Eigen::VectorXd& z, Eigen::VectorXd& y) {
+        S.multiply(z, y);
+        if (shift != 0) y += shift * z;
+      },
+      [&](const Eigen::VectorXd& residual, Eigen::VectorXd& z) {
+        z = residual;
+        factor_.solveInPlace(z);
+      },
+      norm, std::max(part * norm, enough), max_iterations, residual_, lambda);
   n_iterations += result.n_iterations;
   spent_ += std::max(0, result.n_iterations - 1) * iteration_cost();
   return result.converged;

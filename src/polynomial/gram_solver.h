@@ -47,33 +47,35 @@ class GramSolver {
  public:
   explicit GramSolver(const PolynomialSpace& space);
 
-  /// Computes λ with |r − Sλ| ≤ max(10⁻⁴ |r|, `enough`) in the Euclidean norm. The result has the number of iterations.
+  /// Computes λ with |r − (S + σ)λ| ≤ max(10⁻⁴ |r|, `enough`) in the Euclidean norm. σ = `shift` is 0 for a rigid
+  /// constraint. The result has the number of iterations.
   /// Fails if the matrix cannot be factored, or if the iteration does not converge with a factor at q₀. In both cases S
   /// is almost singular, or S or r is not finite.
   mechanics::SolveReport solve(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0, const Eigen::VectorXd& r,
-                               double enough, Eigen::VectorXd& lambda);
+                               double enough, double shift, Eigen::VectorXd& lambda);
 
   long n_factorizations() const { return n_factorizations_; }
 
-  /// Visits the members on which later solves depend, for checkpoints: the position of the factor, and the cost of the
-  /// iterations since the factorisation.
+  /// Visits the members on which later solves depend, for checkpoints: the position and the shift of the factor, and
+  /// the cost of the iterations since the factorisation.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     visit(position_);
+    visit(shift_);
     visit(is_known_);
     visit(spent_);
   }
 
  private:
-  /// Computes the factor at q. Returns false if the matrix is not positive definite.
+  /// Computes the factor of S_f + σ at q, for σ = shift_. Returns false if the matrix is not positive definite.
   bool factor(const Eigen::VectorXd& q);
-  /// Ensures that factor_ is the factor at position_. Sets position_ to q₀ before, if position_ is not set, or if the
-  /// iterations since the factorisation have cost more than a factorisation. Returns false if the matrix is not
-  /// positive definite.
-  bool ensure_factor(const Eigen::VectorXd& q0);
-  /// Solves S λ = r with the present factor, up to the residual of `solve`. Adds the iterations to n_iterations.
+  /// Ensures that factor_ is the factor at position_. Sets position_ to q₀ and shift_ to `shift` before, if position_
+  /// is not set, or if the iterations since the factorisation have cost more than a factorisation. Returns false if the
+  /// matrix is not positive definite.
+  bool ensure_factor(const Eigen::VectorXd& q0, double shift);
+  /// Solves (S + σ) λ = r with the present factor, up to the residual of `solve`. Adds the iterations to n_iterations.
   /// Returns false if the iteration does not converge.
-  bool iterate(ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,
+  bool iterate(ReactionsBetween& S, const Eigen::VectorXd& r, double enough, double shift, Eigen::VectorXd& lambda,
                int& n_iterations);
   /// Costs as numbers of operations.
   double iteration_cost() const;
@@ -82,9 +84,11 @@ class GramSolver {
   const PolynomialSpace* space_;
   GramMatrix matrix_;
   Eigen::VectorXd position_;  ///< position at which S_f is factored, now or in the next solve
-  bool is_known_ = false;     ///< true if position_ is set
+  double shift_ = 0;          ///< σ of this factor
+  bool is_known_ = false;     ///< true if position_ and shift_ are set
   double spent_ = 0;          ///< operations of the iterations since the factorisation, without the first of each solve
   Eigen::VectorXd factored_at_;  ///< position at which factor_ was computed; empty if there is no factor
+  double factored_for_ = 0;      ///< σ for which factor_ was computed
   Eigen::MatrixXd S_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
   mechanics::ConjugateResiduals<Eigen::VectorXd> iteration_;

@@ -8,6 +8,9 @@
 /// degree at most N. The multiplier λ = Σλ_bψ_b is the Kirchhoff pressure Jp, with the pressure p of the body. The
 /// constraint balances a uniform pressure on the surface. Therefore this load is not a force of the system. The
 /// divergence maps (P_N)³ onto P_{N−1}. Therefore small motions have zero divergence at every point.
+///
+/// With a projected bulk term B (polynomial_body.h) the body is nearly incompressible. The energy ∫B(Σ g_b ψ_b) dX then
+/// replaces the condition g = 0, and a pressure on the surface is a load (mechanics::Compliant).
 
 #include <cmath>
 
@@ -31,6 +34,7 @@ class IncompressibleBody : public PolynomialBody {
     /// (PolynomialBody::applied_force), and `held_at` has the coefficients of the position at which the springs have no
     /// force.
     const Vector* held_at = nullptr;
+    double gram_shift = 0;  ///< σ of solve_gram (GramSolver::solve)
 
     template <class Visit>
     void visit_memory(Visit&& visit) {
@@ -62,10 +66,14 @@ class IncompressibleBody : public PolynomialBody {
   void add_reaction_rate(const Vector& q, const Vector& v, const Multiplier& lambda, Vector& f) const {
     polynomial::add_reaction_rate(space(), q, v, lambda, f);
   }
-  /// Solves G(q1) G(q0)ᵀ λ = r up to the residual of GramSolver::solve. Fails if GramSolver::solve fails.
+  /// κ of the energy that replaces the constraint (mechanics::Compliant); infinite if the body is incompressible.
+  double constraint_stiffness() const { return projected_bulk() > 0 ? projected_bulk() : HUGE_VAL; }
+  void constraint_force(const Multiplier& g, Multiplier& b) const { bulk(space(), projected_bulk(), g, b); }
+  /// Solves (G(q1) G(q0)ᵀ + σ) λ = r with σ = workspace.gram_shift, up to the residual of GramSolver::solve. Fails if
+  /// GramSolver::solve fails.
   mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace& workspace,
                                     Multiplier& lambda) const {
-    return workspace.gram.solve(q1, q0, r, workspace.residual_sought, lambda);
+    return workspace.gram.solve(q1, q0, r, workspace.residual_sought, workspace.gram_shift, lambda);
   }
   /// Largest |g|_∞ and |Gv|_∞ that count as zero, a few units of the round-off of the sums over the points.
   double constraint_tolerance() const { return 1e-15 * multiplier_scale(); }
@@ -87,7 +95,7 @@ class IncompressibleBody : public PolynomialBody {
 
  private:
   static BodySetup without_pressure(BodySetup setup) {
-    setup.loads = loads::at_constant_volume(setup.loads);
+    if (setup.projected_bulk == 0) setup.loads = loads::at_constant_volume(setup.loads);
     return setup;
   }
 };

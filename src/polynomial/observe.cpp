@@ -124,7 +124,8 @@ mechanics::Status observe(const IncompressibleBody& body, const BodyState& state
                           mechanics::ContinuumObservables& o) {
   if (auto status = body.admissible(state.q); !status) return status;
   if (auto status = observe_motion(body, state, request, o); !status) return status;
-  if (!request.multiplier) return {};
+  if (mechanics::is_compliant(body)) o.multiplier = 0;  // as of other compressible bodies
+  if (!request.multiplier || mechanics::is_compliant(body)) return {};
   Eigen::VectorXd lambda = body.make_multiplier();
   if (auto status = mechanics::multiplier_of_motion(body, state, workspace, lambda); !status) return status;
   o.multiplier = body.mean_multiplier(state.q, lambda);

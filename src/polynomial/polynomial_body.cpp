@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "materials/eigen_tensor.h"
+#include "polynomial/constraint.h"
 #include "polynomial/dense_kernels.h"
 #include "polynomial/scratch.h"
 
@@ -46,6 +47,7 @@ PolynomialBody::PolynomialBody(const BodySetup& s)
     : space_(std::make_shared<PolynomialSpace>(s.degree, s.reflect, s.semi_axes, s.n_points)),
       law_(s.law),
       volumetric_stiffness_(s.volumetric_stiffness),
+      projected_bulk_(s.projected_bulk),
       loads_(s.loads),
       constant_(loads::constant_forcing(s.loads)),
       driven_(loads::depend_on_time(s.loads)) {
@@ -250,6 +252,11 @@ PotentialEnergies PolynomialBody::potential_energies(double t, const Vector& q) 
   space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
   const EnergySums stored = dense().energy(law_, volumetric_stiffness_, n, space_->weights().data(), F);
   PotentialEnergies V{.elastic = stored.elastic + stored.volumetric, .volumetric = stored.volumetric};
+  if (projected_bulk_ > 0) {
+    Vector g = Vector::Zero(space_->n_pressures()), b = g;
+    constraint(*space_, q, g);
+    V.elastic += bulk(*space_, projected_bulk_, g, b);
+  }
   if (relaxes())
     V.elastic += V.viscoelastic =
         dense().branch_energy(constant_.branches.list, n, space_->weights().data(), q.data() + first_metric(), F);

@@ -26,6 +26,9 @@
 /// coordinates of companions follow. The last entries are the internal metrics, which do not have a velocity
 /// (mechanics/core/relaxation.h).
 ///
+/// A nearly incompressible body can have the bulk term B of its law (materials/bulk_energy.h) at the projection θ = Σ
+/// g_b ψ_b of ln J. V then contains ∫B(θ) dX, and W is the law without its bulk term.
+///
 /// All integrals are over the whole body, in internal units.
 
 #include <Eigen/Core>
@@ -51,6 +54,7 @@ struct BodySetup {
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();
   materials::AnyLaw law = materials::CiarletGeymonat{1, 0};
   double volumetric_stiffness = 0;  ///< stiffness κ of the volumetric stabilisation
+  double projected_bulk = 0;  ///< modulus λ of the projected bulk term (materials/bulk_energy.h); 0 if there is none
   loads::Loads loads{};
   /// Numbers of quadrature points in each direction of an octant: on the surface for gravity, in the volume, and on the
   /// surface for contact. If a number is empty, the body uses BodyGravity::usual_points, PolynomialSpace::least_points
@@ -134,6 +138,7 @@ class PolynomialBody {
     return contact_ ? contact_->contact(t, q) : loads::Contact{};
   }
   double volumetric_stiffness() const { return volumetric_stiffness_; }
+  double projected_bulk() const { return projected_bulk_; }
   const loads::Forcing& constant_forcing() const { return constant_; }
 
   /// Coefficients of x = c + A X, or of a velocity of this form. All other entries are 0.
@@ -206,7 +211,7 @@ class PolynomialBody {
 
   std::shared_ptr<const PolynomialSpace> space_;
   materials::AnyLaw law_;
-  double volumetric_stiffness_;
+  double volumetric_stiffness_, projected_bulk_;
   loads::Loads loads_;
   loads::Forcing constant_;  ///< loads that do not depend on time, with all planes
   bool driven_;              ///< true if a load depends on time or a plane moves

@@ -84,6 +84,15 @@ void visit_material(S& scene, Visit& visit) {
   for (const materials::LawEntry& entry : materials::law_entries)
     visit(scene.material.*entry.member, Number{entry.low, entry.high, entry.low_excluded},
           About{entry.path, entry.is_modulus ? Unit("pressure") : Unit(), entry.documentation});
+  visit(
+      scene.material.bulk, bulk_kind,
+      About{
+          "Material/Bulk", "",
+          "How motions of compressible polynomial bodies and finite elements have the bulk term B of the law. "
+          "pointwise: at each point, explicit in time, with steps limited by pressure waves. projected: at the "
+          "projection of ln det F on the functions of the pressure, implicit in time by the methods rattle, with steps "
+          "limited by shear waves; no locking. auto: projected if Lame lambda is at least 3000 shear moduli. The "
+          "pseudo-rigid model has one value of det F, so both are the same for it, explicit in time."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -222,8 +231,7 @@ void visit_continuum(S& scene, Visit& visit) {
         About{"Continuum/Error estimate", "",
               "With auto, a comparison also runs the continuum on a coarser discretisation, for about a third of the "
               "cost, and reports the discretisation error. Equilibria then also have columns with their errors, from "
-              "figures on "
-              "a coarser mesh. With none, this run and these columns are left out."});
+              "figures on a coarser mesh. With none, this run and these columns are left out."});
   visit(gravity_points, AutoOrInteger{{2, 16}},
         About{"Continuum/Gravity points", "",
               "Gauss points per direction on each face of the surface; self-gravity sums over their pairs. With auto, "

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "scene/bulk.h"
 #include "scene/contact.h"
 #include "scene/discretization.h"
 #include "scene/entries.h"
@@ -86,10 +87,14 @@ void describe_models(const Scene& scene, Needs& needs) {
            "constraint: the body is compressible");
   if (needs.discretized)
     sort_out(needs, needs.pressure_space,
-             fmt::format("pressure space: {}, volume preserved everywhere",
+             fmt::format("pressure space: {}{}",
                          scene.continuum.degree ? fmt::format("degree {}", *scene.continuum.degree - 1)
-                                                : "one degree less than the displacement"),
+                                                : "one degree less than the displacement",
+                         needs.constraint ? ", volume preserved everywhere" : ""),
              "pressure space: the body is compressible");
+  if (!scene.body.incompressible && std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine))
+    sort_out(needs, needs.pressure_space, "bulk term: of ln det F on the pressure space, implicit in time",
+             "projection of the bulk term: the law has it at each point (Material/Bulk)");
   describe_stabilization(scene, needs);
   const loads::BodyFacts facts = facts_of_body(scene);
   scene.loads.for_each([&]<class L>(const L& load) {
@@ -204,8 +209,8 @@ Needs needs(const Scene& scene) {
     if (offers(*model, scene.analysis)) needs.models.push_back(model);
   needs.discretized = std::ranges::any_of(needs.models, &ModelDescription::discretized);
   needs.constraint = scene.body.incompressible;
-  needs.pressure_space =
-      std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine) && scene.body.incompressible;
+  needs.pressure_space = std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine) &&
+                         (scene.body.incompressible || projects_bulk(scene));
   needs.comparison = n_runs_of_models(scene, needs) > 1 && scene.analysis == Analysis::motion;
   needs.graphics = scene.output.graphics != Graphics::none;
   needs.quantities = scene.output.quantities;
@@ -247,6 +252,9 @@ Needs needs(const Scene& scene) {
     if (auto warning = contact->warning(); !warning.empty()) needs.warnings.push_back(std::move(warning));
   }
   if (auto warning = warning_of_law(scene)) needs.warnings.push_back(*std::move(warning));
+  const bool has_polynomial_bodies = std::ranges::any_of(
+      needs.models, [](const ModelDescription* model) { return model->has_nonaffine && !model->discretized; });
+  if (auto warning = warning_of_locking(scene, has_polynomial_bodies)) needs.warnings.push_back(*std::move(warning));
   for (std::string& warning : unit_warnings(scene)) needs.warnings.push_back(std::move(warning));
   return needs;
 }

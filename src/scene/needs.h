@@ -17,11 +17,13 @@ struct Needs {
   /// Models of the scene that offer the analysis, in the order of their runs. The list is empty for a system other than
   /// the ball.
   std::vector<const ModelDescription*> models;
-  bool discretized = false;     ///< whether a model needs a mesh, deal.II, MPI and PETSc
-  bool constraint = false;      ///< whether the body is incompressible
-  bool pressure_space = false;  ///< whether the body is incompressible and a model has motions that are not affine
-  bool comparison = false;      ///< whether the runs of the models are compared with the last run
-  bool companion = false;       ///< whether a companion run estimates the error in space of the last model
+  bool discretized = false;  ///< whether a model needs a mesh, deal.II, MPI and PETSc
+  bool constraint = false;   ///< whether the body is incompressible
+  /// Whether a model has motions that are not affine, and the body is incompressible or has a projected bulk term
+  /// (scene/bulk.h).
+  bool pressure_space = false;
+  bool comparison = false;  ///< whether the runs of the models are compared with the last run
+  bool companion = false;   ///< whether a companion run estimates the error in space of the last model
   /// Whether pilot runs estimate the error that the quadrature of polynomial bodies causes.
   bool quadrature_error = false;
   bool contact = false;  ///< whether the scene has rigid planes

@@ -45,6 +45,8 @@ enum class Cells { linear, lagrange };
 /// The estimate of the discretisation error of the finite-element model in a comparison. With `automatic`, a companion
 /// run on another discretisation estimates the error. With `none`, there is no companion run.
 enum class ErrorEstimate { none, automatic };
+/// The form of the bulk term of a compressible body (scene/bulk.h).
+enum class Bulk { automatic, pointwise, projected };
 
 /// The symmetry planes that bound the computed sector. With `automatic`, the program derives them from the scene. The
 /// letters x, y, z are the normals of the planes. The sector `octant` has all three planes, and `none` is the full
@@ -85,6 +87,7 @@ struct Scene {
   } body;
   struct Material : materials::LawParameters {
     std::string law{materials::law_table[0].name};
+    Bulk bulk = Bulk::automatic;
   } material;
   loads::Loads loads;  ///< the headers in src/loads/ define the entries of the loads
   /// Ratio γ of self-gravity to elasticity (scene/scale_numbers.h) of the entry Gravity/Gamma; 0: not given. From γ,
@@ -119,7 +122,7 @@ struct Scene {
     Family family = Family::maclaurin;
     double first = 0.1, last = 0.99;
     int number = 90;
-    double ratio = 0.5;  ///< ratio a₃/a₁ of the semi-axes in Riemann's families
+    double ratio = 0.5;         ///< ratio a₃/a₁ of the semi-axes in Riemann's families
     bool small_motions = true;  ///< true if models with non-affine motions compute the small motions about figures
   } equilibria;
   struct Modes {

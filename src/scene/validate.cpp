@@ -17,6 +17,7 @@
 #include "scene/advice.h"
 #include "scene/analyses_of_ball.h"
 #include "scene/branches.h"
+#include "scene/bulk.h"
 #include "scene/companions.h"
 #include "scene/contact.h"
 #include "scene/entries.h"
@@ -79,6 +80,7 @@ class Validator {
     if (const auto refusal = refuses_planes(scene_)) refuse(*refusal);
     if (const auto refusal = refuses_companions(scene_)) refuse(*refusal);
     if (const auto refusal = refuses_branches(scene_)) refuse(*refusal);
+    if (const auto refusal = refuses_bulk(scene_)) refuse(*refusal);
     if (scene_.body.incompressible)
       if (const auto refusal = make_isochoric(scene_)) refuse(*refusal);
     if (const auto refusal = refuses_vibration(scene_)) refuse(*refusal);

@@ -38,6 +38,10 @@ class Ranks(RanksTest):
     def test_incompressible_octant(self):
         self.check_same_on_all(SCENE)
 
+    def test_nearly_incompressible_octant(self):
+        self.check_same_on_all({**SCENE, "Body/Incompressible": "false", "Material/Lame lambda": 1e4, "Material/Bulk": "projected",
+                                "Loads/Pressure": 0.3})
+
     def test_step_and_method_chosen_by_the_program(self):
         scene = {key: value for key, value in SCENE.items() if key not in ("Time/Step", "Time/Method")}
         self.check_same_on_all({**scene, "Continuum/Degree": 2, "Time/Constraint tolerance": 1e-13})

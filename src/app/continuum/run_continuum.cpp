@@ -17,10 +17,11 @@ ModelOutcome run_model(const RunContext& context, const ContinuumTask& task) {
   });
 }
 
-/// Runs the motion of the incompressible or the compressible ball once.
+/// Runs the motion of the ball once. It is an ElasticBall if the body is incompressible, or if its bulk term is
+/// projected.
 ModelOutcome run_ball(const RunContext& context, const ContinuumTask& task) {
-  return context.scene.body.incompressible ? run_model<continuum::ElasticBall>(context, task)
-                                           : run_model<continuum::CompressibleBall>(context, task);
+  return context.needs.pressure_space ? run_model<continuum::ElasticBall>(context, task)
+                                      : run_model<continuum::CompressibleBall>(context, task);
 }
 
 }  // namespace

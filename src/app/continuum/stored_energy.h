@@ -7,9 +7,12 @@
 
 namespace pseudorigid::app {
 
-/// The stored energy of the elements: the law and the volumetric stiffness (scene/stabilization.h).
+/// The stored energy of the elements: the law with its projected bulk term, and the volumetric stiffness
+/// (scene/stabilization.h).
 inline continuum::StoredEnergy stored_energy(const scene::Scene& scene) {
-  return {internal_law(scene), scene::volumetric_stiffness_of_elements(scene) / units_of(scene).stress()};
+  const double kappa = scene::volumetric_stiffness_of_elements(scene) / units_of(scene).stress();
+  const DiscreteLaw law = discrete_law(scene, kappa);
+  return {law.law, kappa, law.projected_bulk};
 }
 
 }  // namespace pseudorigid::app

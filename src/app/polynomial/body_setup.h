@@ -32,11 +32,14 @@ inline std::optional<int> quadrature_points(const scene::Scene& scene, int degre
 /// The setup of the body in internal units. If reflect[i] is true, only the half of the body on one side of the plane
 /// X_i = 0 is computed. The other half is its mirror image.
 inline polynomial::BodySetup body_setup(const scene::Scene& scene, const std::array<bool, 3>& reflect, int degree) {
+  const double kappa = scene::volumetric_stiffness(scene) / units_of(scene).stress();
+  const DiscreteLaw law = discrete_law(scene, kappa);
   return {.degree = degree,
           .reflect = reflect,
           .semi_axes = to_eigen(scene.body.semi_axes),
-          .law = internal_law(scene),
-          .volumetric_stiffness = scene::volumetric_stiffness(scene) / units_of(scene).stress(),
+          .law = law.law,
+          .volumetric_stiffness = kappa,
+          .projected_bulk = law.projected_bulk,
           .loads = internal_loads(scene),
           .n_gravity_points = scene.polynomial.gravity_points,
           .n_points = quadrature_points(scene, degree),

@@ -17,10 +17,11 @@ ModelOutcome run_model(const RunContext& context, const PolynomialTask& task) {
   });
 }
 
-/// Runs the motion of an incompressible or a compressible body once.
+/// Runs the motion of a body once. It is an IncompressibleBody if the body is incompressible, or if its bulk term is
+/// projected.
 ModelOutcome run_body(const RunContext& context, const PolynomialTask& task) {
-  return context.scene.body.incompressible ? run_model<polynomial::IncompressibleBody>(context, task)
-                                           : run_model<polynomial::CompressibleBody>(context, task);
+  return context.needs.pressure_space ? run_model<polynomial::IncompressibleBody>(context, task)
+                                      : run_model<polynomial::CompressibleBody>(context, task);
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ class ModelRun final : public ModelRunBase {
  public:
   /// `stepping` is a method and step that another run of the scene found; the program then does not search.
   ModelRun(Model& model, const RunContext& context, const std::optional<Stepping>& stepping = {})
-      : ModelRunBase(model, context, traits, stepping),
+      : ModelRunBase(model, context, traits_of(model.system()), stepping),
         model_(model),
         state_(model.initial_state()),
         good_state_(state_),
@@ -178,6 +178,12 @@ class ModelRun final : public ModelRunBase {
   static constexpr SystemTraits traits{mechanics::ConstrainedSystem<System>, has_constraints,
                                        mechanics::has_costly_force<System>,
                                        mechanics::method_fits<mechanics::DormandPrince8, System>()};
+  /// The traits of this system. A compliant constraint (mechanics/core/constrained_system.h) does not count.
+  static SystemTraits traits_of(const System& system) {
+    SystemTraits result = traits;
+    if (mechanics::is_compliant(system)) result.has_constraints = result.takes_explicit = false;
+    return result;
+  }
 
   static constexpr int n_lanczos = 24;
   /// Relative accuracy of the squared frequency at which Lanczos' iteration ends. If it is 0, the iteration makes all
@@ -375,6 +381,7 @@ class ModelRun final : public ModelRunBase {
 
   void measure_constraint(const State& state) {
     if constexpr (has_constraints) {
+      if (!traits_.has_constraints) return;
       const double scale = model_.constraint_scale();
       auto residual = model_.system().make_multiplier();
       if (Status status = model_.system().constraint(state.q, residual); !status) return;

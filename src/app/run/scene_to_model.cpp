@@ -7,8 +7,10 @@
 
 #include "entries/units.h"
 #include "loads/list.h"
+#include "materials/bulk_energy.h"
 #include "materials/law_table.h"
 #include "materials/rest_moduli.h"
+#include "scene/bulk.h"
 #include "scene/entries.h"
 #include "scene/scales.h"
 #include "scene/scene.h"
@@ -68,6 +70,13 @@ materials::AnyLaw internal_law(const scene::Scene& scene) {
   for (const materials::LawEntry& entry : materials::law_entries)
     if (entry.is_modulus) internal.*entry.member = mu * (material.*entry.member / material.shear_modulus);
   return materials::make_law(material.law, internal, scene.body.incompressible);
+}
+
+DiscreteLaw discrete_law(const scene::Scene& scene, double kappa) {
+  const materials::AnyLaw law = internal_law(scene);
+  if (!scene::projects_bulk(scene)) return {law, 0};
+  const materials::SplitLaw split = *materials::without_bulk(law);
+  return {split.rest, split.lambda - kappa};
 }
 
 double gravity_to_elasticity(const scene::Scene& scene) {

@@ -38,6 +38,16 @@ double rise_time(const scene::Scene& scene);
 /// shear waves, and the shear modulus is exactly 1.
 materials::AnyLaw internal_law(const scene::Scene& scene);
 
+/// The law of a model with non-affine motions at each point, and the modulus λ of its projected bulk term
+/// (scene/bulk.h). The modulus is 0 if the bulk term is pointwise, and then it belongs to the law.
+struct DiscreteLaw {
+  materials::AnyLaw law;
+  double projected_bulk;
+};
+/// The law in internal units. At small changes of volume, the volumetric stiffness κ (scene/stabilization.h) and the
+/// projected term together have the modulus of the law of the scene.
+DiscreteLaw discrete_law(const scene::Scene& scene, double kappa);
+
 /// The ratio γ = ρgr/μ of gravity to elasticity, with the density ρ, the radius r and the shear modulus μ at rest. The
 /// gravity at the surface is g = (4/3)πGρr, with Newton's constant G.
 double gravity_to_elasticity(const scene::Scene& scene);

@@ -12,6 +12,7 @@
 #include "materials/rest_moduli.h"
 #include "mechanics/methods/methods.h"
 #include "mechanics/methods/time_loop.h"
+#include "scene/bulk.h"
 #include "scene/models.h"
 #include "scene/stabilization.h"
 #include "scene/user_error.h"
@@ -85,7 +86,7 @@ double work_of_viscous_step(double gamma_h) { return gamma_h > 0 ? 3 + 5 * std::
 /// unit of time.
 double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs, double n_steps, double step) {
   const double n_unknowns = effort_of(scene, *scene::fixed_discretization(scene), 0).n_unknowns;
-  const double a_step = n_unknowns * (needs.constraint ? seconds_of_unknown : seconds_of_compressible_unknown) *
+  const double a_step = n_unknowns * (needs.pressure_space ? seconds_of_unknown : seconds_of_compressible_unknown) *
                         work_of_viscous_step(damping_of_step(scene, *scene::fixed_discretization(scene), step));
   return n_steps * a_step * (1 + (scene.time.step ? 0 : pilots) + (needs.companion ? companion : 0));
 }
@@ -130,7 +131,8 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
   // For a mesh file, the number of nodes is estimated as that of a cube with the same number of cells.
   const double n_nodes = builtin ? n_nodes_of_images(n_octants, n) : std::pow(std::cbrt(n_coarse) * n + 1, 3);
   const double n_cells = n_coarse * std::ldexp(1, 3 * d.refinements);
-  const double n_pressure = scene.body.incompressible ? k * (k + 1) * (k + 2) / 6 : 0;
+  const bool has_pressure = scene.body.incompressible || scene::projects_bulk(scene);
+  const double n_pressure = has_pressure ? k * (k + 1) * (k + 2) / 6 : 0;
   const double n_unknowns = 3 * n_nodes, n_multipliers = n_cells * n_pressure;
   // For analyses other than motions, each cell has dense matrices: the stiffness, its factors, and with self-gravity a
   // part of the stiffness.
@@ -148,9 +150,9 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
 }
 
 double stable_step(const scene::Scene& scene, const scene::Discretization& d) {
-  const auto [mu, lambda] = materials::moduli_at_rest(internal_law(scene), scene.body.incompressible);
   const double of_mesh = step_of_mesh(d);
   const double kappa = scene::volumetric_stiffness_of_elements(scene) / units_of(scene).stress();
+  const auto [mu, lambda] = materials::moduli_at_rest(discrete_law(scene, kappa).law, scene.body.incompressible);
   const double rattle = of_mesh / std::sqrt(mu + 0.296 * (lambda + kappa)) * units_of(scene).time;
   const auto method = mechanics::find_method(scene.time.method);
   if (!method) return rattle;

@@ -35,6 +35,7 @@ BallBody::BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const 
       law_(stored.law),
       limit_(materials::limit_of(stored.law)),
       is_fluid_(std::holds_alternative<materials::Fluid>(stored.law)),
+      projected_bulk_(stored.projected_bulk),
       kernels_(make_cell_kernels(space_, stored)),
       loads_(loads, space_, *kernels_),
       branches_(loads::constant_forcing(loads).branches),
@@ -72,6 +73,14 @@ mechanics::Status BallBody::judge(double least, const Vector& x) const {
     return mechanics::Status::failure(materials::beyond_limit(limit_) + at(least_reserve(x)));
   const char* reason = is_fluid_ ? "the mesh of the fluid has tangled, as nothing resists shear: " : "";
   return mechanics::Status::failure(reason + ("an element is turned inside out: " + in_words(jacobian)));
+}
+
+double BallBody::bulk_energy(const Vector& x) const {
+  if (projected_bulk_ == 0) return 0;
+  Vector g = space_.make_multiplier(), b = g;
+  const double least = kernels_->constraint(x, g);
+  const double energy = least > 0 ? kernels_->bulk(projected_bulk_, g, b) : NAN;
+  return space_.mesh().sector().n_images() * sum_over_ranks(energy, space_.communicator());
 }
 
 mechanics::Status BallBody::applied_force(double t, const Vector& x, const Vector& v, const Vector* held_at,

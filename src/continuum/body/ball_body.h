@@ -145,6 +145,10 @@ class BallBody {
   const BallSpace& space() const { return space_; }
   const materials::AnyLaw& law() const { return law_; }
   const CellKernels& kernels() const { return *kernels_; }
+  /// The modulus λ of the projected bulk term (kernels/stored_energy.h), and the energy of this term in the whole ball.
+  /// Both are 0 if there is none. The energy is NaN if det F is not positive. The second function is collective.
+  double projected_bulk() const { return projected_bulk_; }
+  double bulk_energy(const Vector& x) const;
   const LoadForces& loads() const { return loads_; }
   /// The self-gravity, or null if there is none.
   const SurfaceGravityForces* gravity() const { return gravity_ ? &*gravity_ : nullptr; }
@@ -204,6 +208,7 @@ class BallBody {
   materials::AnyLaw law_;
   std::string_view limit_;  ///< reason why the law does not admit some F (law_limits.h); empty if it has no limit
   bool is_fluid_;
+  double projected_bulk_;
   std::unique_ptr<CellKernels> kernels_;
   LoadForces loads_;
   loads::Branches branches_;

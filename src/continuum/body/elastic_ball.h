@@ -10,6 +10,10 @@
 /// system. The constraint uses ln J instead of J − 1. Therefore the second variation of the constraint along a
 /// displacement u does not contain the square of div u. In addition, a multiple of ln J in the stored energy W changes
 /// only the multiplier and not the discrete motion.
+///
+/// If the stored energy has a projected bulk term B (kernels/stored_energy.h), the ball is nearly incompressible. The
+/// energy ∫B(θ_h) dX with θ_h = Σ g_j ψ_j then replaces the condition g = 0 (mechanics::Compliant). λ_h is minus the
+/// projection of B′(θ_h), and a pressure on the surface is a load.
 
 #include <cmath>
 #include <optional>
@@ -32,6 +36,7 @@ class ElasticBall : public BallBody {
     /// Null: contact with the planes. Otherwise springs replace the contact (BallBody::applied_force), and `*held_at`
     /// has the nodal positions at which the springs exert no force.
     const Vector* held_at = nullptr;
+    double gram_shift = 0;  ///< σ of solve_gram (GramSolver::solve)
 
     template <class Visit>
     void visit_memory(Visit&& visit) {
@@ -50,7 +55,8 @@ class ElasticBall : public BallBody {
   ElasticBall(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads = {},
               std::optional<int> n_gravity_points = std::nullopt, std::optional<int> n_contact_points = std::nullopt,
               std::optional<GramMethod> gram_method = std::nullopt)
-      : BallBody(std::move(mesh), degree, stored, loads::at_constant_volume(loads), n_gravity_points, n_contact_points),
+      : BallBody(std::move(mesh), degree, stored, stored.projected_bulk > 0 ? loads : loads::at_constant_volume(loads),
+                 n_gravity_points, n_contact_points),
         gram_method_(gram_method.value_or(fitting_gram_method(space()))),
         multiplier_scale_(std::sqrt(least_over_ranks(kernels().least_cell_volume(), space().communicator()))) {}
 
@@ -78,11 +84,15 @@ class ElasticBall : public BallBody {
   void add_reaction(const Vector& x, const Multiplier& lambda, Vector& f, Workspace& workspace) const {
     workspace.gram.add_reaction(x, lambda, f);
   }
-  /// Solves G(x1) M⁻¹ G(x0)ᵀ λ = r with the accuracy of GramSolver::solve, in which `enough` is
-  /// workspace.residual_sought. Fails if GramSolver::solve fails. Collective.
+  /// κ of the energy that replaces the constraint (mechanics::Compliant); infinite if the ball is incompressible.
+  double constraint_stiffness() const { return projected_bulk() > 0 ? projected_bulk() : HUGE_VAL; }
+  /// b_j = ∫ψ_j B′(θ) dX with θ = Σ g_j ψ_j and the projected bulk term B.
+  void constraint_force(const Multiplier& g, Multiplier& b) const { kernels().bulk(projected_bulk(), g, b); }
+  /// Solves (G(x1) M⁻¹ G(x0)ᵀ + σ) λ = r with σ = workspace.gram_shift and the accuracy of GramSolver::solve, in which
+  /// `enough` is workspace.residual_sought. Fails if GramSolver::solve fails. Collective.
   mechanics::SolveReport solve_gram(const Vector& x1, const Vector& x0, const Multiplier& r, Workspace& workspace,
                                     Multiplier& lambda) const {
-    return workspace.gram.solve(x1, x0, r, workspace.residual_sought, lambda);
+    return workspace.gram.solve(x1, x0, r, workspace.residual_sought, workspace.gram_shift, lambda);
   }
   /// |g|_∞ and |Gv|_∞ count as zero up to this value. With this |g|_∞, the mean of ln J over the smallest cell is at
   /// most 1e-13, because the ψ_j are orthonormal in L² on each cell.

@@ -48,7 +48,7 @@ std::vector<DenseGram::Block> DenseGram::scaled_constraint_rows(const Vector& x)
   return G;
 }
 
-mechanics::Status DenseGram::renew(const Vector& x) {
+mechanics::Status DenseGram::renew(const Vector& x, double shift) {
   const std::vector<Block> G = scaled_constraint_rows(x);
   const unsigned int n_p = space_->n_pressure(), n = space_->n_cells() * n_p;
   Block S(n, n), product(n_p, n_p);
@@ -65,6 +65,7 @@ mechanics::Status DenseGram::renew(const Vector& x) {
     columns_of(G[b], shared.in_b).mTmult(product, columns_of(G[a], shared.in_a));
     set_block(b, a);
   }
+  for (unsigned int i = 0; i < n; ++i) S(i, i) += shift;
   S.set_property(dealii::LAPACKSupport::symmetric);
   try {
     S.compute_cholesky_factorization();

@@ -1,9 +1,9 @@
 #pragma once
-/// The Gram operator S = G M⁻¹Gᵀ at given positions, assembled and inverted as a dense matrix. G is the derivative of
-/// the constraint, and M is the mass. The inverse is the preconditioner of small problems in one process. Its entries
-/// have single precision, because a solve needs only about four digits (GramSolver::reduction). Let B_c be the rows of
-/// G M^{-1/2} for the multipliers of cell c, and (B_c)_n the columns of node n. The block of S for the multipliers of
-/// the cells b and a is a sum over their shared nodes n,
+/// The operator S + σ with the Gram operator S = G M⁻¹Gᵀ at given positions and the shift σ, assembled and inverted as
+/// a dense matrix. G is the derivative of the constraint, and M is the mass. The inverse is the preconditioner of small
+/// problems in one process. Its entries have single precision, because a solve needs only about four digits
+/// (GramSolver::reduction). Let B_c be the rows of G M^{-1/2} for the multipliers of cell c, and (B_c)_n the columns of
+/// node n. The block of S for the multipliers of the cells b and a is a sum over their shared nodes n,
 ///
 ///   S_ba = Σ_n (B_b)_n (B_a)_nᵀ,
 ///
@@ -26,7 +26,7 @@ class DenseGram final : public GramPreconditioner {
  public:
   DenseGram(const BallSpace& space, const CellKernels& kernels);
 
-  mechanics::Status renew(const Vector& x) override;
+  mechanics::Status renew(const Vector& x, double shift) override;
   void apply(Vector& result, const Vector& r) const override { inverse_.multiply(r.begin(), result.begin()); }
   double renewal_cost() const override;
   std::size_t memory() const override;

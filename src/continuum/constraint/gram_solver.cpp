@@ -29,7 +29,9 @@ class GramSolver::Impl {
       preconditioner_ = std::make_unique<TwoLevelGram>(space, kernels);
   }
 
-  mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda) {
+  mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, double shift,
+                               Vector& lambda) {
+    shift_ = shift;
     if (mechanics::Status status = history_.stale ? renew(q0) : restore(); !status) return {std::move(status), 0};
     mechanics::SolveReport report = iterate(q1, q0, r, enough, lambda);
     if (!report.status) {
@@ -68,10 +70,11 @@ class GramSolver::Impl {
 
  private:
   mechanics::Status renew(const Vector& x) {
-    mechanics::Status status = preconditioner_->renew(x);
+    mechanics::Status status = preconditioner_->renew(x, shift_);
     ++statistics_.n_renewals;
     is_made_ = true;
     history_.renewed_at = x;
+    history_.renewed_for = shift_;
     history_.n_iterations_fresh = -1;
     history_.n_iterations_lost = 0;
     history_.stale = !status;
@@ -81,17 +84,18 @@ class GramSolver::Impl {
   /// necessary after a restart from a checkpoint. Fails if the preconditioner cannot be computed.
   mechanics::Status restore() {
     if (std::exchange(is_made_, true)) return {};
-    mechanics::Status status = preconditioner_->renew(history_.renewed_at);
+    mechanics::Status status = preconditioner_->renew(history_.renewed_at, history_.renewed_for);
     history_.stale = !status;
     return status;
   }
 
-  /// result = G(q₁) M⁻¹ G(q₀)ᵀ λ, with the derivative G of the constraint and the mass M.
+  /// result = (G(q₁) M⁻¹ G(q₀)ᵀ + σ) λ, with the derivative G of the constraint and the mass M.
   void multiply(Vector& result, const Vector& lambda) {
     reaction_ = 0.0;
     kernels_.add_reaction(of_q0_.tangent(), lambda, reaction_);
     scale_by(space_.inverse_mass(), reaction_);
     kernels_.constraint_rate((is_symmetric_ ? of_q0_ : of_q1_).tangent(), reaction_, result);
+    if (shift_ != 0) result.add(shift_, lambda);
   }
 
   mechanics::SolveReport iterate(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda) {
@@ -158,6 +162,7 @@ class GramSolver::Impl {
   const GramMethod method_;
   std::unique_ptr<GramPreconditioner> preconditioner_;
   TangentAt of_q0_, of_q1_;
+  double shift_ = 0;           // σ of the present solve
   bool is_symmetric_ = false;  // true if q₁ and q₀ are the same object
   mechanics::ConjugateResiduals<Vector> iteration_;
   Vector reaction_, residual_;
@@ -178,8 +183,8 @@ GramSolver::~GramSolver() = default;
 GramSolver::GramSolver(GramSolver&&) noexcept = default;
 
 mechanics::SolveReport GramSolver::solve(const Vector& q1, const Vector& q0, const Vector& r, double enough,
-                                         Vector& lambda) {
-  return impl_->solve(q1, q0, r, enough, lambda);
+                                         double shift, Vector& lambda) {
+  return impl_->solve(q1, q0, r, enough, shift, lambda);
 }
 
 double GramSolver::force_with_reaction(const Vector& x, const Vector& lambda, Vector& f) {

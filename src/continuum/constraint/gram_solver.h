@@ -28,11 +28,13 @@ class GramSolver {
   ~GramSolver();
   GramSolver(GramSolver&&) noexcept;
 
-  /// Computes λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. If history().stale is
-  /// true, the solver first computes the preconditioner at q₀. If the iteration does not converge, the solver renews
-  /// the preconditioner at q₁ and repeats the iteration once. Fails if the second iteration does not converge either,
-  /// if the preconditioner cannot be computed, or if r is not finite. Collective.
-  mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda);
+  /// Computes λ with |(G(q₁)M⁻¹G(q₀)ᵀ + σ)λ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. σ = `shift` is 0
+  /// for a rigid constraint. If history().stale is true, the solver first computes the preconditioner at q₀ for this σ.
+  /// If the iteration does not converge, the solver renews the preconditioner at q₁ and repeats the iteration once.
+  /// Fails if the second iteration does not converge either, if the preconditioner cannot be computed, or if r is not
+  /// finite. Collective.
+  mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, double shift,
+                               Vector& lambda);
 
   /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ, with the stored energy W + U of kernels/stored_energy.h and the basis functions φ.
   /// Like CellKernels::force, returns the least of J and of the law's reserve on this rank. If this value is not
@@ -46,7 +48,8 @@ class GramSolver {
   /// The members on which later solves depend. The error of a solution depends on the preconditioner. Checkpoints
   /// therefore contain these members, so that a resumed run has the same results as an uninterrupted run.
   struct History {
-    Vector renewed_at;  ///< positions at which the preconditioner was last computed
+    Vector renewed_at;       ///< positions at which the preconditioner was last computed
+    double renewed_for = 0;  ///< shift σ for which it was computed
     /// `n_iterations_fresh` is the number of iterations of the first solve after a renewal, or −1 before this solve.
     /// `n_iterations_lost` is the sum, over all later solves, of the iterations beyond this number. Solves that renew
     /// the preconditioner at q₁ do not count.
@@ -56,8 +59,9 @@ class GramSolver {
   History& history();
   template <class Visit>
   void visit_memory(Visit&& visit) {
-    auto& [renewed_at, n_fresh, n_lost, stale] = history();
+    auto& [renewed_at, renewed_for, n_fresh, n_lost, stale] = history();
     visit(renewed_at);
+    visit(renewed_for);
     visit(n_fresh);
     visit(n_lost);
     visit(stale);

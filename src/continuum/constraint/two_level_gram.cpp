@@ -174,9 +174,9 @@ void TwoLevelGram::make_coarse_solver() {
 
 /// Computes the coarse matrix K at the positions x. For Lagrange functions of nodes on the free surface, the rows and
 /// columns of K are 0 except for a positive diagonal. K is therefore regular.
-void TwoLevelGram::assemble_coarse_matrix(const Vector& x) {
+void TwoLevelGram::assemble_coarse_matrix(const Vector& x, double shift) {
   const unsigned int n_nodes = space_.nodes_per_cell();
-  MatrixXd gradients(3 * n_nodes, n_functions_), K_cell(n_functions_, n_functions_);
+  MatrixXd gradients(3 * n_nodes, n_functions_), values(n_nodes, n_functions_), K_cell(n_functions_, n_functions_);
   *K_ = 0;
   for (unsigned int cell = 0; cell < space_.n_cells(); ++cell) {
     const Eigen::Matrix3Xd x_cell = nodal_values(space_, x, cell);
@@ -188,8 +188,10 @@ void TwoLevelGram::assemble_coarse_matrix(const Vector& x) {
         gradients.row(3 * q + c) =
             std::sqrt(weights[q]) * (to_current(0, c) * tables_[1].row(q) + to_current(1, c) * tables_[2].row(q) +
                                      to_current(2, c) * tables_[3].row(q));
+      values.row(q) = std::sqrt(weights[q]) * tables_[0].row(q);
     }
     K_cell.noalias() = gradients.transpose() * gradients;
+    if (shift > 0) K_cell.noalias() += shift * (values.transpose() * values);
     for (unsigned int i = 0; i < n_functions_; ++i)
       if (on_surface_[local_functions_[cell * n_functions_ + i]]) {
         K_cell.row(i).setZero();
@@ -205,9 +207,9 @@ void TwoLevelGram::assemble_coarse_matrix(const Vector& x) {
   K_->compress(dealii::VectorOperation::add);
 }
 
-/// Computes the inverses S_cc⁻¹ of the blocks of all cells at the positions x. Returns false if a block of this rank is
-/// not positive definite.
-bool TwoLevelGram::invert_blocks(const Vector& x) {
+/// Computes the inverses (S_cc + σ)⁻¹ of the blocks of all cells at the positions x. Returns false if a block of this
+/// rank is not positive definite.
+bool TwoLevelGram::invert_blocks(const Vector& x, double shift) {
   const Eigen::Index n = space_.n_pressure(), n_columns = 3 * space_.nodes_per_cell();
   inverse_blocks_.assign(space_.n_cells() * n_rows_ * space_.n_pressure(), 0);
   bool regular = true;
@@ -218,7 +220,7 @@ bool TwoLevelGram::invert_blocks(const Vector& x) {
       inverse_mass[k] = space_.inverse_mass().local_element(3 * space_.cell_nodes(cell)[k / 3] + k % 3);
     const RowMajor scaled =
         Eigen::Map<const RowMajor>(rows.data(), n, n_columns) * inverse_mass.cwiseSqrt().asDiagonal();
-    MatrixXd block = MatrixXd::Zero(n, n);
+    MatrixXd block = shift * MatrixXd::Identity(n, n);
     block.selfadjointView<Eigen::Lower>().rankUpdate(scaled);
     const Eigen::LLT<MatrixXd> cholesky(block);
     regular = regular && cholesky.info() == Eigen::Success;
@@ -227,10 +229,10 @@ bool TwoLevelGram::invert_blocks(const Vector& x) {
   return regular;
 }
 
-mechanics::Status TwoLevelGram::renew(const Vector& x) {
+mechanics::Status TwoLevelGram::renew(const Vector& x, double shift) {
   const GhostValues ghosts(x);
-  const bool regular = invert_blocks(x);
-  assemble_coarse_matrix(x);
+  const bool regular = invert_blocks(x, shift);
+  assemble_coarse_matrix(x, shift);
   const Mat matrix = *K_;
   // Without this reset, the smoothers use bounds of the spectrum of an earlier matrix. If these bounds are too small,
   // the V-cycle can be indefinite.

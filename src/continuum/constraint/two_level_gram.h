@@ -9,10 +9,10 @@
 /// are continuous and vanish on the free surface. For elements of degree k, m = 1 if k ≤ 4, and otherwise m = 2. P is
 /// the L²-projection of the N_i onto the multipliers, which have the orthonormal basis ψ_j in each cell. S is a
 /// discrete form of −div(ρ⁻¹ grad) in the current coordinates x, with the density ρ and λ = 0 on the free surface.
-/// Therefore K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX with F = ∂x/∂X. The matrices S_cc⁻¹ and P of the cells have single
-/// precision. With B, a decrease of the residual by a factor of 10⁴ takes 7–10 iterations for k = 2. It takes 14–19
-/// iterations for k = 4, and 16–21 for k = 6. These numbers are for an octant with one to three refinements, at rest
-/// and sheared.
+/// Therefore K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX with F = ∂x/∂X. A shift σ adds σ to S_cc, and σ∫N_i N_j dX to K_ij. The
+/// matrices S_cc⁻¹ and P of the cells have single precision. With B, a decrease of the residual by a factor of 10⁴
+/// takes 7–10 iterations for k = 2. It takes 14–19 iterations for k = 4, and 16–21 for k = 6. These numbers are for an
+/// octant with one to three refinements, at rest and sheared.
 ///
 /// A KSP solver of PETSc with the options' prefix gram_coarse_ applies K⁻¹. By default the solver is one V-cycle of the
 /// algebraic multigrid of PETSc (GAMG).
@@ -39,7 +39,7 @@ class TwoLevelGram final : public GramPreconditioner {
   TwoLevelGram(const TwoLevelGram&) = delete;
   TwoLevelGram& operator=(const TwoLevelGram&) = delete;
 
-  mechanics::Status renew(const Vector& x) override;
+  mechanics::Status renew(const Vector& x, double shift) override;
   void apply(Vector& result, const Vector& r) const override;
   double renewal_cost() const override { return 30; }  // measured; the unit is the time of one iteration
   std::size_t memory() const override;
@@ -48,10 +48,10 @@ class TwoLevelGram final : public GramPreconditioner {
   void number_functions();
   void project_functions();
   void make_coarse_matrix();
-  void assemble_coarse_matrix(const Vector& x);
+  void assemble_coarse_matrix(const Vector& x, double shift);
   void make_coarse_solver();
   void solve_coarse() const;
-  bool invert_blocks(const Vector& x);
+  bool invert_blocks(const Vector& x, double shift);
 
   const BallSpace& space_;
   const CellKernels& kernels_;

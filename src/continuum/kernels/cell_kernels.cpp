@@ -142,6 +142,11 @@ void CellKernels::multiplier_at_nodes(const Vector& lambda, unsigned int cell, s
   local_->multiplier_at_nodes(lambda.begin(), cell, values);
 }
 
+double CellKernels::bulk(double lambda, const Vector& g, Vector& b) const {
+  require_constraint();
+  return local_->bulk(lambda, g.begin(), b.begin());
+}
+
 void CellKernels::multiplier_at_points(const Vector& lambda, unsigned int cell, std::span<double> values) const {
   local_->multiplier_at_points(lambda.begin(), cell, values);
 }

@@ -39,6 +39,9 @@ class CellKernels {
   double force_with_reaction(const Vector& x, const Vector& lambda, ConstraintTangent* at_x, Vector& f) const;
   /// Computes g and returns the least J on this rank. If this value is not positive, g is not valid.
   double constraint(const Vector& x, Vector& g) const;
+  /// Sets b_j = ∫ψ_j B′(θ) dX with θ = Σ g_j ψ_j and the bulk term B of the modulus λ (materials/bulk_energy.h).
+  /// Returns ∫B(θ) dX over the cells of this rank.
+  double bulk(double lambda, const Vector& g, Vector& b) const;
   /// `constraint_rate` sets r = G v, and `constraint_curvature` sets r = D²g(v, v), both at the positions x.
   void constraint_rate(const Vector& x, const Vector& v, Vector& r) const;
   void constraint_curvature(const Vector& x, const Vector& v, Vector& r) const;

@@ -72,6 +72,7 @@ class LocalKernels {
   virtual double add_force_with_reaction(const double* x, const double* lambda, ConstraintTangent* at_x,
                                          double* f) const = 0;
   virtual double constraint(const double* x, double* g) const = 0;
+  virtual double bulk(double lambda, const double* g, double* b) const = 0;
   virtual void constraint_rate(const double* x, const double* v, double* r) const = 0;
   virtual void constraint_curvature(const double* x, const double* v, double* r) const = 0;
   virtual void add_reaction(const double* x, const double* lambda, double* f) const = 0;

@@ -12,6 +12,10 @@
 /// motions, J ≠ 1 at some points. The second variation of the multiplier's term ∫λ_h ln J dX along a displacement u can
 /// then be negative. The second variation of U, about ∫κ (div u)² dX for J ≈ 1, is positive and counteracts this. A
 /// body needs U under self-gravity, in strong motions, and always if it is a fluid (W = 0).
+///
+/// A nearly incompressible body can also have the bulk term ∫B(θ) dX of the law (materials/bulk_energy.h) at the
+/// projection θ = Σ g_j ψ_j of ln J on the functions ψ_j of the multiplier, g_j = ∫ψ_j ln J dX. W is then the law
+/// without its bulk term.
 
 #include <concepts>
 
@@ -22,10 +26,12 @@ namespace pseudorigid::continuum {
 struct StoredEnergy {
   /// A material law with the stiffness κ of the stabilisation. By default there is no stabilisation.
   template <std::convertible_to<materials::AnyLaw> Law>
-  StoredEnergy(const Law& l, double kappa = 0) : law(l), volumetric_stiffness(kappa) {}
+  StoredEnergy(const Law& l, double kappa = 0, double lambda = 0)
+      : law(l), volumetric_stiffness(kappa), projected_bulk(lambda) {}
 
   materials::AnyLaw law;
   double volumetric_stiffness;  ///< stiffness κ of U
+  double projected_bulk;        ///< modulus λ of the projected bulk term B; 0 if there is none
 };
 
 }  // namespace pseudorigid::continuum

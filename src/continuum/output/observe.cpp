@@ -75,7 +75,7 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
     o.kinetic = 0.5 * n_images * squared_norm(ball, state.v);
     o.volumetric = n_images * sums.volumetric;
     o.viscoelastic = ball.energy_of_branches(state.q);
-    o.elastic = n_images * sums.elastic + o.volumetric + o.viscoelastic;
+    o.elastic = n_images * sums.elastic + o.volumetric + o.viscoelastic + ball.bulk_energy(state.q);
     o.external = ball.loads().potential(state.t, ball.nodal_moment(state.q, state.q), ball.mass() * o.center,
                                         F_integral, n_images * sums.volume);
     o.gravitational = ball.gravity() ? n_images * ball.gravity()->energy(state.q) : 0;
@@ -116,7 +116,8 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
 mechanics::Status observe(const ElasticBall& ball, const BallState& state, ElasticBall::Workspace& workspace,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
   if (auto status = observe_motion(ball, state, request, o); !status) return status;
-  if (!request.multiplier) return {};
+  if (mechanics::is_compliant(ball)) o.multiplier = 0;  // as of other compressible bodies
+  if (!request.multiplier || mechanics::is_compliant(ball)) return {};
   Vector lambda = ball.make_multiplier();
   if (auto status = mechanics::multiplier_of_motion(ball, state, workspace, lambda); !status) return status;
   o.multiplier = mean_multiplier(ball, state.q, lambda);

@@ -164,14 +164,34 @@ HeldDirection BallFigures::axis_direction(const Condition& condition) const {
   return held;
 }
 
+struct BallFigures::Factors {
+  Factors(const BallFigures& figures, const Figure& figure, const HeldDirection* held)
+      : x(figures.positions(figure)),
+        lambda(figures.multiplier(figure)),
+        problem(figures.state(x, lambda, figure.drive), 0, held),
+        sector(problem, parity_of_sector(0)) {}
+
+  Vector x, lambda;
+  TangentProblem problem;
+  ParitySector sector;
+};
+
+BallFigures::~BallFigures() = default;
+
 mechanics::Status BallFigures::solve_linear(const Figure& figure, const HeldDirection* held,
                                             const std::vector<std::pair<Vector, Vector>>& right_sides,
                                             std::vector<Figure>& changes) const {
-  const Vector x = positions(figure), lambda = multiplier(figure);
-  const TangentProblem problem(state(x, lambda, figure.drive), 0, held);
-  ParitySector sector(problem, parity_of_sector(0));
-  ++counts_.factorizations;
-  if (auto status = sector.factorize(); !status) return status;
+  std::unique_ptr<Factors> of_held;
+  std::unique_ptr<Factors>& factors = held ? of_held : factors_;
+  if (held || !reuses_factors_ || !factors) {
+    factors = std::make_unique<Factors>(*this, figure, held);
+    ++counts_.factorizations;
+    if (auto status = factors->sector.factorize(); !status) {
+      factors.reset();
+      return status;
+    }
+  }
+  const ParitySector& sector = factors->sector;
   changes.clear();
   for (const auto& [f, h] : right_sides) {
     Eigen::VectorXd u, of_lambda;
@@ -219,7 +239,8 @@ mechanics::Status BallFigures::step(const Condition& condition, const Figure& fi
 }
 
 mechanics::Status BallFigures::newton(const Condition& condition, Figure& figure) const {
-  constexpr int max_iterations = 30, max_halvings = 12;
+  constexpr int max_iterations = 60, max_halvings = 12;
+  constexpr double slow = 0.2;  // a slower decrease of the residual needs a new tangent
   // The round-off of the forces grows with γ = ρgr/μ: at γ = 1000 the residual does not fall below about 1.5e-11. The
   // error bars of figures contain the larger bound 1e-11 (1 + γ).
   const double gamma =
@@ -227,6 +248,7 @@ mechanics::Status BallFigures::newton(const Condition& condition, Figure& figure
   const double accepted = 1e-11 * std::min(10.0, 1 + gamma);
   Figure kept = figure;
   double best = std::numeric_limits<double>::infinity();
+  reuses_factors_ = condition.parameter == mechanics::FigureParameter::drive && factors_;
   for (int i = 0; i < max_iterations; ++i) {
     Terms now;
     if (auto status = terms(figure, now); !status) return status;
@@ -234,8 +256,13 @@ mechanics::Status BallFigures::newton(const Condition& condition, Figure& figure
     size = std::max(size, condition.parameter == mechanics::FigureParameter::drive
                               ? std::abs(figure.drive - condition.value)
                               : std::abs(axis_direction(condition).w * positions(figure)));
-    if (!std::isfinite(size)) break;
+    const bool is_slow = !(size < slow * best);
     if (size >= 0.5 * best && best <= accepted) break;  // a small residual that does not halve is round-off
+    if (i > 0 && is_slow && std::exchange(reuses_factors_, false) && !(size < best)) {
+      figure = kept;  // the old tangent misleads
+      continue;
+    }
+    if (!std::isfinite(size)) break;
     if (size < best) best = size, kept = figure;
     if (size == 0) break;
     Figure full;
@@ -245,10 +272,12 @@ mechanics::Status BallFigures::newton(const Condition& condition, Figure& figure
       return status;
     }
     if (!full.x.allFinite()) break;
+    reuses_factors_ = true;
     double factor = 1;
     for (int k = 0; k < max_halvings && !is_admissible(figure.x + factor * full.x); ++k) factor /= 2;
     mechanics::add(factor, full, figure);
   }
+  reuses_factors_ = false;
   figure = kept;
   if (best <= accepted) return {};
   return mechanics::Status::failure(
@@ -260,6 +289,7 @@ BallFigures::Figure BallFigures::tangent(const Condition& condition, const Figur
   const auto nan = std::numeric_limits<double>::quiet_NaN();
   const Figure none{Eigen::VectorXd::Constant(figure.x.size(), nan),
                     Eigen::VectorXd::Constant(figure.lambda.size(), nan), nan};
+  reuses_factors_ = false;
   Terms now;
   if (!terms(figure, now)) return none;
   const Vector no_constraint = incompressible_ ? body_->space().make_multiplier() : Vector();

@@ -19,6 +19,9 @@
 ///
 ///   δx = u₀ + δν u₁,   (K + σwwᵀ)u₀ − Gᵀδλ₀ = r + σcw,   (K + σwwᵀ)u₁ − Gᵀδλ₁ = h,   w·δx = c.
 ///
+/// A step with the ν of the condition keeps the tangent of an earlier step as long as the residual falls by a factor of
+/// 5 or more in each step. A factorisation takes about as long as four steps with known factors.
+///
 /// K is also singular at a bifurcation to figures that are not symmetric about axis 3. The search for a spheroid is
 /// therefore restricted to positions that are symmetric under the exchange of the axes 1 and 2. These positions exclude
 /// the figures that bifurcate with the azimuthal number 2, such as Jacobi's ellipsoids.
@@ -58,6 +61,7 @@ class BallFigures final : public mechanics::FigureEquations {
   using Figure = mechanics::EquilibriumFigure;
 
   explicit BallFigures(const FigureSetup& setup);
+  ~BallFigures() override;
   BallFigures(const BallFigures&) = delete;  // because some members refer to other members
   BallFigures& operator=(const BallFigures&) = delete;
 
@@ -101,9 +105,12 @@ class BallFigures final : public mechanics::FigureEquations {
   double error_of_solver() const override { return 1e-6; }
 
   mechanics::Status terms(const Figure& figure, Terms& terms) const;
+  /// A tangent K with its factors. It has copies of the fields to which the tangent refers.
+  struct Factors;
   /// Solves K δx − Gᵀδλ = f, G δx = h at a figure, for each pair of right sides (f, h). Sets `changes` to the
   /// solutions, with δν = 0. For a spheroid, each δx is then symmetrized (`symmetrize`). Fails if K cannot be
-  /// factorised or GMRES does not converge. If `held` is not null, K contains the term σwwᵀ of `held`.
+  /// factorised or GMRES does not converge. If `held` is not null, K contains the term σwwᵀ of `held`. Otherwise, and
+  /// if reuses_factors_ is true, K and G are those of the last call without `held`.
   mechanics::Status solve_linear(const Figure& figure, const HeldDirection* held,
                                  const std::vector<std::pair<Vector, Vector>>& right_sides,
                                  std::vector<Figure>& changes) const;
@@ -133,6 +140,8 @@ class BallFigures final : public mechanics::FigureEquations {
   loads::Forcing forcing_;
   std::vector<unsigned int> exchanged_;  ///< the node at (X_2, X_1, X_3) for the node at X; empty for an ellipsoid
   mutable FigureCounts counts_;
+  mutable std::unique_ptr<Factors> factors_;  ///< of the last tangent without a held direction; null if there is none
+  mutable bool reuses_factors_ = false;
 };
 
 }  // namespace pseudorigid::continuum

@@ -47,6 +47,31 @@ concept ConstrainedSystem = requires(const S s, double t, const typename S::Vect
 template <class S>
 inline constexpr bool unconstrained = S::n_constraints == 0;
 
+/// A system whose constraint can be compliant. The condition g = 0 then gives way to an energy B(g):
+///
+///   M q̈ = f − G(q)ᵀ b(g(q)),   b = DB.
+///
+/// B is convex with the stiffness κ, so b ≈ κg for small g. The multiplier of the motion is then λ = −b(g(q)). If κ is
+/// large, explicit methods would need small steps.
+template <class S>
+concept Compliant = requires(const S s, const typename S::Multiplier g, typename S::Multiplier b,
+                             typename S::Workspace w) {
+  { s.constraint_stiffness() } -> std::convertible_to<double>;  // κ; infinite if the constraint is g = 0
+  s.constraint_force(g, b);                                     // b = DB(g)
+  w.gram_shift;  // σ ≥ 0: solve_gram then solves (G(q₁)M⁻¹G(q₀)ᵀ + σ) x = b
+};
+/// True if an energy B(g) replaces the condition g = 0.
+template <class S>
+bool is_compliant([[maybe_unused]] const S& system) {
+  if constexpr (Compliant<S>) return std::isfinite(system.constraint_stiffness());
+  return false;
+}
+/// True if the system has constraints and must satisfy them exactly.
+template <class S>
+bool is_constrained(const S& system) {
+  return !unconstrained<S> && !is_compliant(system);
+}
+
 /// True if the force evaluations of pilot runs and of frequency estimates take noticeable time. The search for the step
 /// (step_search.h) then makes shorter pilot runs. By default, only systems with distributed vectors have a costly
 /// force. A member `has_costly_force` of the system overrides this default.
@@ -89,6 +114,14 @@ using State = VectorState<typename S::Vector>;
 template <ConstrainedSystem S>
 Status multiplier_of_motion(const S& system, const State<S>& state, typename S::Workspace& workspace,
                             typename S::Multiplier& lambda) {
+  if constexpr (Compliant<S>)
+    if (is_compliant(system)) {
+      auto g = system.make_multiplier();
+      if (Status status = system.constraint(state.q, g); !status) return status;
+      system.constraint_force(g, lambda);
+      scale(-1.0, lambda);
+      return {};
+    }
   if constexpr (!unconstrained<S>) {
     auto a = system.make_vector();
     if (Status status = system.force(state.t, state.q, state.v, workspace, a); !status) return status;

@@ -103,8 +103,9 @@ Status project_onto_tangent_space(const S& system, double tolerance, const typen
   if constexpr (unconstrained<S>)
     return {};
   else
-    return meet_velocity_constraint(system, tolerance, q, x, system_workspace, constraint,
-                                    [&] { axpy(1.0, constraint.reaction, x); });
+    return !is_constrained(system) ? Status()
+                                   : meet_velocity_constraint(system, tolerance, q, x, system_workspace, constraint,
+                                                              [&] { axpy(1.0, constraint.reaction, x); });
 }
 
 }  // namespace detail

@@ -187,6 +187,7 @@ class DampingPreconditioner<S> {
   /// Replaces T by T − T Gᵀ(G T Gᵀ)⁻¹G T for the configuration q_. Returns false if G T Gᵀ is not positive.
   bool subtract_reactions(const S& system, const Eigen::MatrixXd& inverse_mass, Eigen::MatrixXd& T) const {
     if constexpr (!unconstrained<S>) {
+      if (!is_constrained(system)) return true;
       Vector unit = system.make_vector();
       auto rate = system.make_multiplier();
       Eigen::MatrixXd G(static_cast<Eigen::Index>(local_values(rate).size()), n_);

@@ -124,6 +124,7 @@ class ExplicitMultiplier {
     } else if constexpr (unconstrained<S>) {
       return {};
     } else {
+      if (!is_constrained(system_)) return {};
       auto& c = w.constraint;
       c.direction_known = false;  // the corrections of q and v use one direction, since q hardly changes
       const double tolerance = system_.constraint_tolerance();

@@ -40,6 +40,14 @@ inline constexpr bool takes_any_vector = [] {
   return false;
 }();
 
+/// True if the method integrates compliant constraints (constrained_system.h), and declares this by the member
+/// `takes_compliance`.
+template <class Method>
+inline constexpr bool takes_compliance = [] {
+  if constexpr (requires { Method::takes_compliance; }) return Method::takes_compliance;
+  return false;
+}();
+
 /// Returns true if the method compiles for the type of the system.
 template <class Method, class S>
 consteval bool method_fits() {
@@ -49,13 +57,15 @@ consteval bool method_fits() {
     return Method::template fits<FormFor<Method, S>>;
 }
 
-/// Returns true if the method compiles for this system. For an AnySystem the result depends on `is_conservative()`,
-/// which is known only at run time (any_system.h).
+/// Returns true if the method compiles for this system, and integrates its constraint if that is compliant. For an
+/// AnySystem the result depends on `is_conservative()`, which is known only at run time (any_system.h).
 template <class Method, class S>
 constexpr bool fits(const S& system) {
   if constexpr (requires { typename S::WithoutEnergies; }) {
     if (!system.is_conservative()) return method_fits<Method, typename S::WithoutEnergies>();
   }
+  if constexpr (!takes_compliance<Method>)
+    if (is_compliant(system)) return false;
   return method_fits<Method, S>();
 }
 

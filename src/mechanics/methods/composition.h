@@ -58,6 +58,7 @@ struct Composition {
   static constexpr int n_stages = static_cast<int>(Coefficients::gamma.size()) * Base::n_stages;
   static constexpr bool symplectic = Base::symplectic, symmetric = true;
   static constexpr bool adaptive = false, takes_any_vector = Base::takes_any_vector;
+  static constexpr bool takes_compliance = Base::takes_compliance;
   static constexpr double stability_limit = Coefficients::stability_limit;
 
   template <class S>

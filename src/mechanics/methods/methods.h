@@ -10,6 +10,8 @@
 ///     Workspace<S>                         made from a system; with `system`, `counters` and visit_memory (memory.h)
 ///     fits<S>                              true if the method compiles for a system of type S
 ///     takes_any_vector                     optional, true if the method needs only the operations of VectorSpace
+///     takes_compliance                     optional, true if the method integrates compliant constraints
+///                                          (constrained_system.h)
 ///     accepts(system) → Status             fails with the reason if the method must not integrate this system
 ///
 /// A method with steps of fixed size (adaptive = false) also has

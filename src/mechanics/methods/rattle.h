@@ -35,10 +35,27 @@
 /// strain is constant and the mean of the strains at q_n and q_{n+1}. The splitting is symmetric and of order 2. It
 /// does not need additional force evaluations.
 ///
+/// If the constraint is compliant (constrained_system.h), an energy B(g) with b = DB replaces the condition g = 0. The
+/// step is then that of the discrete Lagrangian with B at the mean of g at both ends of the step:
+///
+///   v_{n+1/2} = v_n + (h/2) M⁻¹[f(q_n) + G(q_n)ᵀ λ],   q_{n+1} = q_n + h v_{n+1/2},   λ = −b((g_n + g_{n+1})/2),
+///   v_{n+1}   = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}) + G(q_{n+1})ᵀ λ].
+///
+/// The step is symplectic, symmetric and of order 2. It keeps linear and angular momentum, because it is invariant
+/// under the motions of space. Only b is implicit. For linear b, the step is stable if hω ≤ 2 for the frequencies ω of
+/// f alone, for every stiffness κ of B. As κ → ∞, the step becomes that of the constraint g = 0. Newton's iteration for
+/// λ has the residual r = (2/κ)(b + λ), and b ≈ κg:
+///
+///   [G(q) M⁻¹ G(q_n)ᵀ + 4/(κh²)] δ = −r,   v ← v + M⁻¹G(q_n)ᵀδ/h,   q ← q + M⁻¹G(q_n)ᵀδ,   λ ← λ + 2δ/h².
+///
+/// The reactions of two successive half steps act at one position. `advance` therefore leaves the second one to the
+/// next step, and `project_velocity` adds it at samples.
+///
 /// The increments of q and v are small compared with q and v. If the type of vectors permits, they are added with
 /// compensation (vector_space.h), which leaves the remainders q_rounding and v_rounding. If `resolves_rounding` is true
 /// for the system (constrained_system.h), the constraint is solved for the sum q + q_rounding.
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -55,7 +72,7 @@ struct Rattle {
   static constexpr int order = 2;
   static constexpr int n_stages = 1;
   static constexpr bool symplectic = true, symmetric = true;
-  static constexpr bool adaptive = false, chosen_by_auto = true, takes_any_vector = true;
+  static constexpr bool adaptive = false, chosen_by_auto = true, takes_any_vector = true, takes_compliance = true;
   /// Largest hω of the harmonic oscillator for which the step is stable.
   static constexpr double stability_limit = 2.0;
 
@@ -110,6 +127,8 @@ struct Rattle {
     w.pending_weight = h / 2;
     ++w.counters.n_substeps;
     if (velocity_dependent(system)) {
+      if (is_compliant(system))
+        if (Status status = project_velocity(system, state, w); !status) return status;
       scale(-1.0, w.settling.half);
       axpy(2.0, state.v, w.settling.half);
       std::swap(w.settling.half, state.v);
@@ -164,6 +183,8 @@ struct Rattle {
       return {};
     } else {
       w.q_start = state.q;
+      if constexpr (Compliant<S>)
+        if (is_compliant(system)) return move_against_compliance(system, h, state, w);
       const double weight = w.pending_weight + h / 2;
       w.history.guess(state.t, w.impulse);
       scale(weight, w.impulse);
@@ -187,6 +208,58 @@ struct Rattle {
       record_multiplier(state.t, weight, h, w);
       return {};
     }
+  }
+
+  /// Adds h v_{n+1/2} to q, with the multiplier λ of a compliant constraint, and records λ. On entry, v is v_n +
+  /// (h/2)M⁻¹f, without the reaction of the second half of the step before. Fails if the constraint or a Gram solve
+  /// fails, or if the iteration does not converge.
+  template <Compliant S>
+  static Status move_against_compliance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
+    const double kappa = system.constraint_stiffness();
+    // An error δ of q is the error δ/h of v, which no projection removes. It matters for the least tolerance only.
+    const double least = system.constraint_tolerance();
+    const double tolerance =
+        w.constraint_tolerance > least ? w.constraint_tolerance : std::min(1.0, std::abs(h)) * least;
+    if (!w.compliance.g_known)
+      if (Status status = system.constraint(state.q, w.compliance.g_end); !status) return status;
+    std::swap(w.compliance.g_start, w.compliance.g_end);
+    w.compliance.g_known = false;
+    auto &lambda = w.compliance.lambda, &mean = w.compliance.mean;
+    w.history.guess(state.t + h / 2, lambda);
+    w.impulse = lambda;
+    scale(h / 2, w.impulse);
+    axpy(w.pending_weight, w.history.values[0], w.impulse);
+    detail::set_reaction(system, w.q_start, w.impulse, w.system, w.constraint);
+    add(1.0, w.constraint.reaction, state.v, w.v_rounding);
+    add(h, state.v, state.q, w.q_rounding);
+    const auto evaluate = [&] {
+      Status status = system.constraint(state.q, w.compliance.g_end);
+      if (!status) return status;
+      mean = w.compliance.g_start;
+      axpy(1.0, w.compliance.g_end, mean);
+      scale(0.5, mean);
+      system.constraint_force(mean, w.constraint.residual);
+      axpy(1.0, lambda, w.constraint.residual);
+      scale(2 / kappa, w.constraint.residual);
+      return status;
+    };
+    const auto apply = [&] {
+      axpy(2 / (h * h), w.constraint.delta, lambda);
+      scale(1 / h, w.constraint.reaction);
+      add(1.0, w.constraint.reaction, state.v, w.v_rounding);
+      add(h, w.constraint.reaction, state.q, w.q_rounding);
+      ++w.counters.n_position_iterations;
+    };
+    w.system.gram_shift = 4 / (kappa * h * h);
+    Status status =
+        detail::meet_constraint(system, "position", tolerance, state.q, w.q_start, w.system, w.constraint, evaluate,
+                                apply, [&] { return detail::noise_of_constraint(system, state.q); });
+    w.system.gram_shift = 0;
+    w.counters.n_gram_iterations += std::exchange(w.constraint.n_gram_iterations, 0);
+    if (!status) return status;
+    w.compliance.g_known = true;
+    w.history.record(state.t + h / 2, lambda);
+    return {};
   }
 
   /// Returns the tolerance of |g|_∞ in a step. If sums are not compensated, the result is w.constraint_tolerance. If

@@ -22,10 +22,15 @@ namespace pseudorigid::mechanics {
 
 struct RattleVelocity {
   /// Repeats v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v until |G v|_∞ is at most w.constraint_tolerance or round-off. This projection
-  /// completes the step of RATTLE. Fails if a Gram solve fails or the projection does not converge. Does nothing
-  /// without constraints.
+  /// completes the step of RATTLE. If the constraint is compliant, adds the pending reaction to v instead. Fails if a
+  /// Gram solve fails or the projection does not converge. Does nothing without constraints.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
+    if constexpr (Compliant<S>)
+      if (is_compliant(system)) {
+        add_pending_reaction(system, state, w);
+        return {};
+      }
     if constexpr (!unconstrained<S>) {
       w.constraint.direction_known = false;
       const auto apply = [&] {
@@ -78,6 +83,19 @@ struct RattleVelocity {
   }
 
  private:
+  /// Adds the reaction of a compliant constraint in the second half of the last step to v, unless v already contains
+  /// it.
+  template <Compliant S>
+  static void add_pending_reaction(const S& system, State<S>& state, RattleWorkspace<S>& w) {
+    if (w.pending_weight == 0) return;
+    w.impulse = w.history.values[0];
+    scale(w.pending_weight, w.impulse);
+    detail::set_reaction(system, state.q, w.impulse, w.system, w.constraint);
+    add(1.0, w.constraint.reaction, state.v, w.v_rounding);
+    w.pending_weight = 0;
+    ++w.counters.n_projections;
+  }
+
   /// Sets w.acceleration to f at the state, and fails if the force fails. If the damping is linear and no force depends
   /// on time, f(q, v) is the sum of f(q, 0) and the damping. The first call at q stores f(q, 0), so the iterations for
   /// v evaluate only the damping again.

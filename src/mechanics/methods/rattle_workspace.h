@@ -49,6 +49,28 @@ struct VelocityIteration {
   }
 };
 
+/// Multipliers of a step with a compliant constraint (rattle.h). They are empty for a rigid constraint.
+template <class S>
+struct ComplianceTemporaries {};
+template <Compliant S>
+struct ComplianceTemporaries<S> {
+  explicit ComplianceTemporaries(const S& system) {
+    if (!is_compliant(system)) return;
+    g_start = g_end = mean = lambda = system.make_multiplier();
+  }
+  typename S::Multiplier g_start, g_end;  // g at both ends of a step
+  typename S::Multiplier mean, lambda;    // (g_n + g_{n+1})/2 and λ
+  bool g_known = false;                   // true if g_end belongs to the state
+};
+
+template <class S>
+ComplianceTemporaries<S> make_compliance([[maybe_unused]] const S& system) {
+  if constexpr (Compliant<S>)
+    return ComplianceTemporaries<S>(system);
+  else
+    return {};
+}
+
 /// Temporaries, cached values and initial guesses of one integration.
 template <ConstrainedSystem S>
 struct RattleWorkspace {
@@ -63,6 +85,7 @@ struct RattleWorkspace {
         constraint(system),
         impulse(system.make_multiplier()),
         history(system),
+        compliance(make_compliance(system)),
         constraint_tolerance(system.constraint_tolerance()) {}
 
   typename S::Workspace system;
@@ -73,6 +96,7 @@ struct RattleWorkspace {
   detail::ConstraintTemporaries<S> constraint;
   typename S::Multiplier impulse;  // Λ; after record_multiplier (rattle.h) the multiplier λ
   MultiplierHistory<S> history;
+  [[no_unique_address]] ComplianceTemporaries<S> compliance;
   double constraint_tolerance;      // permitted |g|_∞ and |G v|_∞; by default system.constraint_tolerance()
   double pending_weight = 0;        // length of the last half step, if its reaction is not yet in v; otherwise 0
   double acceleration_time = 0;     // time at which `acceleration` was computed

@@ -124,6 +124,7 @@ class TangentOperator {
   /// fails.
   Status project(MassPair<S>& x) {
     if constexpr (!unconstrained<S>) {
+      if (!is_constrained(system_)) return {};
       system_.constraint_rate(state_.q, x.u, residual_);
       scale(-1.0, residual_);
       if (auto report = system_.solve_gram(state_.q, state_.q, residual_, workspace_, delta_); !report.status)
@@ -207,7 +208,8 @@ int most_directions(const S& system) {
   if constexpr (VectorSpace<typename S::Vector>::dense) {
     auto vector = system.make_vector();
     auto multiplier = system.make_multiplier();
-    return static_cast<int>(local_values(vector).size()) - static_cast<int>(local_values(multiplier).size());
+    const std::size_t n_constraints = is_constrained(system) ? local_values(multiplier).size() : 0;
+    return static_cast<int>(local_values(vector).size() - n_constraints);
   }
   return std::numeric_limits<int>::max();
 }

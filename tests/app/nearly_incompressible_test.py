@@ -1,0 +1,74 @@
+#!/usr/bin/python3
+"""Nearly incompressible bodies: a projected bulk term in both models with non-affine motions."""
+import unittest
+
+from program_test import ProgramTest, main
+from refused_input import RefusedInputTest
+
+RELEASE = {"Body/Incompressible": "false", "Material/Lame lambda": 1e5, "Material/Bulk": "projected", "Continuum/Degree": 3,
+           "Continuum/Error estimate": "none", "Initial state/Velocity": "0.3, 0, 0; 0, 0.3, 0; 0, 0, -0.6", "Time/End": 1,
+           "Output/Samples": 10, "Time/Tolerance": 1e-4}
+
+
+class NearlyIncompressible(ProgramTest):
+    def run_of(self, name, entries):
+        self.scene({**RELEASE, **entries})
+        self.run_done("run", "scene.prm", "--output", name)
+        return self.json(name, "manifest.json")["models"]
+
+    def test_is_between_the_pointwise_law_and_the_incompressible_body(self):
+        """At lambda = 1e5 mu the pointwise form takes far more steps, and the motion is incompressible to 1e-4."""
+        models = "reduced, polynomial, continuum"
+        projected = self.run_of("projected", {"Models": models, "Polynomial/Degree": "1, 3"})
+        pointwise = self.run_of("pointwise", {"Models": models, "Polynomial/Degree": "1, 3", "Material/Bulk": "pointwise"})
+        self.run_of("incompressible", {"Models": models, "Polynomial/Degree": "1, 3", "Body/Incompressible": "true", "Material/Bulk": "auto"})
+        for model in "polynomial", "continuum":
+            self.assertTrue(projected[model]["method"].startswith("rattle"), projected[model]["method"])
+            self.assertLess(20 * projected[model]["counters"]["forces"], pointwise[model]["counters"]["forces"])
+            self.assertNotIn("max_scaled_constraint", projected[model]["counters"])
+        def distance(a, b, model):
+            tables = (self.table(name, f"{model}.csv").column("Q33") for name in (a, b))
+            return max(abs(x - y) for x, y in zip(*tables))
+
+        for model in "polynomial-1", "polynomial", "continuum":
+            self.assertLess(distance("projected", "incompressible", model), 3e-4)
+        # Of degree 1, det F is uniform, and both forms are the same. The pointwise form locks at degree 3, and hardly in elements.
+        self.assertLess(distance("projected", "pointwise", "polynomial-1"), 3e-4)
+        self.assertGreater(distance("projected", "pointwise", "polynomial"), 0.05)
+        self.assertLess(distance("projected", "pointwise", "continuum"), 2e-3)
+        energy = self.table("projected", "continuum.csv").column("energy")
+        self.assertLess(max(abs(e - energy[0]) for e in energy), 1e-3 * energy[0])
+
+    def test_auto_projects_if_this_takes_less_time(self):
+        for modulus, words in ((1e5, "implicit in time"), (100, "at each point")):
+            self.scene({**RELEASE, "Models": "continuum", "Material/Bulk": "auto", "Material/Lame lambda": modulus})
+            self.assertIn(words, self.run_done("check", "scene.prm").stdout)
+
+    def test_resumes(self):
+        entries = {"Models": "polynomial, continuum", "Material/Viscosity": 0.01, "Loads/Pressure": 0.2, "Time/Step": 0.01,
+                   "Time/Method": "rattle"}
+        self.run_of("whole", entries)
+        self.run_of("part", {**entries, "Time/End": 0.5, "Output/Samples": 5})
+        self.scene({**RELEASE, **entries})
+        self.run_done("run", "scene.prm", "--output", "part", "--resume")
+        for model in "polynomial", "continuum":
+            self.assertEqual(self.table("part", f"{model}.csv").rows, self.table("whole", f"{model}.csv").rows, model)
+
+    def test_draws_the_pressure(self):
+        self.run_of("pictures", {"Models": "continuum", "Output/Graphics": "vtu", "Output/Frames": 2})
+        self.assertTrue(list((self.scratch / "pictures").rglob("*.vtu")))
+
+
+class RefusedBulk(RefusedInputTest):
+    def test_refused(self):
+        for entries, words in (
+                ({"Body/Incompressible": "true"}, ("Material/Bulk", "incompressible")),
+                ({"Material/Law": "saint-venant-kirchhoff"}, ("Material/Bulk", "law")),
+                ({"Time/Method": "symmetric-4"}, ("Material/Bulk", "rattle")),
+                ({"Continuum/Degree": 1}, ("Material/Bulk", "degree"))):
+            with self.subTest(entries):
+                self.refused_entries({**RELEASE, "Models": "continuum", **entries}, *words)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,184 @@
+/// Nearly incompressible polynomial bodies: a projected bulk term that RATTLE integrates implicitly. Degree 1 has one
+/// value of det F, so its projection is exact, and the body of the pointwise law is the reference.
+
+#include <gtest/gtest.h>
+
+#include "mechanics/core/memory.h"
+#include "mechanics/steps/largest_frequency.h"
+#include "mechanics/steps/step_size.h"
+#include "polynomial/motions.h"
+#include "support/conserved.h"
+#include "support/method_lists.h"
+#include "support/order_test.h"
+
+namespace pseudorigid::testing {
+namespace {
+
+IncompressibleBody body_with_bulk(double lambda, const Planes& planes, int degree = 3) {
+  return IncompressibleBody(BodySetup{
+      .degree = degree, .reflect = planes, .law = materials::CiarletGeymonat{1, 0}, .projected_bulk = lambda});
+}
+
+/// A start that changes the volume at once.
+State<IncompressibleBody> breathing(const IncompressibleBody& body) {
+  State<IncompressibleBody> state = pulsating(body);
+  state.v += 0.1 * body.affine(Matrix3d::Identity());
+  return state;
+}
+
+struct NearlyIncompressible {
+  using System = IncompressibleBody;
+  IncompressibleBody body = body_with_bulk(20, all_planes);
+  const System& system() const { return body; }
+  State<System> initial() const { return breathing(body); }
+  double end() const { return 0.4; }
+  std::vector<long> step_counts(int order) const {
+    if (order == 2) return {200, 400, 800, 1600};
+    if (order == 4) return {40, 57, 80, 113, 160, 226};
+    if (order == 6) return {34, 40, 48, 57, 67, 80, 95};
+    return {34, 37, 40, 44, 48, 52};
+  }
+  long n_reference_steps() const { return 240; }
+};
+
+/// Steps of RATTLE at this part of the limit of the elastic waves without the bulk term.
+double stable_step(const IncompressibleBody& body, const State<IncompressibleBody>& state, double part) {
+  auto workspace = body.make_workspace();
+  const auto report = mechanics::largest_frequency(body, state, workspace, 60);
+  EXPECT_TRUE(report.status);
+  return part * mechanics::Rattle::stability_limit / report.omega;
+}
+
+double energy_of(const IncompressibleBody& body, const State<IncompressibleBody>& state) {
+  return body.kinetic_energy(state.v) + body.potential_energy(state.q);
+}
+
+}  // namespace
+
+using NearlyIncompressibleOrders = OrderCases<NearlyIncompressible, Symplectic>;
+INSTANTIATE_TYPED_TEST_SUITE_P(NearlyIncompressible, MethodOrder, NearlyIncompressibleOrders);
+
+TEST(NearlyIncompressibleBody, OfDegree1IsTheBodyOfThePointwiseLaw) {
+  const double lambda = 50;
+  const auto body = body_with_bulk(lambda, all_planes, 1);
+  const CompressibleBody pointwise(
+      BodySetup{.degree = 1, .reflect = all_planes, .law = materials::CiarletGeymonat{1, lambda}});
+  State<IncompressibleBody> start = breathing(body);
+  start.q *= 1.02;
+  const State<CompressibleBody> same{start.t, start.q, start.v};
+  EXPECT_NEAR(body.potential_energy(start.q), pointwise.potential_energy(start.q), 1e-12);
+
+  auto workspace = body.make_workspace();
+  CompressibleBody::Workspace none;
+  VectorXd lambda_of_motion = body.make_multiplier(), f = body.make_vector(), expected = f;
+  ASSERT_TRUE(mechanics::multiplier_of_motion(body, start, workspace, lambda_of_motion));
+  ASSERT_TRUE(body.force(0, start.q, start.v, workspace, f));
+  body.add_reaction(start.q, lambda_of_motion, f);
+  ASSERT_TRUE(pointwise.force(0, start.q, start.v, none, expected));
+  EXPECT_LT((f - expected).cwiseAbs().maxCoeff(), 1e-11);
+  EXPECT_GT(expected.cwiseAbs().maxCoeff(), 1);
+
+  const auto projected = run<mechanics::Rattle8>(body, start, 2, 4, 100);
+  const auto reference = run<mechanics::Rattle8>(pointwise, same, 2, 4, 200);
+  ASSERT_TRUE(projected.finished() && reference.finished()) << projected.result.reason;
+  for (std::size_t k = 0; k < reference.states.size(); ++k)
+    EXPECT_LT(distance(projected.states[k], reference.states[k]), 1e-8) << k;
+}
+
+/// The difference from the incompressible body is proportional to 1/λ.
+TEST(NearlyIncompressibleBody, BecomesIncompressible) {
+  const auto rigid = elastic_body<IncompressibleBody>(all_planes);
+  const auto start = pulsating(rigid);
+  const auto reference = run<mechanics::Rattle8>(rigid, start, 1.5, 1, 150);
+  ASSERT_TRUE(reference.finished());
+  std::vector<double> differences;
+  for (const double lambda : {1e4, 1e5, 1e6}) {
+    const auto soft = run<mechanics::Rattle8>(body_with_bulk(lambda, all_planes), start, 1.5, 1, 150);
+    ASSERT_TRUE(soft.finished()) << soft.result.reason;
+    differences.push_back((soft.last().q - reference.last().q).cwiseAbs().maxCoeff());
+  }
+  EXPECT_LT(differences[0], 1e-3);
+  EXPECT_NEAR(std::log10(differences[0] / differences[1]), 1, 0.15);
+  EXPECT_NEAR(std::log10(differences[1] / differences[2]), 1, 0.15);
+}
+
+/// λ = 10⁶: pressure waves are a thousand times as fast as shear waves, and do not limit the step.
+TEST(NearlyIncompressibleBody, StepIsThatOfShearWaves) {
+  for (const Planes& planes : {all_planes, no_planes}) {
+    const auto body = body_with_bulk(1e6, planes);
+    const auto start = pulsating(body);
+    const double h = stable_step(body, start, 0.7), end = 400 * h;
+    EXPECT_GT(h, 0.1);
+    const auto r = run<mechanics::Rattle>(body, start, end, 400, 1);
+    ASSERT_TRUE(r.finished()) << r.result.reason;
+    const double E = energy_of(body, start), J = departures(body, r.states).momenta;
+    EXPECT_LT(J, 1e-13);
+    for (const auto& state : r.states) EXPECT_NEAR(energy_of(body, state), E, 0.1 * E);
+  }
+}
+
+TEST(NearlyIncompressibleBody, ReturnsWhereItCameFromWhenTimeIsReversed) {
+  const auto body = body_with_bulk(1e3, no_planes);
+  const auto start = breathing(body);
+  const auto there = run<mechanics::Rattle4>(body, start, 3, 1, 150);
+  ASSERT_TRUE(there.finished()) << there.result.reason;
+  auto turned = there.last();
+  turned.v = -turned.v;
+  auto back = run<mechanics::Rattle4>(body, turned, 3, 1, 150).last();
+  back.v = -back.v;
+  EXPECT_GT(distance(there.last(), start), 0.1);
+  EXPECT_LT(distance(back, start), 1e-10);
+}
+
+TEST(NearlyIncompressibleBody, ResumesBitByBit) {
+  using Method = mechanics::Rattle4;
+  const auto body = body_with_bulk(1e3, all_planes);
+  State<IncompressibleBody> state = breathing(body);
+  Method::Workspace<IncompressibleBody> workspace(body), other(body);
+  for (int k = 0; k < 20; ++k) ASSERT_TRUE(Method::advance(body, 0.02, state, workspace));
+  std::vector<double> memory;
+  mechanics::save_memory(workspace, memory);
+  ASSERT_TRUE(mechanics::restore_memory(other, memory));
+  State<IncompressibleBody> resumed = state;
+  for (int k = 0; k < 20; ++k) {
+    ASSERT_TRUE(Method::advance(body, 0.02, state, workspace));
+    ASSERT_TRUE(Method::advance(body, 0.02, resumed, other));
+    ASSERT_EQ(distance(state, resumed), 0) << k;
+  }
+}
+
+/// Only RATTLE and its compositions integrate the bulk term.
+TEST(NearlyIncompressibleBody, OtherMethodsDoNotFit) {
+  const auto body = body_with_bulk(1e3, all_planes), rigid = elastic_body<IncompressibleBody>(all_planes);
+  mechanics::for_each_method([&]<class Method>(Method) {
+    if constexpr (mechanics::method_fits<Method, IncompressibleBody>()) {
+      EXPECT_EQ(mechanics::fits<Method>(body), Method::symplectic) << Method::name;
+      EXPECT_TRUE(mechanics::fits<Method>(rigid)) << Method::name;
+    }
+  });
+}
+
+/// Viscosity and drag, with the velocity solved implicitly: the energy that is dissipated is the energy that is lost.
+TEST(NearlyIncompressibleBody, DissipatesWhatItLoses) {
+  loads::Loads loads;
+  loads.get<loads::Viscosity>().viscosity = 0.1;
+  loads.get<loads::Drag>().drag = 0.05;
+  const IncompressibleBody body(BodySetup{.degree = 3,
+                                          .reflect = all_planes,
+                                          .law = materials::CiarletGeymonat{1, 0},
+                                          .projected_bulk = 1e3,
+                                          .loads = loads});
+  const auto start = breathing(body);
+  const double E = energy_of(body, start);
+  std::vector<double> errors;
+  for (const long n : {100L, 200L}) {
+    const auto r = run<mechanics::Rattle>(body, start, 2, 1, n);
+    ASSERT_TRUE(r.finished()) << r.result.reason;
+    const double taken = body.dissipated(r.last().v);
+    EXPECT_GT(taken, 0.05 * E);
+    errors.push_back(std::abs(energy_of(body, r.last()) + taken - E));
+  }
+  EXPECT_LT(errors[1], 0.02 * E);
+}
+
+}  // namespace pseudorigid::testing
