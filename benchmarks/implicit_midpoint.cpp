@@ -113,6 +113,11 @@ class Motion {
       }
       change = correct(h, moved, *factors, z);
       ++n_iterations;
+      if (!std::isfinite(change)) {  // the guess or an iterate is not admissible
+        z = {moved, past.empty() ? ball_.make_multiplier() : past.front().lambda};
+        factors.reset();
+        continue;
+      }
       if (change >= tolerance && change > slow * before) factors.reset();
       before = change;
     }
@@ -134,13 +139,14 @@ class Motion {
   double seconds_in_factors = 0;
 
  private:
-  /// One modified Newton iteration. Returns the largest change of a coordinate.
+  /// One modified Newton iteration. Returns the largest change of a coordinate, or infinity if a force or the
+  /// constraint fails.
   double correct(double h, const Vector& moved, const StepMatrix& factors, Unknowns& z) {
     const double gamma = factors.penalty;
     Vector middle = q_, f = ball_.make_vector(), inertia = z.q, g = ball_.make_multiplier(), rate = g;
     middle.sadd(0.5, 0.5, z.q);
-    require(ball_.force_with_reaction(0, middle, v_, z.lambda, workspace_, f));
-    require(ball_.constraint(z.q, g));
+    if (!ball_.force_with_reaction(0, middle, v_, z.lambda, workspace_, f) || !ball_.constraint(z.q, g))
+      return HUGE_VAL;
     inertia -= moved;
     ball_.apply_mass(inertia, inertia);
     f.sadd(2, -4 / (h * h), inertia);

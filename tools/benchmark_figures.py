@@ -147,7 +147,8 @@ def draw_three_programs(data, images):
     if not rows:
         return None
     figure, axes = make()
-    for program, colour, marker in (("pseudorigid", "#0072B2", "o"), ("FEniCSx", "#D55E00", "s"), ("GetFEM", "#009E73", "^")):
+    for program, colour, marker in (("pseudorigid", "#0072B2", "o"), ("midpoint inside", "#CC79A7", "D"), ("FEniCSx", "#D55E00", "s"),
+                                    ("GetFEM", "#009E73", "^")):
         points = [(float(r["seconds"]), float(r["error"])) for r in rows if r["program"] == program]
         axes.loglog(*zip(*points), color=colour, marker=marker, markersize=4, linestyle="", alpha=0.4)
         axes.loglog(*zip(*front(points)), color=colour, marker=marker, markersize=6, linewidth=1.6, label=program)

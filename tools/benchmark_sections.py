@@ -143,7 +143,7 @@ def errors_of_the_ball(data):
          None, ["nearly_incompressible"]),
         ("Elastic ball at rest in a trap", "figures",
          ["Figure of equilibrium of the neo-Hookean ball under the force −ρ T x, T = diag(0.6, 0.6, 0). pseudorigid: processor time of "
-          "the process less that of a start and of the start of the libraries. The last column also has the small motions about the "
+          "the process less that of a start. The last column also has the small motions about the "
           "figure, and both again on a companion mesh. FEniCSx: Newton's iteration with factors by MUMPS, from the first assembly to the "
           "last solution."],
          None, ["static_figures"]),

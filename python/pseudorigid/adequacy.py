@@ -76,6 +76,8 @@ def compared_figures(rows: Rows) -> Rows:
         return {name: value for name, value in values.items() if np.any(np.nan_to_num(value) != 0)}
 
     reference = measures("continuum")
+    if "continuum_axes_error" not in rows:
+        raise WrongInput("the sweep has no errors of the elements; use Continuum/Error estimate = auto")
     # Both axes may be wrong by axes_error, in opposite directions.
     bar = 2 * column("continuum_axes_error") / np.minimum(column("continuum_a1"), column("continuum_a3")) / np.abs(reference["strain"])
     for model in TITLES:

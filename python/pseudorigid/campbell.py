@@ -31,6 +31,8 @@ def families(run: Run) -> dict[str, Family]:
         degrees = columns.get("degree", np.zeros(len(columns["kind"])))
         for degree in np.unique(degrees):
             rows = (degrees == degree) & (columns["kind"] == 0)
+            if "growth_rate" not in columns:
+                raise WrongInput(f"{run.directory}/{name}.csv has no small motions; use Equilibrium/Small motions = true")
             found[f"{model}-{degree:.0f}" if model == "polynomial" else model] = {key: values[rows] for key, values in columns.items()}
     if not found:
         raise WrongInput(f"{run.directory} has no table of a family; run a scene with Analysis = equilibrium and without a sweep")

@@ -7,62 +7,66 @@
 #include "materials/bulk_energy.h"
 #include "materials/rest_moduli.h"
 #include "scene/scales.h"
+#include "scene/stabilization.h"
 
 namespace pseudorigid::scene {
 namespace {
 
-bool is_method_for_projection(const Scene& scene) {
-  const std::string_view method = scene.time.method;
-  return method == automatic || method.starts_with("rattle");
+constexpr double least_ratio = 100, least_ratio_of_auto = 3000;
+
+/// The ratio λ/μ of the modulus of the bulk term to the shear modulus; empty if the law has no bulk term.
+std::optional<double> ratio_of_moduli(const Scene& scene) {
+  const auto split = materials::without_bulk(law_of(scene));
+  if (!split) return {};
+  return split->lambda / materials::moduli_at_rest(split->rest, true).shear;
+}
+
+bool runs(const Scene& scene, std::string_view model) {
+  return std::ranges::find(scene.models, model) != scene.models.end();
+}
+
+/// The reason why the bulk term of a compressible body cannot be projected; empty if it can.
+const char* obstacle(const Scene& scene) {
+  const auto ratio = ratio_of_moduli(scene);
+  if (!ratio) return "this law has no bulk term that depends on det F alone, so there is nothing to project";
+  if (*ratio < least_ratio) return "a projected bulk term is for Lame lambda of at least 100 shear moduli";
+  if (runs(scene, "continuum") && scene.continuum.degree == 1)
+    return "the projection needs elements of degree 2 or more";
+  if (scene.time.method != automatic && scene.time.method != "rattle")
+    return "only the method rattle integrates a projected bulk term, which is implicit in time";
+  if (starts_from_own_figure(scene)) return "figures have a pointwise bulk term, and so have motions from them";
+  return nullptr;
 }
 
 }  // namespace
 
 bool projects_bulk(const Scene& scene) {
-  constexpr double least_ratio = 3000;
   const Bulk asked = scene.material.bulk;
   if (scene.body.incompressible || scene.analysis != Analysis::motion || asked == Bulk::pointwise) return false;
   if (asked == Bulk::projected) return true;
-  const auto split = materials::without_bulk(law_of(scene));
-  if (!split || scene.continuum.degree == 1 || !is_method_for_projection(scene) || starts_from_own_figure(scene))
-    return false;
-  return split->lambda >= least_ratio * materials::moduli_at_rest(split->rest, true).shear;
+  return !obstacle(scene) && *ratio_of_moduli(scene) >= least_ratio_of_auto;
 }
 
-std::optional<std::string> warning_of_locking(const Scene& scene, bool has_polynomial_bodies) {
-  constexpr double least_ratio = 30;
+std::optional<std::string> warning_of_locking(const Scene& scene) {
   constexpr int first_degree = 3, last_degree = 5;
-  if (!has_polynomial_bodies || scene.body.incompressible || scene.analysis != Analysis::motion || projects_bulk(scene))
+  constexpr double large = 0.01;  // violence of a large motion
+  if (!runs(scene, "polynomial") || scene.body.incompressible || scene.analysis != Analysis::motion ||
+      projects_bulk(scene))
     return {};
   const bool is_of_low_degree =
       std::ranges::any_of(scene.polynomial.degrees, [](int N) { return first_degree <= N && N <= last_degree; });
-  const auto split = materials::without_bulk(law_of(scene));
-  if (!is_of_low_degree || !split) return {};
-  const double ratio = split->lambda / materials::moduli_at_rest(split->rest, true).shear;
-  if (!(ratio >= least_ratio)) return {};
+  if (!is_of_low_degree || obstacle(scene) || violence_of_start(scene) < large) return {};
   return fmt::format(
       "Material/Bulk: in large motions polynomial bodies of degree {} to {} lock at lambda/mu = {:.3g}; projected "
       "avoids it",
-      first_degree, last_degree, ratio);
+      first_degree, last_degree, *ratio_of_moduli(scene));
 }
 
 std::optional<Refusal> refuses_bulk(const Scene& scene) {
   if (scene.material.bulk != Bulk::projected) return {};
-  const Refusal refusal{"Material/Bulk", "", {{{"Material/Bulk", "auto"}}}};
-  const auto because = [&](const char* reason) {
-    Refusal result = refusal;
-    result.sentence = reason;
-    return result;
-  };
-  if (scene.body.incompressible) return because("an incompressible body has no bulk term");
-  if (!materials::without_bulk(law_of(scene)))
-    return because("this law has no bulk term that depends on det F alone, so there is nothing to project");
-  if (scene.continuum.degree == 1) return because("the projection needs elements of degree 2 or more");
-  if (!is_method_for_projection(scene))
-    return because("only the methods rattle integrate a projected bulk term, which is implicit in time");
-  if (starts_from_own_figure(scene))
-    return because("figures have a pointwise bulk term, and so have motions from them");
-  return {};
+  const char* reason = scene.body.incompressible ? "an incompressible body has no bulk term" : obstacle(scene);
+  if (!reason) return {};
+  return Refusal{"Material/Bulk", reason, {{{"Material/Bulk", "auto"}}}};
 }
 
 }  // namespace pseudorigid::scene

@@ -14,16 +14,17 @@
 namespace pseudorigid::scene {
 
 /// True if models with non-affine motions have a projected bulk term. This is the case for motions of a compressible
-/// body if the entry Material/Bulk is `projected`. If the entry is `auto`, λ must also be at least 3000 μ, and the
-/// scene must not ask for a method or an element that does not admit the projection.
+/// body if the entry Material/Bulk is `projected`. It is also the case if the entry is `auto`, λ is at least 3000 μ,
+/// and refuses_bulk would accept `projected`.
 bool projects_bulk(const Scene& scene);
 
-/// A warning about a pointwise bulk term of polynomial bodies of degree 3 to 5 with λ ≥ 30 μ; otherwise empty. In large
-/// motions, these bodies then resist changes of shape too much (locking): measured for the release of
-/// benchmarks/nearly_incompressible.py until t = 1, their Q was wrong by 0.01 at λ = 30 μ and by 0.06 at λ = 1000 μ.
-std::optional<std::string> warning_of_locking(const Scene& scene, bool has_polynomial_bodies);
+/// A warning about a pointwise bulk term in a large motion of polynomial bodies of degree 3 to 5 if λ ≥ 100 μ;
+/// otherwise empty. These bodies resist changes of shape too much (locking). In the release of
+/// benchmarks/nearly_incompressible.py until t = 1, Q of degree 3 was wrong by 0.03 at λ = 100 μ and by 0.06 at 1000 μ.
+std::optional<std::string> warning_of_locking(const Scene& scene);
 
-/// The refusal of Material/Bulk = projected for a body or a law without a bulk term; otherwise empty.
+/// The refusal of Material/Bulk = projected; otherwise empty. The body, the law, the method, the elements, or a start
+/// from the own figure of a model may not admit it, and λ must be at least 100 μ.
 std::optional<Refusal> refuses_bulk(const Scene& scene);
 
 }  // namespace pseudorigid::scene

@@ -86,13 +86,13 @@ void visit_material(S& scene, Visit& visit) {
           About{entry.path, entry.is_modulus ? Unit("pressure") : Unit(), entry.documentation});
   visit(
       scene.material.bulk, bulk_kind,
-      About{
-          "Material/Bulk", "",
-          "How motions of compressible polynomial bodies and finite elements have the bulk term B of the law. "
-          "pointwise: at each point, explicit in time, with steps limited by pressure waves. projected: at the "
-          "projection of ln det F on the functions of the pressure, implicit in time by the methods rattle, with steps "
-          "limited by shear waves; no locking. auto: projected if Lame lambda is at least 3000 shear moduli. The "
-          "pseudo-rigid model has one value of det F, so both are the same for it, explicit in time."});
+      About{"Material/Bulk", "",
+            "How motions of compressible polynomial bodies and finite elements have the bulk term B of the law. "
+            "pointwise: at each point, explicit in time, with steps limited by pressure waves; elements and bodies of "
+            "low degree lock. projected: at the projection of ln det F on the functions of the pressure, implicit in "
+            "time by the method rattle, with steps limited by shear waves; it needs a lambda of at least 100 shear "
+            "moduli. auto: projected from 3000 shear moduli on, if law, method, degree and start admit it. The "
+            "pseudo-rigid model has one value of det F, so both are the same for it, explicit in time."});
 }
 
 template <SceneOrConst S, class Visit>

@@ -94,7 +94,7 @@ void describe_models(const Scene& scene, Needs& needs) {
              "pressure space: the body is compressible");
   if (!scene.body.incompressible && std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine))
     sort_out(needs, needs.pressure_space, "bulk term: of ln det F on the pressure space, implicit in time",
-             "projection of the bulk term: the law has it at each point (Material/Bulk)");
+             "projection of the bulk term: it is pointwise (Material/Bulk)");
   describe_stabilization(scene, needs);
   const loads::BodyFacts facts = facts_of_body(scene);
   scene.loads.for_each([&]<class L>(const L& load) {
@@ -126,7 +126,12 @@ void describe_output(const Scene& scene, Needs& needs) {
     needs.needed.push_back("tangent stiffness of finite elements: Newton's iteration with a factorisation, GMRES");
   else
     needs.skipped.push_back(
-        "tangent stiffness and preconditioners for it: every method is explicit in the elastic force");
+        fmt::format("tangent stiffness and preconditioners for it: every method is explicit in the elastic force{}",
+                    needs.pressure_space && !needs.constraint ? " but for the bulk term" : ""));
+  if (scene.analysis == Analysis::equilibrium && needs.discretized)
+    sort_out(needs, scene.continuum.error_estimate == ErrorEstimate::automatic,
+             "error of the elements: figures on a second mesh",
+             "error of the elements: Continuum/Error estimate is none; no second mesh");
   if (scene.analysis == Analysis::equilibrium && std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine))
     sort_out(needs, scene.equilibria.small_motions,
              "small motions about each figure: an eigenvalue problem for each class",
@@ -252,9 +257,7 @@ Needs needs(const Scene& scene) {
     if (auto warning = contact->warning(); !warning.empty()) needs.warnings.push_back(std::move(warning));
   }
   if (auto warning = warning_of_law(scene)) needs.warnings.push_back(*std::move(warning));
-  const bool has_polynomial_bodies = std::ranges::any_of(
-      needs.models, [](const ModelDescription* model) { return model->has_nonaffine && !model->discretized; });
-  if (auto warning = warning_of_locking(scene, has_polynomial_bodies)) needs.warnings.push_back(*std::move(warning));
+  if (auto warning = warning_of_locking(scene)) needs.warnings.push_back(*std::move(warning));
   for (std::string& warning : unit_warnings(scene)) needs.warnings.push_back(std::move(warning));
   return needs;
 }

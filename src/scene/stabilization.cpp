@@ -7,7 +7,6 @@
 
 #include "materials/rest_moduli.h"
 #include "mechanics/core/dense_algebra.h"
-#include "scene/bulk.h"
 #include "scene/scales.h"
 
 namespace pseudorigid::scene {
@@ -24,7 +23,7 @@ Eigen::Vector3d rates_of_confinement(const Scene& scene) {
 bool is_confined(const Scene& scene) { return rates_of_confinement(scene)[0] > 0; }
 
 double volumetric_stiffness(const Scene& scene) {
-  if (!scene.body.incompressible && !projects_bulk(scene)) return 0;
+  if (!scene.body.incompressible) return 0;
   if (const auto& asked = scene.continuum.volumetric_stiffness) return *asked;
   const auto& [radius, density] = std::pair(scene.body.radius, scene.body.density);
   const double mass_by_length = density * radius * radius;
@@ -55,7 +54,7 @@ double violence_of_start(const Scene& scene) {
 double volumetric_stiffness_of_elements(const Scene& scene) {
   constexpr double violent = 0.06, of_shear_modulus = 3;
   const double kappa = volumetric_stiffness(scene);
-  const bool chooses = (scene.body.incompressible || projects_bulk(scene)) && !scene.continuum.volumetric_stiffness &&
+  const bool chooses = scene.body.incompressible && !scene.continuum.volumetric_stiffness &&
                        scene.analysis == Analysis::motion && !is_fluid(scene);
   if (!chooses || !(violence_of_start(scene) > violent)) return kappa;
   const auto law = law_of(scene);

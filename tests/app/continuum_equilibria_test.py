@@ -133,7 +133,8 @@ class ContinuumEquilibria(ProgramTest):
 
     def test_figures_without_small_motions_and_errors(self):
         """The figures are the same; rates, stability and special points but folds are left out."""
-        entries = {**FIGURES, "Models": "reduced, polynomial, continuum", "Polynomial/Degree": 3}
+        entries = {**FIGURES, "Models": "reduced, polynomial, continuum", "Polynomial/Degree": 3, "Gravity/Gamma": 40 / 3,
+                   "Equilibrium/Family": "maclaurin", "Equilibrium/First": 0.8, "Equilibrium/Last": 0.93}
         tables = {}
         for name, other in (("all", {}), ("figures", {"Equilibrium/Small motions": "false", "Continuum/Error estimate": "none"})):
             self.scene({**entries, **other})
@@ -147,8 +148,12 @@ class ContinuumEquilibria(ProgramTest):
             self.assertEqual(missing[:5], ["growth_rate", "stable", "n_negative", "odd_in_z", "m"])
             self.assertEqual([c for c in missing[5:] if not c.startswith("rate")],
                              ["parameter_error", "omega3_error", "axes_error"] if model == "continuum" else [])
-            for column in part.header:
-                self.assertEqual(part.column(column), whole.column(column), (model, column))
+            of_kind = [i for i, kind in enumerate(whole.column("kind")) if kind == 0]
+            self.assertGreater(len(whole), len(of_kind))  # special points that need the small motions
+            for column in part.header[1:]:
+                if column != "residual":
+                    for a, i in zip(part.column(column), of_kind):
+                        self.assertAlmostEqual(a, whole.column(column)[i], delta=1e-8, msg=(model, column))
         self.assertIn("growth_rate", self.table("figures", "equilibria.csv").header)
         self.assertIn("Small motions", self.run_done("check", "scene.prm").stdout)
 

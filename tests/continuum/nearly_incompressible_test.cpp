@@ -14,7 +14,7 @@ namespace {
 using continuum::StoredEnergy;
 using continuum::Vector;
 
-StoredEnergy projected(double lambda, double kappa = 0) { return {neo_hookean, kappa, lambda}; }
+StoredEnergy projected(double lambda) { return {neo_hookean, 0, lambda}; }
 
 loads::Loads with_pressure() {
   loads::Loads loads;
@@ -39,7 +39,7 @@ TEST(NearlyIncompressibleBall, AffineStatesAreThoseOfThePointwiseLaw) {
       auto workspace = ball.make_workspace();
       auto none = pointwise.make_workspace();
       Vector multiplier = ball.make_multiplier(), f = ball.make_vector(), of_law = f;
-      ASSERT_TRUE(mechanics::multiplier_of_motion(ball, state, workspace, multiplier));
+      ASSERT_TRUE(mechanics::multiplier_of_compliance(ball, state.q, multiplier));
       ASSERT_TRUE(ball.force(0, state.q, state.v, workspace, f));
       ball.add_reaction(state.q, multiplier, f);
       ASSERT_TRUE(pointwise.force(0, state.q, state.v, none, of_law));
@@ -59,9 +59,8 @@ TEST(NearlyIncompressibleBall, ReactionIsTheDerivativeOfTheBulkEnergy) {
   a *= 0.02 / a.linfty_norm();
   Vector x = ball.affine_field(diagonal(1.1, 0.95, 1.05));
   x += a;
-  auto workspace = ball.make_workspace();
   Vector multiplier = ball.make_multiplier(), reaction = ball.make_vector();
-  ASSERT_TRUE(mechanics::multiplier_of_motion(ball, {0, x, ball.make_vector()}, workspace, multiplier));
+  ASSERT_TRUE(mechanics::multiplier_of_compliance(ball, x, multiplier));
   ball.add_reaction(x, multiplier, reaction);
   const double h = 1e-4, n_images = 8;
   Vector forwards = x, backwards = x;
@@ -73,13 +72,13 @@ TEST(NearlyIncompressibleBall, ReactionIsTheDerivativeOfTheBulkEnergy) {
 
 /// λ = 10⁵ and steps of the shear waves: momentum to round-off, energy without drift, and the same after a restart.
 TEST(NearlyIncompressibleBall, KeepsMomentumAndEnergyAndResumes) {
-  using Method = mechanics::Rattle4;
+  using Method = mechanics::Rattle;
   const ElasticBall ball(half, 3, 0, projected(1e5));
   Matrix3d Qdot;
   Qdot << 0.1, -0.3, 0, 0.3, 0.1, 0, 0, 0, -0.2;
   const auto start = affine_state(ball, Matrix3d::Identity(), Qdot);
   const auto before = observed(ball, start);
-  const auto r = run<Method>(ball, start, 3, 6, 25);
+  const auto r = run<Method>(ball, start, 3, 6, 50);
   ASSERT_TRUE(r.finished()) << r.result.reason;
   for (const auto& state : r.states) {
     const auto o = observed(ball, state);
@@ -121,15 +120,16 @@ TEST(NearlyIncompressibleBall, StepDoesNotDependOnTheBulkModulus) {
 /// lock at degree 7.
 TEST(NearlyIncompressibleBall, ConvergesToTheMotionOfThePointwiseLaw) {
   const Matrix3d Qdot = diagonal(0.3, 0.3, -0.6);
-  const auto Q33_of = [&](const auto& ball, long n) {
-    const auto r = run<mechanics::Rattle4>(ball, affine_state(ball, Matrix3d::Identity(), Qdot), 1, 1, n);
+  const auto Q33_of = [&]<class Ball>(const Ball& ball, long n) {
+    using Method = std::conditional_t<std::is_same_v<Ball, ElasticBall>, mechanics::Rattle, mechanics::Rattle4>;
+    const auto r = run<Method>(ball, affine_state(ball, Matrix3d::Identity(), Qdot), 1, 1, n);
     EXPECT_TRUE(r.finished()) << r.result.reason;
     return ball.mass_moment(r.last().q)(2, 2);
   };
   const double exact = Q33_of(CompressibleBall(octant, 7, 0, CiarletGeymonat{1, 100}), 1200);
   std::vector<double> errors;
   for (const int degree : {2, 3, 4})
-    errors.push_back(std::abs(Q33_of(ElasticBall(octant, degree, 0, projected(100)), 100) - exact));
+    errors.push_back(std::abs(Q33_of(ElasticBall(octant, degree, 0, projected(100)), 2000) - exact));
   EXPECT_LT(errors[0], 1e-2);
   EXPECT_LT(errors[2], 1e-4);
   EXPECT_LT(errors[2], errors[0] / 5);

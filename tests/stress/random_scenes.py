@@ -118,6 +118,10 @@ def ball(rng, with_continuum):
             entries["Gravity/Constant"] = repr(rate**2 / density * 10 ** rng.uniform(-2, 1))
             if rng.random() < 0.2 and not {"Material/Viscosity", "Loads/Nominal traction"} & entries.keys():
                 entries["Material/Law"] = "none"
+        if not incompressible and not law.startswith("saint-venant") and rng.random() < 0.4:
+            entries["Material/Bulk"] = rng.choice(("auto", "projected"))
+            entries["Material/Lame lambda"] = repr(modulus * 10 ** rng.uniform(2, 5))
+            entries["Continuum/Degree"] = max(2, entries["Continuum/Degree"])
         if incompressible and rng.random() < 0.15:
             entries["Continuum/Volumetric stiffness"] = repr(modulus * 10 ** rng.uniform(-2, 1))
     if rng.random() < 0.15:

@@ -48,6 +48,8 @@ SCENES = {
     "both models, loads and dissipation": {"Models": "reduced, continuum", **RELEASE, **LOADS},
     "both models on a plane": {"Models": "reduced, continuum", **RELEASE, **IMPACT},
     "both models, compressible": {"Models": "reduced, continuum", **RELEASE, "Body/Incompressible": "false"},
+    "both models, nearly incompressible": {"Models": "reduced, continuum", **RELEASE, "Body/Incompressible": "false",
+                                           "Material/Lame lambda": 1e4, "Material/Bulk": "projected"},
 }
 SYSTEMS = {
     "mass points": (POINTS, {}, 3), "mass points, damped": (DAMPED_POINTS, {}, 3), "double pendulum": (PENDULUM, {}, 2),

@@ -11,7 +11,7 @@ namespace pseudorigid::app {
 /// (scene/stabilization.h).
 inline continuum::StoredEnergy stored_energy(const scene::Scene& scene) {
   const double kappa = scene::volumetric_stiffness_of_elements(scene) / units_of(scene).stress();
-  const DiscreteLaw law = discrete_law(scene, kappa);
+  const DiscreteLaw law = discrete_law(scene);
   return {law.law, kappa, law.projected_bulk};
 }
 

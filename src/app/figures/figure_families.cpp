@@ -83,7 +83,8 @@ std::vector<std::string_view> affine_models(const scene::Scene& scene) {
 
 std::optional<scene::Refusal> refuses_loads_at_rest(const scene::Scene& scene, std::string_view model) {
   const loads::Forcing forcing = loads::constant_forcing(scene.loads);
-  if (forcing.viscosity > 0 || forcing.drag > 0) {
+  const bool finds_motions = scene.analysis != scene::Analysis::equilibrium || scene.equilibria.small_motions;
+  if (finds_motions && (forcing.viscosity > 0 || forcing.drag > 0)) {
     const char* entry = forcing.viscosity > 0 ? "Material/Viscosity" : "Material/Drag";
     return scene::Refusal{entry,
                           fmt::format("small motions about equilibria of {} are those without dissipation; the "

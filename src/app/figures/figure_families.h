@@ -27,9 +27,10 @@ std::optional<scene::Refusal> refuses_family(const scene::Scene& scene, std::str
 /// The names of the models with only affine motions that could run the scene.
 std::vector<std::string_view> affine_models(const scene::Scene& scene);
 
-/// The refusal of dissipation in an analysis of equilibria and, for equilibria at rest, of loads without the symmetry
-/// planes of the octant; otherwise empty. Figures are computed on one octant, whose planes exclude rigid motions of the
-/// body. `model` is the name of the models in messages. The remedy for loads is the pseudo-rigid model.
+/// The refusal of dissipation in an analysis of equilibria with small motions and, for equilibria at rest, of loads
+/// without the symmetry planes of the octant; otherwise empty. Figures are computed on one octant, whose planes exclude
+/// rigid motions of the body. `model` is the name of the models in messages. The remedy for loads is the pseudo-rigid
+/// model.
 std::optional<scene::Refusal> refuses_loads_at_rest(const scene::Scene& scene, std::string_view model);
 
 /// Name of a class of motions. Examples are "even in z, m = 2" for a spheroid, and "odd in z, even under the half turn"

@@ -33,7 +33,7 @@ inline std::optional<int> quadrature_points(const scene::Scene& scene, int degre
 /// X_i = 0 is computed. The other half is its mirror image.
 inline polynomial::BodySetup body_setup(const scene::Scene& scene, const std::array<bool, 3>& reflect, int degree) {
   const double kappa = scene::volumetric_stiffness(scene) / units_of(scene).stress();
-  const DiscreteLaw law = discrete_law(scene, kappa);
+  const DiscreteLaw law = discrete_law(scene);
   return {.degree = degree,
           .reflect = reflect,
           .semi_axes = to_eigen(scene.body.semi_axes),

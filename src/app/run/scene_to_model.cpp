@@ -72,11 +72,11 @@ materials::AnyLaw internal_law(const scene::Scene& scene) {
   return materials::make_law(material.law, internal, scene.body.incompressible);
 }
 
-DiscreteLaw discrete_law(const scene::Scene& scene, double kappa) {
+DiscreteLaw discrete_law(const scene::Scene& scene) {
   const materials::AnyLaw law = internal_law(scene);
   if (!scene::projects_bulk(scene)) return {law, 0};
   const materials::SplitLaw split = *materials::without_bulk(law);
-  return {split.rest, split.lambda - kappa};
+  return {split.rest, split.lambda};
 }
 
 double gravity_to_elasticity(const scene::Scene& scene) {

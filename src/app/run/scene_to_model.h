@@ -44,9 +44,8 @@ struct DiscreteLaw {
   materials::AnyLaw law;
   double projected_bulk;
 };
-/// The law in internal units. At small changes of volume, the volumetric stiffness κ (scene/stabilization.h) and the
-/// projected term together have the modulus of the law of the scene.
-DiscreteLaw discrete_law(const scene::Scene& scene, double kappa);
+/// The law in internal units.
+DiscreteLaw discrete_law(const scene::Scene& scene);
 
 /// The ratio γ = ρgr/μ of gravity to elasticity, with the density ρ, the radius r and the shear modulus μ at rest. The
 /// gravity at the surface is g = (4/3)πGρr, with Newton's constant G.

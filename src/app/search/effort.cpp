@@ -152,7 +152,7 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
 double stable_step(const scene::Scene& scene, const scene::Discretization& d) {
   const double of_mesh = step_of_mesh(d);
   const double kappa = scene::volumetric_stiffness_of_elements(scene) / units_of(scene).stress();
-  const auto [mu, lambda] = materials::moduli_at_rest(discrete_law(scene, kappa).law, scene.body.incompressible);
+  const auto [mu, lambda] = materials::moduli_at_rest(discrete_law(scene).law, scene.body.incompressible);
   const double rattle = of_mesh / std::sqrt(mu + 0.296 * (lambda + kappa)) * units_of(scene).time;
   const auto method = mechanics::find_method(scene.time.method);
   if (!method) return rattle;

@@ -70,10 +70,10 @@ class ParitySector {
 
   /// Solves (K + E + s M) u − Gᵀλ = f, G u = h. Unlike `respond`, this function does not need a positive definite K + E
   /// + s M. The augmented Lagrangian method solves (B + E) δ = r + γGᵀ(h − G u) and adds δ to u and γ(h − G u) to λ,
-  /// with the residual r of the first equation. The error of G u falls by a factor of the order of γ in each step. If
-  /// there is an E, GMRES solves for δ with the preconditioner B⁻¹, up to `tolerance` relative to B⁻¹ times the right
-  /// side. The steps end when δ is at most `tolerance` times u. `lambda` is empty for a compressible body. Fails if
-  /// GMRES does not converge.
+  /// with the residual r of the first equation. The error of G u falls by a factor of the order of γ/μ in each step,
+  /// with the shear modulus μ; γ/μ is 10⁴. If there is an E, GMRES solves for δ with the preconditioner B⁻¹, up to
+  /// `tolerance` relative to B⁻¹ times the right side. The steps end when δ is at most `tolerance` times u, or after 8
+  /// steps. `lambda` is empty for a compressible body. Fails if GMRES does not converge.
   mechanics::SolveReport solve(const Eigen::VectorXd& f, const Eigen::VectorXd& h, double tolerance, Eigen::VectorXd& u,
                                Eigen::VectorXd& lambda) const;
 

@@ -248,31 +248,38 @@ mechanics::Status BallFigures::newton(const Condition& condition, Figure& figure
   const double accepted = 1e-11 * std::min(10.0, 1 + gamma);
   Figure kept = figure;
   double best = std::numeric_limits<double>::infinity();
-  reuses_factors_ = condition.parameter == mechanics::FigureParameter::drive && factors_;
+  const bool can_reuse = condition.parameter == mechanics::FigureParameter::drive;
+  bool reused = false;  // true if the last step had the factors of an earlier tangent
+  reuses_factors_ = can_reuse && factors_;
   for (int i = 0; i < max_iterations; ++i) {
     Terms now;
-    if (auto status = terms(figure, now); !status) return status;
-    double size = std::max(largest(now.residual(figure.drive)) / scale_of(figure, now), largest(now.constraint));
-    size = std::max(size, condition.parameter == mechanics::FigureParameter::drive
-                              ? std::abs(figure.drive - condition.value)
-                              : std::abs(axis_direction(condition).w * positions(figure)));
-    const bool is_slow = !(size < slow * best);
+    const mechanics::Status computed = terms(figure, now);
+    double size = std::numeric_limits<double>::quiet_NaN();
+    if (computed) {
+      size = std::max(largest(now.residual(figure.drive)) / scale_of(figure, now), largest(now.constraint));
+      size = std::max(size, can_reuse ? std::abs(figure.drive - condition.value)
+                                      : std::abs(axis_direction(condition).w * positions(figure)));
+    }
     if (size >= 0.5 * best && best <= accepted) break;  // a small residual that does not halve is round-off
-    if (i > 0 && is_slow && std::exchange(reuses_factors_, false) && !(size < best)) {
-      figure = kept;  // the old tangent misleads
+    if (reused && !(size < best)) {                     // the old tangent misleads
+      figure = kept;
+      reused = reuses_factors_ = false;
       continue;
     }
+    if (!computed) return computed;
     if (!std::isfinite(size)) break;
+    if (i > 0) reuses_factors_ = can_reuse && size < slow * best;
     if (size < best) best = size, kept = figure;
     if (size == 0) break;
     Figure full;
     ++counts_.newton;
-    if (auto status = step(condition, figure, now, full); !status) {
-      if (best <= accepted) break;
-      return status;
+    reused = reuses_factors_;
+    const mechanics::Status solved = step(condition, figure, now, full);
+    if (!solved || !full.x.allFinite()) {
+      if (std::exchange(reused, false)) continue;  // `figure` is `kept`, so the next step has a new tangent
+      if (best <= accepted || solved) break;
+      return solved;
     }
-    if (!full.x.allFinite()) break;
-    reuses_factors_ = true;
     double factor = 1;
     for (int k = 0; k < max_halvings && !is_admissible(figure.x + factor * full.x); ++k) factor /= 2;
     mechanics::add(factor, full, figure);

@@ -66,6 +66,15 @@ bool is_compliant([[maybe_unused]] const S& system) {
   if constexpr (Compliant<S>) return std::isfinite(system.constraint_stiffness());
   return false;
 }
+/// Sets lambda to −b(g(q)) for a compliant constraint. Fails if the constraint cannot be evaluated.
+template <Compliant S>
+Status multiplier_of_compliance(const S& system, const typename S::Vector& q, typename S::Multiplier& lambda) {
+  auto g = system.make_multiplier();
+  if (Status status = system.constraint(q, g); !status) return status;
+  system.constraint_force(g, lambda);
+  scale(-1.0, lambda);
+  return {};
+}
 /// True if the system has constraints and must satisfy them exactly.
 template <class S>
 bool is_constrained(const S& system) {
@@ -111,17 +120,10 @@ using State = VectorState<typename S::Vector>;
 /// Sets lambda to the multiplier λ of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v). Iterative
 /// refinement makes λ exact to round-off. Observables use this λ, because the multipliers of a step have the error of
 /// the method. Fails if the force or a Gram solve fails. Without constraints, the function does nothing and succeeds.
+/// If the constraint is compliant, this λ is that of the slow motion, without the fast oscillation of g about it.
 template <ConstrainedSystem S>
 Status multiplier_of_motion(const S& system, const State<S>& state, typename S::Workspace& workspace,
                             typename S::Multiplier& lambda) {
-  if constexpr (Compliant<S>)
-    if (is_compliant(system)) {
-      auto g = system.make_multiplier();
-      if (Status status = system.constraint(state.q, g); !status) return status;
-      system.constraint_force(g, lambda);
-      scale(-1.0, lambda);
-      return {};
-    }
   if constexpr (!unconstrained<S>) {
     auto a = system.make_vector();
     if (Status status = system.force(state.t, state.q, state.v, workspace, a); !status) return status;

@@ -9,6 +9,10 @@
 /// the composition is stable, if Φ is the Störmer–Verlet method for an oscillator ẍ = −ω²x. It was computed from the
 /// trace of the matrix of a composed step. If chosen_by_auto is true, the entry Method = auto of a scene may choose the
 /// method.
+///
+/// A composition does not take compliant constraints (constrained_system.h). Each substep of RATTLE then turns a fast
+/// mode in a metric that depends on γ_i. If a composed step turns the mode by a multiple of π, the mode can grow. With
+/// Suzuki's coefficients it grew by up to 0.4 % in a step, in a scan of the stiffness of one mode.
 
 #include <array>
 #include <cstddef>
@@ -58,7 +62,6 @@ struct Composition {
   static constexpr int n_stages = static_cast<int>(Coefficients::gamma.size()) * Base::n_stages;
   static constexpr bool symplectic = Base::symplectic, symmetric = true;
   static constexpr bool adaptive = false, takes_any_vector = Base::takes_any_vector;
-  static constexpr bool takes_compliance = Base::takes_compliance;
   static constexpr double stability_limit = Coefficients::stability_limit;
 
   template <class S>

@@ -216,10 +216,12 @@ struct Rattle {
   template <Compliant S>
   static Status move_against_compliance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     const double kappa = system.constraint_stiffness();
-    // An error δ of q is the error δ/h of v, which no projection removes. It matters for the least tolerance only.
+    static_assert(!detail::single_constraint<S>, "the Gram system of a single constraint has no shift");
+    // An error δ of g remains as an oscillation of g. Its energy is about κδ²/2, and it changes v by δ/h.
+    constexpr double part = 1e-5;
     const double least = system.constraint_tolerance();
-    const double tolerance =
-        w.constraint_tolerance > least ? w.constraint_tolerance : std::min(1.0, std::abs(h)) * least;
+    const double tolerance = w.constraint_tolerance > least ? std::min(w.constraint_tolerance, part / std::sqrt(kappa))
+                                                            : std::min(1.0, std::abs(h)) * least;
     if (!w.compliance.g_known)
       if (Status status = system.constraint(state.q, w.compliance.g_end); !status) return status;
     std::swap(w.compliance.g_start, w.compliance.g_end);

@@ -99,6 +99,11 @@ class TangentOperator {
   /// Computes λ for K, and the force at the state for forward differences. `apply` needs both. Fails if the force or a
   /// Gram solve fails.
   Status prepare() {
+    if constexpr (Compliant<S>)
+      if (is_compliant(system_)) {
+        if (Status status = multiplier_of_compliance(system_, state_.q, lambda_); !status) return status;
+        return central ? Status() : evaluate(force_at_state_);
+      }
     if (!of_velocity_)
       if (Status status = multiplier_of_motion(system_, state_, workspace_, lambda_); !status) return status;
     if constexpr (central) return {};
