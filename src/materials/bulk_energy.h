@@ -3,8 +3,8 @@
 ///
 ///   B(θ) = (λ/4)(e^{2θ} − 1 − 2θ),   B′(θ) = (λ/2)(e^{2θ} − 1),   B″(0) = λ.
 ///
-/// It is the term (λ/4)(III − 1 − ln III) of ciarlet_geymonat.h. A nearly incompressible body, λ ≫ μ, can have this
-/// term at the projection of ln J on the functions of the pressure, and the rest of its law at each point.
+/// It is the term (λ/4)(III − 1 − ln III) of ciarlet_geymonat.h. A nearly incompressible body has λ ≫ μ. It can have
+/// this term at the projection of ln J on the functions of the pressure, and the rest of its law at each point.
 
 #include <cmath>
 #include <optional>

@@ -12,7 +12,7 @@
 namespace pseudorigid::scene {
 namespace {
 
-constexpr double least_ratio = 100, least_ratio_of_auto = 3000;
+constexpr double least_ratio = 100;
 
 /// The ratio λ/μ of the modulus of the bulk term to the shear modulus; empty if the law has no bulk term.
 std::optional<double> ratio_of_moduli(const Scene& scene) {
@@ -41,10 +41,7 @@ const char* obstacle(const Scene& scene) {
 }  // namespace
 
 bool projects_bulk(const Scene& scene) {
-  const Bulk asked = scene.material.bulk;
-  if (scene.body.incompressible || scene.analysis != Analysis::motion || asked == Bulk::pointwise) return false;
-  if (asked == Bulk::projected) return true;
-  return !obstacle(scene) && *ratio_of_moduli(scene) >= least_ratio_of_auto;
+  return !scene.body.incompressible && scene.analysis == Analysis::motion && scene.material.bulk == Bulk::projected;
 }
 
 std::optional<std::string> warning_of_locking(const Scene& scene) {
@@ -66,7 +63,7 @@ std::optional<Refusal> refuses_bulk(const Scene& scene) {
   if (scene.material.bulk != Bulk::projected) return {};
   const char* reason = scene.body.incompressible ? "an incompressible body has no bulk term" : obstacle(scene);
   if (!reason) return {};
-  return Refusal{"Material/Bulk", reason, {{{"Material/Bulk", "auto"}}}};
+  return Refusal{"Material/Bulk", reason, {{{"Material/Bulk", "pointwise"}}}};
 }
 
 }  // namespace pseudorigid::scene

@@ -13,9 +13,8 @@
 
 namespace pseudorigid::scene {
 
-/// True if models with non-affine motions have a projected bulk term. This is the case for motions of a compressible
-/// body if the entry Material/Bulk is `projected`. It is also the case if the entry is `auto`, λ is at least 3000 μ,
-/// and refuses_bulk would accept `projected`.
+/// True if models with non-affine motions have a projected bulk term: in motions of a compressible body, if the entry
+/// Material/Bulk is `projected`.
 bool projects_bulk(const Scene& scene);
 
 /// A warning about a pointwise bulk term in a large motion of polynomial bodies of degree 3 to 5 if λ ≥ 100 μ;

@@ -46,8 +46,7 @@ inline constexpr auto family_kind = []() consteval {
 ();
 inline constexpr auto error_estimate_kind =
     choice<ErrorEstimate>({{"none", ErrorEstimate::none}, {"auto", ErrorEstimate::automatic}});
-inline constexpr auto bulk_kind =
-    choice<Bulk>({{"auto", Bulk::automatic}, {"pointwise", Bulk::pointwise}, {"projected", Bulk::projected}});
+inline constexpr auto bulk_kind = choice<Bulk>({{"pointwise", Bulk::pointwise}, {"projected", Bulk::projected}});
 inline constexpr auto graphics_kind = choice<Graphics>({{"none", Graphics::none}, {"vtu", Graphics::vtu}});
 inline constexpr auto cells_kind = choice<Cells>({{"linear", Cells::linear}, {"lagrange", Cells::lagrange}});
 inline constexpr auto symmetry_kind = choice<Symmetry>({

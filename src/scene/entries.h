@@ -88,11 +88,10 @@ void visit_material(S& scene, Visit& visit) {
       scene.material.bulk, bulk_kind,
       About{"Material/Bulk", "",
             "How motions of compressible polynomial bodies and finite elements have the bulk term B of the law. "
-            "pointwise: at each point, explicit in time, with steps limited by pressure waves; elements and bodies of "
-            "low degree lock. projected: at the projection of ln det F on the functions of the pressure, implicit in "
-            "time by the method rattle, with steps limited by shear waves; it needs a lambda of at least 100 shear "
-            "moduli. auto: projected from 3000 shear moduli on, if law, method, degree and start admit it. The "
-            "pseudo-rigid model has one value of det F, so both are the same for it, explicit in time."});
+            "pointwise: at each point, explicit in time. Pressure waves limit the step. Elements and bodies of low "
+            "degree lock. projected: at the projection of ln det F on the functions of the pressure, implicit in time. "
+            "Shear waves limit the step. It needs the method rattle and a Lame lambda of at least 100 shear moduli. "
+            "Pressure waves are not resolved. The pseudo-rigid model has one value of det F, explicit in time."});
 }
 
 template <SceneOrConst S, class Visit>

@@ -46,7 +46,7 @@ enum class Cells { linear, lagrange };
 /// run on another discretisation estimates the error. With `none`, there is no companion run.
 enum class ErrorEstimate { none, automatic };
 /// The form of the bulk term of a compressible body (scene/bulk.h).
-enum class Bulk { automatic, pointwise, projected };
+enum class Bulk { pointwise, projected };
 
 /// The symmetry planes that bound the computed sector. With `automatic`, the program derives them from the scene. The
 /// letters x, y, z are the normals of the planes. The sector `octant` has all three planes, and `none` is the full
@@ -87,7 +87,7 @@ struct Scene {
   } body;
   struct Material : materials::LawParameters {
     std::string law{materials::law_table[0].name};
-    Bulk bulk = Bulk::automatic;
+    Bulk bulk = Bulk::pointwise;
   } material;
   loads::Loads loads;  ///< the headers in src/loads/ define the entries of the loads
   /// Ratio γ of self-gravity to elasticity (scene/scale_numbers.h) of the entry Gravity/Gamma; 0: not given. From γ,

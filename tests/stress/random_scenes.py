@@ -119,7 +119,7 @@ def ball(rng, with_continuum):
             if rng.random() < 0.2 and not {"Material/Viscosity", "Loads/Nominal traction"} & entries.keys():
                 entries["Material/Law"] = "none"
         if not incompressible and not law.startswith("saint-venant") and rng.random() < 0.4:
-            entries["Material/Bulk"] = rng.choice(("auto", "projected"))
+            entries["Material/Bulk"] = rng.choice(("pointwise", "projected"))
             entries["Material/Lame lambda"] = repr(modulus * 10 ** rng.uniform(2, 5))
             entries["Continuum/Degree"] = max(2, entries["Continuum/Degree"])
         if incompressible and rng.random() < 0.15:

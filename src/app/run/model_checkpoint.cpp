@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/run/mesh_file.h"
-#include "scene/bulk.h"
 #include "scene/print_scene.h"
 #include "scene/user_error.h"
 
@@ -25,8 +24,6 @@ RunIdentity run_identity(const scene::Scene& scene) {
   frozen.time = scene::Scene::Time{};
   frozen.time.end = scene.time.end;
   frozen.continuum.mesh = mesh_identity(scene);
-  if (!scene.body.incompressible)  // the choice of `auto` depends on the method
-    frozen.material.bulk = scene::projects_bulk(scene) ? scene::Bulk::projected : scene::Bulk::pointwise;
   frozen.output.directory.assign(1, '-');  // g++ 12 warns of an overflow if a literal is assigned
   frozen.sweep_threads.reset();
   frozen.title.clear();

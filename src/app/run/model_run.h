@@ -19,6 +19,7 @@
 #include "app/run/run_context.h"
 #include "app/run/runnable_model.h"
 #include "mechanics/methods/time_loop.h"
+#include "mechanics/steps/compliance_oscillation.h"
 #include "mechanics/steps/largest_frequency.h"
 #include "mechanics/steps/step_size.h"
 #include "scene/user_error.h"
@@ -289,6 +290,19 @@ class ModelRun final : public ModelRunBase {
         limit = std::min(limit, mechanics::damped_step_limit(damping.gamma, safety));
       }
     }
+    return {};
+  }
+
+  Status unresolved_oscillation(double& error) const override {
+    error = 0;
+    if constexpr (mechanics::Compliant<System>)
+      if (mechanics::is_compliant(model_.system())) {
+        auto workspace = model_.system().make_workspace();
+        double amplitude = 0;
+        Status status = mechanics::compliance_oscillation(model_.system(), state_, workspace, amplitude);
+        error = 2 * amplitude / 3;
+        return status;
+      }
     return {};
   }
 

@@ -231,7 +231,14 @@ void ModelStepping::take(const mechanics::StepChoice& choice, const std::optiona
   position_.step = choice.step;
   position_.local_tolerance = choice.local_tolerance;
   statistics_.counters["pilot_forces"] += static_cast<double>(choice.n_force);
-  if (error_so_far) position_.time_error = *error_so_far + choice.error;
+  double oscillation = 0;
+  const bool is_known = unresolved_oscillation(oscillation).ok();
+  if (error_so_far && is_known) position_.time_error = *error_so_far + choice.error + oscillation;
+  if (const double tolerance = context_.scene.time.tolerance; oscillation > tolerance)
+    context_.log->warn(
+        "{}: the step cannot be fitted to the tolerance: pressure waves are not resolved and change Q by up to {:.1e}; "
+        "Material/Bulk = pointwise resolves them",
+        any_model_.name, oscillation);
   if (is_adaptive(choice.method))
     context_.log->info("{}: {}, local tolerance {:.1e} (estimated time error {:.1e})", any_model_.name,
                        mechanics::method_name(choice.method), choice.local_tolerance, choice.error);

@@ -58,6 +58,10 @@ class ModelStepping {
   /// Sets request.stiff to true if the damping would force an explicit method to take too many steps. Called only for
   /// systems in constrained form.
   virtual Status judge_stiffness(mechanics::StepRequest& request) const = 0;
+  /// Sets `error` to a bound of the error of Q that a fast oscillation causes if steps do not resolve it. It is 0
+  /// unless the constraint is compliant (mechanics/steps/compliance_oscillation.h). Fails if the bound cannot be
+  /// computed.
+  virtual Status unresolved_oscillation(double& error) const = 0;
   /// Searches for the method and the step by pilot runs, which begin with start_of_pilot(present state).
   virtual mechanics::StepChoice choose_step(const mechanics::StepRequest& request) const = 0;
 

@@ -13,7 +13,7 @@
 ///
 /// If the stored energy has a projected bulk term B (kernels/stored_energy.h), the ball is nearly incompressible. The
 /// energy ∫B(θ_h) dX with θ_h = Σ g_j ψ_j then replaces the condition g = 0 (mechanics::Compliant). λ_h is minus the
-/// projection of B′(θ_h), and a pressure on the surface is a load.
+/// projection of B′(θ_h). A pressure on the surface is a load.
 
 #include <cmath>
 #include <optional>

@@ -13,9 +13,9 @@
 /// then be negative. The second variation of U, about ∫κ (div u)² dX for J ≈ 1, is positive and counteracts this. A
 /// body needs U under self-gravity, in strong motions, and always if it is a fluid (W = 0).
 ///
-/// A nearly incompressible body can also have the bulk term ∫B(θ) dX of the law (materials/bulk_energy.h) at the
-/// projection θ = Σ g_j ψ_j of ln J on the functions ψ_j of the multiplier, g_j = ∫ψ_j ln J dX. W is then the law
-/// without its bulk term.
+/// A nearly incompressible body can have its bulk term B (materials/bulk_energy.h) at a projection of ln J. With the
+/// functions ψ_j of the multiplier and g_j = ∫ψ_j ln J dX, the projection is θ = Σ g_j ψ_j. The body then stores ∫B(θ)
+/// dX, and W is the law without its bulk term.
 
 #include <concepts>
 

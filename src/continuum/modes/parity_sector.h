@@ -69,8 +69,11 @@ class ParitySector {
   mechanics::Status respond(const Vector& f, Vector& u) const;
 
   /// Solves (K + E + s M) u − Gᵀλ = f, G u = h. Unlike `respond`, this function does not need a positive definite K + E
-  /// + s M. The augmented Lagrangian method solves (B + E) δ = r + γGᵀ(h − G u) and adds δ to u and γ(h − G u) to λ,
-  /// with the residual r of the first equation. The error of G u falls by a factor of the order of γ/μ in each step,
+  /// + s M. With the residual r of the first equation, each step of the augmented Lagrangian method solves
+  ///
+  ///   (B + E) δ = r + γGᵀ(h − G u),   u ← u + δ,   λ ← λ + γ(h − G u).
+  ///
+  /// The error of G u falls by a factor of the order of γ/μ in each step,
   /// with the shear modulus μ; γ/μ is 10⁴. If there is an E, GMRES solves for δ with the preconditioner B⁻¹, up to
   /// `tolerance` relative to B⁻¹ times the right side. The steps end when δ is at most `tolerance` times u, or after 8
   /// steps. `lambda` is empty for a compressible body. Fails if GMRES does not converge.
