@@ -28,7 +28,7 @@ class Run:
         return dict(zip(header, ([float(x) for x in column] for column in zip(*rows))))
 
 
-# Of processes under mpirun: one thread each, and Open MPI starts them for root too.
+# Environment of processes under mpirun. Each has one thread, and Open MPI also starts them for root.
 ON_RANKS = {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "OMPI_ALLOW_RUN_AS_ROOT",
                                    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM")}
 

@@ -41,7 +41,7 @@ class Motion:
         self.n_iterations = self.n_factorizations = self.n_steps = 0
 
     def change(self, dz):
-        """The largest of a displacement in one iteration."""
+        """The largest change of a displacement in one iteration."""
         return np.abs(dz[self.ball.is_displacement]).max()
 
     def step(self, h, place):

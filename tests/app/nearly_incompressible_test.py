@@ -34,7 +34,7 @@ class NearlyIncompressible(ProgramTest):
 
         for model in "polynomial-1", "polynomial", "continuum":
             self.assertLess(distance("projected", "incompressible", model), 3e-4)
-        # Of degree 1, det F is uniform, and both forms are the same. The pointwise form locks at degree 3, and hardly in elements.
+        # A body of degree 1 has a uniform det F, so both forms are the same. Bodies of degree 3 lock, and elements hardly do.
         self.assertLess(distance("projected", "pointwise", "polynomial-1"), 3e-4)
         self.assertGreater(distance("projected", "pointwise", "polynomial"), 0.05)
         self.assertLess(distance("projected", "pointwise", "continuum"), 2e-3)

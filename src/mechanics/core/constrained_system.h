@@ -51,8 +51,8 @@ inline constexpr bool unconstrained = S::n_constraints == 0;
 ///
 ///   M q̈ = f − G(q)ᵀ b(g(q)),   b = DB.
 ///
-/// B is convex with the stiffness κ, so b ≈ κg for small g. The multiplier of the motion is then λ = −b(g(q)). If κ is
-/// large, explicit methods would need small steps.
+/// B is convex with the stiffness κ, so b ≈ κg for small g. The force of B is the reaction of the multiplier λ =
+/// −b(g(q)). If κ is large, explicit methods would need small steps.
 template <class S>
 concept Compliant = requires(const S s, const typename S::Multiplier g, typename S::Multiplier b,
                              typename S::Workspace w) {

@@ -42,9 +42,9 @@
 ///   v_{n+1}   = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}) + G(q_{n+1})ᵀ λ].
 ///
 /// The step is symplectic, symmetric and of order 2. It keeps linear and angular momentum, because it is invariant
-/// under the motions of space. Only b is implicit. For linear b, the step is stable if hω ≤ 2 for the frequencies ω of
-/// f alone, for every stiffness κ of B. As κ → ∞, the step becomes that of the constraint g = 0. Newton's iteration for
-/// λ has the residual r = (2/κ)(b + λ), and b ≈ κg:
+/// under the motions of space. Only b is implicit. For linear b and small motions about λ = 0, the step is stable if
+/// hω ≤ 2 for the frequencies ω of f, for every stiffness κ of B. As κ → ∞, the step becomes that of the constraint g =
+/// 0. Newton's iteration for λ has the residual r = (2/κ)(b + λ), and b ≈ κg:
 ///
 ///   [G(q) M⁻¹ G(q_n)ᵀ + 4/(κh²)] δ = −r,   v ← v + M⁻¹G(q_n)ᵀδ/h,   q ← q + M⁻¹G(q_n)ᵀδ,   λ ← λ + 2δ/h².
 ///
