@@ -80,6 +80,7 @@ class RefusedBulk(RefusedInputTest):
                 ({"Material/Law": "saint-venant-kirchhoff"}, ("Material/Bulk", "law")),
                 ({"Time/Method": "symmetric-4"}, ("Material/Bulk", "rattle")),
                 ({"Time/Method": "rattle-4"}, ("Material/Bulk", "rattle")),
+                ({"Loads/Plane normals": "0, 0, 1", "Loads/Plane points": "0, 0, -2", "Loads/Plane stiffness": 100}, ("Material/Bulk", "contact")),
                 ({"Material/Lame lambda": 99}, ("Material/Bulk", "lambda")),
                 ({"Continuum/Degree": 1}, ("Material/Bulk", "degree"))):
             with self.subTest(entries):

@@ -18,9 +18,8 @@
 #include "app/run/model_stepping.h"
 #include "app/run/run_context.h"
 #include "app/run/runnable_model.h"
+#include "app/run/step_limits.h"
 #include "mechanics/methods/time_loop.h"
-#include "mechanics/steps/compliance_oscillation.h"
-#include "mechanics/steps/largest_frequency.h"
 #include "mechanics/steps/step_size.h"
 #include "scene/user_error.h"
 
@@ -186,11 +185,6 @@ class ModelRun final : public ModelRunBase {
     return result;
   }
 
-  static constexpr int n_lanczos = 24;
-  /// Relative accuracy of the squared frequency at which Lanczos' iteration ends. If it is 0, the iteration makes all
-  /// n_lanczos steps. For a costly force, a better estimate costs more than steps longer by 1 % would save.
-  static constexpr double accuracy = traits.has_costly_force ? 0.02 : 0;
-
   double time() const override { return state_.t; }
   void set_time(double t) override { state_.t = good_state_.t = good_.t = t; }
   void keep_state() override {
@@ -273,52 +267,14 @@ class ModelRun final : public ModelRunBase {
     else
       return mechanics::choose_step(model_.system(), from_zero, request, Q_of);
   }
-  Status rattle_limit([[maybe_unused]] double safety, [[maybe_unused]] double& limit) const override {
-    if constexpr (mechanics::ConstrainedSystem<System>) {
-      auto workspace = model_.system().make_workspace();
-      // A workspace with `held_at` replaces contact by springs at all points of the surface. The limit therefore also
-      // holds in a later contact.
-      if constexpr (requires { workspace.held_at; }) workspace.held_at = &state_.q;
-      const auto frequency = mechanics::largest_frequency(model_.system(), state_, workspace, n_lanczos, accuracy);
-      if constexpr (requires { workspace.held_at; }) workspace.held_at = nullptr;
-      if (!frequency.status) return frequency.status;
-      limit = mechanics::rattle_step_limit(frequency.omega, model_.rate(state_), safety);
-      if constexpr (!mechanics::Damped<System>) {
-        const auto damping =
-            mechanics::largest_damping(model_.system(), state_, workspace, frequency.omega, n_lanczos, accuracy);
-        if (!damping.status) return damping.status;
-        limit = std::min(limit, mechanics::damped_step_limit(damping.gamma, safety));
-      }
-    }
-    return {};
+  Status rattle_limit(double safety, double& limit) const override {
+    return app::rattle_limit(model_, state_, safety, limit);
   }
-
+  Status judge_stiffness(mechanics::StepRequest& request) const override {
+    return app::judge_stiffness(model_, state_, request);
+  }
   Status unresolved_oscillation(double& error) const override {
-    error = 0;
-    if constexpr (mechanics::Compliant<System>)
-      if (mechanics::is_compliant(model_.system())) {
-        auto workspace = model_.system().make_workspace();
-        double amplitude = 0;
-        Status status = mechanics::compliance_oscillation(model_.system(), state_, workspace, amplitude);
-        error = 2 * amplitude / 3;
-        return status;
-      }
-    return {};
-  }
-
-  /// Sets request.stiff if an explicit method needs too many steps. It needs about γh steps for each step h of RATTLE.
-  /// γ is the largest damping rate, with friction that of a body at rest in contact. Fails if γ is not found.
-  Status judge_stiffness([[maybe_unused]] mechanics::StepRequest& request) const override {
-    if constexpr (mechanics::Damped<System>) {
-      if (!mechanics::dissipative(model_.system())) return {};
-      auto workspace = model_.system().make_workspace();
-      const double h = request.rattle_limit, omega = mechanics::Rattle::stability_limit / h;
-      const State state = mechanics::damping_is_linear(model_.system()) ? state_ : model_.in_contact(state_);
-      const auto damping = mechanics::largest_damping(model_.system(), state, workspace, omega, n_lanczos, 0.1);
-      if (!damping.status) return damping.status;
-      request.stiff = damping.gamma * h > (traits.has_costly_force ? 30 : 100);
-    }
-    return {};
+    return app::unresolved_oscillation(model_, state_, error);
   }
 
   mechanics::RunResult run_until(long sample) override {

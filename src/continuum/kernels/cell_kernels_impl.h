@@ -13,13 +13,13 @@
 #include <utility>
 #include <vector>
 
+#include "continuum/kernels/bulk_of_cells.h"
 #include "continuum/kernels/cell_branches.h"
 #include "continuum/kernels/cell_planes.h"
 #include "continuum/kernels/constraint_tangents.h"
 #include "continuum/kernels/local_kernels.h"
 #include "continuum/kernels/point_law.h"
 #include "continuum/kernels/pressure_at_nodes.h"
-#include "materials/bulk_energy.h"
 
 namespace pseudorigid::continuum {
 
@@ -97,25 +97,7 @@ class DegreeKernels final : public LocalKernels {
   }
 
   double bulk(double lambda, const double* g, double* b) const override {
-    const materials::BulkEnergy bulk{lambda};
-    double energy = 0;
-    for (std::size_t batch = 0; batch < batches_.batches.size(); ++batch) {
-      L values[n_pressure], coefficients[n_pressure], moments[n_pressure], of_batch(0.0);
-      batches_.load_multiplier(g, batch, values);
-      batches_.monomial_coefficients(values, batch, coefficients);
-      for (L& m : moments) m = L(0.0);
-      const PressurePoint* points = batches_.pressure_points(batch);
-      for (int q = 0; q < Batches::n_points; ++q) {
-        const PressurePoint& p = points[q];
-        const L theta = Batches::Monomials::evaluate(coefficients, p.position[0], p.position[1], p.position[2]);
-        of_batch += p.weight * L::of([&](int l) { return bulk.energy(theta[l]); });
-        Batches::Monomials::add_moments(p.weight * L::of([&](int l) { return bulk.rate(theta[l]); }), p.position[0],
-                                        p.position[1], p.position[2], moments);
-      }
-      planes_.store_moments(moments, batch, b);
-      energy += of_batch.sum(batches_.batches[batch].n_active);
-    }
-    return energy;
+    return bulk_of_cells(batches_, materials::BulkEnergy{lambda}, g, b);
   }
 
   void constraint_rate(const double* x, const double* v, double* r) const override {
