@@ -22,8 +22,8 @@ bool projects_bulk(const Scene& scene);
 /// benchmarks/nearly_incompressible.py until t = 1, Q of degree 3 was wrong by 0.03 at λ = 100 μ and by 0.06 at 1000 μ.
 std::optional<std::string> warning_of_locking(const Scene& scene);
 
-/// The refusal of Material/Bulk = projected; otherwise empty. The body, the law, the method, the elements, contact
-/// planes, or a start from the own figure of a model may not admit it, and λ must be at least 100 μ.
+/// The refusal of Material/Bulk = projected; otherwise empty. λ must be at least 100 μ. The body, the law, the method
+/// and the elements must admit the projection. Contact planes and a start from the own figure of a model do not.
 std::optional<Refusal> refuses_bulk(const Scene& scene);
 
 }  // namespace pseudorigid::scene

@@ -1,6 +1,7 @@
 #pragma once
-/// Limits of the step of a run from the state of its model: the stability of RATTLE, the stiffness of the damping, and
-/// an oscillation that the steps do not resolve. `model` is a RunnableModelOf a system (runnable_model.h).
+/// Limits of the step of a run, from the state of its model. They are the stability of RATTLE, the stiffness of the
+/// damping, and an oscillation that the steps do not resolve. A `model` is a RunnableModelOf a system
+/// (runnable_model.h).
 
 #include <algorithm>
 
