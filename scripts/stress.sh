@@ -14,15 +14,16 @@
 #   map            the map of stability
 #   rows           rows of the samples of docs/adequacy.md: single runs and finer comparisons
 #   violent        releases from large stretches: energy, local volume, Biot's limit
-#   violent-high   the same with degrees 5 to 8, which takes an hour
+#   violent-high   the same with degrees 5 to 8, which takes hours
+#   violent-map    the same with more stretches and gravities, with spins and with other laws; half an hour
 #   volume         local volume and error of Q over degree, refinement and volumetric stiffness
 #   sanitizers     the tests and damaged files above in a build with the address, leak and undefined behaviour
 #                  sanitizers, sweeps in one with the thread sanitizer
-# or all of them but violent-high and the last without a name. Results are kept in output/stress, and a part whose results are there is
-# not run again (--fresh: it is). --quick: the short form that ctest runs as well (ctest -L stress). At the end the
-# tables docs/data/stress.md and docs/data/violent_motions.csv, and the pictures stability_map.svg and local_volume.svg
-# in docs/images with their data in docs/data are made from what is there, if nothing was run with --quick. Exit code 1:
-# something was not as it must be.
+# or all of them but violent-high, violent-map and the last without a name. Results are kept in output/stress, and a
+# part whose results are there is not run again (--fresh: it is). --quick: the short form that ctest runs as well
+# (ctest -L stress). At the end the tables docs/data/stress.md and docs/data/violent_motions.csv, and the pictures
+# stability_map.svg, violent_motions.svg and local_volume.svg in docs/images with their data in docs/data are made from
+# what is there, if nothing was run with --quick. Exit code 1: something was not as it must be.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 

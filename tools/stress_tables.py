@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """docs/data/stress.md, docs/data/stability_map.csv, docs/data/violent_motions.csv, docs/data/local_volume.csv and the pictures
-stability_map.svg and local_volume.svg in docs/images from the results of the stress suite.
+stability_map.svg, violent_motions.svg and local_volume.svg in docs/images from the results of the stress suite.
 
     tools/stress_tables.py output/stress
 """
@@ -13,6 +13,7 @@ import shutil
 
 import local_volume_figure
 import package  # noqa: F401
+import violent_map_figure
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 TITLES = {"scenes": "Random scenes", "ramps": "Ramps, near-inversion, coincident axes, steps about the limit",
@@ -109,7 +110,9 @@ def main():
         from pseudorigid import stability_map
 
         stability_map.write(data, ROOT / "docs/images/stability_map.svg")
-    join([results / f"{part}.csv" for part in ("violent", "violent-high")], ROOT / "docs/data/violent_motions.csv")
+    violent = ROOT / "docs/data/violent_motions.csv"
+    if join([results / f"{part}.csv" for part in ("violent", "violent-high", "violent-map")], violent):
+        violent_map_figure.write(violent, ROOT / "docs/images/violent_motions.svg")
     if (results / "volume.csv").is_file():
         data = ROOT / "docs/data/local_volume.csv"
         shutil.copy(results / "volume.csv", data)
@@ -117,13 +120,21 @@ def main():
 
 
 def join(paths, joined):
-    """Writes the rows of those tables that exist, if there are any."""
-    rows = [row for path in paths if path.is_file() for row in csv.DictReader(path.open())]
+    """Writes the rows of those tables that exist, if there are any. Of two rows of a scene the first one stays, unless its run was
+    too long. True if it wrote."""
+    scenes = {}
+    for path in filter(pathlib.Path.is_file, paths):
+        for row in csv.DictReader(path.open()):
+            scene = tuple(row[name] for name in ("degree", "gamma", "stretch", "spin", "law"))
+            if scene not in scenes or scenes[scene]["outcome"] == "long":
+                scenes[scene] = row
+    rows = list(scenes.values())
     if rows:
         with open(joined, "w", newline="") as file:
             writer = csv.DictWriter(file, list(dict.fromkeys(column for row in rows for column in row)), lineterminator="\n")
             writer.writeheader()
             writer.writerows(rows)
+    return bool(rows)
 
 
 if __name__ == "__main__":

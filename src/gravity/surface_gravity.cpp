@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <numeric>
 
 #include "gravity/pair_kernels.h"
@@ -66,6 +67,13 @@ SurfaceTotals totals(const SurfacePoints& targets, const PairSums& sums) {
 
 double surface_energy(const SurfaceTotals& totals, double strength, double rest_volume) {
   return gauge(totals, rest_volume) * strength / 12 * totals.pairs;
+}
+
+mechanics::Status judge_energy(double energy, double strength, double rest_volume) {
+  constexpr double excess = 1.05;
+  const double of_ball = -0.6 * strength * std::cbrt(4 * std::numbers::pi / 3) * std::pow(rest_volume, 5.0 / 3);
+  if (energy >= excess * of_ball) return {};  // a volume that is not positive has an energy that is not a number
+  return mechanics::Status::failure("the surface passes through itself, and its self-gravity is not that of a body");
 }
 
 SurfaceDerivative surface_derivative(const SurfacePoints& targets, const PairSums& sums, const SurfaceTotals& totals,

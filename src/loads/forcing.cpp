@@ -51,6 +51,16 @@ bool permits_joint_rotation(const Forcing& forcing, int axis) {
   return is_kept(forcing.nominal_traction) && is_kept(forcing.quadratic);
 }
 
+FreeMotions free_motions(const Forcing& f, const std::array<bool, 3>& reflect) {
+  FreeMotions free;
+  if (!f.quadratic.isZero(0) || !f.acceleration.isZero(0) || !f.planes.empty() || !f.companions.empty()) return free;
+  for (int i = 0; i < 3; ++i) {
+    if (!reflect[i]) free.translations.push_back(i);
+    if (f.nominal_traction.isZero(0) && !reflect[(i + 1) % 3] && !reflect[(i + 2) % 3]) free.turns.push_back(i);
+  }
+  return free;
+}
+
 Eigen::Matrix3d to_eigen(const scene::Matrix3& m) {
   Eigen::Matrix3d result;
   for (int i = 0; i < 3; ++i)

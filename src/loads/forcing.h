@@ -21,6 +21,8 @@
 /// the same units in all members.
 
 #include <Eigen/Core>
+#include <array>
+#include <vector>
 
 #include "entries/matrix3.h"
 #include "loads/plane.h"
@@ -103,6 +105,15 @@ bool permits_rotation_of_body(const Forcing& forcing, int axis);
 /// True if joint rotations of space and of the undeformed body about the coordinate axis do not change the energy of
 /// the tide and of the traction.
 bool permits_joint_rotation(const Forcing& forcing, int axis);
+
+/// The coordinate axes of rotations and translations of space that are symmetries of the loads, and that map the
+/// symmetry planes of the computed sector to themselves.
+struct FreeMotions {
+  std::vector<int> turns, translations;
+};
+/// Both lists are empty with a tide, an acceleration, rigid planes or companions. There are no rotations with a
+/// traction. `reflect[c]` is true if the plane x_c = 0 is a symmetry plane.
+FreeMotions free_motions(const Forcing& forcing, const std::array<bool, 3>& reflect);
 
 Eigen::Matrix3d to_eigen(const scene::Matrix3& m);
 

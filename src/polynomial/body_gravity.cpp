@@ -128,11 +128,13 @@ double BodyGravity::surface_energy(const Eigen::VectorXd& q) const {
          gravity::surface_energy(totals(own, sum_own_pairs(own, space_->reflect())), constant_, rest_volume_);
 }
 
-void BodyGravity::add_surface_force(double sign, const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
+double BodyGravity::add_surface_force(double sign, const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
   const SurfaceJets at = jets(q);
   const gravity::SurfacePoints own = points(at);
   const gravity::PairSums sums = sum_own_pairs(own, space_->reflect());
-  spread(sign * space_->n_mirrors(), at, surface_derivative(own, sums, totals(own, sums), constant_, rest_volume_), f);
+  const gravity::SurfaceTotals of_all = totals(own, sums);
+  spread(sign * space_->n_mirrors(), at, surface_derivative(own, sums, of_all, constant_, rest_volume_), f);
+  return space_->n_mirrors() * gravity::surface_energy(of_all, constant_, rest_volume_);
 }
 
 void BodyGravity::add_surface_force_rate(double sign, const Eigen::VectorXd& q, const Eigen::VectorXd& u,
@@ -167,14 +169,16 @@ double BodyGravity::energy(const Eigen::VectorXd& q) const {
   return is_affine() ? exact : exact + surface_energy(q) - surface_energy(affine_coefficients(q));
 }
 
-void BodyGravity::add_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
-  const Eigen::Matrix3d S = space_->semi_axes().asDiagonal();
-  add_affine_force(AffineEnergy{ellipsoid_, S}.gradient(space_->affine_part(q)), f);
-  if (is_affine()) return;
-  add_surface_force(1, q, f);
+mechanics::Status BodyGravity::add_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
+  const Eigen::Matrix3d S = space_->semi_axes().asDiagonal(), A = space_->affine_part(q);
+  const AffineEnergy affine{ellipsoid_, S};
+  add_affine_force(affine.gradient(A), f);
+  if (is_affine()) return {};
+  double energy = affine.energy(A) + add_surface_force(1, q, f);
   Eigen::VectorXd of_affine = Eigen::VectorXd::Zero(space_->n_unknowns());
-  add_surface_force(-1, affine_coefficients(q), of_affine);
+  energy -= add_surface_force(-1, affine_coefficients(q), of_affine);
   f.head(space_->n_unknowns()) += affine_coefficients(of_affine);
+  return gravity::judge_energy(energy, constant_, space_->n_mirrors() * rest_volume_);
 }
 
 void BodyGravity::add_force_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::VectorXd& f) const {

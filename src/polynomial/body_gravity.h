@@ -36,8 +36,8 @@ class BodyGravity {
 
   /// Ê(q) of the whole body.
   double energy(const Eigen::VectorXd& q) const;
-  /// f ← f − ∂Ê/∂q
-  void add_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
+  /// f ← f − ∂Ê/∂q. Fails if Ê is too low (gravity::judge_energy).
+  mechanics::Status add_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
   /// f ← f − D²Ê(q)[u]
   void add_force_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
   /// The gravitational potential per mass at positions `points` in space, on the surface of the deformed body or inside
@@ -63,9 +63,9 @@ class BodyGravity {
   /// f ← f − ∂E/∂q for a function E of the affine part A of q. D is the derivative of E with respect to A.
   void add_affine_force(const Eigen::Matrix3d& D, Eigen::VectorXd& f) const;
   /// `surface_energy` returns Ê_h of the whole body. The other two functions add −sign ∂Ê_h/∂q and −sign D²Ê_h(q)[u] to
-  /// f.
+  /// f. The first of them also returns Ê_h.
   double surface_energy(const Eigen::VectorXd& q) const;
-  void add_surface_force(double sign, const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
+  double add_surface_force(double sign, const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
   void add_surface_force_rate(double sign, const Eigen::VectorXd& q, const Eigen::VectorXd& u,
                               Eigen::VectorXd& f) const;
   void spread(double factor, const SurfaceJets& x, const gravity::SurfaceDerivative& derivative,

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "materials/volumetric_energy.h"
 #include "polynomial/branch_loops.h"
 
 namespace pseudorigid::polynomial {
@@ -106,19 +107,17 @@ void for_each_vector(const materials::AnyLaw& law, int n, Visitor&& visitor) {
       law);
 }
 
-/// The stress ∂U/∂F = (κ/4)(J − 1/J³) cof F of the volumetric stabilisation U, with J = det F.
+/// The stress ∂U/∂F of the volumetric stabilisation U (materials/volumetric_energy.h).
 [[gnu::always_inline]] inline Tensor volumetric_stress(double kappa, const Tensor& F) {
   const Tensor cof = materials::cofactor(F);
-  const L J = materials::determinant(F, cof), inverse = 1.0 / J;
-  return L(0.25 * kappa) * (J - inverse * inverse * inverse) * cof;
+  return materials::volumetric_pressure(kappa, materials::determinant(F, cof)) * cof;
 }
 /// The rate of the stress ∂U/∂F of `volumetric_stress` along H.
 [[gnu::always_inline]] inline Tensor volumetric_stress_rate(double kappa, const Tensor& F, const Tensor& H) {
   const Tensor cof = materials::cofactor(F);
   const L J = materials::determinant(F, cof), rate = materials::dot(cof, H);
-  const L inverse = 1.0 / J, cube = inverse * inverse * inverse;
-  return add(L(0.25 * kappa) * (1.0 + 3.0 * cube * inverse) * rate * cof,
-             L(0.25 * kappa) * (J - cube) * materials::cofactor_derivative(F, H));
+  return add(materials::volumetric_curvature(kappa, J) * rate * cof,
+             materials::volumetric_pressure(kappa, J) * materials::cofactor_derivative(F, H));
 }
 
 void combine(const double* table, int n, int length, const double* c, double* y) {
@@ -268,10 +267,7 @@ EnergySums energy(const materials::AnyLaw& law, double kappa, int n, const doubl
   for_each_vector(law, n, [&](const auto& known, int p) {
     const Tensor f = load(F, n, p);
     elastic += load(w + p) * known.energy(f);
-    if (kappa == 0) return;
-    const L J = materials::determinant(f);
-    const L difference = J - 1.0 / J;
-    volumetric += load(w + p) * (0.125 * kappa) * difference * difference;
+    if (kappa != 0) volumetric += load(w + p) * materials::volumetric_energy(kappa, materials::determinant(f));
   });
   return {elastic.sum(n_lanes), volumetric.sum(n_lanes)};
 }

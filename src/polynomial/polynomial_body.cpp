@@ -20,21 +20,6 @@ Eigen::Matrix3d tensor_at(const double* field, int n, int p) {
   return F;
 }
 
-/// The axes about which rotations of space map the symmetry planes to themselves.
-std::vector<int> free_turns(const std::array<bool, 3>& reflect) {
-  std::vector<int> axes;
-  for (int i = 0; i < 3; ++i) {
-    const bool free = !(reflect[(i + 1) % 3] || reflect[(i + 2) % 3]);
-    if (free) axes.push_back(i);
-  }
-  return axes;
-}
-
-bool depends_on_direction(const loads::Forcing& f) {
-  return !f.quadratic.isZero(0) || !f.nominal_traction.isZero(0) || !f.acceleration.isZero(0) || !f.planes.empty() ||
-         !f.companions.empty();
-}
-
 double sum_of_products(const std::vector<double>& w, const double* y, int n) {
   double sum = 0;
   for (int p = 0; p < n; ++p) sum += w[p] * y[p];
@@ -51,7 +36,7 @@ PolynomialBody::PolynomialBody(const BodySetup& s)
       loads_(s.loads),
       constant_(loads::constant_forcing(s.loads)),
       driven_(loads::depend_on_time(s.loads)) {
-  if (!depends_on_direction(constant_) && !driven_) turns_ = free_turns(s.reflect);
+  if (!driven_) free_ = loads::free_motions(constant_, s.reflect);
   if (const double G = constant_.gravity_constant; G > 0)
     gravity_ = std::make_shared<BodyGravity>(G, space_, s.n_gravity_points);
   if (!constant_.planes.empty())
@@ -102,7 +87,8 @@ mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const
   f = -f;
   add_loads(constant_, q, f);
   if (driven_) add_loads(now, q, f);
-  if (gravity_) gravity_->add_force(q, f);
+  if (gravity_)
+    if (auto status = gravity_->add_force(q, f); !status) return status;
   if (contact_ && held_at) contact_->add_holding_force(q - *held_at, f);
   if (contact_ && !held_at) {
     given += contact_->add_force(t, q, f);
@@ -300,9 +286,14 @@ void PolynomialBody::add_force_rate(const Vector& q, const Vector& u, Vector& f)
 }
 
 void PolynomialBody::symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
-  const int axis = turns_[i], j = (axis + 1) % 3, k = (axis + 2) % 3;  // (ê×x)_j = −x_k, (ê×x)_k = x_j
   dq.setZero();
   dv.setZero();
+  const int n_turns = static_cast<int>(free_.turns.size());
+  if (i >= n_turns) {
+    space_->set_affine(Eigen::Matrix3d::Zero(), Eigen::Vector3d::Unit(free_.translations[i - n_turns]), dq);
+    return;
+  }
+  const int axis = free_.turns[i], j = (axis + 1) % 3, k = (axis + 2) % 3;  // (ê×x)_j = −x_k, (ê×x)_k = x_j
   for (int a = 0; a < space_->n_functions(); ++a) {
     const int at_j = space_->place(j, a), at_k = space_->place(k, a);
     if (at_j < 0 || at_k < 0) continue;

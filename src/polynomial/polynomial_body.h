@@ -112,11 +112,11 @@ class PolynomialBody {
   double potential_energy(const Vector& q) const;
   /// The parts of the potential energy at the time t. The deformation q must be admissible.
   PotentialEnergies potential_energies(double t, const Vector& q) const;
-  /// Number of coordinate axes about which rotations of space are symmetries. Such a rotation maps the symmetry planes
-  /// of the sector to themselves. The number is 0 with rigid planes or companions, or if a load depends on direction or
-  /// time.
-  int n_symmetries() const { return static_cast<int>(turns_.size()); }
-  /// Sets dq = ê×x and dv = ê×ẋ as coefficients, with the unit vector ê of the axis of symmetry i.
+  /// Number of rotations and translations of space that are symmetries (loads::free_motions). It is 0 if a load depends
+  /// on time.
+  int n_symmetries() const { return static_cast<int>(free_.turns.size() + free_.translations.size()); }
+  /// Sets the coefficients dq and dv for symmetry i with the unit vector ê of its axis. For a rotation, dq = ê×x and dv
+  /// = ê×ẋ. For a translation, dq = ê and dv = 0. Rotations come first.
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
 
   /// f ← f − C u for viscosity, drag, and the damping and friction of contacts. C is the linearisation `kind` of the
@@ -215,7 +215,7 @@ class PolynomialBody {
   loads::Loads loads_;
   loads::Forcing constant_;  ///< loads that do not depend on time, with all planes
   bool driven_;              ///< true if a load depends on time or a plane moves
-  std::vector<int> turns_;   ///< axes of the rotations of space that are symmetries
+  loads::FreeMotions free_;  ///< rotations and translations of space that are symmetries
   std::shared_ptr<const BodyGravity> gravity_;
   std::shared_ptr<const BodyContact> contact_;  ///< null without planes
   mechanics::Orbit orbit_;

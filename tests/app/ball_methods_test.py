@@ -39,6 +39,7 @@ class BallMethods(ProgramTest):
                     taken.append(method)
                     self.assertGreater(self.json("out", "manifest.json")["models"][model]["counters"]["steps"], 0)
             self.assertIn("rattle", taken)
+            self.assertIn("energy-momentum", taken)
 
     def test_auto_takes_a_multistep_method_and_says_what_it_keeps(self):
         chosen = self.counters("auto", {"Time/Tolerance": 1e-5})

@@ -75,6 +75,18 @@ class StoppedRun(StoppedRunTest):
         counters = self.json("output/scene/manifest.json")["models"]["continuum"]["counters"]
         self.assertTrue(0 < counters["failed_intervals"] <= counters["repeated_intervals"])
 
+    def test_surface_that_passes_through_itself(self):
+        """A violent release with strong self-gravity. Without the end, the discrete gravity attracts the folds without a bound."""
+        side = 1 / math.sqrt(3)
+        self.scene({"Models": "continuum", "Continuum/Degree": 3, "Gravity/Constant": 12,
+                    "Initial state/Deformation": f"{side!r}, 0, 0; 0, {side!r}, 0; 0, 0, 3",
+                    "Time/End": 4, "Output/Samples": 40, "Time/Tolerance": 1e-3})
+        result = self.run_program("run", "scene.prm")
+        self.assert_exit(result, STOPPED)
+        self.assertIn("passes through itself", result.stderr)
+        of_ball = -0.6 * 12 * (4 * math.pi / 3)**2
+        self.assertGreater(min(self.table("output/scene/continuum.csv").column("gravitational")), 1.05 * of_ball)
+
     def test_control_c_within_intervals_that_are_integrated_again(self):
         """The checkpoint also has the last sample: if shorter steps are asked for, the whole interval is repeated. Interrupted again
         and again, such a run ends like an undisturbed one."""

@@ -109,6 +109,18 @@ TEST_P(Kernels, ReactionIsTheTransposeOfTheRate) {
   }
 }
 
+TEST_P(Kernels, ReactionRateIsTheDerivativeOfTheReaction) {
+  const Vector lambda = random_field(ball.make_multiplier(), generator);
+  Vector rate = ball.make_vector();
+  ball.add_reaction_rate(x, v, lambda, rate);
+  expect_near(derivative([&](double s) {
+                Vector reaction = ball.make_vector();
+                ball.add_reaction(moved(s), lambda, reaction);
+                return reaction;
+              }),
+              rate, 1e-8);
+}
+
 /// With the inverse, whose solver takes the tangent at x from the same pass, and with two levels. What follows,
 /// reaction and solve, must be what it is without the pass.
 TEST_P(Kernels, ForceWithReactionIsTheSumOfTheTwo) {

@@ -101,6 +101,22 @@ TEST(SurfaceGravity, EnergyOfTheSphereIsKnown) {
   EXPECT_NEAR(gravity.energy, -16 * pi * pi / 15, 1e-6);
 }
 
+TEST(SurfaceGravity, NoBodyHasLessEnergyThanTheBall) {
+  const double volume = 4 * pi / 3;
+  const auto judged = [&](const SurfacePoints& points) {
+    return judge_energy(gravity_of(points, points, 2, volume).energy, 2, volume);
+  };
+  EXPECT_TRUE(judged(ellipsoid<2>(Matrix3d::Identity(), 1)));
+  EXPECT_TRUE(judged(ellipsoid<4>(axes / std::cbrt(axes.determinant()), 2)));
+  // Two balls of half of the volume at one place: the overlap counts twice.
+  SurfacePoints twice;
+  const SurfacePoints half = ellipsoid<4>(std::cbrt(0.5) * Matrix3d::Identity(), 2);
+  for (int copy = 0; copy < 2; ++copy)
+    for (std::size_t i = 0; i < half.size(); ++i) twice.add(half.point(i), half.area(i));
+  EXPECT_NEAR(enclosed_volume(twice), volume, 1e-6);
+  EXPECT_FALSE(judged(twice));
+}
+
 /// Of the surface alone everything is known but to the error of the quadrature, which falls with the distance of the
 /// points to the fourth power and faster.
 TEST(SurfaceGravity, ForceOnAffineFieldsConvergesToThatOfTheEllipsoid) {

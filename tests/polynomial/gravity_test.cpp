@@ -31,7 +31,7 @@ VectorXd affine(const PolynomialSpace& space, const Matrix3d& A) {
 }
 VectorXd force(const BodyGravity& gravity, const VectorXd& q) {
   VectorXd f = VectorXd::Zero(q.size());
-  gravity.add_force(q, f);
+  EXPECT_TRUE(gravity.add_force(q, f));
   return f;
 }
 

@@ -4,7 +4,7 @@
 /// K + V, and N the number of samples. The indices 0 and 1 denote the ends of the interval between the samples. The
 /// condition is
 ///
-///   |E_1 − E_0| ≤ 1e-3/√N · max(E_m, K_0 + K_1),   E_m = K + |V − V of the body at rest| at the start of the run.
+///   |E_1 − E_0| ≤ 5e-4/√N · max(E_m, K_0 + K_1),   E_m = K + |V − V of the body at rest| at the start of the run.
 ///
 /// The condition is the same for the interval backwards in time.
 
@@ -24,7 +24,7 @@ class EnergyWatch {
  public:
   /// The object refers to `model`. `n_samples` is N in the condition above.
   EnergyWatch(const Model& model, long n_samples)
-      : model_(model), most_(1e-3 / std::sqrt(static_cast<double>(n_samples))) {}
+      : model_(model), most_(5e-4 / std::sqrt(static_cast<double>(n_samples))) {}
 
   /// Returns true if the condition in the opening comment holds between the states `before` and `after` at the ends of
   /// an interval. J_before and J_after are the least det F in these states. Also returns true if forces dissipate
@@ -45,7 +45,7 @@ class EnergyWatch {
 
  private:
   const Model& model_;
-  double most_;                      ///< the factor 1e-3/√N of the formula above
+  double most_;                      ///< the factor 5e-4/√N of the formula above
   std::optional<double> of_motion_;  ///< E_m of the formula above; computed when it is first needed
 };
 

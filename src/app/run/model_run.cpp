@@ -55,14 +55,13 @@ bool ModelRunBase::is_time_to_save() const {
 /// Returns to the stored state, so that the interval can be integrated again with shorter steps. Returns false if a
 /// repetition is not possible. A repetition requires a costly force, a method of fixed step and a step that the program
 /// has chosen. A repetition is not possible if the model itself ended the run, or if it would need more than
-/// `most_halvings` halvings of the step. After `most_failures` failed steps in a run, a further failed step ends the
-/// run. The step after the repeated interval depends only on the state there and on the last failure. A motion that is
-/// violent for a short time therefore does not shorten the steps of the whole run.
+/// `most_halvings` halvings of the step. The step after the repeated interval depends only on the state there and on
+/// the last failure. A motion that is violent for a short time therefore does not shorten the steps of the whole run.
 bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
   if (!repeats_intervals() || !verdict_) return false;
   const bool asked = least_halvings_ > position_.halvings;
   const int halvings = asked ? least_halvings_ : position_.halvings + 1;
-  if (halvings > most_halvings || (!asked && good_.position.n_failed == most_failures)) return false;
+  if (halvings > most_halvings) return false;
   return_to_kept_state();
   if (!kept_remarks_.empty()) any_model_.take_remarks(kept_remarks_);  // a contact of the failed attempt does not count
   position_ = good_.position;
@@ -84,13 +83,16 @@ bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
   }
   good_.position = position_;
   // There is no warning if the state at the end of the interval requires shorter steps, because this is frequent. The
-  // first failed step causes a warning, because the motion before it was not resolved.
+  // first failed step causes a warning, because the motion before it was not resolved. Later ones are logged seldom.
   const std::string text = fmt::format(
       "{}: from t = {} the step is {:.4g} for one interval between samples, since with a longer one {}",
       any_model_.name, physical_time(time()), std::ldexp(position_.step, -halvings) * context_.units.time,
       asked ? failure.reason : fmt::format("the run fails at t = {}: {}", physical_time(failure.t), failure.reason));
-  if (!asked && position_.n_failed == 1)
+  const long n_failed = asked ? 0 : position_.n_failed;
+  if (n_failed == 1)
     context_.log->warn("{}", text);
+  else if (n_failed == 10 || n_failed == 100 || n_failed == 1000)
+    context_.log->info("{} (failure {} of this run)", text, n_failed);
   else
     context_.log->debug("{}", text);
   return true;

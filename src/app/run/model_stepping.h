@@ -115,11 +115,9 @@ class ModelStepping {
   /// the step is halved before it becomes unstable at the ratio 1.
   static constexpr double less_reserve = 0.9;
   /// Largest number of halvings of the step in one interval between samples.
-  static constexpr int most_halvings = 6;
-  /// Largest number of failed steps in a run. A further failed step ends the run.
-  static constexpr long most_failures = 32;
+  static constexpr int most_halvings = 8;
   /// Largest number of halvings of the step in one interval because of a change of the energy.
-  static constexpr int most_halvings_for_energy = 5;
+  static constexpr int most_halvings_for_energy = 7;
 
   RunnableModel& any_model_;
   const RunContext& context_;

@@ -46,6 +46,8 @@ BallBody::BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const 
     contact_.emplace(planes, space_, contact_points.value_or(n_contact_points(space_)));
   if (const auto forcing = loads::constant_forcing(loads); !forcing.companions.empty())
     orbit_ = mechanics::Orbit(forcing.companions, forcing.gravity_constant, mass());
+  if (!loads_.time_dependent())
+    free_ = loads::free_motions(loads::constant_forcing(loads), space_.mesh().sector().reflect);
   E0_ = nodal_moment(space_.reference_positions(), space_.reference_positions());
 }
 
@@ -83,6 +85,40 @@ double BallBody::bulk_energy(const Vector& x) const {
   return space_.mesh().sector().n_images() * sum_over_ranks(energy, space_.communicator());
 }
 
+double BallBody::kinetic_energy(const Vector& v) const {
+  Vector momentum = v;
+  apply_mass(v, momentum);
+  return 0.5 * (momentum * v);
+}
+
+double BallBody::potential_energy(const Vector& x) const {
+  const CellIntegrals sums = integrals(x, make_vector());
+  if (!(sums.least > 0)) return HUGE_VAL;
+  const int n_images = space_.mesh().sector().n_images();
+  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> F(&sums.F[0][0]);
+  const double of_loads =
+      loads_.potential(0, nodal_moment(x, x), mass() * mean(x), whole_ball(F), n_images * sums.volume);
+  const double of_whole = bulk_energy(x) + energy_of_branches(x) + of_loads + contact(0, x).energy;
+  return sums.elastic + sums.volumetric + (gravity_ ? gravity_->energy(x) : 0) + of_whole / n_images;
+}
+
+void BallBody::symmetry(int i, const Vector& x, const Vector& v, Vector& dx, Vector& dv) const {
+  const int n_turns = static_cast<int>(free_.turns.size());
+  if (i >= n_turns) {
+    dx = affine_field(Eigen::Matrix3d::Zero(), Eigen::Vector3d::Unit(free_.translations[i - n_turns]));
+    dv = 0.0;
+    return;
+  }
+  const unsigned int axis = free_.turns[i], j = (axis + 1) % 3, k = (axis + 2) % 3;  // (ê×x)_j = −x_k, (ê×x)_k = x_j
+  dx = dv = 0.0;
+  for (unsigned int n = 0; n < 3 * space_.n_nodes(); n += 3) {
+    dx.local_element(n + j) = -x.local_element(n + k);
+    dx.local_element(n + k) = x.local_element(n + j);
+    dv.local_element(n + j) = -v.local_element(n + k);
+    dv.local_element(n + k) = v.local_element(n + j);
+  }
+}
+
 mechanics::Status BallBody::applied_force(double t, const Vector& x, const Vector& v, const Vector* held_at,
                                           Vector& f) const {
   return complete_force(t, x, v, kernels_->force(x, f), held_at, f);
@@ -93,7 +129,8 @@ mechanics::Status BallBody::complete_force(double t, const Vector& x, const Vect
   if (auto status = judge(least, x); !status) return status;
   loads_.add(t, x, v, f);
   if (relaxes()) kernels_->add_branch_force(branches_.list, x, f);
-  if (gravity_) gravity_->add(x, f);
+  if (gravity_)
+    if (auto status = gravity_->add(x, f); !status) return status;
   if (orbit_.n() > 0) add_companions(x, f);
   if (!contact_) return {};
   if (held_at) {

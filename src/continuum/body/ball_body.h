@@ -94,6 +94,16 @@ class BallBody {
   /// on the velocity. `dissipative`: true if a force or a branch dissipates energy.
   bool velocity_dependent() const { return loads_.damped(); }
   bool dissipative() const { return loads_.dissipative(); }
+  /// The kinetic energy ½vᵀMv, and the potential energy at the time 0, of the computed sector and without companions.
+  /// The potential energy is infinite if the law does not admit F at a quadrature point. Collective.
+  double kinetic_energy(const Vector& v) const;
+  double potential_energy(const Vector& x) const;
+  /// Number of rotations and translations of space that are symmetries (loads::free_motions). It is 0 if a load depends
+  /// on time.
+  int n_symmetries() const { return static_cast<int>(free_.turns.size() + free_.translations.size()); }
+  /// Sets dx and dv at the nodes for symmetry i with the unit vector ê of its axis. For a rotation, dx = ê×x and dv =
+  /// ê×v. For a translation, dx = ê and dv = 0. Rotations come first.
+  void symmetry(int i, const Vector& x, const Vector& v, Vector& dx, Vector& dv) const;
   bool has_contact() const { return contact_.has_value(); }
 
   Vector make_vector() const { return space_.make_vector(); }
@@ -215,6 +225,7 @@ class BallBody {
   std::optional<SurfaceGravityForces> gravity_;
   std::optional<ContactForces> contact_;  ///< empty if there are no planes
   mechanics::Orbit orbit_;
+  loads::FreeMotions free_;  ///< rotations and translations of space that are symmetries
   Eigen::Matrix3d E0_;
   double volume_;
 };

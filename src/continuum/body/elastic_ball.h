@@ -84,6 +84,10 @@ class ElasticBall : public BallBody {
   void add_reaction(const Vector& x, const Multiplier& lambda, Vector& f, Workspace& workspace) const {
     workspace.gram.add_reaction(x, lambda, f);
   }
+  /// f ← f + Σ λ_j D²g_j(x)(v, ·). Collective.
+  void add_reaction_rate(const Vector& x, const Vector& v, const Multiplier& lambda, Vector& f) const {
+    kernels().add_reaction_rate(x, v, lambda, f);
+  }
   /// κ of the energy that replaces the constraint (mechanics::Compliant); infinite if the ball is incompressible.
   double constraint_stiffness() const { return projected_bulk() > 0 ? projected_bulk() : HUGE_VAL; }
   /// b_j = ∫ψ_j B′(θ) dX with θ = Σ g_j ψ_j and the projected bulk term B.

@@ -107,12 +107,16 @@ void SurfaceGravityForces::spread(const Jets& x, const gravity::SurfaceDerivativ
   surface_.subtract_derivative(by_jets, f);
 }
 
-void SurfaceGravityForces::add(const Vector& x, Vector& f) const {
+mechanics::Status SurfaceGravityForces::add(const Vector& x, Vector& f) const {
   const Jets at = jets_at(x);
   const gravity::SurfacePoints own = own_points(at);
   const gravity::PairSums sums = sums_at(own);
-  spread(at, surface_derivative(own, sums, over_ranks(totals(own, sums)), constant_, rest_volume_), f);
+  const gravity::SurfaceTotals of_all = over_ranks(totals(own, sums));
+  spread(at, surface_derivative(own, sums, of_all, constant_, rest_volume_), f);
   add_to_owners(f);
+  const int n_images = space_.mesh().sector().n_images();
+  return gravity::judge_energy(n_images * surface_energy(of_all, constant_, rest_volume_), constant_,
+                               n_images * rest_volume_);
 }
 
 void SurfaceGravityForces::add_rate(const Vector& x, const Vector& u, const Signs& s, Vector& f) const {

@@ -37,8 +37,8 @@ class SurfaceGravityForces {
   /// The gravitational constant G in internal units.
   double constant() const { return constant_; }
 
-  /// f ← f − ∂Ê/∂x. Collective.
-  void add(const Vector& x, Vector& f) const;
+  /// f ← f − ∂Ê/∂x. Fails if Ê is too low (gravity::judge_energy). Collective.
+  mechanics::Status add(const Vector& x, Vector& f) const;
   /// f ← f − D²Ê(x)[u]. The position x must have the symmetry of the sector. The displacement u must satisfy u(R_c X) =
   /// s_c R_c u(X) under each reflection R_c of the sector. It is even under R_c if s_c = 1, and odd if s_c = −1.
   /// Collective.

@@ -62,6 +62,14 @@ void CellKernels::add_reaction(const Vector& x, const Vector& lambda, Vector& f)
   add_to_owners(f);
 }
 
+void CellKernels::add_reaction_rate(const Vector& x, const Vector& v, const Vector& lambda, Vector& f) const {
+  require_constraint();
+  const GhostValues of_x(x);
+  const GhostValues of_v(v);
+  local_->add_reaction_rate(x.begin(), v.begin(), lambda.begin(), f.begin());
+  add_to_owners(f);
+}
+
 void CellKernels::set_tangent(const Vector& x, ConstraintTangent& tangent) const {
   require_constraint();
   const GhostValues of_x(x);

@@ -8,6 +8,7 @@
 ///   rate            (G v)_j = ∫ ψ_j tr(F⁻¹∇v) dX
 ///   curvature       D²g(v, v)_j = −∫ ψ_j tr((F⁻¹∇v)²) dX
 ///   reaction        (Gᵀλ)_n = ∫ λ_h F⁻ᵀ ∇φ_n dX
+///   rate of it      Σ λ_j D²g_j(v, ·)_n = −∫ λ_h F⁻ᵀ (∇v)ᵀ F⁻ᵀ ∇φ_n dX
 ///   viscous force   f_n = −∫ 2ηJ d F⁻ᵀ ∇φ_n dX,   d = sym(∇v F⁻¹),   with the power ∫ 2ηJ d:d dX
 ///
 /// Vectors may be distributed over ranks. Each rank integrates over its own cells. The functions update the ghost
@@ -53,6 +54,8 @@ class CellKernels {
   void constraint_rate(const ConstraintTangent& at_x, const Vector& v, Vector& r) const;
   void add_reaction(const ConstraintTangent& at_x, const Vector& lambda, Vector& f) const;
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f) const;
+  /// f ← f + Σ λ_j D²g_j(v, ·), the rate of Gᵀλ along v at the positions x.
+  void add_reaction_rate(const Vector& x, const Vector& v, const Vector& lambda, Vector& f) const;
   /// f ← f + viscous force. Returns the power that this force dissipates on this rank.
   double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const;
 

@@ -20,6 +20,7 @@
 #include "continuum/kernels/local_kernels.h"
 #include "continuum/kernels/point_law.h"
 #include "continuum/kernels/pressure_at_nodes.h"
+#include "continuum/kernels/reaction_of_cells.h"
 
 namespace pseudorigid::continuum {
 
@@ -119,12 +120,10 @@ class DegreeKernels final : public LocalKernels {
   }
 
   void add_reaction(const double* x, const double* lambda, double* f) const override {
-    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      planes_.load_layers(x, b, buffers_.x);
-      batches_.load_multiplier(lambda, b, buffers_.multiplier);
-      reaction_of_batch(b);
-      batches_.scatter_add(buffers_.result, b, f);
-    }
+    add_reaction_of_cells(planes_, x, lambda, f);
+  }
+  void add_reaction_rate(const double* x, const double* v, const double* lambda, double* f) const override {
+    add_reaction_rate_of_cells(planes_, x, v, lambda, f);
   }
 
   std::unique_ptr<ConstraintTangent> make_tangent(Precision precision) const override {
@@ -283,29 +282,6 @@ class DegreeKernels final : public LocalKernels {
       batches_.scatter_add(buffers_.result, b, f);
     }
     return least;
-  }
-
-  /// Sets buffers_.result to ∫λ_h F⁻ᵀ:∇φ for a batch. Before the call, buffers_.x must contain the layers of x, and
-  /// buffers_.multiplier the coefficients λ_j of λ_h.
-  void reaction_of_batch(std::size_t b) const {
-    L coefficients[n_pressure];
-    batches_.monomial_coefficients(buffers_.multiplier, b, coefficients);
-    Field& H = buffers_.H;
-    for (int q3 = 0; q3 < n; ++q3) {
-      planes_.plane_gradient(buffers_.x, q3, H);
-      const PressurePoint* points = batches_.pressure_points(b) + q3 * plane;
-      for (int q = 0; q < plane; ++q) {
-        const PressurePoint& p = points[q];
-        prefetch(points + plane + q);
-        const L pressure = Batches::Monomials::evaluate(coefficients, p.position[0], p.position[1], p.position[2]);
-        const Tensor H_q = Planes::load(H, q);
-        const Tensor cof = materials::cofactor(H_q);
-        const Tensor T = p.weight * pressure / materials::determinant(H_q, cof) * cof;
-        Planes::store(T, q, H);
-      }
-      planes_.integrate_plane(H, q3);
-    }
-    planes_.distribute_layers();
   }
 
   /// Adds the integrals of a batch to `sums`. The buffers must contain the layers of X, x and v.

@@ -76,6 +76,7 @@ class LocalKernels {
   virtual void constraint_rate(const double* x, const double* v, double* r) const = 0;
   virtual void constraint_curvature(const double* x, const double* v, double* r) const = 0;
   virtual void add_reaction(const double* x, const double* lambda, double* f) const = 0;
+  virtual void add_reaction_rate(const double* x, const double* v, const double* lambda, double* f) const = 0;
   virtual std::unique_ptr<ConstraintTangent> make_tangent(Precision precision) const = 0;
   virtual void set_tangent(const double* x, ConstraintTangent& tangent) const = 0;
   virtual void constraint_rate(const ConstraintTangent& at_x, const double* v, double* r) const = 0;

@@ -6,6 +6,7 @@
 
 #include "continuum/kernels/point_law.h"
 #include "continuum/kernels/stress_points.h"
+#include "materials/volumetric_energy.h"
 
 namespace pseudorigid::continuum {
 
@@ -39,10 +40,7 @@ class LawAtPoints final : public PointLaw<n_lanes> {
     for (int q = 0; q < n_points; ++q) {
       const Tensor F = load(F_at_points, n_points, q);
       elastic += weights[q] * law_.energy(F);
-      if (kappa_ == 0) continue;
-      const L J = materials::determinant(F);
-      const L difference = J - 1.0 / J;
-      volumetric += weights[q] * (0.125 * kappa_) * difference * difference;
+      if (kappa_ != 0) volumetric += weights[q] * materials::volumetric_energy(kappa_, materials::determinant(F));
     }
   }
 

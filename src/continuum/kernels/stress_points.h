@@ -17,15 +17,9 @@
 #include "materials/law_limits.h"
 #include "materials/stress_coefficients.h"
 #include "materials/tensor.h"
+#include "materials/volumetric_energy.h"
 
 namespace pseudorigid::continuum {
-
-/// Returns ∂U/∂J = (κ/4)(J − 1/J³) for κ = `kappa`.
-template <class L>
-[[gnu::always_inline]] inline L stabilizing_pressure(double kappa, const L& J) {
-  const L inverse = 1.0 / J;
-  return (0.25 * kappa) * (J - inverse * inverse * inverse);
-}
 
 /// Geometry and stress of a point for any law. The geometry consists of the ten numbers of (∂X/∂ξ)⁻¹ and w.
 template <class L>
@@ -50,7 +44,7 @@ struct AnyStressPoint {
     Tensor P = -weight * law.stress(F);
     if (kappa != 0) {
       const Tensor cof = materials::cofactor(F);
-      const L pressure = weight * stabilizing_pressure(kappa, materials::determinant(F, cof));
+      const L pressure = weight * materials::volumetric_pressure(kappa, materials::determinant(F, cof));
       P = materials::entrywise([&](const L& p, const L& c) { return p - pressure * c; }, P, cof);
     }
     return times_inverse_transposed(P);
@@ -105,7 +99,7 @@ struct MetricStressPoint {
     const auto [of_F, of_cofactor] = law.stress_coefficients(J);
     const L a = -of_F;
     L c = -unit_weight * of_cofactor;
-    if (kappa != 0) c = c - unit_weight * stabilizing_pressure(kappa, J);
+    if (kappa != 0) c = c - unit_weight * materials::volumetric_pressure(kappa, J);
     const auto row = [&](int i, L(&T)[3]) {
       const L h0 = a * H(i, 0), h1 = a * H(i, 1), h2 = a * H(i, 2);
       T[0] = h0 * G00 + h1 * G01 + h2 * G02 + c * cof(i, 0);

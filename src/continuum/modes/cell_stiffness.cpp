@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <variant>
 
+#include "materials/volumetric_energy.h"
+
 namespace pseudorigid::continuum {
 namespace {
 
@@ -36,13 +38,13 @@ Tangent columns(const Of& of) {
 Tangent tangent_at(const StoredEnergy& stored, const materials::Tensor<double>& F, double lambda) {
   const materials::Tensor<double> cof = materials::cofactor(F);
   const double J = materials::determinant(F, cof), kappa = stored.volumetric_stiffness;
-  const double curvature = kappa / 4 * (1 + 3 / (J * J * J * J));
+  const double curvature = materials::volumetric_curvature(kappa, J);
   Tangent tangent = columns([&](const materials::Tensor<double>& H) {
     const double of_volume = curvature * materials::dot(cof, H);
     return materials::entrywise([&](double of_law, double c) { return of_law + of_volume * c; },
                                 std::visit([&](const auto& known) { return known.tangent(F, H); }, stored.law), cof);
   });
-  if (kappa != 0) tangent.add(kappa / 4 * (J - 1 / (J * J * J)), tangent_of_pressure(F));
+  if (kappa != 0) tangent.add(materials::volumetric_pressure(kappa, J), tangent_of_pressure(F));
   return lambda == 0 ? tangent : tangent.add(lambda, tangent_of_constraint(F));
 }
 

@@ -123,7 +123,8 @@ mechanics::Status BallFigures::terms(const Figure& figure, Terms& terms) const {
   const Vector x = positions(figure), rest = body_->make_vector();
   terms.force = terms.drive = terms.reaction = rest;
   if (auto status = body_->judge(body_->kernels().force(x, terms.force), x); !status) return status;
-  if (body_->gravity()) body_->gravity()->add(x, terms.force);
+  if (body_->gravity())
+    if (auto status = body_->gravity()->add(x, terms.force); !status) return status;
   if (kind_ == Drive::loads) {
     body_->loads().add(0, x, rest, terms.drive);
   } else {

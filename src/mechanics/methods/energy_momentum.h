@@ -6,7 +6,7 @@
 /// 0 with G = Dg. Δ denotes a change in a step. A step of size h from X₀ to X₁ is
 ///
 ///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,   X_m = (X₀ + X₁)/2,
-///   ∇̄F = ∇F(X_m) + C,   C = ΠD + θP,   θ = [ΔF − (∇F(X_m) + ΠD)·ΔX]/|P|²,   P = Π ΔX,
+///   ∇̄F = ∇F(X_m) + C,   C = ΠD + θMP,   θ = [ΔF − (∇F(X_m) + ΠD)·ΔX]/(P·MP),   P = Π ΔX,
 ///   D = ½[∇F(X₁ − P/2) + ∇F(X₀ + P/2)] − ∇F(X_m),
 ///
 /// with the discrete gradient ∇̄F, the canonical antisymmetric matrix 𝒥 and multipliers λ, μ. The projection Π acts on
@@ -55,6 +55,7 @@
 #include <utility>
 
 #include "mechanics/core/conservative_system.h"
+#include "mechanics/core/orbiting_system.h"
 #include "mechanics/core/second_order_field.h"
 #include "mechanics/methods/energy_momentum_workspace.h"
 #include "mechanics/methods/fixed_point_monitor.h"
@@ -80,7 +81,7 @@ struct EnergyMomentum {
   static constexpr int order = 2;
   static constexpr int n_stages = 1;
   static constexpr bool symplectic = false, symmetric = true;
-  static constexpr bool adaptive = false, chosen_by_auto = false;
+  static constexpr bool adaptive = false, chosen_by_auto = false, takes_any_vector = true;
   /// Largest hω that a search tries, with the frequency ω of an oscillation. The iteration converges for hω < 2, and
   /// its increments decrease by the factor (hω/2)². At hω = 1.6 the harmonic oscillator needs about 80 of the 150
   /// permitted iterations. The step itself is stable for all hω.
@@ -91,14 +92,16 @@ struct EnergyMomentum {
   template <class S>
   static constexpr bool fits = ConservativeSystem<S>;
 
-  /// Returns a failure if a force dissipates energy or depends on velocity or time. The energy would then not be
-  /// constant in general.
+  /// Returns a failure if a force dissipates energy or depends on velocity or time, because the energy would then not
+  /// be constant in general. Also returns a failure for companions, which V and K do not contain.
   template <ConservativeSystem S>
   static Status accepts(const S& system) {
     if (dissipative(system) || velocity_dependent(system) || time_dependent(system))
       return Status::failure(
           "energy-momentum keeps the energy constant, which forces that dissipate, depend on the velocity or depend on "
           "time do not do; use rattle or explicit-8");
+    if (has_companions(system))
+      return Status::failure("energy-momentum does not move companions in orbit; use rattle or explicit-8");
     return {};
   }
 
@@ -127,7 +130,11 @@ struct EnergyMomentum {
       const double step = std::max(max_norm(w.dq), max_norm(w.dv));
       // The first iterations compute θ and C anew. When round-off stops the decrease of the increments, θ is no longer
       // changed. When the increments are small, or stop decreasing again, C is no longer changed either.
-      if (w.hold < 2 && (monitor.stalled(increment, 1e-6 * step) || increment <= 1e-14 * step)) {
+      const bool stalled = monitor.stalled(increment, 1e-6 * step);
+      // An increment of Δq of one unit of round-off changes Δv by up to 2/h of it. If the step has stiff oscillations,
+      // the increments of Δv can decrease no further.
+      if (w.hold == 2 && stalled && increment <= 120 * epsilon * max_norm(w.q_end) / std::abs(h)) break;
+      if (w.hold < 2 && (stalled || increment <= 1e-14 * step)) {
         w.hold = increment <= 1e-14 * step ? 2 : w.hold + 1;
         monitor.start_again();
       }
@@ -247,7 +254,7 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Sets C = Π D + θ P, with D = 0 if the system has no symmetries. Computes P from ΔX, and θ if w.hold is 0.
+  /// Sets C = Π D + θ M P, with D = 0 if the system has no symmetries. Computes P from ΔX, and θ if w.hold is 0.
   /// Otherwise θ does not change. On entry, w.A and w.B are the results of add_gradient at X_m. Fails if a force or the
   /// constraint fails.
   template <ConservativeSystem S>
@@ -255,7 +262,7 @@ struct EnergyMomentum {
     w.P_q = w.dq;
     w.P_v = w.dv;
     w.orbit.set(system, w.q_middle, w.v_middle);
-    const double P = w.orbit.project(w.P_q, w.P_v);
+    const double P = w.orbit.project(system, w.P_q, w.P_v);
     scale(0.0, w.C_q);
     scale(0.0, w.C_v);
     if (system.n_symmetries() > 0) {
@@ -271,12 +278,14 @@ struct EnergyMomentum {
       axpy(-1.0, w.A, w.C_q);
       scale(-1.0, w.C_q);
       axpy(-1.0, w.B, w.C_v);
-      w.orbit.project(w.C_q, w.C_v);
+      w.orbit.project_covector(w.C_q, w.C_v);
     }
     if (w.hold == 0)
       if (Status status = set_theta(system, h, P, w); !status) return status;
-    axpy(w.theta, w.P_q, w.C_q);
-    axpy(w.theta, w.P_v, w.C_v);
+    system.apply_mass(w.P_q, w.q_side);
+    system.apply_mass(w.P_v, w.v_side);
+    axpy(w.theta, w.q_side, w.C_q);
+    axpy(w.theta, w.v_side, w.C_v);
     return {};
   }
 
@@ -287,7 +296,7 @@ struct EnergyMomentum {
   template <ConservativeSystem S>
   static Status set_theta(const S& system, double h, double P, EnergyMomentumWorkspace<S>& w) {
     w.theta = 0;
-    if (P <= relative_equilibrium * std::sqrt(dot(w.dq, w.dq) + dot(w.dv, w.dv))) return {};
+    if (P <= relative_equilibrium * w.orbit.norm(system, w.dq, w.dv)) return {};
     const double V_end = system.potential_energy(w.q_end);
     const double work = dot(w.A, w.P_q) - dot(w.B, w.P_v) - dot(w.C_q, w.P_q) - dot(w.C_v, w.P_v);
     const double limit = 0.01 * P * P / std::abs(h);
