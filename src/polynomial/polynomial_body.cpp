@@ -294,13 +294,15 @@ void PolynomialBody::symmetry(int i, const Vector& q, const Vector& v, Vector& d
     return;
   }
   const int axis = free_.turns[i], j = (axis + 1) % 3, k = (axis + 2) % 3;  // (ê×x)_j = −x_k, (ê×x)_k = x_j
+  const Vector about_centre = q - affine(Eigen::Matrix3d::Zero(), space_->mean(q)),
+               rate = v - affine(Eigen::Matrix3d::Zero(), space_->mean(v));
   for (int a = 0; a < space_->n_functions(); ++a) {
     const int at_j = space_->place(j, a), at_k = space_->place(k, a);
     if (at_j < 0 || at_k < 0) continue;
-    dq[at_j] = -q[at_k];
-    dq[at_k] = q[at_j];
-    dv[at_j] = -v[at_k];
-    dv[at_k] = v[at_j];
+    dq[at_j] = -about_centre[at_k];
+    dq[at_k] = about_centre[at_j];
+    dv[at_j] = -rate[at_k];
+    dv[at_k] = rate[at_j];
   }
 }
 

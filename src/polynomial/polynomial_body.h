@@ -115,8 +115,8 @@ class PolynomialBody {
   /// Number of rotations and translations of space that are symmetries (loads::free_motions). It is 0 if a load depends
   /// on time.
   int n_symmetries() const { return static_cast<int>(free_.turns.size() + free_.translations.size()); }
-  /// Sets the coefficients dq and dv for symmetry i with the unit vector ê of its axis. For a rotation, dq = ê×x and dv
-  /// = ê×ẋ. For a translation, dq = ê and dv = 0. Rotations come first.
+  /// Sets the coefficients dq and dv for symmetry i with the unit vector ê of its axis. For a rotation, dq =
+  /// ê×(x − x_c) and dv = ê×(ẋ − ẋ_c) with the mean x_c. For a translation, dq = ê and dv = 0. Rotations come first.
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
 
   /// f ← f − C u for viscosity, drag, and the damping and friction of contacts. C is the linearisation `kind` of the

@@ -41,32 +41,32 @@ void keeps_energy_and_momentum(const Ball& ball, const Sector& sector, double st
   }
   // The motion is not that of a rigid body or of an affine one.
   const auto last = observed(ball, r.last());
-  EXPECT_GT(std::abs(last.elastic + last.gravitational - first.elastic - first.gravitational), 1e-2 * first.kinetic);
+  EXPECT_GT(std::abs(last.elastic - first.elastic), 1e-3 * first.kinetic);
   EXPECT_GT(last.nonaffine_displacement, 1e-4);
 }
 
 TEST(EnergyMomentumBall, IncompressibleBallsKeepEnergyAndMomentum) {
   for (const Sector& sector : all_sectors) {
     const ElasticBall ball(sector, sector.n_images() == 1 ? 2 : 3, 0, neo_hookean);
-    keeps_energy_and_momentum(ball, sector, 0.04);
+    keeps_energy_and_momentum(ball, sector, 0.0125);
   }
 }
 
 TEST(EnergyMomentumBall, CompressibleBallsKeepEnergyAndMomentum) {
   for (const Sector& sector : {octant, half}) {
     const CompressibleBall ball(sector, 3, 0, ciarlet_geymonat);
-    keeps_energy_and_momentum(ball, sector, 0.02);
+    keeps_energy_and_momentum(ball, sector, 0.01);
   }
 }
 
 TEST(EnergyMomentumBall, GravitatingBallsKeepEnergyAndMomentum) {
   const ElasticBall ball(half, 2, 0, {neo_hookean, 3}, self_gravity(1.2));
-  keeps_energy_and_momentum(ball, half, 0.04);
+  keeps_energy_and_momentum(ball, half, 0.02);
 }
 
 TEST(EnergyMomentumBall, KeepsTheConstraint) {
   const ElasticBall ball(octant, 4, 0, neo_hookean);
-  const auto r = run<Method>(ball, pulsating(ball, octant), 1, 4, 10);
+  const auto r = run<Method>(ball, pulsating(ball, octant), 1, 4, 50);
   ASSERT_TRUE(r.finished()) << r.result.reason;
   continuum::Vector g = ball.make_multiplier(), rate = g;
   for (const auto& state : r.states) {

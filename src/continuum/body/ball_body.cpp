@@ -110,12 +110,13 @@ void BallBody::symmetry(int i, const Vector& x, const Vector& v, Vector& dx, Vec
     return;
   }
   const unsigned int axis = free_.turns[i], j = (axis + 1) % 3, k = (axis + 2) % 3;  // (ê×x)_j = −x_k, (ê×x)_k = x_j
+  const Eigen::Vector3d x_c = mean(x), v_c = mean(v);
   dx = dv = 0.0;
   for (unsigned int n = 0; n < 3 * space_.n_nodes(); n += 3) {
-    dx.local_element(n + j) = -x.local_element(n + k);
-    dx.local_element(n + k) = x.local_element(n + j);
-    dv.local_element(n + j) = -v.local_element(n + k);
-    dv.local_element(n + k) = v.local_element(n + j);
+    dx.local_element(n + j) = x_c[k] - x.local_element(n + k);
+    dx.local_element(n + k) = x.local_element(n + j) - x_c[j];
+    dv.local_element(n + j) = v_c[k] - v.local_element(n + k);
+    dv.local_element(n + k) = v.local_element(n + j) - v_c[j];
   }
 }
 

@@ -101,8 +101,9 @@ class BallBody {
   /// Number of rotations and translations of space that are symmetries (loads::free_motions). It is 0 if a load depends
   /// on time.
   int n_symmetries() const { return static_cast<int>(free_.turns.size() + free_.translations.size()); }
-  /// Sets dx and dv at the nodes for symmetry i with the unit vector ê of its axis. For a rotation, dx = ê×x and dv =
-  /// ê×v. For a translation, dx = ê and dv = 0. Rotations come first.
+  /// Sets dx and dv at the nodes for symmetry i with the unit vector ê of its axis. For a rotation, dx = ê×(x − x_c)
+  /// and dv = ê×(v − v_c) with the means x_c and v_c. For a translation, dx = ê and dv = 0. Rotations come first. About
+  /// the centre, a rotation does not change v_c, so a method that uses these fields keeps the centre in uniform motion.
   void symmetry(int i, const Vector& x, const Vector& v, Vector& dx, Vector& dv) const;
   bool has_contact() const { return contact_.has_value(); }
 
