@@ -95,6 +95,16 @@ class BallMethods(ProgramTest):
         self.assertIn("set by the drift of the energy", self.log("polynomial"))
         self.assertLess(self.change_of_energy("polynomial", "polynomial"), 1e-2)
 
+    def test_energy_momentum_keeps_energy_and_resumes(self):
+        scene = {"Models": "continuum", "Continuum/Degree": 3, "Time/Method": "energy-momentum", "Time/Step": 0.01,
+                 "Initial state/Velocity": "0.1, -0.3, 0; 0.3, 0.1, 0; 0, 0, -0.2", "Initial state/Center velocity": "0.4, 0.1, 0"}
+        self.scene({**scene, "Time/End": 1, "Output/Samples": 10})
+        self.run_done("run", "scene.prm", "--output", "whole")
+        self.assertLess(self.change_of_energy("whole"), 1e-13)
+        self.run_done("run", "scene.prm", "--output", "parts", *overrides({"Time/End": 0.5, "Output/Samples": 5}))
+        self.run_done("run", "scene.prm", "--output", "parts", "--resume")
+        self.assertEqual(*((self.scratch / folder / "continuum.csv").read_text() for folder in ("whole", "parts")))
+
     def test_damped_ball(self):
         """Multistep methods are for conservative forces."""
         damped = {"Material/Viscosity": 0.05, "Time/Tolerance": 1e-3}

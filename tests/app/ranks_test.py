@@ -55,6 +55,9 @@ class Ranks(RanksTest):
     def test_multistep_method(self):
         self.check_same_on_all({**SCENE, "Time/Method": "symmetric-4"})
 
+    def test_conserving_method(self):
+        self.check_same_on_all({**SCENE, "Time/Method": "energy-momentum", "Time/End": 0.1})
+
     def test_compressible_ball_with_loads_and_dissipation(self):
         self.check_same_on_all({
             "Models": "continuum", "Body/Incompressible": "false", "Material/Law": "ciarlet-geymonat",
