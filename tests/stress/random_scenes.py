@@ -8,7 +8,7 @@ from program import (DONE, STOPPED, faults, faults_of_resume, found_nothing, met
                      words)
 from random_loads import put_branches, put_companions, put_planes
 
-LONGEST = 60  # seconds of a run
+LONGEST = {True: 15, False: 60}  # seconds of a run, in the short form and otherwise
 
 
 # Matrices as lists of rows.
@@ -345,13 +345,13 @@ def faults_of_energy(entries, run):
             for model, drift in energy_drift(run).items() if drift > bound]
 
 
-def one(program, seed, number, with_continuum=True):
+def one(program, seed, number, limit, with_continuum=True):
     """Runs scene `number`; a record."""
     rng = random.Random(f"{seed}/{number}")
     kind = "system" if rng.random() < 0.3 else "ball"
     entries, ranks = ball(rng, with_continuum) if kind == "ball" else system(rng)
     name = f"scene{number}"
-    run = program.run(entries, name, limit=LONGEST, ranks=ranks)
+    run = program.run(entries, name, limit=limit, ranks=ranks)
     found = faults(run)
     record = {"number": number, "kind": entries.get("System", entries.get("Models", "ball")), "ranks": ranks,
               "code": run.code, "seconds": round(run.seconds, 2), "too_long": bool(run.too_long), "resumed": "", "reason": ""}
@@ -364,7 +364,7 @@ def one(program, seed, number, with_continuum=True):
         record["reason"] = "no equilibrium was found"
     elif run.code == STOPPED and not found and not run.too_long and "Analysis" not in entries:
         record["reason"] = reason_without_numbers(run.stop()[1])
-        found, again = faults_of_resume(program, run, name, limit=LONGEST, ranks=ranks)
+        found, again = faults_of_resume(program, run, name, limit=limit, ranks=ranks)
         record["resumed"] = {DONE: "finished", STOPPED: "stopped"}.get(again.code, "refused")
     elif run.code == 2:
         record["reason"] = reason_without_numbers(run.stderr.split("error: ", 1)[-1].strip())
@@ -374,5 +374,5 @@ def one(program, seed, number, with_continuum=True):
     return record
 
 
-def run(program, number, seed, with_continuum=True, **_):
-    return [one(program, seed, i, with_continuum) for i in range(number)]
+def run(program, number, seed, quick, with_continuum=True, **_):
+    return [one(program, seed, i, LONGEST[quick], with_continuum) for i in range(number)]

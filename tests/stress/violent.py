@@ -55,7 +55,8 @@ def outcome(run, gamma):
     record = {"outcome": "finished", "time": table.column("time")[-1], "biot_time": counters.get("surface_limit_time", ""),
               "drift": change / elastic[0], "drift_of_motion": change / energy_of_motion(table, gamma), "least_jacobian": min(table.column("min_jacobian")),
               "volume_error": max(table.column("volume_error")),
-              "steps": counters.get("steps", ""), "forces": counters.get("forces", ""),
+              "steps": counters.get("steps", ""), "forces": counters.get("forces", ""), "repeated_forces": counters.get("repeated_forces", ""),
+              "stable_steps": round(counters.get("stable_steps", 0)),
               "repeated_intervals": counters.get("repeated_intervals", ""), "reason": ""}
     if run.too_long:
         record["outcome"] = "long"

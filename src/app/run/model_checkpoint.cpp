@@ -41,12 +41,14 @@ void add_snapshot(io::Checkpoint& c, const Snapshot& snapshot, SavedVectors vect
   set("halvings after failure", static_cast<long>(position.halvings_after_failure));
   set("repeated intervals", position.n_repeated);
   set("failed intervals", position.n_failed);
+  set("repeated forces", position.n_repeated_forces);
   set("next look", position.looks.next);
   set("last look", position.looks.last);
   set("method", std::string(mechanics::method_name(position.method)));
-  set("numbers", std::array{position.step, position.local_tolerance, position.max_constraint,
-                            position.max_constraint_rate, snapshot.t, position.looks.stable_step,
-                            position.looks.fastest_change, position.time_error.value_or(unknown_error)});
+  set("numbers",
+      std::array{position.step, position.local_tolerance, position.max_constraint, position.max_constraint_rate,
+                 snapshot.t, position.looks.stable_step, position.looks.fastest_change,
+                 position.time_error.value_or(unknown_error), position.n_stable_steps});
   set("q", std::move(vectors.q));
   set("v", std::move(vectors.v));
   set("memory", std::move(vectors.memory));
@@ -66,7 +68,7 @@ io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot& snapsh
 
 void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot, const std::string& prefix) {
   const auto integer = [&](const char* name) { return c.get_integer(prefix + name); };
-  const auto& numbers = c.get_doubles(prefix + "numbers", 8);
+  const auto& numbers = c.get_doubles(prefix + "numbers", 9);
   const auto method = mechanics::find_method(c.get_string(prefix + "method"));
   if (!method) throw UserError("the checkpoint is of a method that this program does not have");
   snapshot.position = {{integer("sample"), integer("step in interval")},
@@ -78,6 +80,8 @@ void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot, const std::str
                        static_cast<int>(integer("halvings after failure")),
                        integer("repeated intervals"),
                        integer("failed intervals"),
+                       integer("repeated forces"),
+                       numbers[8],
                        {integer("next look"), integer("last look"), numbers[5], numbers[6]},
                        numbers[2],
                        numbers[3],

@@ -32,8 +32,12 @@ struct RunPosition {
   long steps_in_interval = 0;  ///< planned number of steps from the last sample to the next; 0 at a sample
   int halvings = 0;            ///< the steps in the present interval, or in the last one, are at most step / 2^halvings
   int halvings_after_failure = 0;  ///< least number of halvings after a failed step; decreases by one per interval
-  long n_repeated = 0;  ///< number of attempts to integrate an interval that were repeated with shorter steps
-  long n_failed = 0;    ///< number of these attempts in which a step failed
+  long n_repeated = 0;         ///< number of attempts to integrate an interval that were repeated with shorter steps
+  long n_failed = 0;           ///< number of these attempts in which a step failed
+  long n_repeated_forces = 0;  ///< force evaluations of the attempts that were repeated
+  /// Number of steps that RATTLE would make at its stability limit along the motion. It is counted only if intervals
+  /// can be repeated.
+  double n_stable_steps = 0;
   LooksAtFrequency looks{};
   /// Largest entries of |g| and |Gv| at the samples, divided by RunnableModelOf::constraint_scale. The constraints are
   /// g(q) = 0, with the derivative G = Dg.

@@ -66,6 +66,7 @@ bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
   if (!kept_remarks_.empty()) any_model_.take_remarks(kept_remarks_);  // a contact of the failed attempt does not count
   position_ = good_.position;
   ++position_.n_repeated;
+  position_.n_repeated_forces += counters_.n_force - good_.counters.n_force;
   least_halvings_ = halvings;
   if (!asked) {
     ++position_.n_failed;
@@ -236,6 +237,8 @@ ModelOutcome ModelRunBase::outcome(Outcome end, const std::string& message, Cloc
   if (repeats_intervals()) {
     c["repeated_intervals"] = static_cast<double>(position_.n_repeated);
     c["failed_intervals"] = static_cast<double>(position_.n_failed);
+    c["repeated_forces"] = static_cast<double>(position_.n_repeated_forces);
+    c["stable_steps"] = position_.n_stable_steps;
   }
   mechanics::with_method(position_.method, [&]<class Method>(Method) {
     c["order"] = Method::order;

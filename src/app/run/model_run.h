@@ -1,9 +1,10 @@
 #pragma once
 /// The run of one model. The run chooses the method and the step, integrates the motion, and passes its results to a
-/// sink. ModelRunBase does not depend on the type of the system, so it is compiled only once.
+/// sink. ModelRunBase does not depend on the type of the system.
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -93,7 +94,7 @@ class ModelRunBase : protected ModelStepping {
 };
 
 template <class Model>
-class ModelRun final : public ModelRunBase {
+class ModelRun final : public ModelRunBase, private mechanics::AnyHooks<mechanics::State<typename Model::System>> {
   using System = typename Model::System;
   using State = mechanics::State<System>;
 
@@ -109,32 +110,34 @@ class ModelRun final : public ModelRunBase {
     good_.t = state_.t;
   }
 
-  // Functions that the time loop calls.
-  template <class Workspace>
-  Status sample(long k, const State& state, Workspace& workspace) {
+ private:
+  /// Sets a snapshot to a time, the position of the run, and the memory and the counters of the method's workspace.
+  using Taker = std::function<void(Snapshot&, double t)>;
+
+  // Hooks of the time loop.
+  Status take_sample(long k, const State& state) override {
     // If the first interval is integrated again, the time loop also calls `sample` for k = 0, whose row already exists.
     if (k == 0 && least_halvings_ > 0) return {};
     if (Status status = judge_interval(k, state); !status) return status;
     const double time = context_.time_of_sample(k);
-    auto& system_workspace = workspace_of_system(workspace);
-    if (Status status = model_.row(time, state, system_workspace, row_); !status) return status;
+    if (Status status = model_.row(time, state, *workspace_of_system_, row_); !status) return status;
     if (Status status = check_row(); !status) return status;
     measure_constraint(state);
     sink_->append(row_);
     if (sink_->wants_frame(k))
-      sink_->draw_frame(k, [&](const auto& path) { return model_.write_frame(path, time, state, system_workspace); });
+      sink_->draw_frame(k,
+                        [&](const auto& path) { return model_.write_frame(path, time, state, *workspace_of_system_); });
     if (has_shapes_ && sink_->wants_shape(k)) sink_->append_shape(model_.shape(time, state));
     position_.cursor = {k, 0};
     position_.steps_in_interval = 0;
     least_halvings_ = 0;
     position_.halvings_after_failure = std::max(0, position_.halvings_after_failure - 1);
-    if (k == 0 || !is_adaptive()) keep(state, workspace);
+    if (k == 0 || !is_adaptive()) keep(state);
     if (k == 0) save();
     return {};
   }
 
-  template <class Workspace>
-  long steps_per_interval(long k, const State& state, Workspace&) {
+  long steps_after(long k, const State& state) override {
     if (position_.steps_in_interval > 0) return position_.steps_in_interval;
     if (adapts() && k >= position_.looks.next) reconsider();
     if (repeats_intervals()) {
@@ -145,22 +148,21 @@ class ModelRun final : public ModelRunBase {
     return position_.steps_in_interval = times_.steps_per_interval(std::ldexp(position_.step, -position_.halvings));
   }
 
-  template <class Workspace>
-  bool step_done(mechanics::Cursor cursor, const State& state, Workspace& workspace) {
+  bool goes_on(mechanics::Cursor cursor, const State& state) override {
     position_.cursor = cursor;
     if (Status status = model_.judge(state); !status) {
       verdict_ = std::move(status);
       return false;
     }
     // Steps of an adaptive method do not end at samples. The state is therefore stored after every step.
-    if (is_adaptive()) keep(state, workspace);
+    if (is_adaptive()) keep(state);
     if (++steps_since_look_ < model_.steps_between_looks) return true;
     steps_since_look_ = 0;
     sink_->progress(state.t / times_.end);
     const bool interrupted = context_.interrupted();
     if (is_time_to_save() || interrupted) {
       Snapshot now;
-      now.take(position_, state.t, workspace);
+      take_(now, state.t);
       if (sink_->keeps_states()) {
         std::optional<SavedVectors> of_sample;
         if (repeats_intervals()) of_sample = kept_vectors();
@@ -170,7 +172,6 @@ class ModelRun final : public ModelRunBase {
     return !interrupted;
   }
 
- private:
   static constexpr bool has_constraints = [] {
     if constexpr (mechanics::ConstrainedSystem<System>) return !mechanics::unconstrained<System>;
     return false;
@@ -192,7 +193,7 @@ class ModelRun final : public ModelRunBase {
     good_.t = state_.t;
   }
   void return_to_kept_state() override { state_ = good_state_; }
-  /// Properties of a state that determine the steps of the intervals before and after this state.
+  /// Properties of a state that determine the steps of the intervals at this state.
   struct LocalVolume {
     double least_jacobian;
     double rattle_limit = HUGE_VAL;  ///< largest stable step of RATTLE times less_reserve; infinite if not computed
@@ -229,9 +230,17 @@ class ModelRun final : public ModelRunBase {
         least_halvings_ = position_.halvings + 1;
         return Status::failure("the energy changes");
       }
+      position_.n_stable_steps +=
+          times_.interval() * std::max(frequency_of_steps(seen), frequency_of_steps(kept_volume_));
     }
     kept_volume_ = seen;
     return {};
+  }
+  /// The inverse of the largest stable step of RATTLE in a state. If it was not computed for this state, it is that of
+  /// the last check of the frequency.
+  double frequency_of_steps(const std::optional<LocalVolume>& seen) const {
+    if (seen && seen->rattle_limit < HUGE_VAL) return less_reserve / seen->rattle_limit;
+    return position_.looks.stable_step > 0 ? 1 / position_.looks.stable_step : 0;
   }
   SavedVectors kept_vectors() override { return vectors_.collect(good_state_, good_); }
   void restore_state(const io::Checkpoint& file) override {
@@ -309,7 +318,10 @@ class ModelRun final : public ModelRunBase {
       workspace.constraint_tolerance =
           std::max(workspace.constraint_tolerance, constraint_tolerance(form) * model_.constraint_scale());
     const mechanics::SampleTimes times{sample == times_.n_samples ? times_.end : times_[sample], sample};
-    auto result = mechanics::run_time_loop<Method>(form, times, state_, position_.cursor, workspace, *this);
+    take_ = [this, &workspace](Snapshot& snapshot, double t) { snapshot.take(position_, t, workspace); };
+    workspace_of_system_ = &workspace_of_system(workspace);
+    mechanics::AnyHooks<State>& hooks = *this;
+    auto result = mechanics::run_time_loop<Method>(form, times, state_, position_.cursor, workspace, hooks);
     if (!verdict_) result = {Outcome::failed, verdict_.reason(), result.t};
     counters_ = workspace.counters;
     if (position_.time_error) statistics_.counters["estimated_time_error"] = *position_.time_error;
@@ -332,10 +344,9 @@ class ModelRun final : public ModelRunBase {
     }
   }
 
-  template <class Workspace>
-  void keep(const State& state, Workspace& workspace) {
+  void keep(const State& state) {
     good_state_ = state;
-    good_.take(position_, state.t, workspace);
+    take_(good_, state.t);
     if (repeats_intervals()) kept_remarks_ = model_.remarks();
   }
 
@@ -370,6 +381,8 @@ class ModelRun final : public ModelRunBase {
   std::optional<LastSample> last_sample_;   ///< last sample in the checkpoint, until `keep_last_sample` uses it
   std::optional<LocalVolume> kept_volume_;  ///< local volume of good_state_; empty if it is not computed yet
   EnergyWatch<Model> energy_;
+  Taker take_;                                                  ///< takes the workspace of the present method
+  typename System::Workspace* workspace_of_system_ = nullptr;   ///< for rows: that of the method, or the next one
   std::optional<typename System::Workspace> system_workspace_;  ///< for rows, if the method's workspace has none
   CheckpointVectors<Model> vectors_;
 };

@@ -53,6 +53,32 @@ concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cur
   { hooks.step_done(cursor, state, w) } -> std::same_as<bool>;
 };
 
+/// Hooks behind one type. The loop of a method is then compiled once for all callers that use this type. A caller that
+/// needs the workspace keeps a pointer to it.
+template <class State>
+class AnyHooks {
+ public:
+  virtual ~AnyHooks() = default;
+  template <class W>
+  Status sample(long k, const State& state, W&) {
+    return take_sample(k, state);
+  }
+  template <class W>
+  long steps_per_interval(long k, const State& state, W&) {
+    return steps_after(k, state);
+  }
+  template <class W>
+  bool step_done(Cursor cursor, const State& state, W&) {
+    return goes_on(cursor, state);
+  }
+
+ private:
+  // The hooks `sample`, `steps_per_interval` and `step_done`.
+  virtual Status take_sample(long k, const State& state) = 0;
+  virtual long steps_after(long k, const State& state) = 0;
+  virtual bool goes_on(Cursor cursor, const State& state) = 0;
+};
+
 /// Runs from `cursor`, the start or a checkpoint, to the last sample, an interruption or a failure. Advances `cursor`
 /// and `state`, and returns the outcome and the time reached. Fails if the hook `sample`, a step or the projection of
 /// the velocity fails, or if a step is shorter than the round-off of the time. After a failed step `state` is not

@@ -95,29 +95,31 @@ inline double pilot_window(const StepRequest& request) { return std::min(request
 /// Functions that record a pilot run in `run`; the time loop calls them (time_loop.h). The recorded configuration is
 /// Q_of(state). The run has n_steps steps from each sample to the next. The pilot run is interrupted if it needs
 /// max_pilot_forces force evaluations, or if give_up returns true.
-template <class S, class QOf>
-struct PilotHooks {
-  const QOf& Q_of;
-  long n_steps;
-  const std::function<bool()>& give_up;
+template <class State, class QOf>
+class PilotHooks final : public AnyHooks<State> {
+ public:
   PilotRun run{};
 
-  template <class W>
-  Status sample(long, const State<S>& state, const W&) {
-    auto q = Q_of(state);
+  PilotHooks(const QOf& Q_of, long n_steps, const Counters& counters, const std::function<bool()>& give_up)
+      : Q_of_(Q_of), n_steps_(n_steps), counters_(counters), give_up_(give_up) {}
+
+ private:
+  Status take_sample(long, const State& state) override {
+    auto q = Q_of_(state);
     const auto values = local_values(q);
     run.q.emplace_back(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
     run.speed = std::max(run.speed, max_norm(state.v));
     return {};
   }
-  template <class W>
-  long steps_per_interval(long, const State<S>&, const W&) const {
-    return n_steps;
+  long steps_after(long, const State&) override { return n_steps_; }
+  bool goes_on(Cursor, const State&) override {
+    return counters_.n_force < max_pilot_forces && !(give_up_ && give_up_());
   }
-  template <class W>
-  bool step_done(Cursor, const State<S>&, const W& w) const {
-    return w.counters.n_force < max_pilot_forces && !(give_up && give_up());
-  }
+
+  const QOf& Q_of_;
+  long n_steps_;
+  const Counters& counters_;
+  const std::function<bool()>& give_up_;
 };
 
 /// Returns a failure with the reason why a pilot run did not reach its end.
@@ -133,11 +135,12 @@ inline Status failure_of(RunResult result) {
 template <class Method, class Form, class QOf, class Prepare>
 PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& request, const QOf& Q_of, double window,
                    long n_samples, long n_steps, Prepare&& prepare) {
-  PilotHooks<Form, QOf> hooks{Q_of, n_steps, request.give_up};
   typename Method::template Workspace<Form> workspace(form);
   prepare(workspace);
+  PilotHooks<State<Form>, QOf> hooks(Q_of, n_steps, workspace.counters, request.give_up);
+  AnyHooks<State<Form>>& any_hooks = hooks;
   Cursor cursor;
-  RunResult result = run_time_loop<Method>(form, {window, n_samples}, state, cursor, workspace, hooks);
+  RunResult result = run_time_loop<Method>(form, {window, n_samples}, state, cursor, workspace, any_hooks);
   hooks.run.n_force = workspace.counters.n_force;
   hooks.run.t = result.t;
   if (result.outcome != Outcome::finished) hooks.run.status = failure_of(std::move(result));
