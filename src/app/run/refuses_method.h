@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "mechanics/core/conservative_system.h"
 #include "mechanics/core/field_of.h"
 #include "mechanics/methods/methods.h"
 #include "scene/catalogue.h"
@@ -48,7 +49,11 @@ std::optional<scene::Refusal> refuses_method(const scene::Scene& scene, const Sy
         }
       return {};
     }
-    return refusal_of_method(fmt::format("{} cannot integrate this form of the system", Method::name));
+    constexpr bool lacks_energy = mechanics::ConstrainedSystem<System> && !mechanics::ConservativeSystem<System>;
+    return refusal_of_method(fmt::format("{} cannot integrate this form of the system{}", Method::name,
+                                         lacks_energy ? ": its forces need a potential, which contact, companions, "
+                                                        "branches and dissipation do not have"
+                                                      : ""));
   });
 }
 
