@@ -79,6 +79,8 @@ bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
     position_.steps_in_interval <<= more;
     position_.cursor.step <<= more;
     position_.halvings = halvings;
+  } else if (become_symplectic()) {
+    good_.memory.clear();
   }
   good_.position = position_;
   // There is no warning if the state at the end of the interval requires shorter steps, because this is frequent. The

@@ -105,6 +105,19 @@ void ModelStepping::reconsider() {
                        position_.step * context_.units.time, time() * context_.units.time);
 }
 
+bool ModelStepping::become_symplectic() {
+  using Symplectic = mechanics::Rattle4;
+  const bool symplectic =
+      mechanics::with_method(position_.method, []<class Method>(Method) { return Method::symplectic; });
+  if (symplectic || asked_method()) return false;
+  position_.step *= limit_of(mechanics::id_of<Symplectic>, 1) / limit_of(position_.method, 1);
+  position_.method = mechanics::id_of<Symplectic>;
+  position_.time_error.reset();
+  context_.log->info("{}: {}, step {:.4g} from t = {:.6g} on, because the motion has become violent", any_model_.name,
+                     Symplectic::name, position_.step * context_.units.time, time() * context_.units.time);
+  return true;
+}
+
 int ModelStepping::halvings_within(double rattle_limit) const {
   const double ratio = position_.step / limit_of(position_.method, rattle_limit);
   return ratio > 1 ? std::min(most_halvings, static_cast<int>(std::ceil(std::log2(ratio)))) : 0;
