@@ -41,7 +41,7 @@ class CompanionOrders(ProgramTest):
         result = self.run_program("check", "scene.prm")
         self.assertEqual(result.returncode, WRONG_INPUT)
         self.assertIn("energy-momentum", result.stderr)
-        self.assertIn("potential", result.stderr)
+        self.assertIn("companions", result.stderr)
 
 
 if __name__ == "__main__":

@@ -6,8 +6,10 @@ degree 3, more stretches and gravities, spins ω r/c about the x axis, and other
 Each run is one of: finished; ended, the program stopped and said why, which is admitted only after the surface has reached
 Biot's limit; long, the time limit interrupted it. The drift is the largest change of the energy over the elastic energy at
 the start. drift_of_motion is the same change over the energy of the motion, which the step control uses: with self-gravity, its
-energy over that of the ball at rest is a part of it. Of a run that finished it must not exceed MOST_DRIFT. q33_apart is the largest difference of Q33 from the run of one
-degree more, before both have reached Biot's limit. docs/violent_motions.md has the results."""
+energy over that of the ball at rest is a part of it. Of a run that finished it must not exceed MOST_DRIFT. `forces` leaves out
+repeated_forces, those of attempts that were repeated. stable_steps are the steps of RATTLE at its limit of stability along the
+motion. q33_apart is the largest difference of Q33 from the run of one degree more, before both have reached Biot's limit.
+docs/violent_motions.md has the results."""
 import dataclasses
 import math
 

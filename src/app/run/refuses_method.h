@@ -51,9 +51,10 @@ std::optional<scene::Refusal> refuses_method(const scene::Scene& scene, const Sy
     }
     constexpr bool lacks_energy = mechanics::ConstrainedSystem<System> && !mechanics::ConservativeSystem<System>;
     return refusal_of_method(fmt::format("{} cannot integrate this form of the system{}", Method::name,
-                                         lacks_energy ? ": its forces need a potential, which contact, companions, "
-                                                        "branches and dissipation do not have"
-                                                      : ""));
+                                         lacks_energy
+                                             ? ": it takes no dissipation, contact, companions, branches or loads "
+                                               "that change in time"
+                                             : ""));
   });
 }
 
