@@ -234,8 +234,7 @@ ModelOutcome ModelRunBase::outcome(Outcome end, const std::string& message, Cloc
   c["substeps"] = static_cast<double>(n.n_substeps);
   c["forces"] = static_cast<double>(n.n_force);
   c["step"] = position_.step * context_.units.time;
-  // The pilot runs did not see what made intervals be repeated, so that their estimate is no bound.
-  if (position_.n_repeated > 0) c.erase("estimated_time_error");
+  if (!position_.time_error) c.erase("estimated_time_error");  // the method has changed since it was estimated
   if (repeats_intervals()) {
     c["repeated_intervals"] = static_cast<double>(position_.n_repeated);
     c["failed_intervals"] = static_cast<double>(position_.n_failed);
