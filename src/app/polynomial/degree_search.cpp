@@ -13,6 +13,7 @@
 #include "app/run/model_checkpoint.h"
 #include "app/search/error_estimate.h"
 #include "app/search/silent_run.h"
+#include "app/search/time_error.h"
 #include "io/checkpoint.h"
 #include "io/files.h"
 #include "scene/discretization.h"
@@ -22,6 +23,18 @@ namespace {
 
 /// Largest tolerance of the time error, as a fraction of Polynomial/Tolerance.
 constexpr double part_for_time = 0.05;
+
+/// Runs the scene, and estimates the time error if it is not known (search/time_error.h).
+ModelOutcome run_degree(const RunContext& context, const PolynomialRun& run, PolynomialTask task) {
+  DeformationTrace trace;
+  task.trace = &trace;
+  ModelOutcome outcome = run(context, task);
+  estimate_time_error(context, "polynomial", outcome, trace,
+                      [&](const RunContext& silent, const Stepping& stepping, DeformationTrace* fine) {
+                        return run(silent, {.degree = task.degree, .trace = fine, .stepping = stepping});
+                      });
+  return outcome;
+}
 
 /// The search for the degree, and the run with the chosen degree.
 class DegreeSearch {
@@ -40,7 +53,7 @@ class DegreeSearch {
       save();
     }
     context_.log->info("polynomial: degree {}{}", degree_, in_words());
-    ModelOutcome outcome = run_(derived(context_, scene_, context_.needs), {.degree = degree_});
+    ModelOutcome outcome = run_degree(derived(context_, scene_, context_.needs), run_, {.degree = degree_});
     auto& counters = outcome.statistics.counters;
     counters["estimated_space_error"] = error_;
     counters["relative_space_error"] = error_ * relative_to_largest_;
@@ -141,7 +154,7 @@ class DegreeSearch {
 /// (`needs.companion`), a companion run of another degree estimates the discretisation error of this body.
 ModelOutcome run_richest_degree(const RunContext& context, const PolynomialRun& run, int N) {
   const scene::Needs& needs = context.needs;
-  if (!needs.companion || needs.models.back()->discretized) return run(context, {.degree = N});
+  if (!needs.companion || needs.models.back()->discretized) return run_degree(context, run, {.degree = N});
   const int other = scene::companion_degree(N);
   ModelOutcome outcome = run_with_companion(
       context,
@@ -163,7 +176,8 @@ ModelOutcome run_listed_degrees(const RunContext& context, const PolynomialRun& 
   for (const int N : degrees) {
     const bool is_last = N == degrees.back();
     const std::string name = is_last ? "polynomial" : fmt::format("polynomial-{}", N);
-    ModelOutcome outcome = is_last ? run_richest_degree(context, run, N) : run(context, {.degree = N, .name = name});
+    ModelOutcome outcome =
+        is_last ? run_richest_degree(context, run, N) : run_degree(context, run, {.degree = N, .name = name});
     if (!is_last && outcome.end != mechanics::Outcome::interrupted) {
       if (outcome.end == mechanics::Outcome::failed) context.log->warn("{}", outcome.message);
       of_rungs[name] = outcome.statistics;

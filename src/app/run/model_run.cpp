@@ -8,8 +8,9 @@
 namespace pseudorigid::app {
 
 namespace {
-constexpr std::chrono::seconds seconds_between_checkpoints{5};  // a killed run loses at most about this time
-}
+constexpr std::chrono::seconds seconds_between_checkpoints{5};    // a killed run loses at most about this time
+constexpr const char* steps_of_intervals = "steps of intervals";  // an entry of checkpoints
+}  // namespace
 
 ModelRunBase::ModelRunBase(RunnableModel& model, const RunContext& context, const SystemTraits& traits,
                            const std::optional<Stepping>& stepping)
@@ -66,6 +67,7 @@ bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
   if (!kept_remarks_.empty()) any_model_.take_remarks(kept_remarks_);  // a contact of the failed attempt does not count
   position_ = good_.position;
   ++position_.n_repeated;
+  position_.time_error.reset();  // the pilot runs did not see the cause
   position_.n_repeated_forces += counters_.n_force - good_.counters.n_force;
   least_halvings_ = halvings;
   if (!asked) {
@@ -153,6 +155,10 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   counters_ = good_.counters;
   position_ = good_.position;
   if (const std::size_t n = any_model_.remarks().size(); n > 0) any_model_.take_remarks(file.get_doubles("remarks", n));
+  if (file.has(steps_of_intervals)) {
+    const auto& numbers = file.get_doubles(steps_of_intervals);
+    n_steps_.assign(numbers.begin(), numbers.end());
+  }
   kept_remarks_ = any_model_.remarks();
   if (const std::string name = std::string(at_last_sample) + "remarks"; file.has(name))
     kept_remarks_ = file.get_doubles(name, kept_remarks_.size());
@@ -188,6 +194,7 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
 void ModelRunBase::write(const Snapshot& snapshot, SavedVectors vectors, std::optional<SavedVectors> of_sample) {
   sink_->save([&] {
     io::Checkpoint checkpoint = to_checkpoint(identity_, snapshot, std::move(vectors));
+    if (repeats_intervals()) checkpoint.set(steps_of_intervals, std::vector<double>(n_steps_.begin(), n_steps_.end()));
     if (of_sample) add_snapshot(checkpoint, good_, std::move(*of_sample), at_last_sample);
     if (const std::vector<double> remarks = any_model_.remarks(); !remarks.empty()) {
       checkpoint.set("remarks", remarks);
@@ -234,7 +241,7 @@ ModelOutcome ModelRunBase::outcome(Outcome end, const std::string& message, Cloc
   c["substeps"] = static_cast<double>(n.n_substeps);
   c["forces"] = static_cast<double>(n.n_force);
   c["step"] = position_.step * context_.units.time;
-  if (!position_.time_error) c.erase("estimated_time_error");  // the method has changed since it was estimated
+  if (!position_.time_error) c.erase("estimated_time_error");
   if (repeats_intervals()) {
     c["repeated_intervals"] = static_cast<double>(position_.n_repeated);
     c["failed_intervals"] = static_cast<double>(position_.n_failed);
@@ -254,7 +261,7 @@ ModelOutcome ModelRunBase::outcome(Outcome end, const std::string& message, Cloc
   }
   statistics_.timers["run"] = std::chrono::duration<double>(Clock::now() - start).count();
   ModelOutcome outcome{end, message.empty() ? message : any_model_.name + " " + message, std::move(statistics_),
-                       Stepping{position_.method, position_.step, position_.local_tolerance}};
+                       Stepping{position_.method, position_.step, position_.local_tolerance}, n_steps_};
   outcome.is_over = !verdict_;
   return outcome;
 }

@@ -85,6 +85,7 @@ class ModelRunBase : protected ModelStepping {
   std::vector<double> row_;           ///< the row of the last sample
   int steps_since_look_ = 0;          ///< steps since the last check of the clock and of the interrupt flag
   std::vector<double> kept_remarks_;  ///< remarks of the model at the stored state, if intervals can be repeated
+  std::vector<long> n_steps_;         ///< numbers of steps of the intervals so far, if intervals can be repeated
   int least_halvings_ = 0;            ///< least position_.halvings if the present interval is repeated; otherwise 0
 
  private:
@@ -128,6 +129,7 @@ class ModelRun final : public ModelRunBase, private mechanics::AnyHooks<mechanic
       sink_->draw_frame(k,
                         [&](const auto& path) { return model_.write_frame(path, time, state, *workspace_of_system_); });
     if (has_shapes_ && sink_->wants_shape(k)) sink_->append_shape(model_.shape(time, state));
+    if (k > 0 && repeats_intervals()) n_steps_.push_back(position_.steps_in_interval);
     position_.cursor = {k, 0};
     position_.steps_in_interval = 0;
     least_halvings_ = 0;
@@ -139,6 +141,10 @@ class ModelRun final : public ModelRunBase, private mechanics::AnyHooks<mechanic
 
   long steps_after(long k, const State& state) override {
     if (position_.steps_in_interval > 0) return position_.steps_in_interval;
+    if (const auto* given = given_steps()) {
+      position_.halvings = std::max(least_halvings_, position_.halvings_after_failure);
+      return position_.steps_in_interval = given->at(static_cast<std::size_t>(k)) << position_.halvings;
+    }
     if (adapts() && k >= position_.looks.next) reconsider();
     if (repeats_intervals()) {
       if (!kept_volume_) kept_volume_ = look_at(state);  // not known after a resumption
@@ -218,8 +224,10 @@ class ModelRun final : public ModelRunBase, private mechanics::AnyHooks<mechanic
   /// shorter steps than those of the interval, or that the energy has changed. The condition is the same for the
   /// interval backwards in time, so steps change reversibly.
   Status judge_interval(long k, const State& state) {
-    if (!repeats_intervals()) return {};
+    if (!repeats_intervals() || given_steps()) return {};
     const LocalVolume seen = look_at(state);
+    // Pilot runs are gentler than a violent motion, so that their estimate is no bound.
+    if (seen.rattle_limit < HUGE_VAL) position_.time_error.reset();
     if (k > 0) {
       least_halvings_ = std::max(least_halvings_, halvings_at(state, seen));
       if (least_halvings_ > position_.halvings) return Status::failure("the motion becomes too fast for the step");

@@ -112,7 +112,6 @@ bool ModelStepping::become_symplectic() {
   if (symplectic || asked_method()) return false;
   position_.step *= limit_of(mechanics::id_of<Symplectic>, 1) / limit_of(position_.method, 1);
   position_.method = mechanics::id_of<Symplectic>;
-  position_.time_error.reset();
   context_.log->info("{}: {}, step {:.4g} from t = {:.6g} on, because the motion has become violent", any_model_.name,
                      Symplectic::name, position_.step * context_.units.time, time() * context_.units.time);
   return true;
@@ -200,7 +199,7 @@ mechanics::Status ModelStepping::take_over(const Stepping& known) {
   if (traits_.constrained_form) {
     double limit = 0;
     if (Status status = rattle_limit(reserve, limit); !status) return status;
-    position_.step = std::min(known.step, limit_of(known.method, limit));
+    position_.step = std::min(position_.step, limit_of(known.method, limit));
     plan_look(limit / reserve);
   }
   return {};

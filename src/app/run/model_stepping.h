@@ -90,9 +90,12 @@ class ModelStepping {
   bool repeats_intervals() const { return traits_.has_costly_force && adapts(); }
   /// If the program has chosen a method that is not symplectic, replaces it by RATTLE of order 4. The ratio of the step
   /// to the stability limit does not change. The reason is that a method that is not symplectic loses energy in violent
-  /// motions when the step changes. Returns true if the method has changed; the estimate of the time error is then not
-  /// known.
+  /// motions when the step changes. Returns true if the method has changed.
   bool become_symplectic();
+  /// The numbers of steps of the intervals if another run gives them; null if this run chooses them.
+  const std::vector<long>* given_steps() const {
+    return known_ && !known_->n_steps.empty() ? &known_->n_steps : nullptr;
+  }
   /// Least number of halvings after which the step is at most the step limit of the method. This limit is proportional
   /// to `rattle_limit`, the largest permitted step of RATTLE. If `most_halvings` halvings do not suffice, the result is
   /// `most_halvings`.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "analysis/other_resolution.h"
 #include "app/ranks/ranks.h"
@@ -82,6 +83,8 @@ struct Stepping {
   mechanics::MethodId method;
   double step;                 ///< upper bound of the step, in internal time
   double local_tolerance = 0;  ///< tolerance per step of an adaptive method
+  /// Numbers of steps in the intervals between samples, for a run that does not choose them. Empty for other runs.
+  std::vector<long> n_steps{};
 };
 
 /// Result of a model's run.
@@ -90,6 +93,8 @@ struct ModelOutcome {
   std::string message;                 ///< one sentence for the user if the run has not finished
   io::Manifest::Model statistics;      ///< counters and timers of the run
   std::optional<Stepping> stepping{};  ///< method and step of a motion; empty for other analyses
+  /// Numbers of steps in the intervals between samples; empty unless intervals can be repeated.
+  std::vector<long> n_steps{};
   /// Statistics of the additional polynomial bodies of a run, by the names of their files.
   std::map<std::string, io::Manifest::Model> of_rungs{};
   /// The same motion on another discretisation, for the estimate of the error in space; empty without an estimate.

@@ -12,6 +12,7 @@
 #include "app/run/model_checkpoint.h"
 #include "app/search/effort.h"
 #include "app/search/error_estimate.h"
+#include "app/search/time_error.h"
 #include "io/checkpoint.h"
 #include "io/files.h"
 
@@ -69,11 +70,15 @@ ModelOutcome DiscretizationSearch::run() {
       return outcome;
     }
     if (written && outcome.end == mechanics::Outcome::failed) return outcome;
-    if (!settled_ || n_failures_ > 0) note(outcome, std::move(trace));
+    if (!settled_ || n_failures_ > 0) note(outcome, trace);
     settled_ = settles();
     if (settled_ && written) {
       save();
       report(outcome);
+      estimate_time_error(derived(context_, written_scene_, context_.needs), "continuum", outcome, trace,
+                          [this](const RunContext& silent, const Stepping& stepping, DeformationTrace* fine) {
+                            return run_(silent, {.discretization = rung(), .stepping = stepping, .trace = fine});
+                          });
       return outcome;
     }
     search_work_ += work(outcome);

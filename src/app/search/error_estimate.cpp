@@ -1,6 +1,7 @@
 #include "app/search/error_estimate.h"
 
 #include "analysis/space_error.h"
+#include "app/search/time_error.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -32,6 +33,11 @@ ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& 
   auto& counters = outcome.statistics.counters;
   counters["work"] = work(outcome);
   if (outcome.end != mechanics::Outcome::finished) return outcome;
+  estimate_time_error(context, pair.model, outcome, trace,
+                      [&](const RunContext& silent, const Stepping& stepping, DeformationTrace* other_steps) {
+                        return run(silent, false, stepping, other_steps);
+                      });
+  if (outcome.end != mechanics::Outcome::finished) return outcome;
 
   const auto run_companion = [&](const RunContext& silent, const std::optional<Stepping>& stepping) {
     return run(silent, true, stepping, &other);
@@ -54,10 +60,11 @@ ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& 
   };
   counters["estimated_space_error"] = error(apart.largest);
   counters["relative_space_error"] = error(apart.relative);
-  counters["companion_work"] = work(companion);
+  counters["companion_work"] += work(companion);
   outcome.other = other_resolution(other, pair.resolution, pair.resolution_of_companion, pair.least_rate, context);
   if (compared.n_rows() == outcome.other->samples.n_rows()) append_columns(compared, outcome.other->samples);
-  const double seconds = outcome.statistics.timers["companion"] = companion.statistics.timers["run"];
+  const double seconds = companion.statistics.timers["run"];
+  outcome.statistics.timers["companion"] += seconds;
   context.log->info("{}: discretisation error of Q {:.1e}, estimated by a run on {} ({:.3g} s)", pair.model,
                     error(apart.largest), pair.companion, seconds);
   return outcome;

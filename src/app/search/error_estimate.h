@@ -2,7 +2,8 @@
 /// Estimate of the discretisation error of a run by a companion run on another discretisation (scene/discretization.h).
 /// Both runs have the same method and step, so that their time errors cancel (analysis/space_error.h). The companion
 /// has a shorter step only if this step exceeds 0.8 of the companion's stability limit. The comparison of the models
-/// uses the motion of the companion to estimate the error of the frequency.
+/// uses the motion of the companion to estimate the error of the frequency. If the time error of the run is not known,
+/// a run with more steps estimates it (time_error.h).
 ///
 /// Q is the affine part of the motion, a 3×3 matrix. The counters are estimated_space_error, the largest error of an
 /// entry of Q, and relative_space_error, the error relative to |Q|. Further counters are work and companion_work, the
