@@ -5,7 +5,7 @@
 # ctest:
 #   -L unit       only the tests with a label (unit, convergence, stress, io)
 #   -R NAME       only the tests whose name matches
-#   -j N          so many at a time (default: one a core)
+#   -j N          so many at a time (default: one more than cores, because some wait)
 # PSEUDORIGID_WERROR=ON in the environment makes warnings errors.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -19,4 +19,4 @@ install_packages "${reduced_packages[@]}"
 install_while_building "${continuum_packages[@]}" "${test_packages[@]}"
 configure release -DPSEUDORIGID_CONTINUUM=ON -DPSEUDORIGID_TESTS=ON -DPSEUDORIGID_WERROR="${PSEUDORIGID_WERROR:-OFF}"
 build release all
-ctest --test-dir "$root/build/release" --output-on-failure --no-tests=error -j "$(nproc)" "$@"
+ctest --test-dir "$root/build/release" --output-on-failure --no-tests=error -j $(($(nproc) + 1)) "$@"

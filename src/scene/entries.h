@@ -227,11 +227,13 @@ void visit_continuum(S& scene, Visit& visit) {
         About{"Continuum/Tolerance", "",
               "If Degree or Refinements is auto: largest error of Q that the discretisation in space may cause "
               "(largest entry over all samples). The time error is then kept below a twentieth of it."});
-  visit(error_estimate, error_estimate_kind,
-        About{"Continuum/Error estimate", "",
-              "With auto, a comparison also runs the continuum on a coarser discretisation, for about a third of the "
-              "cost, and reports the discretisation error. Equilibria then also have columns with their errors, from "
-              "figures on a coarser mesh. With none, this run and these columns are left out."});
+  visit(
+      error_estimate, error_estimate_kind,
+      About{"Continuum/Error estimate", "",
+            "With auto, a comparison also runs the continuum on a coarser discretisation, for about a third of the "
+            "cost, and reports the discretisation error. Equilibria then also have columns with their errors, from "
+            "figures on a coarser mesh. In a violent motion, a run with twice the steps estimates the time error. With "
+            "none, these runs and columns are left out."});
   visit(gravity_points, AutoOrInteger{{2, 16}},
         About{"Continuum/Gravity points", "",
               "Gauss points per direction on each face of the surface; self-gravity sums over their pairs. With auto, "

@@ -1,6 +1,7 @@
 """Runs of the model polynomial: several degrees in one scene, a degree from a tolerance, modes, pictures, sweeps, resumed
 runs, and what is refused. No finite elements."""
 import math
+import re
 import unittest
 
 from program_test import SOURCE, STOPPED, WRONG_INPUT, ProgramTest, overrides
@@ -180,9 +181,10 @@ class PolynomialRun(ProgramTest):
                     "Initial state/Velocity": "$(-1.82), 0, 0; 0, 2.97, 0; 0, 0, $((1.82/0.98 - 2.97/1.19)/(0.98*1.19))",
                     "Time/Tolerance": 5e-8, "Output/Samples": 12, "Output/Quantities": "state, energies"})
         self.run_done("run", "scene.prm")
-        counters = self.json("output/scene/manifest.json")["models"]["polynomial"]["counters"]
-        self.assertGreater(counters["estimated_time_error"], 1e-10)
-        self.assertLess(counters["estimated_time_error"], 5e-8)
+        log = (self.scratch / "output/scene/log.txt").read_text()  # the manifest drops the estimate when an interval is repeated
+        estimate = float(re.search(r"estimated time error ([0-9.e-]+)", log)[1])
+        self.assertGreater(estimate, 1e-10)
+        self.assertLess(estimate, 5e-8)
 
     def test_a_step_far_too_long_for_a_multistep_method_stops_with_a_sentence(self):
         """Its first steps, by small ones of another method, did not end and could not be interrupted."""

@@ -54,6 +54,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
     return "least " + continuum::in_words(ball_.least_jacobian(state.q));
   }
 
+  bool has_fronts() const override { return true; }
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) override {
     if (auto status = Base::row(time, state, workspace, row); !status) return status;
     wrinkling_.look(time, ball_.space(), state.q);

@@ -29,7 +29,7 @@ ModelOutcome run_degree(const RunContext& context, const PolynomialRun& run, Pol
   DeformationTrace trace;
   task.trace = &trace;
   ModelOutcome outcome = run(context, task);
-  estimate_time_error(context, "polynomial", outcome, trace,
+  estimate_time_error(context, task.name, outcome, trace,
                       [&](const RunContext& silent, const Stepping& stepping, DeformationTrace* fine) {
                         return run(silent, {.degree = task.degree, .trace = fine, .stepping = stepping});
                       });

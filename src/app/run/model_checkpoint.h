@@ -44,7 +44,7 @@ struct RunPosition {
   double max_constraint = 0, max_constraint_rate = 0;
   /// Estimated time error of the configuration at the end of the run. If a resumed run has chosen a new step, the error
   /// is the sum over the parts of the run with different steps. Empty if the program did not find the step of each part
-  /// by a search with an error estimate.
+  /// by a search with an error estimate, and in violent motions (search/time_error.h).
   std::optional<double> time_error = 0;
 };
 

@@ -106,6 +106,8 @@ void ModelRunBase::step_anew() {
   std::swap(position_.method, next_stepping_->method);
   std::swap(position_.step, next_stepping_->step);
   std::swap(position_.local_tolerance, next_stepping_->local_tolerance);
+  position_.time_error = next_stepping_->time_error;
+  if (position_.method != next_stepping_->method) n_steps_.clear();
   position_.looks = {.next = position_.cursor.sample};
   identity_ = next_stepping_->identity;
   good_.position = position_;
@@ -181,10 +183,13 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   if (old.steps_in_interval == 0 && time() == times_[old.cursor.sample]) {
     // If the method is the same, the run continues to use its memory. The memory can contain past multipliers, and a
     // violent motion cannot start without them.
-    if (position_.method != old.method) good_.memory.clear();
+    if (position_.method != old.method) {
+      good_.memory.clear();
+      n_steps_.clear();
+    }
     return {};
   }
-  next_stepping_ = {position_.method, position_.step, position_.local_tolerance, identity_};
+  next_stepping_ = {position_.method, position_.step, position_.local_tolerance, position_.time_error, identity_};
   identity_.stepping = file.get_string("stepping");
   identity_.choice = file.get_string("choice");
   position_ = old;

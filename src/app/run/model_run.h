@@ -63,6 +63,7 @@ class ModelRunBase : protected ModelStepping {
   struct NextStepping {
     mechanics::MethodId method;
     double step, local_tolerance;
+    std::optional<double> time_error;
     RunIdentity identity;
   };
 
@@ -85,8 +86,10 @@ class ModelRunBase : protected ModelStepping {
   std::vector<double> row_;           ///< the row of the last sample
   int steps_since_look_ = 0;          ///< steps since the last check of the clock and of the interrupt flag
   std::vector<double> kept_remarks_;  ///< remarks of the model at the stored state, if intervals can be repeated
-  std::vector<long> n_steps_;         ///< numbers of steps of the intervals so far, if intervals can be repeated
-  int least_halvings_ = 0;            ///< least position_.halvings if the present interval is repeated; otherwise 0
+  /// Numbers of steps of the intervals so far, if intervals can be repeated. The intervals before the scene changed the
+  /// method are left out, because another method cannot repeat them.
+  std::vector<long> n_steps_;
+  int least_halvings_ = 0;  ///< least position_.halvings if the present interval is repeated; otherwise 0
 
  private:
   RunIdentity identity_;
@@ -226,8 +229,7 @@ class ModelRun final : public ModelRunBase, private mechanics::AnyHooks<mechanic
   Status judge_interval(long k, const State& state) {
     if (!repeats_intervals() || given_steps()) return {};
     const LocalVolume seen = look_at(state);
-    // Pilot runs are gentler than a violent motion, so that their estimate is no bound.
-    if (seen.rattle_limit < HUGE_VAL) position_.time_error.reset();
+    if (model_.has_fronts() && seen.rattle_limit < HUGE_VAL) position_.time_error.reset();
     if (k > 0) {
       least_halvings_ = std::max(least_halvings_, halvings_at(state, seen));
       if (least_halvings_ > position_.halvings) return Status::failure("the motion becomes too fast for the step");

@@ -79,6 +79,8 @@ class RunnableModelOf : public RunnableModel {
   virtual State at_rest(const State& state) const { return state; }
   /// Least det F in the body, with the deformation gradient F; 1 if the model does not resolve the local volume.
   virtual double least_jacobian(const State&) const { return 1; }
+  /// True if the body has shear fronts, whose focus has larger time errors than pilot runs see.
+  virtual bool has_fronts() const { return false; }
   /// True if the least det F remains above half of its present value after a step h forwards and after a step h
   /// backwards. Both steps have the present velocity.
   virtual bool keeps_volume(const State&, double /*h*/) const { return true; }

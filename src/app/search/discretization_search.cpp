@@ -75,10 +75,11 @@ ModelOutcome DiscretizationSearch::run() {
     if (settled_ && written) {
       save();
       report(outcome);
-      estimate_time_error(derived(context_, written_scene_, context_.needs), "continuum", outcome, trace,
-                          [this](const RunContext& silent, const Stepping& stepping, DeformationTrace* fine) {
-                            return run_(silent, {.discretization = rung(), .stepping = stepping, .trace = fine});
-                          });
+      if (context_.scene.continuum.error_estimate == scene::ErrorEstimate::automatic)
+        estimate_time_error(derived(context_, written_scene_, context_.needs), "continuum", outcome, trace,
+                            [this](const RunContext& silent, const Stepping& stepping, DeformationTrace* fine) {
+                              return run_(silent, {.discretization = rung(), .stepping = stepping, .trace = fine});
+                            });
       return outcome;
     }
     search_work_ += work(outcome);

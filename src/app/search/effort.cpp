@@ -140,10 +140,16 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
   const int n_matrices = scene.analysis == scene::Analysis::motion               ? 0
                          : loads::present(scene.loads.get<loads::SelfGravity>()) ? 3
                                                                                  : 2;
+  // Self-gravity couples all unknowns of the surface. Their matrix and its factors exist for up to eight parities, but
+  // in modes only for a small surface (continuum/modes/rest_problem.h).
+  constexpr double bytes_of_pair_at_surface = 8 * 2 * sizeof(double);
+  const double n_at_surface = n_matrices == 3 ? 9 * n * n : 0;
+  const bool has_matrix = scene.analysis == scene::Analysis::equilibrium || n_at_surface <= 3000;
   return {.n_unknowns = n_unknowns,
           .n_multipliers = n_multipliers,
           .bytes = bytes_of_unknown * n_unknowns + bytes_of_pair_of_multipliers * n_multipliers * n_pressure +
-                   n_matrices * sizeof(double) * entries_of_cell * n_cells,
+                   n_matrices * sizeof(double) * entries_of_cell * n_cells +
+                   (has_matrix ? bytes_of_pair_at_surface * n_at_surface * n_at_surface : 0),
           .checkpoint_bytes = (scene.time.step ? 1 : 2) * sizeof(double) *
                               (remembered_of_unknown * n_unknowns + remembered_of_multiplier * n_multipliers),
           .n_points_of_picture = n_cells * (builtin ? 8.0 / n_octants : 1) * std::pow(k + 1, 3)};

@@ -20,7 +20,7 @@ bool lacks_time_error(const RunContext& context, const ModelOutcome& outcome, co
 
 void estimate_time_error(const RunContext& context, std::string_view model, ModelOutcome& outcome,
                          const DeformationTrace& trace, const FinerRun& finer) {
-  if (!lacks_time_error(context, outcome, trace)) return;
+  if (!context.ranks->of_first(lacks_time_error(context, outcome, trace))) return;
   constexpr int order = 2;
   Stepping stepping = *outcome.stepping;
   stepping.n_steps = outcome.n_steps;
@@ -45,8 +45,9 @@ void estimate_time_error(const RunContext& context, std::string_view model, Mode
   statistics.counters["estimated_time_error"] = error;
   context.log->info("{}: time error of Q {:.1e}, estimated by a run with twice the steps ({:.3g} s)", model, error,
                     seconds);
-  if (error > context.scene.time.tolerance)
-    context.log->warn("{}: the time error of this violent motion is above Time/Tolerance", model);
+  if (const double tolerance = context.scene.time.tolerance; error > tolerance)
+    context.log->warn("{}: the time error of this violent motion is above the tolerance of its steps, {:.1e}", model,
+                      tolerance);
 }
 
 }  // namespace pseudorigid::app

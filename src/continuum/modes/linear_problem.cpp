@@ -6,9 +6,22 @@
 #include <span>
 #include <utility>
 
+#include "continuum/modes/parity_sector.h"
 #include "continuum/modes/surface_harmonics.h"
 
 namespace pseudorigid::continuum {
+namespace {
+
+/// The nodes on the free surface. A node of several faces is repeated.
+std::vector<unsigned int> nodes_at_surface(const BallSpace& space) {
+  std::vector<unsigned int> nodes;
+  for (const CellFace& face : free_surface(space))
+    for (const int local : nodes_of(face, space.reference_cell().n))
+      nodes.push_back(space.cell_nodes(face.cell)[static_cast<std::size_t>(local)]);
+  return nodes;
+}
+
+}  // namespace
 
 void LinearProblem::set_constraint(const CellKernels& kernels, const Vector& x) {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -20,7 +33,8 @@ void LinearProblem::set_constraint(const CellKernels& kernels, const Vector& x) 
 
 void LinearProblem::set_stiffness(const std::function<Eigen::MatrixXd(unsigned int cell)>& of_cell) {
   stiffness.clear();
-  n_cells_at_node.assign(space.n_nodes(), 0);
+  std::vector<bool> has_cell(space.n_nodes(), false);
+  is_shared.assign(space.n_nodes(), false);
   for (unsigned int cell = 0; cell < space.n_cells(); ++cell) {
     Eigen::MatrixXd K = of_cell(cell);
     if (incompressible) {
@@ -28,8 +42,26 @@ void LinearProblem::set_stiffness(const std::function<Eigen::MatrixXd(unsigned i
       K.triangularView<Eigen::StrictlyUpper>() = K.transpose();
     }
     stiffness.push_back(std::move(K));
-    for (const unsigned int node : space.cell_nodes(cell)) ++n_cells_at_node[node];
+    for (const unsigned int node : space.cell_nodes(cell)) {
+      if (has_cell[node]) is_shared[node] = true;
+      has_cell[node] = true;
+    }
   }
+}
+
+void LinearProblem::couple_surface() {
+  for (const unsigned int node : nodes_at_surface(space)) is_shared[node] = true;
+}
+
+std::vector<Eigen::Index> LinearProblem::unknowns_at_surface(const ParitySector& sector) const {
+  Vector marks = space.make_vector();
+  for (const unsigned int node : nodes_at_surface(space))
+    for (unsigned int c = 0; c < 3; ++c) marks.local_element(3 * node + c) = 1;
+  const Eigen::VectorXd of_unknowns = sector.entries_of(marks);
+  std::vector<Eigen::Index> indices;
+  for (Eigen::Index i = 0; i < of_unknowns.size(); ++i)
+    if (of_unknowns[i] == 1) indices.push_back(i);
+  return indices;
 }
 
 std::vector<FaceSprings> LinearProblem::add_springs(

@@ -19,6 +19,15 @@ class ParitySector;
 /// A function that returns the product of a symmetric operator with a vector u of the unknowns of a sector.
 using SectorOperator = std::function<Eigen::VectorXd(const Eigen::VectorXd& u)>;
 
+/// The operator E of the forces that couple more unknowns than the stiffness of the cells (parity_sector.h). It is a
+/// function that returns the product E u, or a symmetric matrix of a few unknowns. All members are empty if there are
+/// no such forces.
+struct BeyondCells {
+  SectorOperator product{};              ///< E u
+  std::vector<Eigen::Index> unknowns{};  ///< ascending indices, in the vectors of the sector, of the rows of `matrix`
+  Eigen::MatrixXd matrix{};              ///< E, which is then factorised together with B
+};
+
 /// Springs on a face of a cell, one for each row r of a matrix, with the energy ½(r·u)². The vector u has the
 /// displacements of the nodes on the face. Its entries are the entries `places` of the displacements of all nodes of
 /// the cell, which have the index 3·node + component.
@@ -35,9 +44,8 @@ inline double weight_of_density(double G) { return 4 * std::numbers::pi / 3 * G;
 /// The data that all parity sectors use: the space, and the stiffness and the constraint of every cell.
 struct LinearProblem {
   virtual ~LinearProblem() = default;
-  /// The operator E of the forces that couple more unknowns than K (parity_sector.h), in a sector. The result is empty
-  /// if there are no such forces. The operator may refer to the sector, which must outlive it.
-  virtual SectorOperator beyond_cells(const ParitySector&) const { return {}; }
+  /// The operator E in a sector. The result may refer to the sector, which must outlive it.
+  virtual BeyondCells beyond_cells(const ParitySector&) const { return {}; }
 
   const BallSpace& space;
   bool incompressible;
@@ -48,7 +56,7 @@ struct LinearProblem {
   double penalty;                             ///< penalty γ of the augmented Lagrangian; 0 for a compressible body
   std::vector<Eigen::MatrixXd> stiffness{};   ///< K + γGᵀG of each cell
   std::vector<Eigen::MatrixXd> constraint{};  ///< G of each cell; empty for a compressible body
-  std::vector<int> n_cells_at_node{};         ///< number of cells that contain each node
+  std::vector<bool> is_shared{};  ///< nodes of several cells, and nodes of the free surface if E is a matrix
 
  protected:
   /// `space` must be that of an octant in one process. `stiffness_of_body` is the larger of the shear modulus and ρg in
@@ -61,13 +69,16 @@ struct LinearProblem {
   LinearProblem(const LinearProblem&) = default;
   /// Sets `constraint` to G at the positions x. Must be called before `set_stiffness`.
   void set_constraint(const CellKernels& kernels, const Vector& x);
-  /// Sets `stiffness` and `n_cells_at_node`. The function `of_cell` returns K of a cell, to which set_stiffness adds
-  /// γGᵀG.
+  /// Sets `stiffness` and `is_shared`. The function `of_cell` returns K of a cell, to which set_stiffness adds γGᵀG.
   void set_stiffness(const std::function<Eigen::MatrixXd(unsigned int cell)>& of_cell);
   /// Adds a spring at each quadrature point of the free surface to `stiffness`, which set_stiffness must have set. A
   /// spring acts along the vector `along(point)`, and its stiffness is the square of the length of this vector times
   /// the quadrature weight. Returns the springs.
   std::vector<FaceSprings> add_springs(const std::function<Eigen::Vector3d(const FacePoint& point)>& along);
+  /// Declares that E is a matrix of the unknowns of the free surface. Must be called after set_stiffness.
+  void couple_surface();
+  /// The indices, in the vectors of the sector, of the displacements of nodes on the free surface.
+  std::vector<Eigen::Index> unknowns_at_surface(const ParitySector& sector) const;
 };
 
 }  // namespace pseudorigid::continuum

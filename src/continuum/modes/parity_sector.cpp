@@ -38,8 +38,8 @@ using SparseCholesky = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
 
 }  // namespace
 
-/// The free entries of a cell, which the parity does not set to 0. First are the entries of nodes that belong to no
-/// other cell (`own`), and then those of nodes that other cells share (`shared`). B_own and B_own,shared are the blocks
+/// The free entries of a cell, which the parity does not set to 0. First are the entries of nodes that only this cell
+/// has (`own`), and then those of shared nodes (LinearProblem::is_shared). B_own and B_own,shared are the blocks
 /// of the matrix B of parity_sector.h for these entries.
 struct ParitySector::Cell {
   std::vector<int> own, shared, free;      ///< 3·(node of the cell) + component; `free` is `own` followed by `shared`
@@ -83,7 +83,7 @@ void ParitySector::number_unknowns() {
     for (unsigned int a = 0; a < nodes.size(); ++a)
       for (int i = 0; i < 3; ++i) {
         if (!is_free(nodes[a], i)) continue;
-        const bool own = problem_.n_cells_at_node[nodes[a]] == 1;
+        const bool own = !problem_.is_shared[nodes[a]];
         (own ? cells_[c].own : cells_[c].shared).push_back(static_cast<int>(3 * a) + i);
         if (own) number(3 * nodes[a] + i);
       }
@@ -130,6 +130,12 @@ mechanics::Status ParitySector::factorize() {
   const auto first = static_cast<Eigen::Index>(first_interface_), n = static_cast<Eigen::Index>(n_unknowns_) - first;
   Eigen::MatrixXd dense = n <= n_dense ? Eigen::MatrixXd::Zero(n, n).eval() : Eigen::MatrixXd();
   std::vector<Eigen::Triplet<double>> entries;
+  const auto add = [&](Eigen::Index i, Eigen::Index j, double value) {  // i, j: unknowns between cells, i >= j
+    if (n <= n_dense)
+      dense(i, j) += value;
+    else
+      entries.emplace_back(static_cast<int>(i), static_cast<int>(j), value);
+  };
   bool regular = true;
   for (unsigned int c = 0; c < cells_.size(); ++c) {
     Cell& cell = cells_[c];
@@ -140,19 +146,19 @@ mechanics::Status ParitySector::factorize() {
     for (Eigen::Index j = 0; j < schur.cols(); ++j)
       for (Eigen::Index i = j; i < schur.rows(); ++i) {
         const auto [low, high] = std::minmax({shared[i] - first, shared[j] - first});
-        if (n <= n_dense)
-          dense(high, low) += schur(i, j);
-        else
-          entries.emplace_back(static_cast<int>(high), static_cast<int>(low), schur(i, j));
+        add(high, low, schur(i, j));
       }
   }
+  for (Eigen::Index i = 0; i < n; ++i) add(i, i, diagonal_[first + i]);
+  const auto& coupled = beyond_cells_.unknowns;
+  for (std::size_t j = 0; j < coupled.size(); ++j)
+    for (std::size_t i = j; i < coupled.size(); ++i)
+      add(coupled[i] - first, coupled[j] - first,
+          beyond_cells_.matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
   if (n <= n_dense) {
-    dense.diagonal() += diagonal_.tail(n);
     interface_->dense.compute(dense);
     regular = regular && interface_->dense.info() == Eigen::Success;
   } else {
-    for (Eigen::Index i = 0; i < n; ++i)
-      entries.emplace_back(static_cast<int>(i), static_cast<int>(i), diagonal_[first + i]);
     Eigen::SparseMatrix<double> sparse(n, n);
     sparse.setFromTriplets(entries.begin(), entries.end());
     interface_->sparse.compute(sparse);
@@ -224,7 +230,7 @@ Eigen::VectorXd ParitySector::solve_cells(Eigen::VectorXd f, int n_corrections) 
 
 mechanics::Status ParitySector::solve_definite(const Eigen::VectorXd& f, int n_corrections, double tolerance,
                                                Eigen::VectorXd& u) const {
-  if (!beyond_cells_) {
+  if (!iterates()) {
     u = solve_cells(f, n_corrections);
     return {};
   }
@@ -236,7 +242,7 @@ mechanics::Status ParitySector::solve_definite(const Eigen::VectorXd& f, int n_c
   double rz = r.dot(z);
   const double enough = tolerance * tolerance * rz;
   for (int iteration = 0; !(rz <= enough); ++iteration) {
-    const Eigen::VectorXd A_p = B_p + beyond_cells_(p);
+    const Eigen::VectorXd A_p = B_p + beyond_cells_.product(p);
     const double curvature = p.dot(A_p);
     if (iteration == n_iterations_of_gradients || !(curvature > 0) || !std::isfinite(rz))
       return mechanics::Status::failure("the stiffness cannot be inverted: the ball is unstable");
@@ -261,7 +267,9 @@ Eigen::VectorXd ParitySector::product(const Eigen::VectorXd& u) const {
     scatter_add(cell, Eigen::VectorXd(problem_.stiffness[c] * local)(cell.free), f);
   }
   if (problem_.incompressible) f -= reaction_of(problem_.penalty * constraint_of(u));
-  if (beyond_cells_) f += beyond_cells_(u);
+  if (iterates()) f += beyond_cells_.product(u);
+  const auto& coupled = beyond_cells_.unknowns;
+  if (!coupled.empty()) f(coupled) += beyond_cells_.matrix * u(coupled);
   return f;
 }
 
@@ -286,7 +294,7 @@ mechanics::SolveReport ParitySector::solve(const Eigen::VectorXd& f, const Eigen
   const auto n = static_cast<Eigen::Index>(n_unknowns_);
   const LinearOperator preconditioned = [&](std::span<const double> in, std::span<double> out) -> mechanics::Status {
     const Eigen::Map<const Eigen::VectorXd> change(in.data(), n);
-    Eigen::VectorXd force = beyond_cells_(change);
+    Eigen::VectorXd force = beyond_cells_.product(change);
     solve_penalized(force);
     Eigen::Map<Eigen::VectorXd>(out.data(), n) = change + force;
     return {};
@@ -298,7 +306,7 @@ mechanics::SolveReport ParitySector::solve(const Eigen::VectorXd& f, const Eigen
   for (int step = 0; step < n_steps_of_multiplier; ++step) {
     if (problem_.incompressible) rest += reaction_of(problem_.penalty * rest_of_constraint);
     solve_penalized(rest);
-    if (beyond_cells_) {
+    if (iterates()) {
       std::vector<double> change;
       const mechanics::SolveReport of_step = solve_by_gmres(preconditioned, {rest.begin(), rest.end()}, tolerance,
                                                             tolerance * u.norm(), n_iterations_of_gmres, change);

@@ -23,8 +23,9 @@
 /// factor of the order of 1/γ. B is factorised by static condensation: first the unknowns that belong to a single cell
 /// (dense, cell by cell), then the unknowns between cells.
 ///
-/// Forces that couple more unknowns than K add a further operator E, which is applied without a matrix. The equation (K
-/// + E + s M) u − Gᵀλ = f is solved by conjugate gradients. The operator T without E is the preconditioner.
+/// Forces that couple more unknowns than K add a further operator E. If E is a matrix of the unknowns of the surface, B
+/// contains it, and these unknowns count as unknowns between cells. Otherwise E is applied without a matrix: the
+/// equation (K + E + s M) u − Gᵀλ = f is solved by conjugate gradients, with T without E as the preconditioner.
 
 #include <Eigen/Core>
 #include <memory>
@@ -74,9 +75,10 @@ class ParitySector {
   ///   (B + E) δ = r + γGᵀ(h − G u),   u ← u + δ,   λ ← λ + γ(h − G u).
   ///
   /// The error of G u falls by a factor of the order of γ/μ in each step,
-  /// with the shear modulus μ; γ/μ is 10⁴. If there is an E, GMRES solves for δ with the preconditioner B⁻¹, up to
-  /// `tolerance` relative to B⁻¹ times the right side. The steps end when δ is at most `tolerance` times u, or after 8
-  /// steps. `lambda` is empty for a compressible body. Fails if GMRES does not converge.
+  /// with the shear modulus μ; γ/μ is 10⁴. If there is an E that B does not contain, GMRES solves for δ with the
+  /// preconditioner B⁻¹, up to `tolerance` relative to B⁻¹ times the right side. The steps end when δ is at most
+  /// `tolerance` times u, or after 8 steps. `lambda` is empty for a compressible body. Fails if GMRES does not
+  /// converge.
   mechanics::SolveReport solve(const Eigen::VectorXd& f, const Eigen::VectorXd& h, double tolerance, Eigen::VectorXd& u,
                                Eigen::VectorXd& lambda) const;
 
@@ -97,13 +99,16 @@ class ParitySector {
   void scatter_add(const Cell& cell, const Eigen::VectorXd& local, Eigen::VectorXd& u) const;
   Eigen::VectorXd constraint_of(const Eigen::VectorXd& u) const;     ///< G u
   Eigen::VectorXd reaction_of(const Eigen::VectorXd& lambda) const;  ///< Gᵀλ
-  /// `solve_cells` returns T f without E. `solve_definite` sets u to T f with E. n_corrections is the number of
-  /// corrections of G u. `tolerance` is the relative tolerance of the conjugate gradients in the energy norm.
-  /// `solve_definite` fails in the same cases as `apply`.
+  /// `solve_cells` returns T f without an E that B does not contain. `solve_definite` sets u to T f with E.
+  /// n_corrections is the number of corrections of G u. `tolerance` is the relative tolerance of the conjugate
+  /// gradients in the energy norm. `solve_definite` fails in the same cases as `apply`.
   Eigen::VectorXd solve_cells(Eigen::VectorXd f, int n_corrections) const;
   mechanics::Status solve_definite(const Eigen::VectorXd& f, int n_corrections, double tolerance,
                                    Eigen::VectorXd& u) const;
   Eigen::VectorXd with_volume(const Eigen::VectorXd& h) const;  ///< some u with G u = h; 0 for a compressible body
+
+  /// True if there is an E that B does not contain.
+  bool iterates() const { return static_cast<bool>(beyond_cells_.product); }
 
   const LinearProblem& problem_;
   Parity parity_;
@@ -111,8 +116,8 @@ class ParitySector {
   std::vector<Cell> cells_;
   std::vector<unsigned int> entry_of_unknown_;  ///< 3·node + component of each unknown
   Eigen::VectorXd mass_, root_mass_;
-  Eigen::VectorXd diagonal_;     ///< (s + LinearProblem::of_mass) M of each unknown
-  SectorOperator beyond_cells_;  ///< E; empty without such forces
+  Eigen::VectorXd diagonal_;  ///< (s + LinearProblem::of_mass) M of each unknown
+  BeyondCells beyond_cells_;  ///< E
   std::unique_ptr<Interface> interface_;
 };
 

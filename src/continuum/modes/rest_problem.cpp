@@ -7,7 +7,7 @@
 
 namespace pseudorigid::continuum {
 RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels, const StoredEnergy& stored,
-                         bool is_incompressible, double gravity_constant)
+                         bool is_incompressible, double gravity_constant, std::size_t most_coupled)
     : LinearProblem(ball_space, is_incompressible, RestElasticity(stored, is_incompressible).moduli.shear,
                     std::max(RestElasticity(stored, is_incompressible).moduli.shear,
                              continuum::weight_of_density(gravity_constant))),
@@ -19,14 +19,17 @@ RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels
   set_stiffness([&](unsigned int cell) {
     return cells.cell_matrix(cell, X, [&](int, const auto&) { return elasticity.tangent; });
   });
-  if (weight_of_density > 0)
-    add_springs([&](const FacePoint& point) -> Eigen::Vector3d {
-      const FacePoint::Jet at = point.jet(X);
-      return std::sqrt(weight_of_density * at.by_p.cross(at.by_q).norm()) * at.u.normalized();
-    });
+  if (weight_of_density == 0) return;
+  const auto springs = add_springs([&](const FacePoint& point) -> Eigen::Vector3d {
+    const FacePoint::Jet at = point.jet(X);
+    return std::sqrt(weight_of_density * at.by_p.cross(at.by_q).norm()) * at.u.normalized();
+  });
+  const auto degree = static_cast<std::size_t>(space.degree());
+  factorises_gravity_ = 3 * springs.size() * degree * degree <= most_coupled;
+  if (factorises_gravity_) couple_surface();
 }
 
-SectorOperator RestProblem::beyond_cells(const ParitySector& sector) const {
+BeyondCells RestProblem::beyond_cells(const ParitySector& sector) const {
   if (weight_of_density == 0) return {};
   const SurfaceHarmonics harmonics(space, sector.parity(), largest_resolved_degree(space));
   std::vector<Eigen::VectorXd> rows;
@@ -39,9 +42,15 @@ SectorOperator RestProblem::beyond_cells(const ParitySector& sector) const {
     }
   Eigen::MatrixXd attraction(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(sector.n_unknowns()));
   for (std::size_t i = 0; i < rows.size(); ++i) attraction.row(static_cast<Eigen::Index>(i)) = rows[i];
-  return [attraction = std::move(attraction)](const Eigen::VectorXd& u) -> Eigen::VectorXd {
+  if (factorises_gravity_) {
+    BeyondCells beyond{{}, unknowns_at_surface(sector), {}};
+    const Eigen::MatrixXd of_surface = attraction(Eigen::all, beyond.unknowns);
+    beyond.matrix = -of_surface.transpose() * of_surface;
+    return beyond;
+  }
+  return {[attraction = std::move(attraction)](const Eigen::VectorXd& u) -> Eigen::VectorXd {
     return -(attraction.transpose() * (attraction * u));
-  };
+  }};
 }
 
 }  // namespace pseudorigid::continuum

@@ -33,27 +33,29 @@ TangentProblem::TangentProblem(const FigureState& state, double of_shift, const 
   const CellStiffness cells(space);
   const double pressure = state.forcing.pressure * (state.kind == Drive::loads ? state.drive : 1);
   const double weight = weight_of_density(state.forcing.gravity_constant);
+  const bool splits_gravity = weight > 0 && !definite_;
   std::vector<double> lambda(space.nodes_per_cell(), 0);
   set_stiffness([&](unsigned int cell) {
     if (incompressible) state.body.kernels().multiplier_at_points(state.lambda, cell, lambda);
-    if (weight > 0)
+    if (splits_gravity)
       of_gravity_.push_back(cells.cell_matrix(cell, state.x, [&](int q, const materials::Tensor<double>& F) {
         Tangent tangent{};
         return tangent.add(lambda[static_cast<std::size_t>(q)] - mean_stress(state.stored, F),
                            tangent_of_constraint(F));
       }));
     return cells.cell_matrix(cell, state.x, [&](int q, const materials::Tensor<double>& F) {
-      const double balanced = weight > 0 ? mean_stress(state.stored, F) : lambda[static_cast<std::size_t>(q)];
+      const double balanced = splits_gravity ? mean_stress(state.stored, F) : lambda[static_cast<std::size_t>(q)];
       Tangent tangent = tangent_at(state.stored, F, balanced);
       return pressure == 0 ? tangent : tangent.add(pressure, tangent_of_pressure(F));
     });
   });
-  if (weight > 0)
+  if (splits_gravity)
     springs_ = add_springs([&](const FacePoint& point) -> Eigen::Vector3d {
       const FacePoint::Jet at = point.jet(state.x);
       const Eigen::Vector3d area = at.by_p.cross(at.by_q);
       return std::sqrt(weight / area.norm()) * area;
     });
+  if (definite_ && weight > 0) couple_surface();
 }
 
 Eigen::Vector3d TangentProblem::rate_of_drive() const {
@@ -76,9 +78,8 @@ Vector TangentProblem::rate_at_surface(const Vector& u, const Parity& parity) co
 
 Vector TangentProblem::rate_within(const Vector& u) const {
   Vector force = space.make_vector();
-  if (!definite_)
-    for (unsigned int i = 0; i < 3 * space.n_nodes(); ++i)
-      force.local_element(i) = rate_of_drive()[i % 3] * space.mass().local_element(i) * u.local_element(i);
+  for (unsigned int i = 0; i < 3 * space.n_nodes(); ++i)
+    force.local_element(i) = rate_of_drive()[i % 3] * space.mass().local_element(i) * u.local_element(i);
   if (held_) force.add(held_->stiffness * (held_->w * u), held_->w);
   for (unsigned int cell = 0; cell < of_gravity_.size(); ++cell)
     add_of_cell(cell, of_gravity_[cell] * of_cell(cell, u), force);
@@ -99,43 +100,31 @@ void TangentProblem::add_of_cell(unsigned int cell, const Eigen::VectorXd& local
     for (unsigned int c = 0; c < 3; ++c) f.local_element(3 * node + c) += local[i++];
 }
 
-std::vector<Eigen::Index> TangentProblem::unknowns_at_surface(const ParitySector& sector) const {
-  Vector marks = space.make_vector();
-  for (const CellFace& face : free_surface(space))
-    for (const int local : nodes_of(face, space.reference_cell().n))
-      for (unsigned int c = 0; c < 3; ++c)
-        marks.local_element(3 * space.cell_nodes(face.cell)[static_cast<std::size_t>(local)] + c) = 1;
-  const Eigen::VectorXd of_unknowns = sector.entries_of(marks);
-  std::vector<Eigen::Index> indices;
-  for (Eigen::Index i = 0; i < of_unknowns.size(); ++i)
-    if (of_unknowns[i] == 1) indices.push_back(i);
-  return indices;
-}
-
-SectorOperator TangentProblem::beyond_cells(const ParitySector& sector) const {
-  if (!state_.body.gravity() && !held_ && (definite_ || rate_of_drive().isZero(0))) return {};
-  const auto within = [this, &sector](const Eigen::VectorXd& u) {
-    return sector.entries_of(rate_within(sector.field_of(u)));
-  };
-  if (!state_.body.gravity()) return within;
+BeyondCells TangentProblem::beyond_cells(const ParitySector& sector) const {
+  const bool gravitates = state_.body.gravity() != nullptr;
   const auto at_surface = [this, &sector](const Eigen::VectorXd& u) {
     return sector.entries_of(rate_at_surface(sector.field_of(u), sector.parity()));
   };
-  if (!definite_)
-    return [within, at_surface](const Eigen::VectorXd& u) -> Eigen::VectorXd { return within(u) + at_surface(u); };
-  // Eigenvectors need thousands of products. A matrix makes these products cheaper. Each column of the matrix takes one
-  // product.
-  const std::vector<Eigen::Index> indices = unknowns_at_surface(sector);
-  const auto n = static_cast<Eigen::Index>(indices.size());
-  Eigen::MatrixXd matrix(n, n);
-  for (Eigen::Index j = 0; j < n; ++j)
-    matrix.col(j) = at_surface(Eigen::VectorXd::Unit(static_cast<Eigen::Index>(sector.n_unknowns()),
-                                                     indices[static_cast<std::size_t>(j)]))(indices);
-  return [within, indices, matrix = std::move(matrix)](const Eigen::VectorXd& u) -> Eigen::VectorXd {
-    Eigen::VectorXd f = within(u);
-    f(indices) += matrix * u(indices);
-    return f;
-  };
+  if (!definite_) {
+    if (!gravitates && !held_ && rate_of_drive().isZero(0)) return {};
+    return {[this, &sector, gravitates, at_surface](const Eigen::VectorXd& u) -> Eigen::VectorXd {
+      Eigen::VectorXd f = sector.entries_of(rate_within(sector.field_of(u)));
+      if (gravitates) f += at_surface(u);
+      return f;
+    }};
+  }
+  if (!gravitates) return {};
+  // Each column of the matrix takes one product, and the iteration for eigenvectors thousands.
+  BeyondCells beyond{{}, unknowns_at_surface(sector), {}};
+  const auto n = static_cast<Eigen::Index>(beyond.unknowns.size()),
+             n_all = static_cast<Eigen::Index>(sector.n_unknowns());
+  beyond.matrix.resize(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(n_all, beyond.unknowns[static_cast<std::size_t>(j)]);
+    beyond.matrix.col(j) = at_surface(unit)(beyond.unknowns);
+  }
+  beyond.matrix = (beyond.matrix + beyond.matrix.transpose()).eval() / 2;  // symmetric but for the quadrature
+  return beyond;
 }
 
 }  // namespace pseudorigid::continuum

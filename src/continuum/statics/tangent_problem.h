@@ -9,10 +9,11 @@
 /// (modes/cell_stiffness.h). The operator E has the other terms of K. They are the second variation of self-gravity
 /// (body/surface_gravity_forces.h), and the derivatives along u of the centrifugal force and of the force of a
 /// quadratic potential. Per mass, these derivatives are Ω²P u and −T u, with the spin Ω, the projection P onto the
-/// plane normal to axis 3, and the matrix T of the potential. With self-gravity, the multiplier also balances the
-/// gravity at the surface. The matrices of the cells then have the mean stress of the law instead of the multiplier,
-/// and springs along the normals of the surface instead of gravity. E has the differences. Without this change, the
-/// preconditioner would not be positive definite under strong gravity.
+/// plane normal to axis 3, and the matrix T of the potential. With a positive shift, E is the matrix of
+/// self-gravity for the unknowns of the surface. Without a shift, E is a product, and the cells alone precondition K.
+/// The multiplier then also balances the gravity at the surface. The matrices of the cells therefore have the mean
+/// stress of the law instead of the multiplier, and springs along the normals of the surface instead of gravity. E has
+/// the differences. Without this change, the preconditioner would not be positive definite under strong gravity.
 
 #include <Eigen/Core>
 #include <vector>
@@ -51,17 +52,17 @@ class TangentProblem final : public LinearProblem {
  public:
   /// The objects to which `state` refers must outlive this object. `shift` is s of parity_sector.h. If the shift is
   /// positive, K + s M must be positive definite. The terms of rate_of_drive are then a part of the preconditioner, and
-  /// not of E. If `held` is not null, K and E contain the term σwwᵀ of `held`, which must outlive this object.
+  /// not of E. If `held` is not null, the shift must be 0, and K and E contain the term σwwᵀ of `held`, which must
+  /// outlive this object.
   TangentProblem(const FigureState& state, double shift, const HeldDirection* held = nullptr);
-  SectorOperator beyond_cells(const ParitySector& sector) const override;
+  BeyondCells beyond_cells(const ParitySector& sector) const override;
 
  private:
   /// The products of u with two parts of E. `rate_at_surface` computes the terms of gravity and of the springs, which
-  /// couple the unknowns of the surface. `rate_within` computes the other terms.
+  /// couple the unknowns of the surface. `rate_within` computes the other terms. With a positive shift, the first part
+  /// is gravity alone, and E does not have the second.
   Vector rate_at_surface(const Vector& u, const Parity& parity) const;
   Vector rate_within(const Vector& u) const;
-  /// The indices, in the vectors of the sector, of the displacements of nodes on the free surface.
-  std::vector<Eigen::Index> unknowns_at_surface(const ParitySector& sector) const;
   /// `of_cell` returns the entries of a nodal vector at the nodes of a cell. `add_of_cell` adds such entries to f.
   Eigen::VectorXd of_cell(unsigned int cell, const Vector& u) const;
   void add_of_cell(unsigned int cell, const Eigen::VectorXd& local, Vector& f) const;
@@ -74,7 +75,7 @@ class TangentProblem final : public LinearProblem {
   bool definite_;  ///< true if the shift is positive
   const HeldDirection* held_;
   std::vector<FaceSprings> springs_;
-  std::vector<Eigen::MatrixXd> of_gravity_;  ///< terms of K of each cell that E has; empty without self-gravity
+  std::vector<Eigen::MatrixXd> of_gravity_;  ///< terms of K of each cell that E has; may be empty
 };
 
 }  // namespace pseudorigid::continuum
