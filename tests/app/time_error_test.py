@@ -73,6 +73,17 @@ class TimeErrors(ProgramTest):
                 _, resumed = self.motion("--resume", output=part)
                 self.assertEqual(resumed["counters"]["estimated_time_error"], whole["counters"]["estimated_time_error"])
 
+    def test_a_run_that_goes_on_with_other_steps_has_their_error(self):
+        """It is interrupted between two samples, finishes this interval with its old steps, and then takes longer ones."""
+        self.release("continuum", 2, 0, 1.05, end=60, **{"Output/Samples": 3, "Time/Tolerance": 1e-8})
+        process = self.start_program("run", "scene.prm", "--output", "own")
+        self.wait_until((self.scratch / "own/checkpoint-continuum.bin").exists, "the run has begun")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(), STOPPED)
+        old = self.json("own", "manifest.json")["models"]["continuum"]["counters"]["estimated_time_error"]
+        _, statistics = self.motion("--resume", "--set", "Time/Tolerance=1e-3")
+        self.assertGreater(statistics["counters"]["estimated_time_error"], 100 * old)
+
     def log(self, folder):
         return (self.scratch / folder / "log.txt").read_text()
 
