@@ -123,7 +123,7 @@ BeyondCells TangentProblem::beyond_cells(const ParitySector& sector) const {
     const Eigen::VectorXd unit = Eigen::VectorXd::Unit(n_all, beyond.unknowns[static_cast<std::size_t>(j)]);
     beyond.matrix.col(j) = at_surface(unit)(beyond.unknowns);
   }
-  beyond.matrix = (beyond.matrix + beyond.matrix.transpose()).eval() / 2;  // symmetric but for the quadrature
+  beyond.matrix = (beyond.matrix + beyond.matrix.transpose()).eval() / 2;  // removes round-off
   return beyond;
 }
 
