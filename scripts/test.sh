@@ -5,7 +5,7 @@
 # ctest:
 #   -L unit       only the tests with a label (unit, convergence, stress, io)
 #   -R NAME       only the tests whose name matches
-#   -j N          so many at a time (default: one more than cores, because some wait)
+#   -j N          so many at a time (default: one more than there are cores, because some tests wait)
 # PSEUDORIGID_WERROR=ON in the environment makes warnings errors.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"

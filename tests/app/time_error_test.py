@@ -31,7 +31,7 @@ class TimeErrors(ProgramTest):
         return [table.column(name) for name in TENSOR], self.json(output, "manifest.json")["models"][self.model]
 
     def error_and_estimate(self, tolerance, step):
-        """The largest error of an entry of Q, its estimate, the number of repeated intervals and the model's own time in s"""
+        """The largest error of an entry of Q, its estimate, and the statistics of the run in the manifest."""
         own, statistics = self.motion("--set", f"Time/Tolerance={tolerance}")
         exact, _ = self.motion("--set", "Time/Method=rattle-8", "--set", f"Time/Step={step}", "--set", "Continuum/Error estimate=none", output="fine")
         error = max(abs(x - y) for a, b in zip(own, exact) for x, y in zip(a, b))
@@ -43,7 +43,7 @@ class TimeErrors(ProgramTest):
                 self.release(model, degree, 5, 2, end=3)
                 error, estimate, statistics = self.error_and_estimate(1e-4, 0.005)
                 self.assertLessEqual(error, estimate)
-                self.assertLess(estimate, 3 * error)
+                self.assertLess(estimate, 3 * error)  # 4/3 of the sum of both errors, and the finer run has the smaller one
                 comparison = self.json("own", "comparison.json")
                 self.assertGreater(comparison["model_difference"]["time_error"], 0)
                 self.assertIn("time error", self.log("own"))

@@ -27,7 +27,7 @@ constexpr double part_for_time = 0.05;
 /// Runs the scene, and estimates the time error if it is not known (search/time_error.h).
 ModelOutcome run_degree(const RunContext& context, const PolynomialRun& run, PolynomialTask task) {
   DeformationTrace trace;
-  task.trace = &trace;
+  if (context.needs.comparison) task.trace = &trace;
   ModelOutcome outcome = run(context, task);
   estimate_time_error(context, task.name, outcome, trace,
                       [&](const RunContext& silent, const Stepping& stepping, DeformationTrace* fine) {

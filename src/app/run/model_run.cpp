@@ -106,7 +106,7 @@ void ModelRunBase::step_anew() {
   std::swap(position_.method, next_stepping_->method);
   std::swap(position_.step, next_stepping_->step);
   std::swap(position_.local_tolerance, next_stepping_->local_tolerance);
-  position_.time_error = next_stepping_->time_error;
+  if (position_.time_error) position_.time_error = next_stepping_->time_error;  // else the interval was violent
   if (position_.method != next_stepping_->method) n_steps_.clear();
   position_.looks = {.next = position_.cursor.sample};
   identity_ = next_stepping_->identity;
@@ -199,7 +199,7 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
 void ModelRunBase::write(const Snapshot& snapshot, SavedVectors vectors, std::optional<SavedVectors> of_sample) {
   sink_->save([&] {
     io::Checkpoint checkpoint = to_checkpoint(identity_, snapshot, std::move(vectors));
-    if (repeats_intervals()) checkpoint.set(steps_of_intervals, std::vector<double>(n_steps_.begin(), n_steps_.end()));
+    if (records_steps()) checkpoint.set(steps_of_intervals, std::vector<double>(n_steps_.begin(), n_steps_.end()));
     if (of_sample) add_snapshot(checkpoint, good_, std::move(*of_sample), at_last_sample);
     if (const std::vector<double> remarks = any_model_.remarks(); !remarks.empty()) {
       checkpoint.set("remarks", remarks);

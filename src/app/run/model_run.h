@@ -86,7 +86,7 @@ class ModelRunBase : protected ModelStepping {
   std::vector<double> row_;           ///< the row of the last sample
   int steps_since_look_ = 0;          ///< steps since the last check of the clock and of the interrupt flag
   std::vector<double> kept_remarks_;  ///< remarks of the model at the stored state, if intervals can be repeated
-  /// Numbers of steps of the intervals so far, if intervals can be repeated. The intervals before the scene changed the
+  /// Numbers of steps of the intervals so far, if they are recorded. The intervals before the scene changed the
   /// method are left out, because another method cannot repeat them.
   std::vector<long> n_steps_;
   int least_halvings_ = 0;  ///< least position_.halvings if the present interval is repeated; otherwise 0
@@ -132,7 +132,7 @@ class ModelRun final : public ModelRunBase, private mechanics::AnyHooks<mechanic
       sink_->draw_frame(k,
                         [&](const auto& path) { return model_.write_frame(path, time, state, *workspace_of_system_); });
     if (has_shapes_ && sink_->wants_shape(k)) sink_->append_shape(model_.shape(time, state));
-    if (k > 0 && repeats_intervals()) n_steps_.push_back(position_.steps_in_interval);
+    if (k > 0 && records_steps()) n_steps_.push_back(position_.steps_in_interval);
     position_.cursor = {k, 0};
     position_.steps_in_interval = 0;
     least_halvings_ = 0;

@@ -88,6 +88,8 @@ class ModelStepping {
   /// True if a failed interval between samples is integrated again with shorter steps: force evaluations are costly,
   /// and the step can change.
   bool repeats_intervals() const { return traits_.has_costly_force && adapts(); }
+  /// True if the numbers of steps are recorded, for the estimate of the time error (search/time_error.h).
+  bool records_steps() const { return repeats_intervals() && context_.needs.comparison; }
   /// If the program has chosen a method that is not symplectic, replaces it by RATTLE of order 4. The ratio of the step
   /// to the stability limit does not change. The reason is that a method that is not symplectic loses energy in violent
   /// motions when the step changes. Returns true if the method has changed.

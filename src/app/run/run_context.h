@@ -93,7 +93,7 @@ struct ModelOutcome {
   std::string message;                 ///< one sentence for the user if the run has not finished
   io::Manifest::Model statistics;      ///< counters and timers of the run
   std::optional<Stepping> stepping{};  ///< method and step of a motion; empty for other analyses
-  std::vector<long> n_steps{};         ///< of each interval between samples; empty unless intervals can be repeated
+  std::vector<long> n_steps{};         ///< of each interval between samples; empty if they were not recorded
   /// Statistics of the additional polynomial bodies of a run, by the names of their files.
   std::map<std::string, io::Manifest::Model> of_rungs{};
   /// The same motion on another discretisation, for the estimate of the error in space; empty without an estimate.
