@@ -51,11 +51,14 @@ void LineModel::project() {
   for (std::size_t l = 0; l < waves.size(); ++l) fill_wave(omega(waves[l]), A_.col(cosine(l)), A_.col(cosine(l) + 1));
   MatrixXd gram = MatrixXd::Zero(A_.cols(), A_.cols());
   gram.selfadjointView<Eigen::Lower>().rankUpdate(A_.transpose());
-  gram_.compute(gram.selfadjointView<Eigen::Lower>());
-  coefficients_ = gram_.solve(A_.transpose() * y_);
+  gram_.compute(gram);
+  coefficients_ = A_.transpose() * y_;
+  gram_.solve_in_place(coefficients_);
   residual_ = y_ - A_ * coefficients_;
   // The normal equations square the condition number. One step of iterative refinement restores the lost digits.
-  coefficients_ += gram_.solve(A_.transpose() * residual_);
+  VectorXd correction = A_.transpose() * residual_;
+  gram_.solve_in_place(correction);
+  coefficients_ += correction;
   residual_ = y_ - A_ * coefficients_;
 }
 
@@ -64,7 +67,8 @@ void LineModel::refine(Accuracy accuracy) {
   for (int n = 0; n < max_steps; ++n) {
     const double before = rss();
     const std::vector<double> start = bases;
-    VectorXd step = projected_hessian().ldlt().solve(jacobian_.transpose() * residual_);
+    const MatrixXd S = projected_hessian();  // sets the matrix D
+    VectorXd step = mechanics::solve_semidefinite(S, jacobian_.transpose() * residual_);
     for (int halving = 0; halving <= max_halvings; ++halving, step /= 2) {
       for (std::size_t b = 0; b < bases.size(); ++b) bases[b] = start[b] + step[Index(b)];
       project();
@@ -92,7 +96,9 @@ std::pair<double, double> LineModel::amplitudes(std::size_t wave) const {
 
 VectorXd LineModel::inverse_curvature() {
   const MatrixXd S = projected_hessian();
-  return S.ldlt().solve(MatrixXd::Identity(S.rows(), S.cols())).diagonal();
+  VectorXd diagonal(S.rows());
+  for (Index k = 0; k < S.rows(); ++k) diagonal[k] = mechanics::solve_semidefinite(S, VectorXd::Unit(S.rows(), k))[k];
+  return diagonal;
 }
 
 MatrixXd LineModel::projected_hessian() {

@@ -9,9 +9,11 @@
 /// is the phase per unit of s ∈ [−1, 1] in a record of length T. The record contains Ω/π cycles. One resolution width
 /// is 2π/T in ω, and π in Ω.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <utility>
 #include <vector>
+
+#include "mechanics/core/dense_algebra.h"
 
 namespace pseudorigid::analysis {
 
@@ -66,7 +68,7 @@ class LineModel {
   const Eigen::VectorXd& y_;
   Eigen::MatrixXd drift_, A_, jacobian_;  ///< the columns P_k of A, the matrix A, and the matrix D
   Eigen::VectorXd coefficients_, residual_;
-  Eigen::LLT<Eigen::MatrixXd> gram_;  ///< Cholesky factors of AᵀA
+  mechanics::CholeskyFactor gram_;  ///< of AᵀA
 };
 
 }  // namespace pseudorigid::analysis

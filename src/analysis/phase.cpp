@@ -1,11 +1,13 @@
 #include "analysis/phase.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <numeric>
+
+#include "mechanics/core/dense_algebra.h"
 
 namespace pseudorigid::analysis {
 namespace {
@@ -35,7 +37,7 @@ class MovingFit {
   /// The coefficients of the fit to the current window, as the complex number a − ib. Its modulus is the amplitude. Its
   /// argument is θ − ωt for the phase θ at a time t.
   std::complex<double> amplitude() const {
-    const Vector3d fit = normal_.ldlt().solve(right_);
+    const Vector3d fit = mechanics::solve_semidefinite(normal_, right_);
     return {fit[1], -fit[2]};
   }
 

@@ -121,11 +121,10 @@ GramSolver::GramSolver(const PolynomialSpace& space)
 bool GramSolver::factor(const Eigen::VectorXd& q) {
   matrix_.at(q, S_);
   S_.diagonal().array() += shift_;
-  factor_.compute(S_);
   factored_at_ = q;
   factored_for_ = shift_;
   ++n_factorizations_;
-  return factor_.info() == Eigen::Success;
+  return factor_.compute(S_);
 }
 
 bool GramSolver::ensure_factor(const Eigen::VectorXd& q0, double shift) {
@@ -136,7 +135,7 @@ bool GramSolver::ensure_factor(const Eigen::VectorXd& q0, double shift) {
     spent_ = 0;
   }
   if (factored_at_.size() == position_.size() && factored_at_ == position_ && factored_for_ == shift_)
-    return factor_.info() == Eigen::Success;
+    return factor_.is_valid();
   return factor(position_);
 }
 
@@ -186,7 +185,7 @@ bool GramSolver::iterate(ReactionsBetween& S, const Eigen::VectorXd& r, double e
       },
       [&](const Eigen::VectorXd& residual, Eigen::VectorXd& z) {
         z = residual;
-        factor_.solveInPlace(z);
+        factor_.solve_in_place(z);
       },
       norm, std::max(part * norm, enough), max_iterations, residual_, lambda);
   n_iterations += result.n_iterations;

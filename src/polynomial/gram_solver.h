@@ -13,11 +13,11 @@
 /// In the second case, the iterations that a new factor could have saved have cost more than a factorisation. Therefore
 /// the cost is at most about twice the optimum.
 
-#include <Eigen/Cholesky>
 #include <array>
 #include <vector>
 
 #include "mechanics/core/conjugate_residuals.h"
+#include "mechanics/core/dense_algebra.h"
 #include "mechanics/core/status.h"
 #include "polynomial/constraint.h"
 #include "polynomial/polynomial_space.h"
@@ -90,7 +90,7 @@ class GramSolver {
   Eigen::VectorXd factored_at_;  ///< position at which factor_ was computed; empty if there is no factor
   double factored_for_ = 0;      ///< σ for which factor_ was computed
   Eigen::MatrixXd S_;
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  mechanics::CholeskyFactor factor_;
   mechanics::ConjugateResiduals<Eigen::VectorXd> iteration_;
   Eigen::VectorXd residual_;
   long n_factorizations_ = 0;

@@ -1,10 +1,11 @@
 #include "polynomial/love_numbers.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <map>
 #include <numbers>
 
+#include "mechanics/core/dense_algebra.h"
 #include "polynomial/rest_problem.h"
 
 namespace pseudorigid::polynomial {
@@ -19,23 +20,25 @@ Parity parity_of_tide(int n, int m) { return BallPolynomial{n, n, m}.parity(); }
 class RestResponse {
  public:
   RestResponse(const RestProblem& problem, Parity parity)
-      : unknowns_(problem.unknowns[parity]),
-        motions_(problem.motions_of(parity)),
-        factor_(motions_.transpose() * problem.stiffness_of(parity) * motions_) {}
+      : unknowns_(problem.unknowns[parity]), motions_(problem.motions_of(parity)) {
+    factor_.compute(motions_.transpose() * problem.stiffness_of(parity) * motions_);
+  }
 
-  bool is_stable() const { return factor_.info() == Eigen::Success; }
+  bool is_stable() const { return factor_.is_valid(); }
   /// Returns the integrals ∮(u·e) Y_nm dS and ∮u·∇Y_nm dS of the response u to the force f = radialᵀ. `radial` and
   /// `tangential` are the rows of the harmonic Y_nm in SurfaceRows.
   Eigen::Vector2d operator()(const Eigen::RowVectorXd& radial, const Eigen::RowVectorXd& tangential) const {
     const Eigen::VectorXd f = radial(unknowns_).transpose();
-    const Eigen::VectorXd u = motions_ * factor_.solve(motions_.transpose() * f);
+    Eigen::VectorXd y = motions_.transpose() * f;
+    factor_.solve_in_place(y);
+    const Eigen::VectorXd u = motions_ * y;
     return {f.dot(u), tangential(unknowns_).dot(u)};
   }
 
  private:
   const std::vector<int>& unknowns_;
   Eigen::MatrixXd motions_;
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  mechanics::CholeskyFactor factor_;
 };
 
 }  // namespace

@@ -35,6 +35,7 @@
 #include <string>
 
 #include "mechanics/core/bracketed_root.h"
+#include "mechanics/core/dense_algebra.h"
 #include "mechanics/core/status.h"
 #include "reduced/steady_motion.h"
 
@@ -147,7 +148,7 @@ mechanics::Status planar_motion(const IsotropicBody<V>& body, const Eigen::Vecto
   };
   Eigen::Matrix3d system;
   system << square_term(1, beta), square_term(2, gamma), -a.cwiseInverse();
-  const Eigen::Vector3d squares = system.fullPivLu().solve(-body.gradient(m.A).diagonal());
+  const Eigen::Vector3d squares = mechanics::solve(system, -body.gradient(m.A).diagonal());
   m.lambda = squares[2];
   const double round_off = 1e-14 * (std::abs(squares[0]) + std::abs(squares[1]));
   if (!(squares[0] >= -round_off && squares[1] >= -round_off))

@@ -3,6 +3,8 @@
 #include <Eigen/SVD>
 #include <cmath>
 
+#include "mechanics/core/dense_algebra.h"
+
 namespace pseudorigid::reduced {
 
 SteadyMotion to_principal_plane(const SteadyMotion& m) {
@@ -23,11 +25,10 @@ SteadyMotion to_principal_plane(const SteadyMotion& m) {
 namespace detail {
 
 PlaneVector newton_step(const PlaneMatrix& DF, const PlaneVector& F, double round_off) {
-  const Eigen::JacobiSVD<PlaneMatrix> svd(DF, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  PlaneVector components = svd.matrixU().transpose() * F;
-  for (int i = 0; i < 8; ++i)
-    components[i] = std::abs(components[i]) <= round_off ? 0 : components[i] / svd.singularValues()[i];
-  return svd.matrixV() * components;
+  const auto [U, values, V] = mechanics::singular_value_decomposition(DF);
+  PlaneVector components = U.transpose() * F;
+  for (int i = 0; i < 8; ++i) components[i] = std::abs(components[i]) <= round_off ? 0 : components[i] / values[i];
+  return V * components;
 }
 
 }  // namespace detail

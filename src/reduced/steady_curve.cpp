@@ -1,12 +1,12 @@
 #include "reduced/steady_curve.h"
 
-#include <Eigen/SVD>
+#include "mechanics/core/dense_algebra.h"
 
 namespace pseudorigid::reduced {
 
 NullDirections null_directions(const PlaneMatrix& DF) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(DF.topRows<7>(), Eigen::ComputeFullV);
-  return {svd.matrixV().col(7), svd.matrixV().col(6), svd.singularValues()[6] / svd.singularValues()[0]};
+  const auto [U, values, V] = mechanics::singular_value_decomposition(DF.topRows<7>());
+  return {V.col(7), V.col(6), values[6] / values[0]};
 }
 
 }  // namespace pseudorigid::reduced

@@ -9,9 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 
 #include "continuum/balls.h"
+#include "mechanics/core/dense_algebra.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -79,7 +80,7 @@ struct MomentIdentity : ::testing::TestWithParam<int> {
     const Eigen::MatrixXd first = reactions(before.q), second = reactions(after.q);
     Eigen::MatrixXd both(first.rows(), first.cols() + second.cols());
     both << first, second;
-    const Eigen::VectorXd solution = both.colPivHouseholderQr().solve(b);
+    const Eigen::VectorXd solution = mechanics::least_squares(both, b, 1e-12);
     Multipliers result{ball.make_multiplier(), ball.make_multiplier(), (both * solution - b).norm() / b.norm()};
     std::copy_n(solution.data(), first.cols(), result.Lambda.begin());
     std::copy_n(solution.data() + first.cols(), second.cols(), result.mu.begin());

@@ -6,6 +6,7 @@
 
 #include "continuum/balls.h"
 #include "continuum/modes/rest_problem.h"
+#include "mechanics/core/dense_algebra.h"
 #include "mechanics/steps/largest_frequency.h"
 #include "reduced/dissipative_body.h"
 #include "reduced/pseudo_rigid_body.h"
@@ -150,7 +151,7 @@ double decay_rate(const std::vector<double>& a, double interval) {
     A += row * row.transpose();
     b += row * a[k + 1];
   }
-  return -std::log(-A.ldlt().solve(b)[1]) / (2 * interval);
+  return -std::log(-mechanics::solve(A, b)(1)) / (2 * interval);
 }
 
 constexpr double eta = 0.01, amplitude = 1e-6, end = 12;

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+
+#include "mechanics/core/dense_algebra.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -21,7 +23,7 @@ MatrixXd symmetric_matrix() {
   const MatrixXd entries = MatrixXd::NullaryExpr(n, n, [](Eigen::Index i, Eigen::Index j) {
     return std::sin(1.0 + 1.7 * static_cast<double>(i * j) + 0.3 * static_cast<double>(i - 2 * j));
   });
-  const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(entries).householderQ();
+  const MatrixXd Q = mechanics::span_of(entries, 0);
   const VectorXd eigenvalues = VectorXd::LinSpaced(n, 0, 2).unaryExpr([](double x) { return std::pow(10, x); });
   return Q * eigenvalues.asDiagonal() * Q.transpose();
 }
@@ -39,18 +41,17 @@ Solved solve(const MatrixXd& A, const MatrixXd& inverse_preconditioner, double t
   const auto result = iteration.solve([&](const VectorXd& z, VectorXd& y) { y = A * z; },
                                       [&](const VectorXd& from, VectorXd& z) { z = inverse_preconditioner * from; },
                                       r0.norm(), tolerance * r0.norm(), 400, r, x);
-  const VectorXd exact = A.partialPivLu().solve(r0);
+  const VectorXd exact = mechanics::solve(A, r0);
   return {result.n_iterations, result.converged, (r0 - A * x).norm() / r0.norm(), r.norm() / r0.norm(),
           (x - exact).norm() / exact.norm()};
 }
 
 /// The inverse of the matrix with its eigenvalues changed by up to a factor of 3 either way.
 MatrixXd close_to_inverse(const MatrixXd& A) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(A);
+  const auto [values, vectors] = mechanics::symmetric_spectrum(A);
   const VectorXd factors =
       VectorXd::NullaryExpr(n, [](Eigen::Index i) { return std::pow(3, std::sin(5.0 * static_cast<double>(i))); });
-  return solver.eigenvectors() * factors.cwiseQuotient(solver.eigenvalues()).asDiagonal() *
-         solver.eigenvectors().transpose();
+  return vectors * factors.cwiseQuotient(values).asDiagonal() * vectors.transpose();
 }
 
 MatrixXd inverse_diagonal(const MatrixXd& A) { return A.diagonal().cwiseInverse().asDiagonal(); }

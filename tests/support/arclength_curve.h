@@ -8,6 +8,7 @@
 /// other branch leaves.
 
 #include "reduced/steady_curve.h"
+#include "support/dense.h"
 
 namespace pseudorigid::reduced {
 
@@ -38,7 +39,7 @@ class ArclengthCurve : public SteadyCurve<V> {
     this->evaluate(x, F, DF);
     point.tangent = this->tangent(DF, along);
     DF.row(7) = along.transpose();
-    point.determinant = DF.determinant();
+    point.determinant = testing::determinant(DF);
     return {};
   }
 

@@ -19,6 +19,8 @@ Eigen::VectorXd generalized_eigenvalues(const Eigen::MatrixXd& A, const Eigen::M
 
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& A) { return A.eigenvalues(); }
 
+double determinant(const Eigen::MatrixXd& A) { return A.fullPivLu().determinant(); }
+
 Eigen::MatrixXd kernel(const Eigen::MatrixXd& A) { return A.fullPivLu().kernel(); }
 
 }  // namespace pseudorigid::testing

@@ -21,6 +21,8 @@ Eigen::VectorXd generalized_eigenvalues(const Eigen::MatrixXd& A, const Eigen::M
 /// Eigenvalues of any A, in no order.
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& A);
 
+double determinant(const Eigen::MatrixXd& A);
+
 /// Columns that span {x: Ax = 0}.
 Eigen::MatrixXd kernel(const Eigen::MatrixXd& A);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mechanics/core/dense_algebra.h"
 #include "mechanics/core/jacobi_metric.h"
 #include "mechanics/methods/dormand_prince_8.h"
 #include "support/integrate.h"
@@ -135,7 +136,7 @@ TEST(Statement_5_2_2, ConformalConnection) {
       ASSERT_TRUE(mechanics::christoffel_symbols(chart, q, Gamma));
       ASSERT_TRUE(mechanics::christoffel_symbols(conformal, q, Gamma_conformal));
       const Vector drho = -mechanics::potential_differential(chart, q) / (2 * (h - chart.potential(q)));  // (5.14)
-      const Vector grad_rho = chart.metric(q).inverse() * drho;
+      const Vector grad_rho = mechanics::solve(chart.metric(q), drho);
       const Vector rest = drho.dot(X) * Y + drho.dot(Y) * X - X.dot(chart.metric(q) * Y) * grad_rho;
       for (int k = 0; k < n; ++k) {
         const double exact = X.dot(Gamma[k] * Y) + rest[k];

@@ -17,7 +17,6 @@
 /// the earlier configuration as undamped. The counts and the earlier configuration are in the memory of the method
 /// (memory.h), so a resumed run has the same matrix.
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <concepts>
@@ -25,6 +24,7 @@
 #include <utility>
 
 #include "mechanics/core/constrained_system.h"
+#include "mechanics/core/dense_algebra.h"
 #include "mechanics/core/linearization.h"
 
 namespace pseudorigid::mechanics {
@@ -175,34 +175,27 @@ class DampingPreconditioner<S> {
       B(i, i) = 1;
     }
     if (!(1 + s_ * rate > 0)) return false;  // a long step backwards in time
-    const Eigen::LLT<Eigen::MatrixXd> factor(B);
-    if (factor.info() != Eigen::Success) return false;
-    Eigen::MatrixXd T = factor.solve(Eigen::MatrixXd::Identity(n_, n_));
-    if (!subtract_reactions(system, inverse_mass, T)) return false;
-    T += inverse_mass / (1 + s_ * rate);
-    matrix_ = std::move(T);
+    if (!invert_on_kernel(B, constraint_matrix(system, inverse_mass), matrix_)) return false;
+    matrix_ += inverse_mass / (1 + s_ * rate);
     return matrix_.allFinite();
   }
 
-  /// Replaces T by T − T Gᵀ(G T Gᵀ)⁻¹G T for the configuration q_. Returns false if G T Gᵀ is not positive.
-  bool subtract_reactions(const S& system, const Eigen::MatrixXd& inverse_mass, Eigen::MatrixXd& T) const {
+  /// Returns the matrix G for the configuration q_, without rows if there is no constraint.
+  Eigen::MatrixXd constraint_matrix(const S& system, const Eigen::MatrixXd& inverse_mass) const {
+    Eigen::MatrixXd G(0, n_);
     if constexpr (!unconstrained<S>) {
-      if (!is_constrained(system)) return true;
+      if (!is_constrained(system)) return G;
       Vector unit = system.make_vector();
       auto rate = system.make_multiplier();
-      Eigen::MatrixXd G(static_cast<Eigen::Index>(local_values(rate).size()), n_);
+      G.resize(static_cast<Eigen::Index>(local_values(rate).size()), n_);
       for (int i = 0; i < n_; ++i) {
         local_values(unit)[i] = inverse_mass(i, i) > 0 ? 1 : 0;
         system.constraint_rate(q_, unit, rate);
         G.col(i) = Eigen::Map<const Eigen::VectorXd>(local_values(rate).data(), G.rows());
         local_values(unit)[i] = 0;
       }
-      const Eigen::MatrixXd reactions = T * G.transpose();
-      const Eigen::LLT<Eigen::MatrixXd> gram(G * reactions);
-      if (gram.info() != Eigen::Success) return false;
-      T -= reactions * gram.solve(reactions.transpose());
     }
-    return true;
+    return G;
   }
 
   int n_ = 0;

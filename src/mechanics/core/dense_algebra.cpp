@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <Eigen/SVD>
 
 namespace pseudorigid::mechanics {
@@ -33,6 +34,37 @@ Eigen::MatrixXd span_of(const Eigen::MatrixXd& N, double absent) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(N, Eigen::ComputeThinU);
   return svd.matrixU().leftCols(rank(svd.singularValues(), absent));
 }
+
+SingularValueDecomposition singular_value_decomposition(const Eigen::MatrixXd& A) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
+}
+
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double absent) {
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+  solver.setThreshold(absent);
+  solver.compute(A);
+  return solver.solve(b);
+}
+
+bool CholeskyFactor::compute(const Eigen::MatrixXd& A) { return factor_.compute(A).info() == Eigen::Success; }
+
+Eigen::MatrixXd CholeskyFactor::solve(const Eigen::MatrixXd& B) const { return factor_.solve(B); }
+
+void CholeskyFactor::solve_in_place(Eigen::VectorXd& b) const { factor_.solveInPlace(b); }
+
+bool invert_on_kernel(const Eigen::MatrixXd& B, const Eigen::MatrixXd& G, Eigen::MatrixXd& T) {
+  CholeskyFactor factor, gram;
+  if (!factor.compute(B)) return false;
+  T = factor.solve(Eigen::MatrixXd::Identity(B.rows(), B.cols()));
+  if (G.rows() == 0) return true;
+  const Eigen::MatrixXd reactions = T * G.transpose();
+  if (!gram.compute(G * reactions)) return false;
+  T -= reactions * gram.solve(reactions.transpose());
+  return true;
+}
+
+Eigen::VectorXd solve_semidefinite(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) { return A.ldlt().solve(b); }
 
 Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) { return A.fullPivLu().solve(B); }
 

@@ -2,6 +2,7 @@
 /// Factorisations of dense matrices of any size. Each factorisation of Eigen takes seconds to compile. Therefore only
 /// dense_algebra.cpp contains them.
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 namespace pseudorigid::mechanics {
@@ -32,6 +33,41 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& B, double absent);
 /// counts as zero if it is at most `absent` times the largest singular value.
 Eigen::MatrixXd span_of(const Eigen::MatrixXd& N, double absent);
 
+/// The decomposition of a matrix A = U diag(values) Vᵀ with descending singular values and square orthogonal matrices U
+/// and V.
+struct SingularValueDecomposition {
+  Eigen::MatrixXd U;
+  Eigen::VectorXd values;
+  Eigen::MatrixXd V;
+};
+SingularValueDecomposition singular_value_decomposition(const Eigen::MatrixXd& A);
+
+/// Returns the shortest vector x for which |Ax − b| is smallest. A pivot counts as zero if it is at most `absent` times
+/// the largest pivot.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double absent);
+
+/// The Cholesky factor of a symmetric matrix A.
+class CholeskyFactor {
+ public:
+  /// Computes the factor of A. Only the lower half of A is read. Returns false if A is not positive definite.
+  bool compute(const Eigen::MatrixXd& A);
+  /// True if the last matrix was positive definite.
+  bool is_valid() const { return factor_.info() == Eigen::Success; }
+  /// Returns A⁻¹B. The factor must be valid.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
+  /// Replaces b by A⁻¹b. The factor must be valid.
+  void solve_in_place(Eigen::VectorXd& b) const;
+
+ private:
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+};
+
+/// Sets T = B⁻¹ − B⁻¹Gᵀ(G B⁻¹Gᵀ)⁻¹G B⁻¹, which is the inverse of B on ker G and maps the vectors Gᵀλ to 0. Returns
+/// false if the symmetric matrix B or G B⁻¹Gᵀ is not positive definite.
+bool invert_on_kernel(const Eigen::MatrixXd& B, const Eigen::MatrixXd& G, Eigen::MatrixXd& T);
+
+/// Returns A⁻¹b for a symmetric matrix A that is positive or negative semidefinite.
+Eigen::VectorXd solve_semidefinite(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 /// Returns A⁻¹B by elimination with full pivoting. A must be regular.
 Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 /// Returns A⁻¹b by elimination with partial pivoting. A must be regular.

@@ -1,10 +1,12 @@
 #include "mechanics/equilibria/critical_points.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
+
+#include "mechanics/core/dense_algebra.h"
 
 namespace pseudorigid::mechanics {
 namespace {
@@ -98,10 +100,7 @@ class CriticalPointFinder {
     landscape_.constraint_gradient(q, G);
     Matrix J(n + n_constraints, n + n_constraints);
     J << H, -G.transpose(), G, Matrix::Zero(n_constraints, n_constraints);
-    Eigen::CompleteOrthogonalDecomposition<Matrix> solver;
-    solver.setThreshold(singular);
-    solver.compute(J);
-    step = -solver.solve(r);
+    step = -least_squares(J, r, singular);
     return step.allFinite();
   }
 
@@ -123,7 +122,7 @@ class CriticalPointFinder {
     Matrix G;
     if (!landscape_.gradient(q, dV)) return false;
     landscape_.constraint_gradient(q, G);
-    if (G.rows() > 0) lambda = G.transpose().completeOrthogonalDecomposition().solve(dV);
+    if (G.rows() > 0) lambda = least_squares(G.transpose(), dV, 1e-14);
     Matrix H;
     if (!landscape_.hessian(q, lambda, H)) return false;
     scale = std::max(dV.norm(), H.norm());

@@ -18,17 +18,9 @@
 #include <vector>
 
 #include "mechanics/core/conservative_system.h"
+#include "mechanics/core/dense_algebra.h"
 
 namespace pseudorigid::mechanics {
-
-namespace detail {
-
-/// Returns the solution α of Σ_j gram_ij α_j = lost_i with the least norm. A pivot of at most 10⁻⁸ times the largest
-/// pivot counts as zero. The matrix is singular if a combination of symmetries does not move the body. An example is a
-/// rotation of space and an opposite rotation of the body about the same axis.
-Eigen::VectorXd least_solution(const Eigen::MatrixXd& gram, const Eigen::VectorXd& lost);
-
-}  // namespace detail
 
 template <ConservativeSystem S>
 class MomentumKeeper {
@@ -92,7 +84,9 @@ class MomentumKeeper {
       system.apply_mass(xi_[static_cast<std::size_t>(i)], momentum_);
       for (Eigen::Index j = 0; j < n; ++j) gram(i, j) = dot(momentum_, xi_[static_cast<std::size_t>(j)]);
     }
-    const Eigen::VectorXd alpha = detail::least_solution(gram, lost);
+    // The matrix is singular if a combination of symmetries does not move the body. An example is a rotation of space
+    // and an opposite rotation of the body about the same axis.
+    const Eigen::VectorXd alpha = least_squares(gram, lost, 1e-8);
     for (Eigen::Index i = 0; i < n; ++i) add(alpha[i], xi_[static_cast<std::size_t>(i)], state.v, v_rounding);
   }
 
