@@ -3,6 +3,7 @@
 /// (figure_spectrum.h). mechanics/equilibria/figure_family.h finds the members.
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "mechanics/equilibria/figure_family.h"
@@ -39,9 +40,10 @@ class BodyFigureFinder {
 
  private:
   mechanics::StabilityOfFigure analysis() const {
-    return [this](const EquilibriumFigure& figure, std::vector<ClassStability>& classes) {
-      return small_motions_ ? spectrum_.analyse(figure, classes) : mechanics::Status();
-    };
+    return
+        [this](const EquilibriumFigure& figure, std::optional<std::size_t> only, std::vector<ClassStability>& classes) {
+          return small_motions_ ? spectrum_.analyse(figure, only, classes) : mechanics::Status();
+        };
   }
 
   FigureSetup setup_;

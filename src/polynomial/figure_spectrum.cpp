@@ -174,38 +174,40 @@ mechanics::SymmetryDirections FigureSpectrum::symmetries(const Part& part, const
   return N;
 }
 
-std::vector<FigureSpectrum::ClassEquation> FigureSpectrum::equations(const EquilibriumFigure& figure) const {
-  const Eigen::MatrixXd K = stiffness(figure);
-  const Eigen::MatrixXd G = incompressible_ ? constraint_matrix(space(), whole(figure.x)) : Eigen::MatrixXd();
-  std::vector<ClassEquation> equations;
-  for (const Part& part : parts_) {
-    Eigen::MatrixXd T = part.fields;
-    if (incompressible_) T = T * mechanics::null_space(rows_beyond(dependent * G.norm(), G * T), dependent);
-    if (T.cols() == 0) continue;
-    Eigen::MatrixXd coriolis(T.rows(), T.cols());
-    for (Eigen::Index k = 0; k < T.cols(); ++k) coriolis.col(k) = spin(figure) * turns_->of_space(2, T.col(k));
-    equations.push_back({&part, T, T.transpose() * K * T, T.transpose() * coriolis});
-  }
-  return equations;
+Eigen::MatrixXd FigureSpectrum::constraint_at(const EquilibriumFigure& figure) const {
+  return incompressible_ ? constraint_matrix(space(), whole(figure.x)) : Eigen::MatrixXd();
 }
 
-mechanics::Status FigureSpectrum::analyse(const EquilibriumFigure& figure, std::vector<ClassStability>& classes) const {
+FigureSpectrum::ClassEquation FigureSpectrum::equation(const Part& part, const EquilibriumFigure& figure,
+                                                       const Eigen::MatrixXd& K, const Eigen::MatrixXd& G) const {
+  Eigen::MatrixXd T = part.fields;
+  if (incompressible_) T = T * mechanics::null_space(rows_beyond(dependent * G.norm(), G * T), dependent);
+  Eigen::MatrixXd coriolis(T.rows(), T.cols());
+  for (Eigen::Index k = 0; k < T.cols(); ++k) coriolis.col(k) = spin(figure) * turns_->of_space(2, T.col(k));
+  return {T, T.transpose() * K * T, T.transpose() * coriolis};
+}
+
+mechanics::Status FigureSpectrum::analyse(const EquilibriumFigure& figure, std::optional<std::size_t> only,
+                                          std::vector<ClassStability>& classes) const {
   const Eigen::VectorXd x = whole(figure.x);
   const mechanics::SymmetryDirections of_body = turns(x, spin(figure));
+  const Eigen::MatrixXd K = stiffness(figure), G = constraint_at(figure);
   classes.clear();
-  for (const ClassEquation& of : equations(figure)) {
-    ClassStability of_class{of.part->motions, {}};
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    classes.push_back({parts_[k].motions, {}});
+    if (only && k != *only) continue;
+    const ClassEquation of = equation(parts_[k], figure, K, G);
+    if (of.T.cols() == 0) continue;
     const auto system = mechanics::reduce(of.stiffness, of.coriolis,
-                                          symmetries(*of.part, of.T, space().affine_part(x), of_body), dependent);
-    if (auto status = mechanics::analyse_stability(system, of_class.stability); !status) return status;
-    classes.push_back(std::move(of_class));
+                                          symmetries(parts_[k], of.T, space().affine_part(x), of_body), dependent);
+    if (auto status = mechanics::analyse_stability(system, classes.back().stability); !status) return status;
   }
   return {};
 }
 
 mechanics::Status FigureSpectrum::motion(const EquilibriumFigure& figure, std::size_t of_class,
                                          std::complex<double> rate, mechanics::SmallMotion& motion) const {
-  const ClassEquation of = equations(figure).at(of_class);
+  const ClassEquation of = equation(parts_.at(of_class), figure, stiffness(figure), constraint_at(figure));
   auto status = mechanics::motion_near(of.stiffness, of.coriolis, rate, motion);
   motion.shape = of.T * motion.shape;
   return status;

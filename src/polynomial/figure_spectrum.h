@@ -24,6 +24,7 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "mechanics/equilibria/figure_family.h"
@@ -48,9 +49,11 @@ class FigureSpectrum {
   /// The multiplier for the whole body. `lambda` has the multiplier for the octant.
   Eigen::VectorXd whole_multiplier(const Eigen::VectorXd& lambda) const;
 
-  /// Sets `classes` to the stability of all classes, in the same order for every figure. Fails if a matrix of a class
-  /// is not finite, or if its eigenvalues do not converge.
-  mechanics::Status analyse(const EquilibriumFigure& figure, std::vector<ClassStability>& classes) const;
+  /// Sets `classes` to the stability of all classes, in the same order for every figure, or only of the class with the
+  /// index `only` (mechanics::StabilityOfFigure). Fails if a matrix of a class is not finite, or if its eigenvalues do
+  /// not converge.
+  mechanics::Status analyse(const EquilibriumFigure& figure, std::optional<std::size_t> only,
+                            std::vector<ClassStability>& classes) const;
   /// Sets `motion` to the small motion whose rate is nearest to `rate`. Its shape has the coefficients of the whole
   /// body. `of_class` is the index of its class in the result of `analyse`. Fails if the iteration for the motion does
   /// not converge.
@@ -69,13 +72,16 @@ class FigureSpectrum {
   /// The linear equation of a class in the coordinates z of a basis T of its motions, u = T z. The columns of T satisfy
   /// the constraint.
   struct ClassEquation {
-    const Part* part;
     Eigen::MatrixXd T;
     Eigen::MatrixXd stiffness;  ///< TᵀKT
     Eigen::MatrixXd coriolis;   ///< matrix of the map u ↦ Ω ê₃×u in the coordinates z
   };
-  /// The equations of all classes that have a motion.
-  std::vector<ClassEquation> equations(const EquilibriumFigure& figure) const;
+  /// The equation of a class about a figure with the stiffness K and the derivative G of the constraint. G is not used
+  /// for a compressible body. T has no columns if no motion of the class satisfies the constraint.
+  ClassEquation equation(const Part& part, const EquilibriumFigure& figure, const Eigen::MatrixXd& K,
+                         const Eigen::MatrixXd& G) const;
+  /// G for the whole body at a figure; empty for a compressible body.
+  Eigen::MatrixXd constraint_at(const EquilibriumFigure& figure) const;
   void add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure);
   Eigen::MatrixXd exchanges(const Eigen::MatrixXd& fields) const;
   Eigen::MatrixXd stiffness(const EquilibriumFigure& figure) const;

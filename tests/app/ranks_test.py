@@ -260,11 +260,35 @@ class Ranks(RanksTest):
         self.assertEqual(len(self.table("output/scene/reduced.csv")), 11)
         self.assertEqual(self.files("other"), ["scene.prm"])
 
-    def test_modes(self):
-        self.scene({"Analysis": "modes", "Models": "continuum", "Continuum/Degree": 3, "Modes/Number": 3})
-        self.run_on(2, "run", "scene.prm", "--output", "on2")
+    def check_equal_on_all(self, scene, files, ranks=(2, 5)):
+        """An analysis, whose parts the ranks share: the files of one rank, byte by byte."""
+        self.scene(scene)
         self.run_done("run", "scene.prm", "--output", "alone")
-        self.assert_same("alone/modes.csv", "on2/modes.csv")
+        for n_ranks in ranks:
+            self.run_on(n_ranks, "run", "scene.prm", "--output", f"on{n_ranks}")
+            for file in files:
+                self.assertEqual(self.bytes("alone", file), self.bytes(f"on{n_ranks}", file), f"{file} on {n_ranks}")
+
+    def test_modes(self):
+        self.check_equal_on_all({"Analysis": "modes", "Models": "polynomial, continuum", "Polynomial/Degree": 3,
+                                 "Continuum/Degree": 3, "Modes/Number": 3},
+                                ["modes.csv", "modes-polynomial.csv"])
+
+    def test_love_numbers(self):
+        self.check_equal_on_all({"Analysis": "love numbers", "Models": "continuum", "Continuum/Degree": 3,
+                                 "Gravity/Gamma": 1, "Love numbers/Degrees": "2, 3, 4"}, ["love-continuum.csv"], ranks=(2,))
+
+    def test_families_of_figures(self):
+        self.check_equal_on_all({"Analysis": "equilibrium", "Models": "continuum", "Continuum/Degree": 2,
+                                 "Gravity/Gamma": 20, "Equilibrium/Family": "maclaurin", "Equilibrium/First": 0.6,
+                                 "Equilibrium/Last": 0.9, "Equilibrium/Number": 3}, ["equilibria-continuum.csv"])
+
+    def test_a_load_without_equilibrium(self):
+        """The first rank writes the last figure, and all ranks end."""
+        self.scene({"Analysis": "equilibrium", "Models": "continuum", "Continuum/Degree": 2,
+                    "Equilibrium/Family": "static", "Loads/Tidal matrix": "-6, 0, 0; 0, -6, 0; 0, 0, 12",
+                    "Continuum/Volumetric stiffness": 3})
+        self.run_on(2, "run", "scene.prm", code=STOPPED)
 
 
 if __name__ == "__main__":

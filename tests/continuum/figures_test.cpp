@@ -116,7 +116,7 @@ TEST(FigureStability, AtRestIsThatOfTheModes) {
   const BallFigures figures(setup);
   const EquilibriumFigure rest = figure_at(figures, FigureParameter::drive, 0);
   std::vector<mechanics::ClassStability> classes;
-  ASSERT_TRUE(stability_of(figures, rest, 6, classes));
+  ASSERT_TRUE(stability_of(figures, rest, 6, {}, classes));
   const std::vector<double> found = frequencies(classes);
   const RestProblem problem(figures.body().space(), figures.body().kernels(), setup.stored, true);
   std::vector<BallFrequency> modes;
@@ -137,7 +137,7 @@ TEST(FigureStability, SlowRotationSplitsToroidalModes) {
     const BallFigures figures(spinning(4));
     const EquilibriumFigure figure = figure_at(figures, FigureParameter::drive, spin * spin);
     std::vector<mechanics::ClassStability> classes;
-    ASSERT_TRUE(stability_of(figures, figure, 6, classes));
+    ASSERT_TRUE(stability_of(figures, figure, 6, {}, classes));
     const auto& even_in_z = classes[1];  // odd under the half turn: T2 with m = ±1 is the lowest pair
     ASSERT_FALSE(even_in_z.motions.odd_in_z);
     ASSERT_EQ(even_in_z.motions.m, 1);
@@ -161,7 +161,7 @@ TEST(BallFigures, OfAFastSpinAgreeWithAPolynomialBody) {
   ASSERT_TRUE(finder.member(ratio, member));
   EXPECT_NEAR(figure.drive, member.figure.drive, 1e-6);
   std::vector<mechanics::ClassStability> classes;
-  ASSERT_TRUE(stability_of(figures, figure, 12, classes));
+  ASSERT_TRUE(stability_of(figures, figure, 12, {}, classes));
   const std::vector<double> found = frequencies(classes), expected = frequencies(member.classes);
   for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(found[i], expected[i], 2e-5) << i;
   for (const auto& of_class : classes) EXPECT_EQ(of_class.stability.n_negative, 0);
@@ -179,7 +179,7 @@ TEST(BallFigures, WithGravityAreTheLimitOfPolynomialBodies) {
     squares.push_back(figure.drive);
     if (degree > 3) continue;
     std::vector<mechanics::ClassStability> classes;
-    ASSERT_TRUE(stability_of(figures, figure, 8, classes));
+    ASSERT_TRUE(stability_of(figures, figure, 8, {}, classes));
     for (const auto& of_class : classes) n_negative += of_class.stability.n_negative;
   }
   for (const int degree : {5, 7}) {

@@ -68,8 +68,7 @@ Input read_and_validate(const Options& options, const scene::Catalogue& catalogu
                                 {input.read.scene.output.directory, options.scene, options.output});
   const std::size_t n_coarse_cells = require_mesh_file(input.read.scene, input.read.origins);
   if (n_ranks != Launch::unknown)
-    require_memory(input.read.scene, input.read.origins, n_coarse_cells,
-                   static_cast<double>(Launch().n_ranks_here) / n_ranks);
+    require_memory(input.read.scene, input.read.origins, n_coarse_cells, Launch().n_ranks_here, n_ranks);
   return input;
 }
 

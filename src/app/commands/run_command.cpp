@@ -46,13 +46,11 @@ ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& co
 /// True if the directory has a checkpoint, from which --resume can continue.
 bool is_resumable(const RunContext& context) { return !checkpoints(context.directory, context.scene).empty(); }
 
-/// The context in which a model runs. All ranks compute a motion of finite elements together. The collective call
-/// of_first(true) starts this motion on the ranks that wait in assist_scene. Modes, Love numbers and equilibria are
-/// computed by a single process, in one octant of the ball.
+/// The context in which a model runs. All ranks compute with finite elements together. The collective call
+/// of_first(true) starts the model on the ranks that wait in assist_scene.
 RunContext context_of(const scene::ModelDescription& model, const RunContext& context, const Executable& executable) {
   RunContext of_model = context;
-  if (model.discretized && context.scene.analysis == scene::Analysis::motion && executable.ranks->of_first(true))
-    of_model.ranks = executable.ranks;
+  if (model.discretized && executable.ranks->of_first(true)) of_model.ranks = executable.ranks;
   return of_model;
 }
 
@@ -270,6 +268,7 @@ int assist_scene(const scene::ReadScene& read, const Options& options, const Exe
   const scene::Needs needs = needs_with_effort(scene);
   const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
   io::install_signal_handlers();
+  std::map<std::string, io::Table> unused;  // the first rank writes the tables of analyses
   const RunContext context{.scene = scene,
                            .needs = needs,
                            .directory = directory,
@@ -277,7 +276,8 @@ int assist_scene(const scene::ReadScene& read, const Options& options, const Exe
                            .log = io::make_logger(io::Verbosity::silent, std::nullopt),
                            .sink_of = files_of_models(false),
                            .resumes = options.resume,
-                           .ranks = executable.ranks};
+                           .ranks = executable.ranks,
+                           .tables = &unused};
   int code = exit_done;
   auto model = std::ranges::find_if(needs.models, &scene::ModelDescription::discretized);
   while (executable.ranks->of_first(false)) try {

@@ -44,8 +44,8 @@ mechanics::Status start_from_figure(const scene::Scene& scene, int n_refinements
   const mechanics::Figure figure = family_of_figures(scene, scene.initial_state.origin->family).figure;
   const continuum::BallFigures figures(figure_setup(scene, space.degree(), n_refinements, figure));
   OwnFigure own;
-  const auto analyse = [&](const auto& of, auto& classes) {
-    return continuum::stability_of(figures, of, n_eigenvectors_of_figure, classes);
+  const auto analyse = [&](const auto& of, auto only, auto& classes) {
+    return continuum::stability_of(figures, of, n_eigenvectors_of_figure, only, classes);
   };
   if (auto status = find_own_figure(scene, figures, analyse, own); !status) return status;
   const continuum::OctantContinuation continuation(figures.body().space(), space);

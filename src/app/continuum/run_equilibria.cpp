@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "app/continuum/figure_setup.h"
+#include "app/continuum/sector_ranks.h"
 #include "app/figures/continuum_figure_columns.h"
 #include "continuum/statics/figure_stability.h"
 #include "continuum/statics/observe_figure.h"
@@ -41,7 +42,8 @@ class FamilyOnMesh {
   FamilyOnMesh(const RunContext& context, const scene::Discretization& discretization)
       : context_(context),
         family_(family_of_figures(context.scene, context.scene.equilibria.family)),
-        figures_(figure_setup(context.scene, discretization.degree, discretization.refinements, family_.figure)) {}
+        figures_(figure_setup(context.scene, discretization.degree, discretization.refinements, family_.figure),
+                 sector_ranks(context)) {}
 
   /// The family of figures of the scene. If the scene requests the figure at rest, the family has only this figure, for
   /// the loads times `factor`. Otherwise `factor` is not used.
@@ -67,9 +69,9 @@ class FamilyOnMesh {
     return {figures_, analysis(), family_, resolution};
   }
   mechanics::StabilityOfFigure analysis() const {
-    return [this](const auto& figure, auto& classes) {
+    return [this](const auto& figure, auto only, auto& classes) {
       if (!context_.scene.equilibria.small_motions) return mechanics::Status();
-      return continuum::stability_of(figures_, figure, n_eigenvectors_of_figure, classes);
+      return continuum::stability_of(figures_, figure, n_eigenvectors_of_figure, only, classes);
     };
   }
 

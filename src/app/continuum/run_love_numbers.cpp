@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "app/continuum/rest_problem.h"
+#include "app/continuum/sector_ranks.h"
 #include "app/run/love_table.h"
 #include "continuum/modes/love_numbers.h"
 #include "scene/discretization.h"
@@ -16,9 +17,10 @@ namespace {
 
 /// Computes the Love numbers of these degrees on one discretisation. Fails if a solution fails.
 mechanics::Status find(const scene::Scene& scene, const scene::Discretization& discretization,
-                       const std::vector<int>& degrees, std::vector<continuum::BallLoveNumbers>& numbers) {
+                       const std::vector<int>& degrees, const continuum::SectorRanks& ranks,
+                       std::vector<continuum::BallLoveNumbers>& numbers) {
   const BallAtRestOnMesh ball(scene, discretization);
-  return continuum::love_numbers(ball.problem(), degrees, numbers);
+  return continuum::love_numbers(ball.problem(), degrees, numbers, ranks);
 }
 
 /// Raises the relative error of a degree to the largest relative error of the lower degrees. The function must be
@@ -68,10 +70,12 @@ ModelOutcome run_continuum_love_numbers(const RunContext& context) {
   std::vector<continuum::BallLoveNumbers> numbers, other;
   std::vector<int> degrees(static_cast<std::size_t>(scene::love_degrees(scene).back() - 1));
   std::iota(degrees.begin(), degrees.end(), 2);
-  mechanics::Status status = find(scene, discretization, degrees, numbers);
-  if (status && !context.interrupted()) status = find(scene, scene::companion(discretization), degrees, other);
+  mechanics::Status status = find(scene, discretization, degrees, sector_ranks(context), numbers);
+  if (status && !context.interrupted())
+    status = find(scene, scene::companion(discretization), degrees, sector_ranks(context), other);
   outcome.statistics.timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (context.interrupted()) {
+  const bool interrupted = context.interrupted();
+  if (interrupted) {
     outcome.end = mechanics::Outcome::interrupted;
     outcome.message = "interrupted while computing Love numbers";
   } else if (!status) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/continuum/rest_problem.h"
+#include "app/continuum/sector_ranks.h"
 #include "app/run/mode_table.h"
 #include "app/run/scene_to_model.h"
 #include "continuum/modes/modes.h"
@@ -64,8 +65,8 @@ ModelOutcome run_modes(const RunContext& context) {
   std::vector<BallFrequency> frequencies;
   continuum::ModesReport report;
   ModelOutcome outcome;
-  const mechanics::Status status =
-      ball_modes(problem, scene.modes.number, frequencies, report, [&] { return context.interrupted(); });
+  const mechanics::Status status = ball_modes(
+      problem, scene.modes.number, frequencies, report, [&] { return context.interrupted(); }, sector_ranks(context));
   auto& counters = outcome.statistics.counters;
   auto& timers = outcome.statistics.timers;
   timers["run"] = std::chrono::duration<double>(Clock::now() - start).count();
@@ -90,7 +91,7 @@ ModelOutcome run_modes(const RunContext& context) {
                    mode_file(context.needs, "continuum"), outcome);
   if (const std::string copies = differing_copies(rows); !copies.empty())
     context.log->warn("{}, which is an error of the mesh; {}", copies, remedy);
-  if (context.needs.graphics) write_shapes(frequencies, space, context);
+  if (context.needs.graphics && context.ranks->is_first()) write_shapes(frequencies, space, context);
   context.log->info("modes: {} frequencies, {:.3g} s", frequencies.size(), timers["run"]);
   return outcome;
 }

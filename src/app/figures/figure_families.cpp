@@ -272,6 +272,7 @@ FigureRun::FigureRun(const RunContext& context, std::string_view file, const std
     : context_(context),
       file_(file),
       parameter_(parameter_name(context.scene.equilibria.family)),
+      is_row_(context.tables && context.ranks->is_first()),
       kept_(kept_columns(context.scene, columns)),
       table_(table_of(context, file_, chosen(columns, kept_))) {}
 
@@ -294,7 +295,7 @@ void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily&
         "located",
         of_degree, parameter_, parameter);
   // A row of a sweep has the figure under the full loads, or none.
-  if (!context_.tables || family.missing.empty()) write(family, row_of);
+  if (!is_row_ || family.missing.empty()) write(family, row_of);
   const auto n_stable =
       std::ranges::count_if(family.members, [](const FigureMember& member) { return !fastest_growing(member); });
   add_result(outcome_, context_,
@@ -321,7 +322,7 @@ std::string FigureRun::missing_in_words(const mechanics::FigureFamily& family,
     return fmt::format("no equilibrium at {} = {:.9g}", parameter_, missing.parameter);
   if (family.members.empty()) return "no equilibrium at rest was found";
   return fmt::format("no equilibrium at rest was found beyond {:.6g} of the loads{}", family.members.front().parameter,
-                     context_.tables ? "" : fmt::format(", whose figure is in {}.csv", file_));
+                     is_row_ ? "" : fmt::format(", whose figure is in {}.csv", file_));
 }
 
 void FigureRun::write(const mechanics::FigureFamily& family, const RowOf& row_of) {
@@ -343,7 +344,7 @@ ModelOutcome FigureRun::finish() {
   counters["equilibria"] = n_members_;
   counters["special_points"] = n_special_;
   outcome_.statistics.timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const bool each_is_needed = context_.tables || scene::finds_static_equilibria(context_.scene);
+  const bool each_is_needed = is_row_ || scene::finds_static_equilibria(context_.scene);
   if (goes_on() && each_is_needed && !reason_.empty()) end(mechanics::Outcome::failed, reason_);
   if (goes_on() && n_members_ == 0)
     end(mechanics::Outcome::failed, "the family has no member in this range: " + reason_);

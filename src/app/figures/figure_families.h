@@ -125,6 +125,7 @@ class FigureRun {
 
   const RunContext& context_;
   std::string file_, parameter_;  ///< name of the table without ".csv"; name of the family's parameter for messages
+  bool is_row_;                   ///< true if the run gives a row of a sweep
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::vector<std::size_t> kept_;  ///< indices of the columns that the table has
   io::ColumnTable table_;

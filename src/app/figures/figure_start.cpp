@@ -35,8 +35,8 @@ mechanics::Status find_own_figure(const scene::Scene& scene, const mechanics::Fi
                                   const mechanics::StabilityOfFigure& analyse, OwnFigure& start) {
   const std::optional<int>& number = scene.initial_state.mode;
   const scene::Scene::InitialState::Origin& origin = *scene.initial_state.origin;
-  const auto analyse_if_needed = [&](const auto& figure, auto& classes) {
-    return number == 0 ? mechanics::Status() : analyse(figure, classes);
+  const auto analyse_if_needed = [&](const auto& figure, auto only, auto& classes) {
+    return number == 0 ? mechanics::Status() : analyse(figure, only, classes);
   };
   mechanics::FigureFinder finder(equations, analyse_if_needed, family_of_figures(scene, origin.family));
   if (const auto status = finder.member(origin.parameter, start.member); !status)

@@ -60,7 +60,7 @@ mechanics::Status start_from_figure(const scene::Scene& scene, const PolynomialS
   const polynomial::BodyFigures figures(setup);
   const polynomial::FigureSpectrum spectrum(setup);
   OwnFigure own;
-  const auto analyse = [&](const auto& of, auto& classes) { return spectrum.analyse(of, classes); };
+  const auto analyse = [&](const auto& of, auto only, auto& classes) { return spectrum.analyse(of, only, classes); };
   if (auto status = find_own_figure(scene, figures, analyse, own); !status) return status;
   Eigen::VectorXd position = spectrum.whole(own.member.figure.x), velocity = Eigen::VectorXd::Zero(position.size());
   if (scene.initial_state.mode != 0)

@@ -214,22 +214,23 @@ std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene
   const double available = io::available_memory();
   // The checkpoint is collected on the first rank. This rank may be on this machine, so the estimate includes the part
   // of the checkpoint from the other machines.
-  const double here = share * needed.bytes + (1 - share) * needed.checkpoint_bytes;
+  const double here = share * needed.bytes + std::max(0.0, 1 - share) * needed.checkpoint_bytes;
   if (here <= available) return std::nullopt;
   return fmt::format("{}{}, and {} are available here", takes,
-                     share < 1 ? fmt::format(", of which this machine needs {}", in_bytes(here)) : "",
+                     share < 1   ? fmt::format(", of which this machine needs {}", in_bytes(here))
+                     : share > 1 ? fmt::format(" on each rank, together {}", in_bytes(here))
+                                 : "",
                      in_bytes(available));
 }
 
 void require_memory(const scene::Scene& scene, const scene::Origins& origins, std::size_t n_coarse_cells,
-                    double share) {
+                    int n_ranks_here, int n_ranks) {
   if (!scene::is_discretized(scene)) return;
   constexpr const char* entry = "Continuum/Refinements";
   const auto fixed = scene::fixed_discretization(scene);
-  // Analyses other than motions run in one process.
-  const double own_share = scene.analysis == scene::Analysis::motion ? share : 1;
-  if (const auto problem =
-          exceeds_memory(scene, fixed ? *fixed : scene::ladder(scene).front(), n_coarse_cells, own_share))
+  // In analyses other than motions, each rank has the whole octant.
+  const double share = static_cast<double>(n_ranks_here) / (scene.analysis == scene::Analysis::motion ? n_ranks : 1);
+  if (const auto problem = exceeds_memory(scene, fixed ? *fixed : scene::ladder(scene).front(), n_coarse_cells, share))
     throw UserError(fmt::format("{}: {}: {}", origins.of(entry), entry, *problem));
 }
 

@@ -53,14 +53,15 @@ scene::Needs needs_with_effort(const scene::Scene& scene);
 
 /// The reason why this machine cannot compute with a discretisation; empty if it can. One reason is lack of memory. The
 /// other reason is that a 32-bit index cannot number the unknowns or the multipliers. `n_coarse_cells` is the number of
-/// cells in the mesh file, or 0 for the builtin mesh. `share` is the fraction of the run's memory that the ranks on
-/// this machine need.
+/// cells in the mesh file, or 0 for the builtin mesh. `share` is the memory that the ranks on this machine need,
+/// divided by that of a run in one process.
 std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene::Discretization& discretization,
                                           std::size_t n_coarse_cells, double share);
 
 /// Throws UserError if this machine cannot compute with the scene's discretisation, or with the coarsest one of a
-/// search (exceeds_memory). Analyses other than a motion are computed in one process, so `share` then counts as 1. Does
-/// nothing if no finite elements are computed.
-void require_memory(const scene::Scene& scene, const scene::Origins& origins, std::size_t n_coarse_cells, double share);
+/// search (exceeds_memory). `n_ranks_here` of the `n_ranks` ranks are on this machine. In analyses other than a motion,
+/// each rank has the whole octant. Does nothing if no finite elements are computed.
+void require_memory(const scene::Scene& scene, const scene::Origins& origins, std::size_t n_coarse_cells,
+                    int n_ranks_here, int n_ranks);
 
 }  // namespace pseudorigid::app

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 
 #include "continuum/modes/surface_harmonics.h"
 
@@ -45,22 +44,39 @@ mechanics::Status numbers_of_degree(const TidalSector& tidal, int n, double g, B
   return {};
 }
 
+/// Sets the `numbers` of the even or of the odd degrees.
+mechanics::Status numbers_of_parity(const RestProblem& problem, bool odd, const std::vector<int>& degrees,
+                                    std::vector<BallLoveNumbers>& numbers) {
+  if (std::ranges::none_of(degrees, [&](int n) { return (n % 2 == 1) == odd; })) return {};
+  TidalSector tidal(problem, odd, std::ranges::max(degrees));
+  if (auto status = tidal.sector.factorize(); !status) return status;
+  for (std::size_t i = 0; i < degrees.size(); ++i)
+    if ((degrees[i] % 2 == 1) == odd)
+      if (auto status = numbers_of_degree(tidal, degrees[i], problem.weight_of_density, numbers[i]); !status)
+        return status;
+  return {};
+}
+
 }  // namespace
 
 mechanics::Status love_numbers(RestProblem problem, const std::vector<int>& degrees,
-                               std::vector<BallLoveNumbers>& numbers) {
+                               std::vector<BallLoveNumbers>& numbers, const SectorRanks& ranks) {
   problem.shift = 0;
-  const double g = problem.weight_of_density;
-  std::map<bool, TidalSector> sectors;
-  numbers.clear();
-  for (const int n : degrees) {
-    const bool odd = n % 2 == 1;
-    auto found = sectors.find(odd);
-    if (found == sectors.end()) {
-      found = sectors.try_emplace(odd, problem, odd, std::ranges::max(degrees)).first;
-      if (auto status = found->second.sector.factorize(); !status) return status;
-    }
-    if (auto status = numbers_of_degree(found->second, n, g, numbers.emplace_back()); !status) return status;
+  numbers.assign(degrees.size(), {});
+  mechanics::Status status;
+  for (const bool odd : {false, true})
+    if (status && ranks.owns(odd ? 1 : 0)) status = numbers_of_parity(problem, odd, degrees, numbers);
+  if (status = ranks.of_all(status); !status) return status;
+  for (const bool odd : {false, true}) {
+    std::vector<double> values;
+    for (const BallLoveNumbers& n : numbers)
+      values.insert(values.end(), {n.mean.h, n.mean.l, n.spread_of_h, n.spread_of_l});
+    values = ranks.of_owner(ranks.owns(odd ? 1 : 0), values);
+    for (std::size_t i = 0; i < degrees.size(); ++i)
+      if ((degrees[i] % 2 == 1) == odd) {
+        const double* of_degree = values.data() + 4 * i;
+        numbers[i] = {{degrees[i], of_degree[0], of_degree[1]}, of_degree[2], of_degree[3]};
+      }
   }
   return {};
 }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "continuum/modes/rest_problem.h"
+#include "continuum/parallel/sector_ranks.h"
 #include "gravity/love_numbers.h"
 
 namespace pseudorigid::continuum {
@@ -29,8 +30,9 @@ struct BallLoveNumbers {
 
 /// Sets `numbers` to the Love numbers of the `degrees`, each at least 2, for an incompressible ball with self-gravity.
 /// The computation replaces the shift of `problem` by 0. Fails if the ball is not stable at rest, or if the conjugate
-/// gradients do not converge.
+/// gradients do not converge. With several `ranks`, two of them solve for the even and the odd degrees, and the
+/// function is collective.
 mechanics::Status love_numbers(RestProblem problem, const std::vector<int>& degrees,
-                               std::vector<BallLoveNumbers>& numbers);
+                               std::vector<BallLoveNumbers>& numbers, const SectorRanks& ranks = {});
 
 }  // namespace pseudorigid::continuum

@@ -68,20 +68,24 @@ struct SectorMode {
 /// complete_below() are known.
 class SectorSpectrum {
  public:
-  SectorSpectrum(const RestProblem& problem, const SectorClass& sector_class, int max_degree)
+  /// `is_mine` is true if this rank owns the sector (SectorRanks).
+  SectorSpectrum(const RestProblem& problem, const SectorClass& sector_class, int max_degree, bool is_mine)
       : problem_(problem),
         sector_(problem, parity_of_sector(sector_class.number)),
         harmonics_(problem.space, sector_.parity(), max_degree),
-        n_copies_(sector_class.n_sectors) {}
+        n_copies_(sector_class.n_sectors),
+        is_mine_(is_mine) {}
 
+  bool is_mine() const { return is_mine_; }
   mechanics::Status factorize() { return sector_.factorize(); }
 
-  /// Computes n more eigenpairs, or a few more. Appends their modes to `modes`, except for rigid motions. If the sector
-  /// has no other eigenpair, complete_below() becomes infinite. Fails if an eigenpair or a mode cannot be computed.
-  mechanics::Status extend(int n, std::vector<SectorMode>& modes, ModesReport& report) {
+  /// Computes n more eigenpairs, or a few more. Their modes are the new modes of the sector, except for rigid motions.
+  /// If the sector has no other eigenpair, complete_below() becomes infinite. Fails if an eigenpair or a mode cannot be
+  /// computed. Only the owner calls this function, and then all ranks call `publish`.
+  mechanics::Status extend(int n) {
     const std::size_t n_before = pairs_.size();
     const auto apply = [&](std::span<const double> y, std::span<double> z) {
-      ++report.n_applications;
+      ++n_applications_;
       return sector_.apply(y, z);
     };
     if (auto s = append_largest_eigenpairs(apply, sector_.n_unknowns(), n, eigenvector_tolerance, pairs_); !s) return s;
@@ -96,16 +100,39 @@ class SectorSpectrum {
       if (auto s = sector_.mode_of(pairs_[i].vector, mode); !s) return s;
       if (is_rigid(mode.u)) continue;
       const ModeClass kind = harmonics_.classify(mode.u);
-      modes.push_back({mode.omega_squared, kind, sector_.parity(), n_copies_, std::move(mode.u)});
+      new_modes_.push_back({mode.omega_squared, kind, sector_.parity(), n_copies_, std::move(mode.u)});
     }
-    report.n_eigenpairs += static_cast<int>(pairs_.size() - n_before);
     complete_below_ = std::sqrt(std::max(0.0, 1 / largest - problem_.shift)) * (1 - round_off);
     return {};
   }
 
+  /// Moves the new modes of the owner to `modes` on all ranks, and adds the counts to `report`. Collective.
+  void publish(const SectorRanks& ranks, std::vector<SectorMode>& modes, ModesReport& report) {
+    std::vector<double> numbers{complete_below_, static_cast<double>(n_applications_),
+                                static_cast<double>(pairs_.size())};
+    std::vector<Eigen::VectorXd> shapes;
+    for (const SectorMode& mode : new_modes_) {
+      numbers.insert(numbers.end(), {mode.omega_squared, mode.kind.kind == ModeKind::spheroidal ? 1.0 : 0.0,
+                                     static_cast<double>(mode.kind.degree), mode.kind.share});
+      shapes.push_back(sector_.entries_of(mode.u));
+    }
+    numbers = ranks.of_owner(is_mine_, numbers);
+    ranks.share(is_mine_, sector_.mass().size(), shapes);
+    complete_below_ = numbers[0];
+    report.n_applications += static_cast<long>(numbers[1]) - n_published_applications_;
+    report.n_eigenpairs += static_cast<int>(numbers[2]) - n_published_pairs_;
+    n_published_applications_ = static_cast<long>(numbers[1]);
+    n_published_pairs_ = static_cast<int>(numbers[2]);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const double* of_mode = numbers.data() + 3 + 4 * i;
+      const ModeClass kind{of_mode[1] == 1 ? ModeKind::spheroidal : ModeKind::toroidal, static_cast<int>(of_mode[2]),
+                           of_mode[3]};
+      modes.push_back({of_mode[0], kind, sector_.parity(), n_copies_, sector_.field_of(shapes[i])});
+    }
+    new_modes_.clear();
+  }
+
   double complete_below() const { return complete_below_; }
-  /// True if a call of `extend` has found an eigenpair.
-  bool asked() const { return !pairs_.empty(); }
 
  private:
   /// True if u is the rigid motion of the sector. If the parity has one negative sign, this motion is the translation
@@ -138,7 +165,11 @@ class SectorSpectrum {
   ParitySector sector_;
   SurfaceHarmonics harmonics_;
   int n_copies_;
+  bool is_mine_;
   std::vector<EigenPair> pairs_;
+  std::vector<SectorMode> new_modes_;  ///< modes of this rank that `publish` has not moved
+  long n_applications_ = 0, n_published_applications_ = 0;
+  int n_published_pairs_ = 0;
   double complete_below_ = 0;
 };
 
@@ -180,7 +211,7 @@ BallFrequency frequency_of(const std::vector<SectorMode>& modes, const mechanics
 }  // namespace
 
 mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std::vector<BallFrequency>& frequencies,
-                             ModesReport& report, const std::function<bool()>& give_up) {
+                             ModesReport& report, const std::function<bool()>& give_up, const SectorRanks& ranks) {
   const auto interrupted = [&] { return give_up && give_up(); };
   const auto stopped = [] { return mechanics::Status::failure("interrupted while looking for the modes"); };
   // The fundamental frequencies of the sphere rise by about 1 per degree, in internal units
@@ -188,14 +219,25 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
   // 30 are not considered.
   const int max_degree = std::min(n_frequencies + 2, 30);
   std::deque<SectorSpectrum> sectors;  // a deque does not move its elements
-  for (const SectorClass& sector_class : sector_classes(problem.space)) {
-    if (interrupted()) return stopped();
-    sectors.emplace_back(problem, sector_class, max_degree);
-    if (auto s = sectors.back().factorize(); !s) return s;
-  }
+  for (const SectorClass& sector_class : sector_classes(problem.space))
+    sectors.emplace_back(problem, sector_class, max_degree, ranks.owns(sectors.size()));
+  // Each rank calls `work` for its own sectors. Between two sectors, it may find that the run is interrupted.
+  const auto for_own_sectors = [&](auto&& work) {
+    mechanics::Status status;
+    for (std::size_t first = 0; first < sectors.size(); first += ranks.size()) {
+      if (interrupted()) return stopped();
+      for (std::size_t i = first; i < std::min(first + ranks.size(), sectors.size()); ++i)
+        if (status && sectors[i].is_mine()) status = work(sectors[i]);
+    }
+    return ranks.of_all(status);
+  };
   std::vector<SectorMode> modes;
   const int n_first = 2 + n_frequencies / 2, n_more = 2 + n_frequencies / 4;
   frequencies.clear();
+  auto status = for_own_sectors([](SectorSpectrum& sector) { return sector.factorize(); });
+  if (status) status = for_own_sectors([&](SectorSpectrum& sector) { return sector.extend(n_first); });
+  if (!status) return status;
+  for (SectorSpectrum& sector : sectors) sector.publish(ranks, modes, report);
   while (true) {
     SectorSpectrum& last = *std::ranges::min_element(sectors, {}, &SectorSpectrum::complete_below);
     const auto sorted = sort_modes(modes, last.complete_below());
@@ -209,7 +251,8 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
     if (interrupted()) return stopped();
     if (std::isinf(last.complete_below())) break;  // all modes of the mesh are known
     if (report.n_eigenpairs > 200 * (n_frequencies + 1)) break;
-    if (auto s = last.extend(last.asked() ? n_more : n_first, modes, report); !s) return s;
+    if (status = ranks.of_all(last.is_mine() ? last.extend(n_more) : mechanics::Status()); !status) return status;
+    last.publish(ranks, modes, report);
   }
   return mechanics::Status::failure(
       "the modes cannot be sorted by kind and degree, as the mesh is too coarse for so many of them; raise "

@@ -21,6 +21,7 @@
 #include "continuum/kernels/cell_kernels.h"
 #include "continuum/modes/rest_problem.h"
 #include "continuum/modes/surface_harmonics.h"
+#include "continuum/parallel/sector_ranks.h"
 #include "mechanics/core/status.h"
 
 namespace pseudorigid::continuum {
@@ -48,9 +49,11 @@ struct ModesReport {
 /// Computes the lowest n_frequencies frequencies in ascending order, and adds its counts to `report`. The function
 /// `give_up` may be empty. `ball_modes` calls `give_up` before each factorisation and each run of the iteration. Fails
 /// if `give_up` returns true, if the ball at rest is not stable under the law, or if an iteration does not converge.
-/// Also fails if the mesh is too coarse for so many frequencies.
+/// Also fails if the mesh is too coarse for so many frequencies. With several `ranks`, each rank solves some of the
+/// sectors, and the function is collective.
 mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std::vector<BallFrequency>& frequencies,
-                             ModesReport& report, const std::function<bool()>& give_up = {});
+                             ModesReport& report, const std::function<bool()>& give_up = {},
+                             const SectorRanks& ranks = {});
 
 /// Returns the displacements of a mode on the whole ball, at the points of nodal_blocks(space), with three numbers for
 /// each point. `shape` has the displacements on the octant, and `parity` their parity.

@@ -59,7 +59,6 @@ struct ParitySector::Interface {
 ParitySector::ParitySector(const LinearProblem& problem, const Parity& parity)
     : problem_(problem), parity_(parity), interface_(std::make_unique<Interface>()) {
   number_unknowns();
-  beyond_cells_ = problem.beyond_cells(*this);
 }
 ParitySector::~ParitySector() = default;
 
@@ -127,6 +126,7 @@ void ParitySector::condense(Cell& cell, unsigned int number, Eigen::MatrixXd& sc
 }
 
 mechanics::Status ParitySector::factorize() {
+  beyond_cells_ = problem_.beyond_cells(*this);
   const auto first = static_cast<Eigen::Index>(first_interface_), n = static_cast<Eigen::Index>(n_unknowns_) - first;
   Eigen::MatrixXd dense = n <= n_dense ? Eigen::MatrixXd::Zero(n, n).eval() : Eigen::MatrixXd();
   std::vector<Eigen::Triplet<double>> entries;

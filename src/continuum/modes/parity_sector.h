@@ -45,8 +45,8 @@ class ParitySector {
   ~ParitySector();
   ParitySector(ParitySector&&) noexcept = delete;  // E may refer to the sector
 
-  /// Factorises B. Call this function before the solutions, products with T, and `without_volume`. Fails if B is
-  /// not positive definite.
+  /// Computes E and factorises B. Call this function before the solutions and products, and before `without_volume`.
+  /// Fails if B is not positive definite.
   mechanics::Status factorize();
   std::size_t n_unknowns() const { return n_unknowns_; }
   const Parity& parity() const { return parity_; }

@@ -43,10 +43,11 @@ Eigen::VectorXd entries(const Vector& v) {
 
 }  // namespace
 
-BallFigures::BallFigures(const FigureSetup& setup)
+BallFigures::BallFigures(const FigureSetup& setup, SectorRanks ranks)
     : stored_(setup.stored),
       incompressible_(setup.incompressible),
       kind_(setup.drive),
+      ranks_(ranks),
       body_(make_body(setup)),
       forcing_(forcing_of(setup)) {
   if (setup.figure == mechanics::Figure::spheroid) find_exchanged_nodes();
@@ -97,6 +98,22 @@ Vector BallFigures::multiplier(const Figure& figure) const {
 BallFigures::Figure BallFigures::affine(const Eigen::Vector3d& a, double drive) const {
   const Eigen::VectorXd lambda = entries(body_->space().make_multiplier());
   return {entries(body_->affine_field(a.asDiagonal())), incompressible_ ? lambda : Eigen::VectorXd(), drive};
+}
+
+void BallFigures::share(Figure& figure) const {
+  if (ranks_.size() == 1) return;
+  const bool is_first = ranks_.is_first();
+  std::vector<double> values;
+  if (is_first) {
+    values.assign(figure.x.begin(), figure.x.end());
+    values.insert(values.end(), figure.lambda.begin(), figure.lambda.end());
+    values.insert(values.end(), {figure.drive, figure.residual});
+  }
+  values = ranks_.of_owner(is_first, values);
+  std::copy_n(values.begin(), figure.x.size(), figure.x.begin());
+  std::copy_n(values.begin() + figure.x.size(), figure.lambda.size(), figure.lambda.begin());
+  figure.drive = values[values.size() - 2];
+  figure.residual = values.back();
 }
 
 bool BallFigures::is_admissible(const Eigen::VectorXd& x) const {
@@ -239,7 +256,7 @@ mechanics::Status BallFigures::step(const Condition& condition, const Figure& fi
   return {};
 }
 
-mechanics::Status BallFigures::newton(const Condition& condition, Figure& figure) const {
+mechanics::Status BallFigures::newton_here(const Condition& condition, Figure& figure) const {
   constexpr int max_iterations = 60, max_halvings = 12;
   constexpr double slow = 0.2;  // a slower decrease of the residual needs a new tangent
   // The round-off of the forces grows with γ = ρgr/μ: at γ = 1000 the residual does not fall below about 1.5e-11. The
@@ -293,7 +310,7 @@ mechanics::Status BallFigures::newton(const Condition& condition, Figure& figure
       mechanics::six_digits(best) + " of the terms");
 }
 
-BallFigures::Figure BallFigures::tangent(const Condition& condition, const Figure& figure) const {
+BallFigures::Figure BallFigures::tangent_here(const Condition& condition, const Figure& figure) const {
   const auto nan = std::numeric_limits<double>::quiet_NaN();
   const Figure none{Eigen::VectorXd::Constant(figure.x.size(), nan),
                     Eigen::VectorXd::Constant(figure.lambda.size(), nan), nan};
@@ -315,7 +332,7 @@ BallFigures::Figure BallFigures::tangent(const Condition& condition, const Figur
   return along;
 }
 
-mechanics::Status BallFigures::complete(Figure& figure) const {
+mechanics::Status BallFigures::complete_here(Figure& figure) const {
   Terms now;
   if (auto status = terms(figure, now); !status) return status;
   figure.residual = largest(now.residual(figure.drive)) / scale_of(figure, now);

@@ -33,6 +33,7 @@
 #include "continuum/body/compressible_ball.h"
 #include "continuum/body/elastic_ball.h"
 #include "continuum/modes/parity_sector.h"
+#include "continuum/parallel/sector_ranks.h"
 #include "continuum/statics/tangent_problem.h"
 #include "mechanics/equilibria/figures.h"
 
@@ -60,14 +61,18 @@ class BallFigures final : public mechanics::FigureEquations {
  public:
   using Figure = mechanics::EquilibriumFigure;
 
-  explicit BallFigures(const FigureSetup& setup);
+  /// With several `ranks`, the first rank solves the equations of the figures, and the others receive the results. The
+  /// solutions and the functions of the base class are then collective.
+  explicit BallFigures(const FigureSetup& setup, SectorRanks ranks = {});
   ~BallFigures() override;
   BallFigures(const BallFigures&) = delete;  // because some members refer to other members
   BallFigures& operator=(const BallFigures&) = delete;
 
   Figure affine(const Eigen::Vector3d& a, double drive) const override;
   const BallBody& body() const { return *body_; }
+  /// The numbers of operations of this rank.
   const FigureCounts& counts() const { return counts_; }
+  const SectorRanks& ranks() const { return ranks_; }
   Drive drive() const { return kind_; }
   const loads::Forcing& forcing() const { return forcing_; }  ///< the sum of the loads
   double typical_stiffness() const { return continuum::typical_stiffness(stored_, incompressible_, forcing_); }
@@ -98,11 +103,28 @@ class BallFigures final : public mechanics::FigureEquations {
     Vector residual(double nu) const;
   };
 
-  mechanics::Status newton(const Condition& condition, Figure& figure) const override;
-  Figure tangent(const Condition& condition, const Figure& figure) const override;
-  mechanics::Status complete(Figure& figure) const override;
+  mechanics::Status newton(const Condition& condition, Figure& figure) const override {
+    const mechanics::Status status = ranks_.is_first() ? newton_here(condition, figure) : mechanics::Status();
+    share(figure);
+    return ranks_.of_all(status);
+  }
+  Figure tangent(const Condition& condition, const Figure& figure) const override {
+    Figure result = ranks_.is_first() ? tangent_here(condition, figure) : figure;
+    share(result);
+    return result;
+  }
+  mechanics::Status complete(Figure& figure) const override {
+    const mechanics::Status status = ranks_.is_first() ? complete_here(figure) : mechanics::Status();
+    share(figure);
+    return ranks_.of_all(status);
+  }
   bool is_admissible(const Eigen::VectorXd& x) const override;
   double error_of_solver() const override { return 1e-6; }
+  /// Replaces `figure` by that of the first rank on all ranks. Collective.
+  void share(Figure& figure) const;
+  mechanics::Status newton_here(const Condition& condition, Figure& figure) const;
+  Figure tangent_here(const Condition& condition, const Figure& figure) const;
+  mechanics::Status complete_here(Figure& figure) const;
 
   mechanics::Status terms(const Figure& figure, Terms& terms) const;
   /// A tangent K with its factors. It has copies of the fields to which the tangent refers.
@@ -136,6 +158,7 @@ class BallFigures final : public mechanics::FigureEquations {
   StoredEnergy stored_;
   bool incompressible_;
   Drive kind_;
+  SectorRanks ranks_;
   std::shared_ptr<const BallBody> body_;  ///< shared, because BallBody has no virtual destructor
   loads::Forcing forcing_;
   std::vector<unsigned int> exchanged_;  ///< the node at (X_2, X_1, X_3) for the node at X; empty for an ellipsoid

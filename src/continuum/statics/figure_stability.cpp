@@ -4,20 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 
 #include "continuum/kernels/node_gradients.h"
-#include "continuum/modes/largest_eigenpairs.h"
+#include "continuum/statics/sector_basis.h"
 #include "continuum/statics/turned.h"
 #include "mechanics/equilibria/small_motion.h"
 
 namespace pseudorigid::continuum {
 namespace {
-
-/// Relative residual of eigenvectors. The eigenvalues of the projected problem have errors of the order of its square.
-constexpr double eigenvector_tolerance = 1e-6;
-/// A vector is not added to a basis if the part of the vector that is orthogonal to the basis is shorter than this
-/// fraction of the vector.
-constexpr double dependent = 1e-8;
 
 /// The displacement F(ê×X) due to a rotation of the undeformed ball about the axis ê. At each node the result is the
 /// mean over the cells of the node, because F has jumps between cells.
@@ -43,104 +38,6 @@ Vector turned_within(const BallSpace& space, int axis, const Vector& x) {
   return result;
 }
 
-/// A basis of displacements u of one parity. The vectors of the basis satisfy G u = 0, and are orthonormal in the inner
-/// product of the mass. They span eigenvectors, responses and other displacements, which are added in this order.
-class SectorBasis {
- public:
-  SectorBasis(const TangentProblem& problem, int number) : sector_(problem, parity_of_sector(number)) {}
-
-  /// Adds the eigenvectors of K for the n lowest eigenvalues, without uniform translations. Must be called before
-  /// add_response and add_projected, because this function factorises the operator of the sector.
-  mechanics::Status add_eigenvectors(int n) {
-    if (auto status = sector_.factorize(); !status) return status;
-    std::vector<EigenPair> known = uniform_motions();
-    const std::size_t n_uniform = known.size();
-    const auto apply = [&](std::span<const double> y, std::span<double> z) { return sector_.apply(y, z); };
-    if (auto status = append_largest_eigenpairs(apply, sector_.n_unknowns(), n, eigenvector_tolerance, known); !status)
-      return status;
-    known.resize(std::min(known.size(), n_uniform + static_cast<std::size_t>(n)));
-    for (std::size_t i = n_uniform; i < known.size(); ++i) {
-      ParitySector::Mode mode;
-      if (auto status = sector_.mode_of(known[i].vector, mode); !status) return status;
-      eigenvectors_.push_back(sector_.entries_of(mode.u));
-    }
-    return {};
-  }
-  std::size_t n_eigenvectors() const { return eigenvectors_.size(); }
-  Vector eigenvector(std::size_t i) const { return sector_.field_of(eigenvectors_[i]); }
-  /// Adds the static response to a force, which follows from the next eigenvector of the other basis of the class.
-  mechanics::Status add_response(const Vector& force) {
-    Vector u;
-    if (auto status = sector_.respond(force, u); !status) return status;
-    responses_.push_back(sector_.entries_of(u));
-    return {};
-  }
-  /// Adds a displacement near u that satisfies G u = 0.
-  void add_projected(const Vector& u) { others_.push_back(sector_.without_volume(sector_.entries_of(u))); }
-  /// Makes the basis of the first n eigenvectors, the first n responses and all other displacements.
-  void span(std::size_t n) {
-    basis_.clear();
-    for (const auto* vectors : {&eigenvectors_, &responses_})
-      for (std::size_t i = 0; i < std::min(n, vectors->size()); ++i) append((*vectors)[i]);
-    for (const Eigen::VectorXd& u : others_) append(u);
-  }
-
-  const ParitySector& sector() const { return sector_; }
-  Eigen::Index size() const { return static_cast<Eigen::Index>(basis_.size()); }
-  const Eigen::VectorXd& operator[](Eigen::Index i) const { return basis_[static_cast<std::size_t>(i)]; }
-  Vector field(Eigen::Index i) const { return sector_.field_of((*this)[i]); }
-  /// The sum of the vectors of the basis with the coefficients z.
-  Vector combination(const Eigen::VectorXd& z) const {
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(sector_.n_unknowns()));
-    for (Eigen::Index i = 0; i < size(); ++i) u += z[i] * (*this)[i];
-    return sector_.field_of(u);
-  }
-  /// The coordinates uᵀM b of a field u in the basis, for each vector b of the basis.
-  Eigen::VectorXd coordinates(const Vector& u) const {
-    const Eigen::VectorXd M_u = sector_.mass().cwiseProduct(sector_.entries_of(u));
-    Eigen::VectorXd result(size());
-    for (Eigen::Index i = 0; i < size(); ++i) result[i] = M_u.dot((*this)[i]);
-    return result;
-  }
-  /// The matrix with the entries bᵀK b' for the vectors b and b' of the basis. `shift` is the shift s of the problem.
-  /// The operator of the sector is K + s M, so the function subtracts s from the diagonal.
-  Eigen::MatrixXd stiffness(double shift) const {
-    Eigen::MatrixXd K(size(), size());
-    for (Eigen::Index j = 0; j < size(); ++j) {
-      const Eigen::VectorXd K_b = sector_.product((*this)[j]);
-      for (Eigen::Index i = 0; i < size(); ++i) K(i, j) = (*this)[i].dot(K_b);
-      K(j, j) -= shift;
-    }
-    return (K + K.transpose()) / 2;
-  }
-
- private:
-  /// The uniform translation u in the sector as the vector M^½ u of length 1, which is an argument of
-  /// ParitySector::apply. The result is empty if the sector does not contain a translation.
-  std::vector<EigenPair> uniform_motions() const {
-    const auto& sign = sector_.parity().sign;
-    if (std::ranges::count(sign, -1) != 1) return {};
-    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(std::ranges::find(sign, -1) - sign.begin());
-    Vector u = sector_.space().make_vector();
-    for (unsigned int i = 0; i < 3 * sector_.space().n_nodes(); ++i) u.local_element(i) = axis[i % 3];
-    const Eigen::VectorXd y = sector_.entries_of(u).cwiseProduct(sector_.mass().cwiseSqrt()).normalized();
-    return {{0, {y.begin(), y.end()}}};
-  }
-  /// Appends the part of u that is orthogonal to the basis, divided by its length. Omits this part if it is short
-  /// (`dependent`).
-  void append(Eigen::VectorXd u) {
-    const double before = std::sqrt(u.dot(sector_.mass().cwiseProduct(u)));
-    for (int repetition = 0; repetition < 2; ++repetition)
-      for (const Eigen::VectorXd& b : basis_) u -= b.dot(sector_.mass().cwiseProduct(u)) * b;
-    const double length = std::sqrt(u.dot(sector_.mass().cwiseProduct(u)));
-    if (length > dependent * before) basis_.push_back(u / length);
-  }
-
-  ParitySector sector_;
-  std::vector<Eigen::VectorXd> eigenvectors_, responses_, others_;
-  std::vector<Eigen::VectorXd> basis_;
-};
-
 /// The largest absolute value of a negative stiffness per mass of a uniform translation, due to the rotation or to a
 /// quadratic potential; 0 if no such stiffness is negative. The shift s of with_shift must be larger than this value.
 /// The basis does not contain translations, but K + s M must be positive definite on the whole parity sector.
@@ -158,9 +55,10 @@ constexpr std::array<std::array<int, 2>, 4> parities_of_classes{{{0, 3}, {1, 2},
 
 /// The bases of the two parities of a class. `numbers` has the numbers of the parities.
 struct ClassBasis {
-  ClassBasis(const TangentProblem& problem, std::size_t of_class)
+  ClassBasis(const TangentProblem& problem, std::size_t of_class, const SectorRanks& ranks)
       : numbers(parities_of_classes[of_class]),
-        parts{SectorBasis(problem, numbers[0]), SectorBasis(problem, numbers[1])} {}
+        parts{SectorBasis(problem, numbers[0], ranks, ranks.owns(2 * of_class)),
+              SectorBasis(problem, numbers[1], ranks, ranks.owns(2 * of_class + 1))} {}
 
   bool contains(int number) const { return number == numbers[0] || number == numbers[1]; }
   void span(int n_eigenvectors) {
@@ -203,22 +101,22 @@ class StabilityProblem {
     }
   }
 
-  mechanics::Status solve(std::size_t number, int n_eigenvectors, mechanics::ClassStability& of_class) const {
-    ClassBasis basis(problem_, number);
-    if (auto status = fill(n_eigenvectors, basis); !status) return status;
-    const auto analyse = [&](int n, mechanics::LinearStability& stability) {
-      basis.span(n);
-      const auto system = mechanics::reduce(stiffness(basis), coriolis(basis), symmetries(basis), dependent);
-      return mechanics::analyse_stability(system, stability);
-    };
-    // Without the rates in the smaller basis, the error of a rate is the rate itself.
-    if (!analyse(3 * n_eigenvectors / 5, of_class.in_smaller_basis)) of_class.in_smaller_basis = {};
-    return analyse(n_eigenvectors, of_class.stability);
+  /// Sets the stability of `classes` in the classes with these indices. The bases of the classes exist at the same
+  /// time.
+  mechanics::Status solve(const std::vector<std::size_t>& indices, int n_eigenvectors,
+                          std::vector<mechanics::ClassStability>& classes) const {
+    std::deque<ClassBasis> bases;  // a deque does not move its elements
+    for (const std::size_t of_class : indices) bases.emplace_back(problem_, of_class, figures_.ranks());
+    if (auto status = fill(n_eigenvectors, bases); !status) return status;
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      if (auto status = analyse(bases[i], n_eigenvectors, classes[indices[i]]); !status) return status;
+    return {};
   }
   mechanics::Status solve(std::size_t of_class, int n_eigenvectors, std::complex<double> rate,
                           SmallMotionOfBall& motion) const {
-    ClassBasis basis(problem_, of_class);
-    if (auto status = fill(n_eigenvectors, basis); !status) return status;
+    std::deque<ClassBasis> bases;
+    ClassBasis& basis = bases.emplace_back(problem_, of_class, figures_.ranks());
+    if (auto status = fill(n_eigenvectors, bases); !status) return status;
     basis.span(n_eigenvectors);
     mechanics::SmallMotion found;
     if (auto status = mechanics::motion_near(stiffness(basis), coriolis(basis), rate, found); !status) return status;
@@ -234,25 +132,56 @@ class StabilityProblem {
   }
 
  private:
-  /// Adds the vectors of both bases: eigenvectors, the static responses to the forces of Coriolis of the eigenvectors
-  /// of the other basis, and rotations.
-  mechanics::Status fill(int n_eigenvectors, ClassBasis& basis) const {
-    for (SectorBasis& part : basis.parts)
-      if (auto status = part.add_eigenvectors(n_eigenvectors); !status) return status;
-    if (spin_ > 0)
+  mechanics::Status analyse(ClassBasis& basis, int n_eigenvectors, mechanics::ClassStability& of_class) const {
+    const auto analyse = [&](int n, mechanics::LinearStability& stability) {
+      basis.span(n);
+      const auto system =
+          mechanics::reduce(stiffness(basis), coriolis(basis), symmetries(basis), SectorBasis::dependent);
+      return mechanics::analyse_stability(system, stability);
+    };
+    // Without the rates in the smaller basis, the error of a rate is the rate itself.
+    if (!analyse(3 * n_eigenvectors / 5, of_class.in_smaller_basis)) of_class.in_smaller_basis = {};
+    return analyse(n_eigenvectors, of_class.stability);
+  }
+
+  /// Calls `work(basis, part)` for the parts of the bases that this rank owns, until the first failure. Returns the
+  /// failure of any rank on all ranks. Collective.
+  template <class Work>
+  mechanics::Status for_own_parts(std::deque<ClassBasis>& bases, Work&& work) const {
+    mechanics::Status status;
+    for (ClassBasis& basis : bases)
       for (std::size_t part = 0; part < 2; ++part)
-        for (std::size_t i = 0; i < basis.parts[1 - part].n_eigenvectors(); ++i) {
-          Vector force = turned(space_, 2, basis.parts[1 - part].eigenvector(i));
-          for (unsigned int k = 0; k < 3 * space_.n_nodes(); ++k)
-            force.local_element(k) *= space_.mass().local_element(k);
-          if (auto status = basis.parts[part].add_response(force); !status) return status;
-        }
+        if (status && basis.parts[part].is_mine()) status = work(basis, part);
+    return figures_.ranks().of_all(status);
+  }
+
+  /// Adds the vectors of the bases: eigenvectors, the static responses to the forces of Coriolis of the eigenvectors
+  /// of the other basis of the class, and rotations. Collective.
+  mechanics::Status fill(int n_eigenvectors, std::deque<ClassBasis>& bases) const {
+    auto status = for_own_parts(
+        bases, [&](ClassBasis& basis, std::size_t part) { return basis.parts[part].add_eigenvectors(n_eigenvectors); });
+    if (!status) return status;
+    for (ClassBasis& basis : bases)
+      for (SectorBasis& part : basis.parts) part.share_eigenvectors();
+    status = for_own_parts(bases, [&](ClassBasis& basis, std::size_t part) { return add_others(basis, part); });
+    if (!status) return status;
+    for (ClassBasis& basis : bases)
+      for (SectorBasis& part : basis.parts) part.share_others();
+    return {};
+  }
+  /// Adds the vectors of a part that are not eigenvectors.
+  mechanics::Status add_others(ClassBasis& basis, std::size_t part) const {
+    const SectorBasis& other = basis.parts[1 - part];
+    for (std::size_t i = 0; spin_ > 0 && i < other.n_eigenvectors(); ++i) {
+      Vector force = turned(space_, 2, other.eigenvector(i));
+      for (unsigned int k = 0; k < 3 * space_.n_nodes(); ++k) force.local_element(k) *= space_.mass().local_element(k);
+      if (auto status = basis.parts[part].add_response(force); !status) return status;
+    }
     for (int axis = 0; axis < 3; ++axis)
-      for (std::size_t part = 0; part < 2; ++part)
-        if (basis.numbers[part] == parity_of_rotation(axis)) {
-          basis.parts[part].add_projected(rotations_.of_space[axis]);
-          basis.parts[part].add_projected(rotations_.of_ball[axis]);
-        }
+      if (basis.numbers[part] == parity_of_rotation(axis)) {
+        basis.parts[part].add_projected(rotations_.of_space[axis]);
+        basis.parts[part].add_projected(rotations_.of_ball[axis]);
+      }
     return {};
   }
 
@@ -313,14 +242,18 @@ class StabilityProblem {
   Rotations rotations_;
 };
 
-mechanics::Status all_classes(const StabilityProblem& problem, int n_eigenvectors,
-                              std::vector<mechanics::ClassStability>& classes) {
+/// Solves the classes one after the other, or several at a time if there are more ranks than the two parities of one
+/// class.
+mechanics::Status solve_classes(const StabilityProblem& problem, std::size_t n_ranks, int n_eigenvectors,
+                                std::optional<std::size_t> only, std::vector<mechanics::ClassStability>& classes) {
   classes.clear();
-  for (std::size_t k = 0; k < parities_of_classes.size(); ++k) {
-    const int first = parities_of_classes[k][0];
-    mechanics::ClassStability of_class{{(first & 4) != 0, first & 1}, {}};
-    if (auto status = problem.solve(k, n_eigenvectors, of_class); !status) return status;
-    classes.push_back(std::move(of_class));
+  for (const auto& parities : parities_of_classes) classes.push_back({{(parities[0] & 4) != 0, parities[0] & 1}, {}});
+  if (only) return problem.solve({*only}, n_eigenvectors, classes);
+  const std::size_t n_at_a_time = std::clamp<std::size_t>(n_ranks / 2, 1, classes.size());
+  for (std::size_t k = 0; k < classes.size();) {
+    std::vector<std::size_t> indices;
+    while (k < classes.size() && indices.size() < n_at_a_time) indices.push_back(k++);
+    if (auto status = problem.solve(indices, n_eigenvectors, classes); !status) return status;
   }
   return {};
 }
@@ -343,9 +276,11 @@ mechanics::Status with_shift(const BallFigures& figures, const mechanics::Equili
 }  // namespace
 
 mechanics::Status stability_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
-                               int n_eigenvectors, std::vector<mechanics::ClassStability>& classes) {
-  return with_shift(figures, figure,
-                    [&](const StabilityProblem& problem) { return all_classes(problem, n_eigenvectors, classes); });
+                               int n_eigenvectors, std::optional<std::size_t> only,
+                               std::vector<mechanics::ClassStability>& classes) {
+  return with_shift(figures, figure, [&](const StabilityProblem& problem) {
+    return solve_classes(problem, figures.ranks().size(), n_eigenvectors, only, classes);
+  });
 }
 
 mechanics::Status small_motion_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,

@@ -20,6 +20,7 @@
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "continuum/modes/parity.h"
@@ -28,14 +29,16 @@
 
 namespace pseudorigid::continuum {
 
-/// Sets `classes` to the stability in the four classes. `n_eigenvectors` is the number of eigenvectors of each parity.
+/// Sets `classes` to the stability in the four classes, or only in the class with the index `only`
+/// (mechanics::StabilityOfFigure). `n_eigenvectors` is the number of eigenvectors of each parity.
 /// The smaller basis (mechanics::ClassStability) has three fifths of them. The azimuthal number m of a class is 0 if
 /// its motions are even under the half turn, and otherwise 1. Fails if an eigenvalue problem does not converge, or if
 /// the figure is unstable with a rate above about 8√k in internal units. For a rotation, k is typical_stiffness() plus
 /// Ω². For a ball at rest, k is typical_stiffness(), plus the largest stiffness per mass with which a quadratic
 /// potential repels the ball from the centre.
 mechanics::Status stability_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
-                               int n_eigenvectors, std::vector<mechanics::ClassStability>& classes);
+                               int n_eigenvectors, std::optional<std::size_t> only,
+                               std::vector<mechanics::ClassStability>& classes);
 
 /// A small motion Re(y exp(st)) of the whole ball in the rotating frame. The shape y is the sum of the displacements of
 /// the two parities of a class.

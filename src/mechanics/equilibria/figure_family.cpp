@@ -19,7 +19,7 @@ FigureFamily figure_at_rest(const FigureEquations& equations, const StabilityOfF
   if (!status) found.missing.push_back({factor, status.reason()});
   member.parameter = status ? factor : member.figure.drive;
   if (member.parameter == 0) return found;
-  status = analyse(member.figure, member.classes);
+  status = analyse(member.figure, {}, member.classes);
   if (status)
     found.members.push_back(std::move(member));
   else
@@ -75,9 +75,19 @@ Status FigureFinder::member(double parameter, FigureMember& member) {
   member = {parameter, {}, {}};
   if (gives_up()) return Status::failure("interrupted");
   if (auto status = find(parameter, member.figure); !status) return status;
-  if (auto status = analyse_(member.figure, member.classes); !status) return status;
+  if (auto status = analyse_(member.figure, {}, member.classes); !status) return status;
   members_[parameter] = member;
   return {};
+}
+
+std::optional<LinearStability> FigureFinder::stability(double parameter, std::size_t of_class) {
+  if (const auto found = members_.find(parameter); found != members_.end())
+    return found->second.classes[of_class].stability;
+  if (const auto found = trials_.find({parameter, of_class}); found != trials_.end()) return found->second;
+  EquilibriumFigure figure;
+  std::vector<ClassStability> classes;
+  if (gives_up() || !find(parameter, figure) || !analyse_(figure, of_class, classes)) return {};
+  return trials_[{parameter, of_class}] = classes[of_class].stability;
 }
 
 /// Appends the special points between the members with the parameters a and b to `result`. Also appends b to
@@ -93,13 +103,7 @@ void FigureFinder::locate_special(double a, double b, FigureFamily& result) {
   bool is_complete = true;
   for (std::size_t k = 0; k < classes.size(); ++k) {
     std::vector<SpecialPoint> of_class;
-    locate_changes_of_stability(
-        [&](double p) -> std::optional<LinearStability> {
-          FigureMember at;
-          if (!member(p, at)) return std::nullopt;
-          return at.classes[k].stability;
-        },
-        a, b, of_class, resolution_);
+    locate_changes_of_stability([&](double p) { return stability(p, k); }, a, b, of_class, resolution_);
     for (const auto& point : of_class) found.push_back({point, classes[k].motions});
     const bool changes = classes[k].stability.n_negative != members_.at(b).classes[k].stability.n_negative;
     const bool is_found = std::ranges::any_of(of_class, [](const auto& p) { return p.kind == SpecialKind::index; });
@@ -139,6 +143,7 @@ FigureFamily FigureFinder::family(const std::vector<double>& parameters, std::fu
       // The figures that were computed between members are not needed again.
       known_ = {{family_.condition(p).value, at.figure}};
       members_ = {{p, std::move(at)}};
+      trials_.clear();
     } else {
       result.missing.push_back({p, status.reason()});
     }

@@ -11,7 +11,9 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mechanics/equilibria/figures.h"
@@ -78,8 +80,10 @@ struct FamilyOfFigures {
 };
 
 /// A function that sets `classes` to the stability of a figure. All figures of a family must have the same classes in
-/// the same order.
-using StabilityOfFigure = std::function<Status(const EquilibriumFigure& figure, std::vector<ClassStability>& classes)>;
+/// the same order. If `only` has a value, only the class with this index is needed. The stability of the other classes
+/// is then not defined.
+using StabilityOfFigure = std::function<Status(const EquilibriumFigure& figure, std::optional<std::size_t> only,
+                                               std::vector<ClassStability>& classes)>;
 
 /// Returns the family with one member, the figure at rest under the loads times `factor`. The drive of `equations` must
 /// be the factor of the loads. The figure is found by continuation from the undeformed ball, while the loads rise from
@@ -111,6 +115,9 @@ class FigureFinder {
   /// Finds the figure with this parameter from the nearest known figure, or by `first` if no figure is known. Fails if
   /// the condition has no finite value, if no figure is found, or if its drive is negative.
   Status find(double parameter, EquilibriumFigure& figure);
+  /// The stability in the class with the index `of_class` of the figure with this parameter. Empty if `member` would
+  /// fail.
+  std::optional<LinearStability> stability(double parameter, std::size_t of_class);
   /// Appends the special points between the members with the parameters a and b to `result`.
   void locate_special(double a, double b, FigureFamily& result);
 
@@ -121,6 +128,8 @@ class FigureFinder {
   std::function<bool()> give_up_{};
   std::map<double, EquilibriumFigure> known_;  ///< known figures; the key is the value of their condition
   std::map<double, FigureMember> members_;     ///< known members; the key is their parameter
+  /// The results of `stability` for figures that are not members. The key has the parameter and the index of the class.
+  std::map<std::pair<double, std::size_t>, LinearStability> trials_;
 };
 
 }  // namespace pseudorigid::mechanics

@@ -1,0 +1,88 @@
+#include "continuum/statics/sector_basis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace pseudorigid::continuum {
+
+mechanics::Status SectorBasis::add_eigenvectors(int n) {
+  // Relative residual of eigenvectors. The eigenvalues of the projected problem have errors of the order of its square.
+  constexpr double eigenvector_tolerance = 1e-6;
+  if (auto status = sector_.factorize(); !status) return status;
+  std::vector<EigenPair> known = uniform_motions();
+  const std::size_t n_uniform = known.size();
+  const auto apply = [&](std::span<const double> y, std::span<double> z) { return sector_.apply(y, z); };
+  if (auto status = append_largest_eigenpairs(apply, sector_.n_unknowns(), n, eigenvector_tolerance, known); !status)
+    return status;
+  known.resize(std::min(known.size(), n_uniform + static_cast<std::size_t>(n)));
+  for (std::size_t i = n_uniform; i < known.size(); ++i) {
+    ParitySector::Mode mode;
+    if (auto status = sector_.mode_of(known[i].vector, mode); !status) return status;
+    eigenvectors_.push_back(sector_.entries_of(mode.u));
+  }
+  return {};
+}
+
+mechanics::Status SectorBasis::add_response(const Vector& force) {
+  Vector u;
+  if (auto status = sector_.respond(force, u); !status) return status;
+  responses_.push_back(sector_.entries_of(u));
+  return {};
+}
+
+void SectorBasis::share_others() {
+  ranks_.share(is_mine_, sector_.mass().size(), responses_);
+  ranks_.share(is_mine_, sector_.mass().size(), others_);
+}
+
+void SectorBasis::span(std::size_t n) {
+  basis_.clear();
+  for (const auto* vectors : {&eigenvectors_, &responses_})
+    for (std::size_t i = 0; i < std::min(n, vectors->size()); ++i) append((*vectors)[i]);
+  for (const Eigen::VectorXd& u : others_) append(u);
+}
+
+Vector SectorBasis::combination(const Eigen::VectorXd& z) const {
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(sector_.n_unknowns()));
+  for (Eigen::Index i = 0; i < size(); ++i) u += z[i] * (*this)[i];
+  return sector_.field_of(u);
+}
+
+Eigen::VectorXd SectorBasis::coordinates(const Vector& u) const {
+  const Eigen::VectorXd M_u = sector_.mass().cwiseProduct(sector_.entries_of(u));
+  Eigen::VectorXd result(size());
+  for (Eigen::Index i = 0; i < size(); ++i) result[i] = M_u.dot((*this)[i]);
+  return result;
+}
+
+Eigen::MatrixXd SectorBasis::stiffness(double shift) const {
+  Eigen::MatrixXd K(size(), size());
+  for (Eigen::Index j = 0; is_mine_ && j < size(); ++j) {
+    const Eigen::VectorXd K_b = sector_.product((*this)[j]);
+    for (Eigen::Index i = 0; i < size(); ++i) K(i, j) = (*this)[i].dot(K_b);
+    K(j, j) -= shift;
+  }
+  ranks_.share(is_mine_, K);
+  return (K + K.transpose()) / 2;
+}
+
+std::vector<EigenPair> SectorBasis::uniform_motions() const {
+  const auto& sign = sector_.parity().sign;
+  if (std::ranges::count(sign, -1) != 1) return {};
+  const Eigen::Vector3d axis = Eigen::Vector3d::Unit(std::ranges::find(sign, -1) - sign.begin());
+  Vector u = sector_.space().make_vector();
+  for (unsigned int i = 0; i < 3 * sector_.space().n_nodes(); ++i) u.local_element(i) = axis[i % 3];
+  const Eigen::VectorXd y = sector_.entries_of(u).cwiseProduct(sector_.mass().cwiseSqrt()).normalized();
+  return {{0, {y.begin(), y.end()}}};
+}
+
+void SectorBasis::append(Eigen::VectorXd u) {
+  const double before = std::sqrt(u.dot(sector_.mass().cwiseProduct(u)));
+  for (int repetition = 0; repetition < 2; ++repetition)
+    for (const Eigen::VectorXd& b : basis_) u -= b.dot(sector_.mass().cwiseProduct(u)) * b;
+  const double length = std::sqrt(u.dot(sector_.mass().cwiseProduct(u)));
+  if (length > dependent * before) basis_.push_back(u / length);
+}
+
+}  // namespace pseudorigid::continuum
