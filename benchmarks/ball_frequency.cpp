@@ -55,9 +55,9 @@ double octant_frequency(const Rest& rest) {
   std::vector<EigenPair> pairs;
   require(append_largest_eigenpairs([&](auto y, auto z) { return sector.apply(y, z); }, sector.n_unknowns(), 1, 1e-7,
                                     pairs));
-  ParitySector::Mode mode;
-  require(sector.mode_of(pairs.front().vector, mode));
-  return std::sqrt(mode.omega_squared);
+  ParitySector::Modes modes;
+  require(sector.modes_of(std::span(pairs).first(1), modes));
+  return std::sqrt(modes.omega_squared[0]);
 }
 
 double frequency_among_all(const Rest& rest) {

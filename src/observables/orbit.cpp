@@ -32,7 +32,7 @@ OrbitObservables observe_orbit(const Orbit& orbit, const Orbit::Columns& s, cons
   o.k2 = d * d * d / (orbit.first_mass() * std::pow(orbit.radius_of_ball(), 5)) * std::hypot(in_phase, out_of_phase);
   o.inverse_Q = std::abs(std::sin(2 * o.lag));
   o.torque = orbit.torque(S, s);
-  o.spin = mechanics::solve_semidefinite(S.trace() * Eigen::Matrix3d::Identity() - S, J);
+  o.spin = mechanics::solve_semidefinite(Eigen::Matrix3d(S.trace() * Eigen::Matrix3d::Identity() - S), J);
   o.obliquity = std::atan2(normal.cross(o.spin).norm(), normal.dot(o.spin));
   o.total_momentum = J + Orbit::momentum(s, sdot);
   return o;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <numeric>
 
 #include "analysis/frequency.h"
 #include "analysis/sphere_frequencies.h"
@@ -121,6 +122,13 @@ TEST(ContinuumGravity, RateOfTheForceIsThatOfTheWholeBall) {
     };
     Vector rate = part.make_vector();
     part.gravity()->add_rate(x, field(X, part.make_vector()), s, rate);
+    std::vector<unsigned int> entries(X.locally_owned_size());
+    std::iota(entries.begin(), entries.end(), 0U);
+    const Vector displacement = field(X, part.make_vector());
+    const Eigen::Map<const Eigen::VectorXd> u_of_part(displacement.begin(), X.locally_owned_size()),
+        rate_of_part(rate.begin(), X.locally_owned_size());
+    EXPECT_LT((part.gravity()->hessian(x, s, entries) * u_of_part + rate_of_part).lpNorm<Eigen::Infinity>(),
+              1e-13 * rate.linfty_norm());
     const Vector u = field(X_all, all.make_vector());
     const auto force = [&](double h) {
       Vector moved = x_all;

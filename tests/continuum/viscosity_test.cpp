@@ -173,9 +173,9 @@ TEST(ViscousDecay, OfTheModeS2) {
     const double largest = std::abs(*std::ranges::max_element(z, {}, [](double a) { return std::abs(a); }));
     std::ranges::transform(z, y.begin(), [=](double a) { return a / largest; });
   }
-  continuum::ParitySector::Mode mode;
-  ASSERT_TRUE(symmetric.mode_of(y, mode));
-  Vector S2 = mode.u;
+  continuum::ParitySector::Modes modes;
+  ASSERT_TRUE(symmetric.modes_of(std::vector{continuum::EigenPair{0, y}}, modes));
+  Vector S2 = symmetric.field_of(modes.u);
   S2 *= amplitude / S2.linfty_norm();
 
   auto state = affine_state(ball, Matrix3d::Identity(), Matrix3d::Zero());

@@ -18,9 +18,10 @@ namespace pseudorigid::app {
 int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
               const std::vector<std::string>& command, const Executable& executable);
 
-/// Work of every rank except the first, while the first rank calls run_scene. The rank takes part in the motions of the
-/// finite-element model that the first rank starts, and writes its own pieces of the pictures. The rank does not print
-/// anything. The function ends when the first rank calls ranks.of_first(false) after its run. Returns the exit code.
+/// Work of every rank except the first, while the first rank calls run_scene. The rank takes part in the runs of the
+/// finite-element model that the first rank starts, and writes its own pieces of the pictures of motions. The rank does
+/// not print anything. The function ends when the first rank calls ranks.of_first(false) after its run. Returns the
+/// exit code.
 int assist_scene(const scene::ReadScene& read, const Options& options, const Executable& executable);
 
 }  // namespace pseudorigid::app

@@ -7,6 +7,7 @@
 
 #include "app/continuum/rest_problem.h"
 #include "app/continuum/sector_ranks.h"
+#include "app/ranks/on_all_ranks.h"
 #include "app/run/love_table.h"
 #include "continuum/modes/love_numbers.h"
 #include "scene/discretization.h"
@@ -82,7 +83,8 @@ ModelOutcome run_continuum_love_numbers(const RunContext& context) {
     outcome.end = mechanics::Outcome::failed;
     outcome.message = status.reason();
   } else {
-    write_love_table(rows_of(scene, numbers, other), "continuum", "elastic", context, outcome);
+    on_all_ranks(*context.ranks,
+                 [&] { write_love_table(rows_of(scene, numbers, other), "continuum", "elastic", context, outcome); });
   }
   return outcome;
 }

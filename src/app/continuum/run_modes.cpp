@@ -8,6 +8,7 @@
 
 #include "app/continuum/rest_problem.h"
 #include "app/continuum/sector_ranks.h"
+#include "app/ranks/on_all_ranks.h"
 #include "app/run/mode_table.h"
 #include "app/run/scene_to_model.h"
 #include "continuum/modes/modes.h"
@@ -87,11 +88,13 @@ ModelOutcome run_modes(const RunContext& context) {
     outcome.end = context.interrupted() ? mechanics::Outcome::interrupted : mechanics::Outcome::failed;
     return outcome;
   }
-  write_mode_table(rows, {problem.elasticity.moduli, problem.incompressible, gravity_to_elasticity(scene)}, context,
-                   mode_file(context.needs, "continuum"), outcome);
+  on_all_ranks(*context.ranks, [&] {
+    write_mode_table(rows, {problem.elasticity.moduli, problem.incompressible, gravity_to_elasticity(scene)}, context,
+                     mode_file(context.needs, "continuum"), outcome);
+    if (context.needs.graphics && context.ranks->is_first()) write_shapes(frequencies, space, context);
+  });
   if (const std::string copies = differing_copies(rows); !copies.empty())
     context.log->warn("{}, which is an error of the mesh; {}", copies, remedy);
-  if (context.needs.graphics && context.ranks->is_first()) write_shapes(frequencies, space, context);
   context.log->info("modes: {} frequencies, {:.3g} s", frequencies.size(), timers["run"]);
   return outcome;
 }

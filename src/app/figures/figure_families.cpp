@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/ranks/on_all_ranks.h"
 #include "app/reduced/ball_equilibria.h"
 #include "app/run/scene_to_model.h"
 #include "reduced/equilibrium_families.h"
@@ -273,8 +274,9 @@ FigureRun::FigureRun(const RunContext& context, std::string_view file, const std
       file_(file),
       parameter_(parameter_name(context.scene.equilibria.family)),
       is_row_(context.tables && context.ranks->is_first()),
-      kept_(kept_columns(context.scene, columns)),
-      table_(table_of(context, file_, chosen(columns, kept_))) {}
+      kept_(kept_columns(context.scene, columns)) {
+  on_all_ranks(*context.ranks, [&] { table_.emplace(table_of(context, file_, chosen(columns, kept_))); });
+}
 
 void FigureRun::end(mechanics::Outcome how, std::string message) {
   outcome_.end = how;
@@ -295,7 +297,7 @@ void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily&
         "located",
         of_degree, parameter_, parameter);
   // A row of a sweep has the figure under the full loads, or none.
-  if (!is_row_ || family.missing.empty()) write(family, row_of);
+  if (!is_row_ || family.missing.empty()) on_all_ranks(*context_.ranks, [&] { write(family, row_of); });
   const auto n_stable =
       std::ranges::count_if(family.members, [](const FigureMember& member) { return !fastest_growing(member); });
   add_result(outcome_, context_,
@@ -334,12 +336,12 @@ void FigureRun::write(const mechanics::FigureFamily& family, const RowOf& row_of
     std::vector<double> row;
     if (const auto status = row_of(++index_, *member, special, row); !status)
       return end(mechanics::Outcome::failed, status.reason());
-    table_.append(chosen(row, kept_));
+    table_->append(chosen(row, kept_));
   }
 }
 
 ModelOutcome FigureRun::finish() {
-  table_.flush();
+  on_all_ranks(*context_.ranks, [&] { table_->flush(); });
   auto& counters = outcome_.statistics.counters;
   counters["equilibria"] = n_members_;
   counters["special_points"] = n_special_;

@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -127,8 +128,8 @@ class FigureRun {
   std::string file_, parameter_;  ///< name of the table without ".csv"; name of the family's parameter for messages
   bool is_row_;                   ///< true if the run gives a row of a sweep
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::vector<std::size_t> kept_;  ///< indices of the columns that the table has
-  io::ColumnTable table_;
+  std::vector<std::size_t> kept_;         ///< indices of the columns that the table has
+  std::optional<io::ColumnTable> table_;  ///< has a value after the construction
   ModelOutcome outcome_;
   std::string reason_;  ///< sentence about the first missing member; empty if no member is missing
   int index_ = 0;

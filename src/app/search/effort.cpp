@@ -145,11 +145,12 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
   constexpr double bytes_of_pair_at_surface = 8 * 2 * sizeof(double);
   const double n_at_surface = n_matrices == 3 ? 9 * n * n : 0;
   const bool has_matrix = scene.analysis == scene::Analysis::equilibrium || n_at_surface <= 3000;
+  const double of_parities = has_matrix ? bytes_of_pair_at_surface * n_at_surface * n_at_surface : 0;
   return {.n_unknowns = n_unknowns,
           .n_multipliers = n_multipliers,
           .bytes = bytes_of_unknown * n_unknowns + bytes_of_pair_of_multipliers * n_multipliers * n_pressure +
-                   n_matrices * sizeof(double) * entries_of_cell * n_cells +
-                   (has_matrix ? bytes_of_pair_at_surface * n_at_surface * n_at_surface : 0),
+                   n_matrices * sizeof(double) * entries_of_cell * n_cells + of_parities,
+          .bytes_of_parities = of_parities,
           .checkpoint_bytes = (scene.time.step ? 1 : 2) * sizeof(double) *
                               (remembered_of_unknown * n_unknowns + remembered_of_multiplier * n_multipliers),
           .n_points_of_picture = n_cells * (builtin ? 8.0 / n_octants : 1) * std::pow(k + 1, 3)};
@@ -206,7 +207,7 @@ scene::Needs needs_with_effort(const scene::Scene& scene) {
 }
 
 std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene::Discretization& discretization,
-                                          std::size_t n_coarse_cells, double share) {
+                                          std::size_t n_coarse_cells, double share, double share_of_parities) {
   const Effort needed = effort_of(scene, discretization, n_coarse_cells);
   const std::string takes = fmt::format("{} takes {}", scene::describe(discretization), in_words(needed));
   if (needed.n_unknowns > most_unknowns || needed.n_multipliers > most_unknowns)
@@ -214,7 +215,8 @@ std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene
   const double available = io::available_memory();
   // The checkpoint is collected on the first rank. This rank may be on this machine, so the estimate includes the part
   // of the checkpoint from the other machines.
-  const double here = share * needed.bytes + std::max(0.0, 1 - share) * needed.checkpoint_bytes;
+  const double here = share * (needed.bytes - needed.bytes_of_parities) + share_of_parities * needed.bytes_of_parities +
+                      std::max(0.0, 1 - share) * needed.checkpoint_bytes;
   if (here <= available) return std::nullopt;
   return fmt::format("{}{}, and {} are available here", takes,
                      share < 1   ? fmt::format(", of which this machine needs {}", in_bytes(here))
@@ -228,9 +230,11 @@ void require_memory(const scene::Scene& scene, const scene::Origins& origins, st
   if (!scene::is_discretized(scene)) return;
   constexpr const char* entry = "Continuum/Refinements";
   const auto fixed = scene::fixed_discretization(scene);
-  // In analyses other than motions, each rank has the whole octant.
-  const double share = static_cast<double>(n_ranks_here) / (scene.analysis == scene::Analysis::motion ? n_ranks : 1);
-  if (const auto problem = exceeds_memory(scene, fixed ? *fixed : scene::ladder(scene).front(), n_coarse_cells, share))
+  // In analyses other than motions, each rank has the whole octant, but only the factors of some of the eight parities.
+  const double of_all = n_ranks_here, share = of_all / (scene.analysis == scene::Analysis::motion ? n_ranks : 1),
+               of_rank = std::ceil(8.0 / n_ranks) / 8;
+  if (const auto problem =
+          exceeds_memory(scene, fixed ? *fixed : scene::ladder(scene).front(), n_coarse_cells, share, of_all * of_rank))
     throw UserError(fmt::format("{}: {}: {}", origins.of(entry), entry, *problem));
 }
 

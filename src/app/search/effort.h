@@ -26,12 +26,14 @@
 namespace pseudorigid::app {
 
 /// Estimated size of a run. The number n_unknowns is three times the number of nodes. The number of multipliers of the
-/// constraint is n_multipliers, which is 0 for a compressible body. `bytes` is the memory of all ranks together.
+/// constraint is n_multipliers, which is 0 for a compressible body. `bytes` is the memory of all ranks of a
+/// motion together, or that of another analysis in one process.
 /// Estimated and measured memory differ by less than a third.
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
-  double checkpoint_bytes;     ///< bytes of a checkpoint on the first rank, with the memory of the method
-  double n_points_of_picture;  ///< number of points in a picture of the whole ball; each element has its own points
+  double bytes_of_parities = 0;  ///< part of `bytes` that the ranks of an analysis share
+  double checkpoint_bytes;       ///< bytes of a checkpoint on the first rank, with the memory of the method
+  double n_points_of_picture;    ///< number of points in a picture of the whole ball; each element has its own points
 };
 
 /// The estimated size of a run. `n_coarse_cells` is the number of cells in the mesh file, or 0 for the builtin mesh.
@@ -56,7 +58,7 @@ scene::Needs needs_with_effort(const scene::Scene& scene);
 /// cells in the mesh file, or 0 for the builtin mesh. `share` is the memory that the ranks on this machine need,
 /// divided by that of a run in one process.
 std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene::Discretization& discretization,
-                                          std::size_t n_coarse_cells, double share);
+                                          std::size_t n_coarse_cells, double share, double share_of_parities = 1);
 
 /// Throws UserError if this machine cannot compute with the scene's discretisation, or with the coarsest one of a
 /// search (exceeds_memory). `n_ranks_here` of the `n_ranks` ranks are on this machine. In analyses other than a motion,

@@ -12,8 +12,6 @@ namespace pseudorigid::continuum {
 namespace {
 
 using Field = SurfaceInterpolation::Field;
-using Entry = std::array<double, 6>;  ///< a point x and its area vector N
-
 /// Component c of w (a × b) at every point. w has a weight for each point.
 std::vector<double> cross(const Field& a, const Field& b, int c, const std::vector<double>& w) {
   const int d = (c + 1) % 3, e = (c + 2) % 3;
@@ -22,15 +20,15 @@ std::vector<double> cross(const Field& a, const Field& b, int c, const std::vect
   return product;
 }
 
-std::vector<Entry> entries_of(const gravity::SurfacePoints& points) {
+}  // namespace
+
+std::vector<SurfaceGravityForces::Entry> SurfaceGravityForces::entries_of(const gravity::SurfacePoints& points) {
   const auto& [x, N] = points;
   std::vector<Entry> entries;
   for (std::size_t i = 0; i < points.size(); ++i)
     entries.push_back({x[0][i], x[1][i], x[2][i], N[0][i], N[1][i], N[2][i]});
   return entries;
 }
-
-}  // namespace
 
 int n_gravity_points(const BallSpace& space, bool is_fluid) {
   const bool refined = space.mesh().triangulation().n_global_levels() > 1;

@@ -34,9 +34,14 @@ struct TidalSector {
 
 mechanics::Status numbers_of_degree(const TidalSector& tidal, int n, double g, BallLoveNumbers& numbers) {
   Range h{}, l{};
-  for (const std::size_t radial : tidal.harmonics.radial_fields(n)) {
-    Vector u;
-    if (auto status = tidal.sector.respond(tidal.harmonics.force(radial), u); !status) return status;
+  const auto fields = tidal.harmonics.radial_fields(n);
+  Eigen::MatrixXd forces(tidal.sector.mass().size(), static_cast<Eigen::Index>(fields.size())), responses;
+  Eigen::Index k = 0;
+  for (const std::size_t radial : fields) forces.col(k++) = tidal.sector.entries_of(tidal.harmonics.force(radial));
+  if (auto status = tidal.sector.respond(forces, responses); !status) return status;
+  k = 0;
+  for (const std::size_t radial : fields) {
+    const Vector u = tidal.sector.field_of(responses.col(k++));
     h.add(g * tidal.harmonics.integral(radial, u));
     l.add(g * tidal.harmonics.integral(radial + 1, u) / std::sqrt(n * (n + 1.0)));
   }

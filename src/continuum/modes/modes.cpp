@@ -93,15 +93,16 @@ class SectorSpectrum {
       complete_below_ = std::numeric_limits<double>::infinity();
       return {};
     }
-    double largest = 0;
-    for (std::size_t i = n_before; i < pairs_.size(); ++i) {
-      largest = std::max(largest, pairs_[i].value);
-      ParitySector::Mode mode;
-      if (auto s = sector_.mode_of(pairs_[i].vector, mode); !s) return s;
-      if (is_rigid(mode.u)) continue;
-      const ModeClass kind = harmonics_.classify(mode.u);
-      new_modes_.push_back({mode.omega_squared, kind, sector_.parity(), n_copies_, std::move(mode.u)});
+    const auto found = std::span<const EigenPair>(pairs_).subspan(n_before);
+    ParitySector::Modes modes;
+    if (auto s = sector_.modes_of(found, modes); !s) return s;
+    for (Eigen::Index k = 0; k < modes.u.cols(); ++k) {
+      Vector u = sector_.field_of(modes.u.col(k));
+      if (is_rigid(u)) continue;
+      const ModeClass kind = harmonics_.classify(u);
+      new_modes_.push_back({modes.omega_squared[k], kind, sector_.parity(), n_copies_, std::move(u)});
     }
+    const double largest = std::ranges::max_element(found, {}, &EigenPair::value)->value;
     complete_below_ = std::sqrt(std::max(0.0, 1 / largest - problem_.shift)) * (1 - round_off);
     return {};
   }

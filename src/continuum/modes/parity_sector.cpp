@@ -168,61 +168,67 @@ mechanics::Status ParitySector::factorize() {
   return mechanics::Status::failure("the ball is not stable in this state: its stiffness is not positive");
 }
 
-Eigen::VectorXd ParitySector::gather(const Cell& cell, const Eigen::VectorXd& u) const { return u(cell.unknown); }
-
-void ParitySector::scatter_add(const Cell& cell, const Eigen::VectorXd& local, Eigen::VectorXd& u) const {
-  for (std::size_t i = 0; i < cell.unknown.size(); ++i) u[cell.unknown[i]] += local[static_cast<Eigen::Index>(i)];
+template <int n>
+void ParitySector::scatter_add(const Cell& cell, const Columns<n>& local, Columns<n>& u) const {
+  for (std::size_t i = 0; i < cell.unknown.size(); ++i)
+    u.row(cell.unknown[i]) += local.row(static_cast<Eigen::Index>(i));
 }
 
-void ParitySector::solve_penalized(Eigen::VectorXd& f) const {
-  const auto first = static_cast<Eigen::Index>(first_interface_), n = static_cast<Eigen::Index>(n_unknowns_) - first;
+template <int n>
+void ParitySector::solve_penalized(Columns<n>& f) const {
+  const auto first = static_cast<Eigen::Index>(first_interface_), size = static_cast<Eigen::Index>(n_unknowns_) - first;
   for (const Cell& cell : cells_) {
     if (cell.own.empty()) continue;
-    auto own = f.segment(cell.unknown[0], static_cast<Eigen::Index>(cell.own.size()));
+    auto own = f.middleRows(cell.unknown[0], static_cast<Eigen::Index>(cell.own.size()));
     cell.own_factor.matrixL().solveInPlace(own);
-    const Eigen::VectorXd reaction = cell.coupling.transpose() * own;
-    for (Eigen::Index i = 0; i < reaction.size(); ++i) f[cell.unknown[cell.own.size() + i]] -= reaction[i];
+    const Columns<n> reaction = cell.coupling.transpose() * own;
+    for (Eigen::Index i = 0; i < reaction.rows(); ++i) f.row(cell.unknown[cell.own.size() + i]) -= reaction.row(i);
   }
-  auto between = f.tail(n);
-  if (n <= n_dense)
+  auto between = f.bottomRows(size);
+  if (size <= n_dense)
     interface_->dense.solveInPlace(between);
   else
-    between = interface_->sparse.solve(Eigen::VectorXd(between));
+    between = interface_->sparse.solve(Columns<n>(between));
   for (const Cell& cell : cells_) {
     if (cell.own.empty()) continue;
-    auto own = f.segment(cell.unknown[0], static_cast<Eigen::Index>(cell.own.size()));
-    Eigen::VectorXd shared(static_cast<Eigen::Index>(cell.shared.size()));
-    for (Eigen::Index i = 0; i < shared.size(); ++i) shared[i] = f[cell.unknown[cell.own.size() + i]];
+    auto own = f.middleRows(cell.unknown[0], static_cast<Eigen::Index>(cell.own.size()));
+    Columns<n> shared(static_cast<Eigen::Index>(cell.shared.size()), f.cols());
+    for (Eigen::Index i = 0; i < shared.rows(); ++i) shared.row(i) = f.row(cell.unknown[cell.own.size() + i]);
     own.noalias() -= cell.coupling * shared;
     cell.own_factor.matrixU().solveInPlace(own);
   }
 }
 
-Eigen::VectorXd ParitySector::constraint_of(const Eigen::VectorXd& u) const {
-  Eigen::VectorXd h(static_cast<Eigen::Index>(cells_.size() * problem_.space.n_pressure()));
-  for (std::size_t c = 0; c < cells_.size(); ++c)
-    h.segment(static_cast<Eigen::Index>(c * problem_.space.n_pressure()), problem_.space.n_pressure()) =
-        cells_[c].constraint * gather(cells_[c], u);
+template <int n>
+ParitySector::Columns<n> ParitySector::constraint_of(const Columns<n>& u) const {
+  const auto n_of_cell = static_cast<Eigen::Index>(problem_.space.n_pressure());
+  Columns<n> h(static_cast<Eigen::Index>(cells_.size()) * n_of_cell, u.cols());
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const Columns<n> local = u(cells_[c].unknown, Eigen::all);
+    h.middleRows(static_cast<Eigen::Index>(c) * n_of_cell, n_of_cell).noalias() = cells_[c].constraint * local;
+  }
   return h;
 }
 
-Eigen::VectorXd ParitySector::reaction_of(const Eigen::VectorXd& lambda) const {
-  Eigen::VectorXd f = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n_unknowns_));
-  for (std::size_t c = 0; c < cells_.size(); ++c)
-    scatter_add(
-        cells_[c],
-        cells_[c].constraint.transpose() *
-            lambda.segment(static_cast<Eigen::Index>(c * problem_.space.n_pressure()), problem_.space.n_pressure()),
-        f);
+template <int n>
+ParitySector::Columns<n> ParitySector::reaction_of(const Columns<n>& lambda) const {
+  const auto n_of_cell = static_cast<Eigen::Index>(problem_.space.n_pressure());
+  Columns<n> f = Columns<n>::Zero(static_cast<Eigen::Index>(n_unknowns_), lambda.cols());
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const Columns<n> local =
+        cells_[c].constraint.transpose() * lambda.middleRows(static_cast<Eigen::Index>(c) * n_of_cell, n_of_cell);
+    scatter_add<n>(cells_[c], local, f);
+  }
   return f;
 }
 
-Eigen::VectorXd ParitySector::solve_cells(Eigen::VectorXd f, int n_corrections) const {
-  solve_penalized(f);
+template <int n>
+ParitySector::Columns<n> ParitySector::solve_cells(Columns<n> f, int n_corrections) const {
+  solve_penalized<n>(f);
   if (!problem_.incompressible) return f;
   for (int correction = 0; correction < n_corrections; ++correction) {
-    Eigen::VectorXd reaction = reaction_of(problem_.penalty * constraint_of(f));
-    solve_penalized(reaction);
+    Columns<n> reaction = reaction_of<n>(problem_.penalty * constraint_of<n>(f));
+    solve_penalized<n>(reaction);
     f -= reaction;
   }
   return f;
@@ -231,11 +237,11 @@ Eigen::VectorXd ParitySector::solve_cells(Eigen::VectorXd f, int n_corrections) 
 mechanics::Status ParitySector::solve_definite(const Eigen::VectorXd& f, int n_corrections, double tolerance,
                                                Eigen::VectorXd& u) const {
   if (!iterates()) {
-    u = solve_cells(f, n_corrections);
+    u = solve_cells<1>(f, n_corrections);
     return {};
   }
   u = Eigen::VectorXd::Zero(f.size());
-  Eigen::VectorXd r = f, z = solve_cells(r, n_corrections), p = z;
+  Eigen::VectorXd r = f, z = solve_cells<1>(r, n_corrections), p = z;
   // B_p is the vector B p, except for a term Gᵀμ with some multiplier μ. The products of this term with p and z are 0,
   // because G p = G z = 0.
   Eigen::VectorXd B_p = r;
@@ -249,7 +255,7 @@ mechanics::Status ParitySector::solve_definite(const Eigen::VectorXd& f, int n_c
     const double step = rz / curvature;
     u += step * p;
     r -= step * A_p;
-    z = solve_cells(r, n_corrections);
+    z = solve_cells<1>(r, n_corrections);
     const double next = r.dot(z), beta = next / rz;
     p = z + beta * p;
     B_p = r + beta * B_p;
@@ -258,18 +264,33 @@ mechanics::Status ParitySector::solve_definite(const Eigen::VectorXd& f, int n_c
   return {};
 }
 
-Eigen::VectorXd ParitySector::product(const Eigen::VectorXd& u) const {
-  Eigen::VectorXd f = diagonal_.cwiseProduct(u);
+mechanics::Status ParitySector::solve_all(const Eigen::MatrixXd& f, double tolerance, Eigen::MatrixXd& u) const {
+  if (f.cols() > 0 && !iterates()) {
+    u = solve_cells<Eigen::Dynamic>(f, n_corrections_of_mode);
+    return {};
+  }
+  u.resize(f.rows(), f.cols());
+  for (Eigen::Index k = 0; k < f.cols(); ++k) {
+    Eigen::VectorXd column;
+    if (auto status = solve_definite(f.col(k), n_corrections_of_mode, tolerance, column); !status) return status;
+    u.col(k) = column;
+  }
+  return {};
+}
+
+Eigen::MatrixXd ParitySector::product(const Eigen::MatrixXd& u) const {
+  Eigen::MatrixXd f = diagonal_.asDiagonal() * u;
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const Cell& cell = cells_[c];
-    Eigen::VectorXd local = Eigen::VectorXd::Zero(problem_.stiffness[c].rows());
-    local(cell.free) = gather(cell, u);
-    scatter_add(cell, Eigen::VectorXd(problem_.stiffness[c] * local)(cell.free), f);
+    Eigen::MatrixXd local = Eigen::MatrixXd::Zero(problem_.stiffness[c].rows(), u.cols());
+    local(cell.free, Eigen::all) = u(cell.unknown, Eigen::all);
+    local = (problem_.stiffness[c] * local).eval();
+    scatter_add<Eigen::Dynamic>(cell, local(cell.free, Eigen::all), f);
   }
-  if (problem_.incompressible) f -= reaction_of(problem_.penalty * constraint_of(u));
-  if (iterates()) f += beyond_cells_.product(u);
+  if (problem_.incompressible) f -= reaction_of<Eigen::Dynamic>(problem_.penalty * constraint_of<Eigen::Dynamic>(u));
+  for (Eigen::Index k = 0; iterates() && k < u.cols(); ++k) f.col(k) += beyond_cells_.product(u.col(k));
   const auto& coupled = beyond_cells_.unknowns;
-  if (!coupled.empty()) f(coupled) += beyond_cells_.matrix * u(coupled);
+  if (!coupled.empty()) f(coupled, Eigen::all) += beyond_cells_.matrix * u(coupled, Eigen::all);
   return f;
 }
 
@@ -277,8 +298,8 @@ Eigen::VectorXd ParitySector::with_volume(const Eigen::VectorXd& h) const {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n_unknowns_));
   if (!problem_.incompressible) return u;
   for (int correction = 0; correction < n_corrections_of_mode; ++correction) {
-    Eigen::VectorXd part = reaction_of(problem_.penalty * (h - constraint_of(u)));
-    solve_penalized(part);
+    Eigen::VectorXd part = reaction_of<1>(problem_.penalty * (h - constraint_of<1>(u)));
+    solve_penalized<1>(part);
     u += part;
   }
   return u;
@@ -286,7 +307,7 @@ Eigen::VectorXd ParitySector::with_volume(const Eigen::VectorXd& h) const {
 
 Eigen::VectorXd ParitySector::without_volume(const Eigen::VectorXd& u) const {
   if (!problem_.incompressible) return u;
-  return u - with_volume(constraint_of(u));
+  return u - with_volume(constraint_of<1>(u));
 }
 
 mechanics::SolveReport ParitySector::solve(const Eigen::VectorXd& f, const Eigen::VectorXd& h, double tolerance,
@@ -295,7 +316,7 @@ mechanics::SolveReport ParitySector::solve(const Eigen::VectorXd& f, const Eigen
   const LinearOperator preconditioned = [&](std::span<const double> in, std::span<double> out) -> mechanics::Status {
     const Eigen::Map<const Eigen::VectorXd> change(in.data(), n);
     Eigen::VectorXd force = beyond_cells_.product(change);
-    solve_penalized(force);
+    solve_penalized<1>(force);
     Eigen::Map<Eigen::VectorXd>(out.data(), n) = change + force;
     return {};
   };
@@ -304,8 +325,8 @@ mechanics::SolveReport ParitySector::solve(const Eigen::VectorXd& f, const Eigen
   Eigen::VectorXd rest = f, rest_of_constraint = h;
   mechanics::SolveReport report;
   for (int step = 0; step < n_steps_of_multiplier; ++step) {
-    if (problem_.incompressible) rest += reaction_of(problem_.penalty * rest_of_constraint);
-    solve_penalized(rest);
+    if (problem_.incompressible) rest += reaction_of<1>(problem_.penalty * rest_of_constraint);
+    solve_penalized<1>(rest);
     if (iterates()) {
       std::vector<double> change;
       const mechanics::SolveReport of_step = solve_by_gmres(preconditioned, {rest.begin(), rest.end()}, tolerance,
@@ -317,7 +338,7 @@ mechanics::SolveReport ParitySector::solve(const Eigen::VectorXd& f, const Eigen
     u += rest;
     if (!problem_.incompressible) break;
     const bool is_last = rest.norm() <= tolerance * u.norm();
-    rest_of_constraint -= constraint_of(rest);
+    rest_of_constraint -= constraint_of<1>(rest);
     lambda += problem_.penalty * rest_of_constraint;
     if (is_last) break;
     rest.setZero();
@@ -337,23 +358,23 @@ mechanics::Status ParitySector::apply(std::span<const double> y, std::span<doubl
   return {};
 }
 
-mechanics::Status ParitySector::mode_of(std::span<const double> y, Mode& mode) const {
-  const Eigen::Map<const Eigen::VectorXd> in(y.data(), static_cast<Eigen::Index>(n_unknowns_));
-  Eigen::VectorXd u;
-  if (auto status = solve_definite(root_mass_.cwiseProduct(in), n_corrections_of_mode, tolerance_of_operator, u);
-      !status)
-    return status;
-  const Eigen::VectorXd M_u = mass_.cwiseProduct(u);
-  mode = {u.dot(product(u)) / u.dot(M_u) - problem_.shift, field_of(u)};
+mechanics::Status ParitySector::modes_of(std::span<const EigenPair> pairs, Modes& modes) const {
+  Eigen::MatrixXd f(static_cast<Eigen::Index>(n_unknowns_), static_cast<Eigen::Index>(pairs.size()));
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    f.col(static_cast<Eigen::Index>(k)) =
+        root_mass_.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(pairs[k].vector.data(), f.rows()));
+  if (auto status = solve_all(f, tolerance_of_operator, modes.u); !status) return status;
+  const Eigen::MatrixXd K_u = product(modes.u);
+  modes.omega_squared.resize(f.cols());
+  for (Eigen::Index k = 0; k < f.cols(); ++k) {
+    const auto u = modes.u.col(k);
+    modes.omega_squared[k] = u.dot(K_u.col(k)) / u.dot(mass_.cwiseProduct(u)) - problem_.shift;
+  }
   return {};
 }
 
-mechanics::Status ParitySector::respond(const Vector& f, Vector& u) const {
-  Eigen::VectorXd response;
-  if (auto status = solve_definite(entries_of(f), n_corrections_of_mode, tolerance_of_response, response); !status)
-    return status;
-  u = field_of(response);
-  return {};
+mechanics::Status ParitySector::respond(const Eigen::MatrixXd& f, Eigen::MatrixXd& u) const {
+  return solve_all(f, tolerance_of_response, u);
 }
 
 Eigen::VectorXd ParitySector::entries_of(const Vector& field) const {

@@ -32,6 +32,7 @@
 #include <span>
 #include <vector>
 
+#include "continuum/modes/largest_eigenpairs.h"
 #include "continuum/modes/linear_problem.h"
 #include "continuum/modes/parity.h"
 #include "mechanics/core/status.h"
@@ -55,19 +56,22 @@ class ParitySector {
   /// Conversions between nodal fields on the octant and vectors of the unknowns. Entries that are not unknowns are 0.
   Vector field_of(const Eigen::VectorXd& u) const;
   Eigen::VectorXd entries_of(const Vector& field) const;
-  const Eigen::VectorXd& mass() const { return mass_; }     ///< M of each unknown
-  Eigen::VectorXd product(const Eigen::VectorXd& u) const;  ///< (K + E + s M) u
-  void solve_penalized(Eigen::VectorXd& f) const;           ///< f ← B⁻¹f
+  /// The number 3·node + component of an unknown.
+  unsigned int entry_of(Eigen::Index unknown) const { return entry_of_unknown_[static_cast<std::size_t>(unknown)]; }
+  const Eigen::VectorXd& mass() const { return mass_; }  ///< M of each unknown
+  /// Returns (K + E + s M) u for each column u.
+  Eigen::MatrixXd product(const Eigen::MatrixXd& u) const;
   /// Returns u minus a displacement with the same G u. The result w therefore has G w = 0.
   Eigen::VectorXd without_volume(const Eigen::VectorXd& u) const;
 
   /// Sets z = M^½ T M^½ y. Here and in `respond`, T is defined with K + E in place of K. The operator M^½ T M^½ is
-  /// symmetric and has the eigenvalues 1/(ω² + s). `apply`, `respond` and `mode_of` fail if K + E + s M is not positive
-  /// definite, or if the conjugate-gradient iteration does not converge.
+  /// symmetric and has the eigenvalues 1/(ω² + s). `apply`, `respond` and `modes_of` fail if K + E + s M is not
+  /// positive definite, or if the conjugate-gradient iteration does not converge.
   mechanics::Status apply(std::span<const double> y, std::span<double> z) const;
 
-  /// Sets u = T f for a force f on the octant. Fails in the same cases as `apply`.
-  mechanics::Status respond(const Vector& f, Vector& u) const;
+  /// Sets u = T f for each column f. Several columns take much less time than as many calls, because each factor is
+  /// then read once. Fails in the same cases as `apply`.
+  mechanics::Status respond(const Eigen::MatrixXd& f, Eigen::MatrixXd& u) const;
 
   /// Solves (K + E + s M) u − Gᵀλ = f, G u = h. Unlike `respond`, this function does not need a positive definite K + E
   /// + s M. With the residual r of the first equation, each step of the augmented Lagrangian method solves
@@ -82,29 +86,39 @@ class ParitySector {
   mechanics::SolveReport solve(const Eigen::VectorXd& f, const Eigen::VectorXd& h, double tolerance, Eigen::VectorXd& u,
                                Eigen::VectorXd& lambda) const;
 
-  /// A mode with its ω². `mode_of` makes one step of inverse iteration from an approximate eigenvector y of `apply`,
-  /// which gives u. The result ω² is uᵀ(K + E)u / uᵀMu.
-  struct Mode {
-    double omega_squared;
-    Vector u;
+  /// Modes u as columns, with their ω². `modes_of` makes one step of inverse iteration from each approximate
+  /// eigenvector of `apply`, which gives u. The result ω² is uᵀ(K + E)u / uᵀMu.
+  struct Modes {
+    Eigen::VectorXd omega_squared;
+    Eigen::MatrixXd u;
   };
-  mechanics::Status mode_of(std::span<const double> y, Mode& mode) const;
+  mechanics::Status modes_of(std::span<const EigenPair> pairs, Modes& modes) const;
 
  private:
   struct Cell;
   struct Interface;
   void number_unknowns();
   void condense(Cell& cell, unsigned int number, Eigen::MatrixXd& coupling) const;
-  Eigen::VectorXd gather(const Cell& cell, const Eigen::VectorXd& u) const;
-  void scatter_add(const Cell& cell, const Eigen::VectorXd& local, Eigen::VectorXd& u) const;
-  Eigen::VectorXd constraint_of(const Eigen::VectorXd& u) const;     ///< G u
-  Eigen::VectorXd reaction_of(const Eigen::VectorXd& lambda) const;  ///< Gᵀλ
+  /// One vector, or any number of vectors as columns. With one vector at compile time, products are faster.
+  template <int n>
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, n>;
+  template <int n>
+  void scatter_add(const Cell& cell, const Columns<n>& local, Columns<n>& u) const;
+  template <int n>
+  Columns<n> constraint_of(const Columns<n>& u) const;  ///< G u
+  template <int n>
+  Columns<n> reaction_of(const Columns<n>& lambda) const;  ///< Gᵀλ
+  template <int n>
+  void solve_penalized(Columns<n>& f) const;  ///< f ← B⁻¹f
   /// `solve_cells` returns T f without an E that B does not contain. `solve_definite` sets u to T f with E.
   /// n_corrections is the number of corrections of G u. `tolerance` is the relative tolerance of the conjugate
   /// gradients in the energy norm. `solve_definite` fails in the same cases as `apply`.
-  Eigen::VectorXd solve_cells(Eigen::VectorXd f, int n_corrections) const;
+  template <int n>
+  Columns<n> solve_cells(Columns<n> f, int n_corrections) const;
   mechanics::Status solve_definite(const Eigen::VectorXd& f, int n_corrections, double tolerance,
                                    Eigen::VectorXd& u) const;
+  /// `solve_definite` for each column of f.
+  mechanics::Status solve_all(const Eigen::MatrixXd& f, double tolerance, Eigen::MatrixXd& u) const;
   Eigen::VectorXd with_volume(const Eigen::VectorXd& h) const;  ///< some u with G u = h; 0 for a compressible body
 
   /// True if there is an E that B does not contain.

@@ -117,6 +117,11 @@ void BallFigures::share(Figure& figure) const {
 }
 
 bool BallFigures::is_admissible(const Eigen::VectorXd& x) const {
+  const bool here = ranks_.is_first() && is_admissible_here(x);
+  return ranks_.size() == 1 ? here : ranks_.of_owner(ranks_.is_first(), {here ? 1.0 : 0.0})[0] == 1;
+}
+
+bool BallFigures::is_admissible_here(const Eigen::VectorXd& x) const {
   if (!x.allFinite()) return false;
   const Vector at = field(x);
   return body_->least_jacobian(at).value > 0 && body_->least_reserve(at).value > 0;
@@ -299,7 +304,7 @@ mechanics::Status BallFigures::newton_here(const Condition& condition, Figure& f
       return solved;
     }
     double factor = 1;
-    for (int k = 0; k < max_halvings && !is_admissible(figure.x + factor * full.x); ++k) factor /= 2;
+    for (int k = 0; k < max_halvings && !is_admissible_here(figure.x + factor * full.x); ++k) factor /= 2;
     mechanics::add(factor, full, figure);
   }
   reuses_factors_ = false;

@@ -122,9 +122,11 @@ class BallFigures final : public mechanics::FigureEquations {
   double error_of_solver() const override { return 1e-6; }
   /// Replaces `figure` by that of the first rank on all ranks. Collective.
   void share(Figure& figure) const;
+  /// The work of the first rank for the functions of the base class. These functions must not be collective.
   mechanics::Status newton_here(const Condition& condition, Figure& figure) const;
   Figure tangent_here(const Condition& condition, const Figure& figure) const;
   mechanics::Status complete_here(Figure& figure) const;
+  bool is_admissible_here(const Eigen::VectorXd& x) const;
 
   mechanics::Status terms(const Figure& figure, Terms& terms) const;
   /// A tangent K with its factors. It has copies of the fields to which the tangent refers.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
+#include <memory>
 
 #include "continuum/kernels/node_gradients.h"
 #include "continuum/statics/sector_basis.h"
@@ -57,8 +57,8 @@ constexpr std::array<std::array<int, 2>, 4> parities_of_classes{{{0, 3}, {1, 2},
 struct ClassBasis {
   ClassBasis(const TangentProblem& problem, std::size_t of_class, const SectorRanks& ranks)
       : numbers(parities_of_classes[of_class]),
-        parts{SectorBasis(problem, numbers[0], ranks, ranks.owns(2 * of_class)),
-              SectorBasis(problem, numbers[1], ranks, ranks.owns(2 * of_class + 1))} {}
+        parts{SectorBasis(problem, numbers[0], ranks, ranks.owns(0)),
+              SectorBasis(problem, numbers[1], ranks, ranks.owns(1))} {}
 
   bool contains(int number) const { return number == numbers[0] || number == numbers[1]; }
   void span(int n_eigenvectors) {
@@ -101,22 +101,28 @@ class StabilityProblem {
     }
   }
 
-  /// Sets the stability of `classes` in the classes with these indices. The bases of the classes exist at the same
-  /// time.
-  mechanics::Status solve(const std::vector<std::size_t>& indices, int n_eigenvectors,
-                          std::vector<mechanics::ClassStability>& classes) const {
-    std::deque<ClassBasis> bases;  // a deque does not move its elements
-    for (const std::size_t of_class : indices) bases.emplace_back(problem_, of_class, figures_.ranks());
-    if (auto status = fill(n_eigenvectors, bases); !status) return status;
-    for (std::size_t i = 0; i < indices.size(); ++i)
-      if (auto status = analyse(bases[i], n_eigenvectors, classes[indices[i]]); !status) return status;
-    return {};
+  /// Sets the stability in the class with this index. Collective.
+  mechanics::Status solve(std::size_t number, int n_eigenvectors, mechanics::ClassStability& of_class) const {
+    ClassBasis basis(problem_, number, figures_.ranks());
+    if (auto status = fill(n_eigenvectors, basis); !status) return status;
+    const auto analyse = [&](int n, mechanics::LinearStability& stability) {
+      basis.span(n);
+      const Eigen::MatrixXd K = stiffness(basis);
+      mechanics::Status status;
+      if (figures_.ranks().is_first())
+        status = mechanics::analyse_stability(
+            mechanics::reduce(K, coriolis(basis), symmetries(basis), SectorBasis::dependent), stability);
+      share(stability);
+      return figures_.ranks().of_all(status);
+    };
+    // Without the rates in the smaller basis, the error of a rate is the rate itself.
+    if (!analyse(3 * n_eigenvectors / 5, of_class.in_smaller_basis)) of_class.in_smaller_basis = {};
+    return analyse(n_eigenvectors, of_class.stability);
   }
   mechanics::Status solve(std::size_t of_class, int n_eigenvectors, std::complex<double> rate,
                           SmallMotionOfBall& motion) const {
-    std::deque<ClassBasis> bases;
-    ClassBasis& basis = bases.emplace_back(problem_, of_class, figures_.ranks());
-    if (auto status = fill(n_eigenvectors, bases); !status) return status;
+    ClassBasis basis(problem_, of_class, figures_.ranks());
+    if (auto status = fill(n_eigenvectors, basis); !status) return status;
     basis.span(n_eigenvectors);
     mechanics::SmallMotion found;
     if (auto status = mechanics::motion_near(stiffness(basis), coriolis(basis), rate, found); !status) return status;
@@ -132,51 +138,57 @@ class StabilityProblem {
   }
 
  private:
-  mechanics::Status analyse(ClassBasis& basis, int n_eigenvectors, mechanics::ClassStability& of_class) const {
-    const auto analyse = [&](int n, mechanics::LinearStability& stability) {
-      basis.span(n);
-      const auto system =
-          mechanics::reduce(stiffness(basis), coriolis(basis), symmetries(basis), SectorBasis::dependent);
-      return mechanics::analyse_stability(system, stability);
-    };
-    // Without the rates in the smaller basis, the error of a rate is the rate itself.
-    if (!analyse(3 * n_eigenvectors / 5, of_class.in_smaller_basis)) of_class.in_smaller_basis = {};
-    return analyse(n_eigenvectors, of_class.stability);
+  /// Replaces `stability` by that of the first rank on all ranks. Collective.
+  void share(mechanics::LinearStability& stability) const {
+    const SectorRanks& ranks = figures_.ranks();
+    if (ranks.size() == 1) return;
+    auto& [rates, second_variation, n_negative, growth_rate, stable] = stability;
+    std::vector<double> values{static_cast<double>(rates.size()), static_cast<double>(n_negative), growth_rate,
+                               stable ? 1.0 : 0.0};
+    for (const mechanics::Rate& rate : rates)
+      values.insert(values.end(), {rate.s.real(), rate.s.imag(), static_cast<double>(rate.energy_sign)});
+    values.insert(values.end(), second_variation.begin(), second_variation.end());
+    values = ranks.of_owner(ranks.is_first(), values);
+    n_negative = static_cast<int>(values[1]);
+    growth_rate = values[2];
+    stable = values[3] == 1;
+    rates.clear();
+    const double* next = values.data() + 4;
+    for (double n = values[0]; n > 0; --n, next += 3) rates.push_back({{next[0], next[1]}, static_cast<int>(next[2])});
+    second_variation = Eigen::Map<const Eigen::VectorXd>(next, values.data() + values.size() - next);
   }
 
-  /// Calls `work(basis, part)` for the parts of the bases that this rank owns, until the first failure. Returns the
-  /// failure of any rank on all ranks. Collective.
+  /// Calls `work(part)` for the parts of the basis that this rank owns, until the first failure. Returns the failure of
+  /// any rank on all ranks. Collective.
   template <class Work>
-  mechanics::Status for_own_parts(std::deque<ClassBasis>& bases, Work&& work) const {
+  mechanics::Status for_own_parts(const ClassBasis& basis, Work&& work) const {
     mechanics::Status status;
-    for (ClassBasis& basis : bases)
-      for (std::size_t part = 0; part < 2; ++part)
-        if (status && basis.parts[part].is_mine()) status = work(basis, part);
+    for (std::size_t part = 0; part < 2; ++part)
+      if (status && basis.parts[part].is_mine()) status = work(part);
     return figures_.ranks().of_all(status);
   }
 
-  /// Adds the vectors of the bases: eigenvectors, the static responses to the forces of Coriolis of the eigenvectors
+  /// Adds the vectors of both bases: eigenvectors, the static responses to the forces of Coriolis of the eigenvectors
   /// of the other basis of the class, and rotations. Collective.
-  mechanics::Status fill(int n_eigenvectors, std::deque<ClassBasis>& bases) const {
-    auto status = for_own_parts(
-        bases, [&](ClassBasis& basis, std::size_t part) { return basis.parts[part].add_eigenvectors(n_eigenvectors); });
+  mechanics::Status fill(int n_eigenvectors, ClassBasis& basis) const {
+    auto status =
+        for_own_parts(basis, [&](std::size_t part) { return basis.parts[part].add_eigenvectors(n_eigenvectors); });
     if (!status) return status;
-    for (ClassBasis& basis : bases)
-      for (SectorBasis& part : basis.parts) part.share_eigenvectors();
-    status = for_own_parts(bases, [&](ClassBasis& basis, std::size_t part) { return add_others(basis, part); });
+    for (SectorBasis& part : basis.parts) part.share_eigenvectors();
+    status = for_own_parts(basis, [&](std::size_t part) { return add_others(basis, part); });
     if (!status) return status;
-    for (ClassBasis& basis : bases)
-      for (SectorBasis& part : basis.parts) part.share_others();
+    for (SectorBasis& part : basis.parts) part.share_others();
     return {};
   }
   /// Adds the vectors of a part that are not eigenvectors.
   mechanics::Status add_others(ClassBasis& basis, std::size_t part) const {
     const SectorBasis& other = basis.parts[1 - part];
+    std::vector<Vector> forces;
     for (std::size_t i = 0; spin_ > 0 && i < other.n_eigenvectors(); ++i) {
-      Vector force = turned(space_, 2, other.eigenvector(i));
+      Vector& force = forces.emplace_back(turned(space_, 2, other.eigenvector(i)));
       for (unsigned int k = 0; k < 3 * space_.n_nodes(); ++k) force.local_element(k) *= space_.mass().local_element(k);
-      if (auto status = basis.parts[part].add_response(force); !status) return status;
     }
+    if (auto status = basis.parts[part].add_responses(forces); !status) return status;
     for (int axis = 0; axis < 3; ++axis)
       if (basis.numbers[part] == parity_of_rotation(axis)) {
         basis.parts[part].add_projected(rotations_.of_space[axis]);
@@ -242,51 +254,57 @@ class StabilityProblem {
   Rotations rotations_;
 };
 
-/// Solves the classes one after the other, or several at a time if there are more ranks than the two parities of one
-/// class.
-mechanics::Status solve_classes(const StabilityProblem& problem, std::size_t n_ranks, int n_eigenvectors,
-                                std::optional<std::size_t> only, std::vector<mechanics::ClassStability>& classes) {
-  classes.clear();
-  for (const auto& parities : parities_of_classes) classes.push_back({{(parities[0] & 4) != 0, parities[0] & 1}, {}});
-  if (only) return problem.solve({*only}, n_eigenvectors, classes);
-  const std::size_t n_at_a_time = std::clamp<std::size_t>(n_ranks / 2, 1, classes.size());
-  for (std::size_t k = 0; k < classes.size();) {
-    std::vector<std::size_t> indices;
-    while (k < classes.size() && indices.size() < n_at_a_time) indices.push_back(k++);
-    if (auto status = problem.solve(indices, n_eigenvectors, classes); !status) return status;
-  }
-  return {};
-}
+/// The problems of a figure for the shifts s, 8s and 64s, which are made when they are needed. K + s M must be positive
+/// definite. A larger shift permits a more unstable figure, but the iteration for the eigenvectors is then slower.
+class ShiftedProblems {
+ public:
+  ShiftedProblems(const BallFigures& figures, const mechanics::EquilibriumFigure& figure)
+      : figures_(figures), figure_(figure) {}
 
-/// Calls `solve` with the problem of a figure. K + s M must be positive definite. A larger shift s permits a more
-/// unstable figure, but the iteration for the eigenvectors is then slower. If `solve` fails, the function therefore
-/// calls `solve` again, at most twice, each time with a shift 8 times as large. Returns the status of the last call.
-template <class Solve>
-mechanics::Status with_shift(const BallFigures& figures, const mechanics::EquilibriumFigure& figure, Solve&& solve) {
-  double shift = figures.typical_stiffness() + softening(figures, figure.drive);
-  constexpr double next = 8;
-  mechanics::Status status;
-  for (int trial = 0; trial < 3; ++trial, shift *= next) {
-    status = solve(StabilityProblem(figures, figure, shift));
-    if (status) break;
+  /// Calls `solve` with the problem of the first shift, and after a failure with those of the larger shifts. Returns
+  /// the status of the last call.
+  template <class Solve>
+  mechanics::Status solve(Solve&& solve) {
+    mechanics::Status status;
+    for (std::size_t trial = 0; trial < problems_.size(); ++trial) {
+      if (!problems_[trial]) {
+        const double shift = figures_.typical_stiffness() + softening(figures_, figure_.drive);
+        problems_[trial] = std::make_unique<StabilityProblem>(figures_, figure_, std::pow(8, trial) * shift);
+      }
+      status = solve(*problems_[trial]);
+      if (status) break;
+    }
+    return status;
   }
-  return status;
-}
+
+ private:
+  const BallFigures& figures_;
+  const mechanics::EquilibriumFigure& figure_;
+  std::array<std::unique_ptr<StabilityProblem>, 3> problems_;
+};
 
 }  // namespace
 
 mechanics::Status stability_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
                                int n_eigenvectors, std::optional<std::size_t> only,
                                std::vector<mechanics::ClassStability>& classes) {
-  return with_shift(figures, figure, [&](const StabilityProblem& problem) {
-    return solve_classes(problem, figures.ranks().size(), n_eigenvectors, only, classes);
-  });
+  classes.clear();
+  for (const auto& parities : parities_of_classes) classes.push_back({{(parities[0] & 4) != 0, parities[0] & 1}, {}});
+  ShiftedProblems problems(figures, figure);
+  // Each class has the first shift with which it can be solved, so its result does not depend on the other classes.
+  for (std::size_t k = 0; k < classes.size(); ++k) {
+    if (only && k != *only) continue;
+    const auto status =
+        problems.solve([&](const StabilityProblem& problem) { return problem.solve(k, n_eigenvectors, classes[k]); });
+    if (!status) return status;
+  }
+  return {};
 }
 
 mechanics::Status small_motion_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
                                   int n_eigenvectors, std::size_t of_class, std::complex<double> rate,
                                   SmallMotionOfBall& motion) {
-  return with_shift(figures, figure, [&](const StabilityProblem& problem) {
+  return ShiftedProblems(figures, figure).solve([&](const StabilityProblem& problem) {
     return problem.solve(of_class, n_eigenvectors, rate, motion);
   });
 }

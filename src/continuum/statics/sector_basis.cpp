@@ -16,18 +16,17 @@ mechanics::Status SectorBasis::add_eigenvectors(int n) {
   if (auto status = append_largest_eigenpairs(apply, sector_.n_unknowns(), n, eigenvector_tolerance, known); !status)
     return status;
   known.resize(std::min(known.size(), n_uniform + static_cast<std::size_t>(n)));
-  for (std::size_t i = n_uniform; i < known.size(); ++i) {
-    ParitySector::Mode mode;
-    if (auto status = sector_.mode_of(known[i].vector, mode); !status) return status;
-    eigenvectors_.push_back(sector_.entries_of(mode.u));
-  }
+  ParitySector::Modes modes;
+  if (auto status = sector_.modes_of(std::span(known).subspan(n_uniform), modes); !status) return status;
+  for (Eigen::Index k = 0; k < modes.u.cols(); ++k) eigenvectors_.push_back(modes.u.col(k));
   return {};
 }
 
-mechanics::Status SectorBasis::add_response(const Vector& force) {
-  Vector u;
-  if (auto status = sector_.respond(force, u); !status) return status;
-  responses_.push_back(sector_.entries_of(u));
+mechanics::Status SectorBasis::add_responses(const std::vector<Vector>& forces) {
+  Eigen::MatrixXd f(sector_.mass().size(), static_cast<Eigen::Index>(forces.size())), u;
+  for (Eigen::Index k = 0; k < f.cols(); ++k) f.col(k) = sector_.entries_of(forces[static_cast<std::size_t>(k)]);
+  if (auto status = sector_.respond(f, u); !status) return status;
+  for (Eigen::Index k = 0; k < u.cols(); ++k) responses_.push_back(u.col(k));
   return {};
 }
 
@@ -58,10 +57,11 @@ Eigen::VectorXd SectorBasis::coordinates(const Vector& u) const {
 
 Eigen::MatrixXd SectorBasis::stiffness(double shift) const {
   Eigen::MatrixXd K(size(), size());
-  for (Eigen::Index j = 0; is_mine_ && j < size(); ++j) {
-    const Eigen::VectorXd K_b = sector_.product((*this)[j]);
-    for (Eigen::Index i = 0; i < size(); ++i) K(i, j) = (*this)[i].dot(K_b);
-    K(j, j) -= shift;
+  if (is_mine_) {
+    Eigen::MatrixXd b(sector_.mass().size(), size());
+    for (Eigen::Index j = 0; j < size(); ++j) b.col(j) = (*this)[j];
+    K = b.transpose() * sector_.product(b);
+    K.diagonal().array() -= shift;
   }
   ranks_.share(is_mine_, K);
   return (K + K.transpose()) / 2;

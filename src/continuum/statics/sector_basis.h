@@ -28,12 +28,12 @@ class SectorBasis {
 
   bool is_mine() const { return is_mine_; }
   /// Adds the eigenvectors of K for the n lowest eigenvalues, without uniform translations. Must be called before
-  /// add_response and add_projected, because this function factorises the operator of the sector.
+  /// add_responses and add_projected, because this function factorises the operator of the sector.
   mechanics::Status add_eigenvectors(int n);
   std::size_t n_eigenvectors() const { return eigenvectors_.size(); }
   Vector eigenvector(std::size_t i) const { return sector_.field_of(eigenvectors_[i]); }
-  /// Adds the static response to a force, which follows from the next eigenvector of the other basis of the class.
-  mechanics::Status add_response(const Vector& force);
+  /// Adds the static responses to the forces, one for each eigenvector of the other basis of the class.
+  mechanics::Status add_responses(const std::vector<Vector>& forces);
   /// Adds a displacement near u that satisfies G u = 0.
   void add_projected(const Vector& u) { others_.push_back(sector_.without_volume(sector_.entries_of(u))); }
   /// Sends the eigenvectors, or all other added vectors, to the other ranks. Collective.

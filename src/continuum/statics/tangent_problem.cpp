@@ -101,28 +101,21 @@ void TangentProblem::add_of_cell(unsigned int cell, const Eigen::VectorXd& local
 }
 
 BeyondCells TangentProblem::beyond_cells(const ParitySector& sector) const {
-  const bool gravitates = state_.body.gravity() != nullptr;
-  const auto at_surface = [this, &sector](const Eigen::VectorXd& u) {
-    return sector.entries_of(rate_at_surface(sector.field_of(u), sector.parity()));
-  };
+  const SurfaceGravityForces* gravity = state_.body.gravity();
   if (!definite_) {
-    if (!gravitates && !held_ && rate_of_drive().isZero(0)) return {};
-    return {[this, &sector, gravitates, at_surface](const Eigen::VectorXd& u) -> Eigen::VectorXd {
-      Eigen::VectorXd f = sector.entries_of(rate_within(sector.field_of(u)));
-      if (gravitates) f += at_surface(u);
-      return f;
+    if (!gravity && !held_ && rate_of_drive().isZero(0)) return {};
+    return {[this, &sector, gravity](const Eigen::VectorXd& u) -> Eigen::VectorXd {
+      const Vector field = sector.field_of(u);
+      Vector f = rate_within(field);
+      if (gravity) f += rate_at_surface(field, sector.parity());
+      return sector.entries_of(f);
     }};
   }
-  if (!gravitates) return {};
-  // Each column of the matrix takes one product, and the iteration for eigenvectors thousands.
+  if (!gravity) return {};
   BeyondCells beyond{{}, unknowns_at_surface(sector), {}};
-  const auto n = static_cast<Eigen::Index>(beyond.unknowns.size()),
-             n_all = static_cast<Eigen::Index>(sector.n_unknowns());
-  beyond.matrix.resize(n, n);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(n_all, beyond.unknowns[static_cast<std::size_t>(j)]);
-    beyond.matrix.col(j) = at_surface(unit)(beyond.unknowns);
-  }
+  std::vector<unsigned int> entries;
+  for (const Eigen::Index unknown : beyond.unknowns) entries.push_back(sector.entry_of(unknown));
+  beyond.matrix = gravity->hessian(state_.x, sector.parity().sign, entries);
   beyond.matrix = (beyond.matrix + beyond.matrix.transpose()).eval() / 2;  // removes round-off
   return beyond;
 }

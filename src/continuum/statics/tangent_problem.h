@@ -58,9 +58,8 @@ class TangentProblem final : public LinearProblem {
   BeyondCells beyond_cells(const ParitySector& sector) const override;
 
  private:
-  /// The products of u with two parts of E. `rate_at_surface` computes the terms of gravity and of the springs, which
-  /// couple the unknowns of the surface. `rate_within` computes the other terms. With a positive shift, the first part
-  /// is gravity alone, and E does not have the second.
+  /// The products of u with two parts of E without a shift. `rate_at_surface` computes the terms of gravity and of the
+  /// springs, which couple the unknowns of the surface. `rate_within` computes the other terms.
   Vector rate_at_surface(const Vector& u, const Parity& parity) const;
   Vector rate_within(const Vector& u) const;
   /// `of_cell` returns the entries of a nodal vector at the nodes of a cell. `add_of_cell` adds such entries to f.

@@ -66,6 +66,8 @@ bool invert_on_kernel(const Eigen::MatrixXd& B, const Eigen::MatrixXd& G, Eigen:
 
 Eigen::VectorXd solve_semidefinite(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) { return A.ldlt().solve(b); }
 
+Eigen::Vector3d solve_semidefinite(const Eigen::Matrix3d& A, const Eigen::Vector3d& b) { return A.ldlt().solve(b); }
+
 Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) { return A.fullPivLu().solve(B); }
 
 Eigen::VectorXcd solve_complex(const Eigen::MatrixXcd& A, const Eigen::VectorXcd& b) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Factorisations of dense matrices of any size. Each factorisation of Eigen takes seconds to compile. Therefore only
-/// dense_algebra.cpp contains them.
+/// Factorisations of dense matrices of any size. Each function of a factorisation of Eigen takes seconds to compile.
+/// Therefore only dense_algebra.cpp calls them.
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -68,6 +68,7 @@ bool invert_on_kernel(const Eigen::MatrixXd& B, const Eigen::MatrixXd& G, Eigen:
 
 /// Returns A⁻¹b for a symmetric matrix A that is positive or negative semidefinite.
 Eigen::VectorXd solve_semidefinite(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
+Eigen::Vector3d solve_semidefinite(const Eigen::Matrix3d& A, const Eigen::Vector3d& b);
 /// Returns A⁻¹B by elimination with full pivoting. A must be regular.
 Eigen::MatrixXd solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 /// Returns A⁻¹b by elimination with partial pivoting. A must be regular.

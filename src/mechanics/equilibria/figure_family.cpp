@@ -123,10 +123,13 @@ void FigureFinder::locate_special(double a, double b, FigureFamily& result) {
   std::ranges::stable_sort(found, {}, [](const Found& f) { return f.point.s; });
   for (const Found& f : found) {
     FigureMember at;
-    if (member(f.point.s, at)) result.special.push_back({f.point.kind, f.motions, std::move(at)});
+    if (member(f.point.s, at))
+      result.special.push_back({f.point.kind, f.motions, std::move(at)});
+    else
+      is_complete = false;
   }
   const bool rotates = members_.at(a).figure.drive > 0 && members_.at(b).figure.drive > 0;
-  if (!is_complete && rotates) result.without_special.push_back(b);
+  if (!is_complete && rotates && !gives_up()) result.without_special.push_back(b);
 }
 
 FigureFamily FigureFinder::family(const std::vector<double>& parameters, std::function<bool()> give_up) {

@@ -58,8 +58,9 @@ struct FigureFamily {
   std::vector<SpecialFigure> special;  ///< special points; those between two successive members are sorted by parameter
   std::vector<NoFigure> missing;
   /// Parameters of members with a missing index point. In a class of motions, the number of negative eigenvalues
-  /// differs from that of the preceding member, but no index point is found between the two members. Pairs with a
-  /// member at rest are not compared.
+  /// differs from that of the preceding member, but no index point is found between the two members. Or a special point
+  /// is found between them, but the stability of its figure cannot be computed. Pairs with a member at rest are not
+  /// compared.
   std::vector<double> without_special;
 };
 
@@ -115,8 +116,8 @@ class FigureFinder {
   /// Finds the figure with this parameter from the nearest known figure, or by `first` if no figure is known. Fails if
   /// the condition has no finite value, if no figure is found, or if its drive is negative.
   Status find(double parameter, EquilibriumFigure& figure);
-  /// The stability in the class with the index `of_class` of the figure with this parameter. Empty if `member` would
-  /// fail.
+  /// The stability in the class with the index `of_class` of the figure with this parameter. Empty if the figure or
+  /// this stability cannot be computed, or if give_up_ returns true.
   std::optional<LinearStability> stability(double parameter, std::size_t of_class);
   /// Appends the special points between the members with the parameters a and b to `result`.
   void locate_special(double a, double b, FigureFamily& result);
