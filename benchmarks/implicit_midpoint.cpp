@@ -154,7 +154,7 @@ class Motion {
     of_constraint *= -gamma;
     ball_.kernels().add_reaction(factors.at, of_constraint, f);
     Eigen::VectorXd u = factors.sector->entries_of(f);
-    factors.sector->solve_penalized(u);
+    factors.sector->solve_penalized<1>(u);
     const Vector dq = factors.sector->field_of(u);
     ball_.kernels().constraint_rate(factors.at, dq, rate);
     z.q += dq;

@@ -199,6 +199,8 @@ void ParitySector::solve_penalized(Columns<n>& f) const {
   }
 }
 
+template void ParitySector::solve_penalized<1>(Eigen::VectorXd& f) const;
+
 template <int n>
 ParitySector::Columns<n> ParitySector::constraint_of(const Columns<n>& u) const {
   const auto n_of_cell = static_cast<Eigen::Index>(problem_.space.n_pressure());

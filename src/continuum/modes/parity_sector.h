@@ -61,6 +61,12 @@ class ParitySector {
   const Eigen::VectorXd& mass() const { return mass_; }  ///< M of each unknown
   /// Returns (K + E + s M) u for each column u.
   Eigen::MatrixXd product(const Eigen::MatrixXd& u) const;
+  /// One vector, or any number of vectors as columns. With one vector at compile time, products are faster.
+  template <int n>
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, n>;
+  /// f ← B⁻¹f for each column of f.
+  template <int n>
+  void solve_penalized(Columns<n>& f) const;
   /// Returns u minus a displacement with the same G u. The result w therefore has G w = 0.
   Eigen::VectorXd without_volume(const Eigen::VectorXd& u) const;
 
@@ -99,17 +105,12 @@ class ParitySector {
   struct Interface;
   void number_unknowns();
   void condense(Cell& cell, unsigned int number, Eigen::MatrixXd& coupling) const;
-  /// One vector, or any number of vectors as columns. With one vector at compile time, products are faster.
-  template <int n>
-  using Columns = Eigen::Matrix<double, Eigen::Dynamic, n>;
   template <int n>
   void scatter_add(const Cell& cell, const Columns<n>& local, Columns<n>& u) const;
   template <int n>
   Columns<n> constraint_of(const Columns<n>& u) const;  ///< G u
   template <int n>
   Columns<n> reaction_of(const Columns<n>& lambda) const;  ///< Gᵀλ
-  template <int n>
-  void solve_penalized(Columns<n>& f) const;  ///< f ← B⁻¹f
   /// `solve_cells` returns T f without an E that B does not contain. `solve_definite` sets u to T f with E.
   /// n_corrections is the number of corrections of G u. `tolerance` is the relative tolerance of the conjugate
   /// gradients in the energy norm. `solve_definite` fails in the same cases as `apply`.
