@@ -40,6 +40,11 @@ Status motion_near(const Eigen::MatrixXd& K, const Eigen::MatrixXd& G, std::comp
     s = std::abs(one - s) < std::abs(other - s) ? one : other;
     velocity = s * y;
   }
+  if (G.isZero(0)) {  // the real and the imaginary part of any e^{iα} y have the same rate; the largest real part is y
+    const Complex square = y.cwiseProduct(y).sum();
+    const Eigen::VectorXd real = (std::polar(1.0, -std::arg(square) / 2) * y).real();
+    y = real.normalized().cast<Complex>();
+  }
   const double residual = (matrix(s) * y).norm() / (scale * scale);
   constexpr double accepted = 1e-9;
   if (residual <= accepted) return {};

@@ -23,7 +23,8 @@ struct SmallMotion {
 };
 
 /// Sets `motion` to the small motion whose rate is nearest to `rate`, by inverse iteration. If several motions have
-/// this rate, the result is one of them. Fails if the iteration does not converge.
+/// this rate, the result is one of them. Without gyroscopic terms its shape is real. Fails if the iteration does not
+/// converge.
 Status motion_near(const Eigen::MatrixXd& K, const Eigen::MatrixXd& G, std::complex<double> rate, SmallMotion& motion);
 
 /// The seven points of the unit sphere: the ends of the positive axes, the three points midway between two of them, and
