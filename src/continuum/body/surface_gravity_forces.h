@@ -46,8 +46,8 @@ class SurfaceGravityForces {
   void add_rate(const Vector& x, const Vector& u, const std::array<int, 3>& s, Vector& f) const;
 
   /// D²Ê(x) as a matrix. Displacement k of its rows and columns has the value 1 in the nodal entry `entries[k]`, and
-  /// its images have the signs s of add_rate. The matrix takes about as long as 10 to 50 products by add_rate. All
-  /// points must be on this rank.
+  /// its images have the signs s of add_rate. On refined meshes, the matrix takes much less time than one product by
+  /// add_rate for each column. All points must be on this rank.
   Eigen::MatrixXd hessian(const Vector& x, const std::array<int, 3>& s, const std::vector<unsigned int>& entries) const;
   /// Ê of the computed sector, which is Ê of the ball divided by the number of images. The result is not finite if the
   /// volume inside the surface is 0 or negative. Collective.
