@@ -74,6 +74,16 @@ SurfacePoints without_first(SurfacePoints points) {
   return points;
 }
 
+/// The rates of the sums of all points if the source j and its images move, a column of B_ij for each point i. `moving`
+/// has the source and then its images.
+PairSums derivatives_by_source(const SurfacePoints& points, std::size_t j, const Moving<SurfacePoints>& moving) {
+  PairSums rates = sum_pairs(Moving<SurfacePoints>{points, zeros(points.size())}, moving).rate;
+  clear(rates, j);  // contains the pair of the point with itself
+  const Moving<SurfacePoints> images{without_first(moving.at), without_first(moving.rate)};
+  add_sums(sum_pairs(Moving<SurfacePoints>{copies(points, j, 1), zeros(1)}, images).rate, 0, rates, j);
+  return rates;
+}
+
 }  // namespace
 
 Eigen::MatrixXd SurfaceGravityForces::hessian(const Vector& x, const Signs& s,
@@ -111,22 +121,18 @@ Eigen::MatrixXd SurfaceGravityForces::hessian(const Vector& x, const Signs& s,
   }
   bool is_odd = false;
   for (int c = 0; c < 3; ++c) is_odd = is_odd || (space_.mesh().sector().reflect[c] && s[c] < 0);
-  const SurfacePoints fixed = zeros(n), fixed_point = zeros(1);
   Moving<SurfacePoints> all{sources(own), {}};
   all.rate = zeros(all.at.size());
   for (std::size_t j = 0; j < n; ++j) {
     const PairSums of_own = own_derivatives(own, j, all);
-    const SurfacePoints point = copies(own, j, 1), images = with_images(entries_of(point), {1, 1, 1});
+    const SurfacePoints images = with_images(entries_of(copies(own, j, 1)), {1, 1, 1});
     for (int a = 0; a < int{n_components}; ++a) {
       SurfacePoints unit = zeros(1);
       component(unit, a)[0] = 1;
       const Moving<SurfacePoints> moving{images, with_images(entries_of(unit), s)};
-      PairSums rates = sum_pairs(Moving<SurfacePoints>{own, fixed}, moving).rate;
-      clear(rates, j);  // contains the pair of the point with itself
-      const Moving<SurfacePoints> other_images{without_first(moving.at), without_first(moving.rate)};
-      add_sums(sum_pairs(Moving<SurfacePoints>{point, fixed_point}, other_images).rate, 0, rates, j);
+      PairSums rates = derivatives_by_source(own, j, moving);
       add_sums(of_own, static_cast<std::size_t>(a), rates, j);
-      SurfacePoints rate_of_points = fixed;
+      SurfacePoints rate_of_points = zeros(n);
       component(rate_of_points, a)[j] = 1;
       const Moving<SurfacePoints> points{own, rate_of_points};
       const Moving<PairSums> sums{at, rates};
