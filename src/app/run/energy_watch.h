@@ -4,8 +4,11 @@
 /// K + V, and N the number of samples. The indices 0 and 1 denote the ends of the interval between the samples. The
 /// condition is
 ///
-///   |E_1 − E_0| ≤ 5e-4/√N · max(E_m, K_0 + K_1),   E_m = K + |V − V of the body at rest| at the start of the run.
+///   |E_1 − E_0| ≤ min(τ, 5e-4)/√N · max(E_m, K_0 + K_1),   E_m = K + |V − V of the body at rest| at the start,
 ///
+/// with the tolerance τ of the scene, but at least 1e-9. The errors of the energy and of Q are of the same order in the
+/// step. In 32 releases of elements until t = 5 r/c, the error of Q was below τ, but for one of 1.8 τ. The elements had
+/// degrees 3 to 6, the stretches were 1.35 and 1.5, and τ was 1e-6 to 1e-3. The bound 2 τ gave three errors above τ.
 /// The condition is the same for the interval backwards in time.
 
 #include <Eigen/Core>
@@ -22,9 +25,9 @@ class EnergyWatch {
   using State = typename Model::State;
 
  public:
-  /// The object refers to `model`. `n_samples` is N in the condition above.
-  EnergyWatch(const Model& model, long n_samples)
-      : model_(model), most_(5e-4 / std::sqrt(static_cast<double>(n_samples))) {}
+  /// The object refers to `model`. `tolerance` is τ and `n_samples` is N in the condition above.
+  EnergyWatch(const Model& model, double tolerance, long n_samples)
+      : model_(model), most_(std::clamp(tolerance, 1e-9, 5e-4) / std::sqrt(static_cast<double>(n_samples))) {}
 
   /// Returns true if the condition in the opening comment holds between the states `before` and `after` at the ends of
   /// an interval. J_before and J_after are the least det F in these states. Also returns true if forces dissipate
@@ -45,7 +48,7 @@ class EnergyWatch {
 
  private:
   const Model& model_;
-  double most_;                      ///< the factor 5e-4/√N of the formula above
+  double most_;                      ///< the factor min(τ, 5e-4)/√N of the formula above
   std::optional<double> of_motion_;  ///< E_m of the formula above; computed when it is first needed
 };
 

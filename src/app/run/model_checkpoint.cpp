@@ -39,6 +39,8 @@ void add_snapshot(io::Checkpoint& c, const Snapshot& snapshot, SavedVectors vect
   set("steps in interval", position.steps_in_interval);
   set("halvings", static_cast<long>(position.halvings));
   set("halvings after failure", static_cast<long>(position.halvings_after_failure));
+  set("energy has changed", static_cast<long>(position.energy_has_changed));
+  set("changes of energy", static_cast<long>(position.n_changes_of_energy));
   set("repeated intervals", position.n_repeated);
   set("failed intervals", position.n_failed);
   set("repeated forces", position.n_repeated_forces);
@@ -78,6 +80,8 @@ void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot, const std::str
                        integer("steps in interval"),
                        static_cast<int>(integer("halvings")),
                        static_cast<int>(integer("halvings after failure")),
+                       integer("energy has changed") != 0,
+                       static_cast<int>(integer("changes of energy")),
                        integer("repeated intervals"),
                        integer("failed intervals"),
                        integer("repeated forces"),

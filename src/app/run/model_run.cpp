@@ -65,7 +65,9 @@ bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
   if (halvings > most_halvings) return false;
   return_to_kept_state();
   if (!kept_remarks_.empty()) any_model_.take_remarks(kept_remarks_);  // a contact of the failed attempt does not count
+  const bool energy_has_changed = position_.energy_has_changed;
   position_ = good_.position;
+  position_.energy_has_changed |= energy_has_changed;
   ++position_.n_repeated;
   position_.time_error.reset();  // the pilot runs did not see the cause
   position_.n_repeated_forces += counters_.n_force - good_.counters.n_force;
@@ -81,8 +83,6 @@ bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
     position_.steps_in_interval <<= more;
     position_.cursor.step <<= more;
     position_.halvings = halvings;
-  } else if (become_symplectic()) {
-    good_.memory.clear();
   }
   good_.position = position_;
   // There is no warning if the state at the end of the interval requires shorter steps, because this is frequent. The

@@ -109,7 +109,7 @@ class ModelRun final : public ModelRunBase, private mechanics::AnyHooks<mechanic
         model_(model),
         state_(model.initial_state()),
         good_state_(state_),
-        energy_(model, times_.n_samples),
+        energy_(model, context.scene.time.tolerance, times_.n_samples),
         vectors_(model) {
     good_.t = state_.t;
   }
@@ -133,10 +133,8 @@ class ModelRun final : public ModelRunBase, private mechanics::AnyHooks<mechanic
                         [&](const auto& path) { return model_.write_frame(path, time, state, *workspace_of_system_); });
     if (has_shapes_ && sink_->wants_shape(k)) sink_->append_shape(model_.shape(time, state));
     if (k > 0 && records_steps()) n_steps_.push_back(position_.steps_in_interval);
-    position_.cursor = {k, 0};
-    position_.steps_in_interval = 0;
+    end_interval(k);
     least_halvings_ = 0;
-    position_.halvings_after_failure = std::max(0, position_.halvings_after_failure - 1);
     if (k == 0 || !is_adaptive()) keep(state);
     if (k == 0) save();
     return {};
@@ -238,6 +236,7 @@ class ModelRun final : public ModelRunBase, private mechanics::AnyHooks<mechanic
       if (position_.halvings < most_halvings_for_energy &&
           !energy_.keeps_energy(good_state_, kept, state, seen.least_jacobian)) {
         least_halvings_ = position_.halvings + 1;
+        position_.energy_has_changed = true;
         return Status::failure("the energy changes");
       }
       position_.n_stable_steps +=

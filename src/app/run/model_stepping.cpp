@@ -105,16 +105,19 @@ void ModelStepping::reconsider() {
                        position_.step * context_.units.time, time() * context_.units.time);
 }
 
-bool ModelStepping::become_symplectic() {
-  using Symplectic = mechanics::Rattle4;
-  const bool symplectic =
-      mechanics::with_method(position_.method, []<class Method>(Method) { return Method::symplectic; });
-  if (symplectic || asked_method()) return false;
-  position_.step *= limit_of(mechanics::id_of<Symplectic>, 1) / limit_of(position_.method, 1);
-  position_.method = mechanics::id_of<Symplectic>;
-  context_.log->info("{}: {}, step {:.4g} from t = {:.6g} on, because the motion has become violent", any_model_.name,
-                     Symplectic::name, position_.step * context_.units.time, time() * context_.units.time);
-  return true;
+void ModelStepping::end_interval(long k) {
+  constexpr int often = 3;
+  position_.cursor = {k, 0};
+  position_.steps_in_interval = 0;
+  position_.halvings_after_failure = std::max(0, position_.halvings_after_failure - 1);
+  const bool counts = position_.energy_has_changed && position_.halvings < most_halvings_for_energy;
+  position_.n_changes_of_energy = counts ? position_.n_changes_of_energy + 1 : 0;
+  position_.energy_has_changed = false;
+  if (position_.n_changes_of_energy < often) return;
+  position_.n_changes_of_energy = 0;
+  position_.step /= 2;
+  context_.log->info("{}: step reduced to {:.4g} at t = {:.6g}, because the energy changed in {} intervals",
+                     any_model_.name, position_.step * context_.units.time, time() * context_.units.time, often);
 }
 
 int ModelStepping::halvings_within(double rattle_limit) const {
@@ -205,14 +208,13 @@ mechanics::Status ModelStepping::take_over(const Stepping& known) {
   return {};
 }
 
-/// Chooses method and step after a search without result. The method is that of the scene, or explicit-8, or RATTLE if
-/// explicit-8 does not fit the system. The step is half of the stable step, or the local tolerance is small. A possible
-/// cause is that the motion itself ends within a pilot run. The run then continues as long as possible and reports the
-/// time at which it stopped.
+/// Chooses method and step after a search without result. The method is that of the scene, or explicit-8, or the last
+/// method of the search if explicit-8 does not fit the system. The step is half of the stable step, or the local
+/// tolerance is small. A possible cause is that the motion itself ends within a pilot run. The run then continues as
+/// long as possible and reports the time at which it stopped.
 void ModelStepping::fall_back(const mechanics::StepChoice& choice, const mechanics::StepRequest& request) {
   using Explicit = mechanics::DormandPrince8;
-  position_.method = request.method.value_or(traits_.takes_explicit ? mechanics::id_of<Explicit>
-                                                                    : mechanics::id_of<mechanics::Rattle>);
+  position_.method = request.method.value_or(traits_.takes_explicit ? mechanics::id_of<Explicit> : choice.method);
   position_.local_tolerance = std::max(1e-3 * request.tolerance, 1e-14);
   position_.step =
       std::min({request.step_bound, request.interval, 0.5 * limit_of(position_.method, request.rattle_limit)});

@@ -90,10 +90,11 @@ class ModelStepping {
   bool repeats_intervals() const { return traits_.has_costly_force && adapts(); }
   /// True if the numbers of steps are recorded, for the estimate of the time error (search/time_error.h).
   bool records_steps() const { return repeats_intervals() && context_.needs.comparison; }
-  /// If the program has chosen a method that is not symplectic, replaces it by RATTLE of order 4. The ratio of the step
-  /// to the stability limit does not change. The reason is that a method that is not symplectic loses energy in violent
-  /// motions when the step changes. Returns true if the method has changed.
-  bool become_symplectic();
+  /// Sets the position of the run at the sample k, the end of an interval. Halves the step for the rest of the run if
+  /// this interval is the third in succession that was integrated again because the energy changed. The repetitions
+  /// would otherwise take as much time as the shorter steps. An interval with most_halvings_for_energy halvings does
+  /// not count.
+  void end_interval(long k);
   /// The numbers of steps of the intervals if another run gives them; null if this run chooses them.
   const std::vector<long>* given_steps() const {
     return known_ && !known_->n_steps.empty() ? &known_->n_steps : nullptr;

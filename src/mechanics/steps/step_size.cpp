@@ -100,6 +100,7 @@ class MethodChoice {
     if (adaptive_ && (!best_ || adaptive_cost() < best_->n_forces_of_run)) best_ = adaptive_;
     StepChoice choice{.rattle_limit = request_.rattle_limit, .n_force = n_force_};
     if (!best_) {
+      if (!trials_.empty()) choice.method = trials_.back().method;
       choice.status =
           Status::failure(trials_.empty() ? "no method fits"
                                           : "no step of " + std::string(method_name(trials_.back().method)) +

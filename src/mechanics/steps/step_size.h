@@ -32,11 +32,11 @@ namespace pseudorigid::mechanics {
 /// The chosen method and step, or the reason why no step can be found. Times are in internal units.
 struct [[nodiscard]] StepChoice {
   Status status{};
-  MethodId method = id_of<Rattle>;
-  double step = 0;             ///< upper bound of the size of a step, which includes all its substeps
-  double local_tolerance = 0;  ///< tolerance of one step of an adaptive method; otherwise 0
-  double error = 0;            ///< estimated error of the configuration over the run
-  bool at_round_off = false;   ///< true if round-off prevents the method from meeting the tolerance
+  MethodId method = id_of<Rattle>;  ///< after a failure the last method that was tried
+  double step = 0;                  ///< upper bound of the size of a step, which includes all its substeps
+  double local_tolerance = 0;       ///< tolerance of one step of an adaptive method; otherwise 0
+  double error = 0;                 ///< estimated error of the configuration over the run
+  bool at_round_off = false;        ///< true if round-off prevents the method from meeting the tolerance
   /// Time after which the effect of round-off exceeds the tolerance; empty if no such time is known.
   std::optional<double> round_off_rules_from{};
   double rattle_limit = 0;  ///< the value of StepRequest::rattle_limit
