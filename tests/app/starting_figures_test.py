@@ -72,6 +72,15 @@ class StartingFigures(ProgramTest):
             self.assertLess(numpy.abs(Q - still).max(), 2e-8, model)
             self.assertAlmostEqual(table.column("J3")[0], figure["J3"], delta=1e-9 * figure["J3"], msg=model)
 
+    def test_own_ellipsoid_does_not_change(self):
+        start = {**OWN, "Models": "continuum", "Gravity/Constant": 10 / math.pi, "Initial state/Equilibrium": "jacobi",
+                 "Initial state/Equilibrium parameter": 0.7, "Time/End": 2, "Output/Samples": 20, "Time/Tolerance": 1e-8}
+        figure = self.figure(start, "continuum")
+        table = self.motion(start, "continuum")
+        _, Q = in_turning_frame(table, figure["omega3"])
+        self.assertAlmostEqual(figure["a2"] / figure["a1"], 0.7, delta=1e-10)
+        self.assertLess(numpy.abs(Q - numpy.diag([figure[f"a{i}"] for i in (1, 2, 3)]).reshape(9)).max(), 1e-7)
+
     def frequency_of_mode(self, model, number, amplitude, tolerance):
         figure = self.figure(OWN, model)
         entries = {**OWN, "Models": model, "Initial state/Mode": number, "Initial state/Mode amplitude": amplitude,

@@ -192,10 +192,10 @@ TEST(SteadyRotation, JacobisEllipsoidsBecomePears) {
                              [](double ratio) -> FigureCondition {
                                return {FigureParameter::log_ratio_21, std::log(ratio)};
                              },
-                             [&](double ratio, mechanics::NearbyFigure& nearby) {
+                             [&](double& ratio_of_spheroid) {
                                reduced::SteadyMotion m;
-                               auto status = reduced::jacobi_motion(body, ratio, m);
-                               nearby = {m.A.diagonal(), m.omega.squaredNorm()};
+                               auto status = reduced::jacobi_motion(body, 0.99999, m);
+                               ratio_of_spheroid = m.A(2, 2) / m.A(0, 0);
                                return status;
                              }});
     const FigureFamily family = finder.family({0.41, 0.46});

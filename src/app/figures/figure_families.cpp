@@ -135,11 +135,10 @@ mechanics::FamilyOfFigures family_of_figures(const scene::Scene& scene, Family f
               [](double ratio) -> FigureCondition {
                 return {FigureParameter::log_ratio_21, log_ratio_of_axes(ratio)};
               },
-              [&scene](double ratio, mechanics::NearbyFigure& nearby) {
+              [&scene](double& ratio_of_spheroid) {
                 reduced::SteadyMotion m;
-                const double nearly = std::exp(log_ratio_of_axes(ratio));
-                auto status = figure_of_family(scene, Family::jacobi, nearly, m);
-                nearby = {m.A.diagonal(), m.omega.squaredNorm()};
+                auto status = figure_of_family(scene, Family::jacobi, std::exp(log_ratio_of_axes(1)), m);
+                ratio_of_spheroid = m.A(2, 2) / m.A(0, 0);
                 return status;
               }};
   }

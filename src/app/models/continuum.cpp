@@ -75,8 +75,9 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
 /// the octant exclude rigid motions of the body.
 std::optional<Refusal> refuses_equilibria(const Scene& scene) {
   if (!needs_own_figures(scene)) return {};
-  if (auto refusal = refuses_family(scene, "finite elements",
-                                    {Family::maclaurin, Family::spheroids, Family::spinning, Family::at_rest}))
+  if (auto refusal =
+          refuses_family(scene, "finite elements",
+                         {Family::maclaurin, Family::spheroids, Family::spinning, Family::jacobi, Family::at_rest}))
     return refusal;
   if (scene::has_mesh_file(scene))
     return Refusal{"Continuum/Mesh", "equilibria are those of the ball", {{{"Continuum/Mesh", "builtin"}}}};

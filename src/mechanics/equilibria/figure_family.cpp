@@ -31,19 +31,30 @@ FigureFinder::FigureFinder(const FigureEquations& equations, StabilityOfFigure a
                            double resolution)
     : equations_(equations), analyse_(std::move(analyse)), family_(std::move(family)), resolution_(resolution) {}
 
-/// Finds the first figure of the family, which has this parameter. Fails if family_.nearby fails, or if no figure is
-/// found.
-Status FigureFinder::first(double parameter, EquilibriumFigure& figure) const {
-  const FigureCondition condition = family_.condition(parameter);
-  if (family_.nearby) {
-    NearbyFigure nearby;
-    if (auto status = family_.nearby(parameter, nearby); !status) return status;
-    figure = equations_.affine(nearby.a, nearby.drive);
-    return equations_.solve(condition, figure);
-  }
+/// Finds the first figure of the family, which satisfies the condition. Fails if family_.bifurcation fails, or if no
+/// figure is found.
+Status FigureFinder::first(const FigureCondition& condition, EquilibriumFigure& figure) const {
   figure = equations_.affine(Eigen::Vector3d::Ones(), 0);
+  if (family_.bifurcation) return first_of_branch(condition, figure);
   if (auto status = equations_.solve({condition.parameter, 0}, figure); !status) return status;
   return equations_.follow(0, condition, figure);
+}
+
+/// Replaces `figure`, the undeformed ball, by the figure with the condition in a family that bifurcates from the
+/// spheroids.
+Status FigureFinder::first_of_branch(const FigureCondition& condition, EquilibriumFigure& figure) const {
+  constexpr double epsilon = 0.05;
+  double ratio = 1;
+  if (auto status = family_.bifurcation(ratio); !status) return status;
+  const FigureCondition round{FigureParameter::log_ratio_31, 0};
+  if (auto status = equations_.solve(round, figure); !status) return status;
+  const FigureCondition at_bifurcation{FigureParameter::log_ratio_31, std::log(ratio)};
+  if (auto status = equations_.follow(0, at_bifurcation, figure); !status) return status;
+  const double a = std::pow(ratio, -1.0 / 3);  // a₁ = a₂ at volume 1
+  figure.x += equations_.affine({a * epsilon / 2, -a * epsilon / 2, 0}, 0).x;
+  const FigureCondition start{condition.parameter, -epsilon};
+  if (auto status = equations_.solve(start, figure); !status) return status;
+  return equations_.follow(-epsilon, condition, figure);
 }
 
 Status FigureFinder::find(double parameter, EquilibriumFigure& figure) {
@@ -51,7 +62,7 @@ Status FigureFinder::find(double parameter, EquilibriumFigure& figure) {
   if (!std::isfinite(condition.value)) return Status::failure("there is no figure with this parameter");
   Status status;
   if (known_.empty()) {
-    status = first(parameter, figure);
+    status = first(condition, figure);
   } else {
     const auto nearest = std::ranges::min_element(
         known_, {}, [&](const auto& known) { return std::abs(known.first - condition.value); });

@@ -7,7 +7,10 @@
 /// positive.
 ///
 /// The figures of the family are called its members. Each member is found by continuation from the nearest known
-/// figure. The first member is found from the ball at rest, or from a figure that the caller provides.
+/// figure. The first member is found from the ball at rest. A family of ellipsoids may bifurcate from the spheroids, as
+/// Jacobi's family does. The continuation then follows the spheroids to a place near the bifurcation. There it adds the
+/// displacement (ε/2)(x₁ ê₁ − x₂ ê₂), which is close to the null vector of the bifurcation, and solves for the figure
+/// with ln(a₂/a₁) = −ε and for its drive.
 
 #include <functional>
 #include <map>
@@ -64,20 +67,14 @@ struct FigureFamily {
   std::vector<double> without_special;
 };
 
-/// Semi-axes a and drive of an affine figure near the required figure.
-struct NearbyFigure {
-  Eigen::Vector3d a;
-  double drive;
-};
-
 /// A family of spheroids or ellipsoids. `condition` returns the condition that the figure with the given parameter
 /// satisfies. The value of the condition is not finite if no figure can have this parameter.
 struct FamilyOfFigures {
   Figure figure;
   std::function<FigureCondition(double parameter)> condition;
-  /// Sets `nearby` to an affine figure near the figure with this parameter. Newton's iteration finds the first figure
-  /// of the family from it. If the function is empty, the first figure is found by continuation from the ball at rest.
-  std::function<Status(double parameter, NearbyFigure& nearby)> nearby{};
+  /// Sets a₃/a₁ to the approximate ratio of the semi-axes of the spheroid at which the family bifurcates. The condition
+  /// must then be on a₂/a₁. If the function is empty, the family contains the ball at rest.
+  std::function<Status(double& ratio_of_spheroid)> bifurcation{};
 };
 
 /// A function that sets `classes` to the stability of a figure. All figures of a family must have the same classes in
@@ -112,7 +109,8 @@ class FigureFinder {
 
  private:
   bool gives_up() const { return give_up_ && give_up_(); }
-  Status first(double parameter, EquilibriumFigure& figure) const;
+  Status first(const FigureCondition& condition, EquilibriumFigure& figure) const;
+  Status first_of_branch(const FigureCondition& condition, EquilibriumFigure& figure) const;
   /// Finds the figure with this parameter from the nearest known figure, or by `first` if no figure is known. Fails if
   /// the condition has no finite value, if no figure is found, or if its drive is negative.
   Status find(double parameter, EquilibriumFigure& figure);
