@@ -51,12 +51,17 @@ double violence_of_start(const Scene& scene) {
          density * radius * radius * DQ.squaredNorm() / (10 * mu);
 }
 
+bool starts_violently(const Scene& scene) {
+  constexpr double violent = 0.06;
+  return !starts_from_own_figure(scene) && violence_of_start(scene) > violent;
+}
+
 double volumetric_stiffness_of_elements(const Scene& scene) {
-  constexpr double violent = 0.06, of_shear_modulus = 3;
+  constexpr double of_shear_modulus = 3;
   const double kappa = volumetric_stiffness(scene);
-  const bool chooses = scene.body.incompressible && !scene.continuum.volumetric_stiffness &&
-                       scene.analysis == Analysis::motion && !is_fluid(scene) && !starts_from_own_figure(scene);
-  if (!chooses || !(violence_of_start(scene) > violent)) return kappa;
+  const bool chooses =
+      scene.body.incompressible && !scene.continuum.volumetric_stiffness && scene.analysis == Analysis::motion;
+  if (!chooses || !starts_violently(scene)) return kappa;
   const auto law = law_of(scene);
   return kappa + of_shear_modulus * materials::moduli_at_rest(law, true).shear;
 }

@@ -43,6 +43,9 @@ double volumetric_stiffness(const Scene& scene);
 /// The energy density e of the deformation at the start, in units of μ; 0 for a fluid.
 double violence_of_start(const Scene& scene);
 
+/// Returns true if the motion of an elastic body starts violently, as defined above.
+bool starts_violently(const Scene& scene);
+
 /// The stiffness κ of finite elements. It includes κ_v if the scene does not set κ and the motion starts violently.
 double volumetric_stiffness_of_elements(const Scene& scene);
 

@@ -4,6 +4,8 @@
 
 #include <chrono>
 
+#include "scene/stabilization.h"
+
 namespace pseudorigid::app {
 namespace {
 
@@ -130,13 +132,15 @@ int ModelStepping::halvings_within(double rattle_limit) const {
 /// time error of the earlier parts of the run; empty if it is not known.
 mechanics::Status ModelStepping::search(const std::optional<double>& error_so_far) {
   const double end = times_.end - time();
-  mechanics::StepRequest request{.end = end,
-                                 .window = any_model_.pilot_window(end),
-                                 .tolerance = any_model_.pilot_reserve * context_.scene.time.tolerance,
-                                 .step_bound = std::min(step_bound(), end),
-                                 .interval = times_.interval(),
-                                 .spare_pilots = traits_.has_costly_force,
-                                 .method = asked_method()};
+  mechanics::StepRequest request{
+      .end = end,
+      .window = any_model_.pilot_window(end),
+      .tolerance = any_model_.pilot_reserve * context_.scene.time.tolerance,
+      .step_bound = std::min(step_bound(), end),
+      .interval = times_.interval(),
+      .spare_pilots = traits_.has_costly_force,
+      .watches_energy = repeats_intervals() && any_model_.has_fronts() && scene::starts_violently(context_.scene),
+      .method = asked_method()};
   if (traits_.constrained_form) {
     double limit = 0;
     if (Status status = rattle_limit(reserve, limit); !status) return status;

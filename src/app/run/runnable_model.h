@@ -27,6 +27,8 @@ class RunnableModel {
 
   /// The duration of the pilot runs for a run of duration `end`, both in internal time.
   virtual double pilot_window(double end) const = 0;
+  /// True if the body has shear fronts, whose focus has larger time errors than pilot runs see.
+  virtual bool has_fronts() const { return false; }
   /// The names of the columns of a row, in their order. The first column is the time.
   virtual std::vector<std::string> columns() const = 0;
 
@@ -79,8 +81,6 @@ class RunnableModelOf : public RunnableModel {
   virtual State at_rest(const State& state) const { return state; }
   /// Least det F in the body, with the deformation gradient F; 1 if the model does not resolve the local volume.
   virtual double least_jacobian(const State&) const { return 1; }
-  /// True if the body has shear fronts, whose focus has larger time errors than pilot runs see.
-  virtual bool has_fronts() const { return false; }
   /// True if the least det F remains above half of its present value after a step h forwards and after a step h
   /// backwards. Both steps have the present velocity.
   virtual bool keeps_volume(const State&, double /*h*/) const { return true; }

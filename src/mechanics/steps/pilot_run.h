@@ -34,6 +34,9 @@ struct StepRequest {
   /// omits methods that cannot save more than 20 % of the force evaluations of the best method so far. It does not
   /// measure how the motion amplifies round-off.
   bool spare_pilots = false;
+  /// True if the run itself checks the change of the energy, and shortens the steps. The search then does not predict
+  /// this change.
+  bool watches_energy = false;
   std::optional<MethodId> method{};    ///< the requested method; empty: the cheapest method
   std::function<bool()> give_up = {};  ///< called after every pilot step; the search ends if the result is true
 };

@@ -145,13 +145,14 @@ bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
 }
 
 /// Shortens the step such that the predicted change of the energy over the run is permitted (step_search.h). Does
-/// nothing for methods other than multistep methods, for short runs, if the caller does not give the energies, if the
-/// pilot run fails, or if the predicted change is permitted without a shorter step.
+/// nothing for methods other than multistep methods, for short runs, if the caller does not give the energies or
+/// watches them, if the pilot run fails, or if the predicted change is permitted without a shorter step.
 void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
   // The two values and the power in change_of_energy() were chosen after the measurements in step_search.h.
   constexpr double part = 1.0 / 8, least_windows = 5;
   const double window = part * request_.end;
-  if (!is_multistep(method) || !method.energies || window < least_windows * pilot_window(request_)) return;
+  if (!is_multistep(method) || !method.energies || request_.watches_energy) return;
+  if (window < least_windows * pilot_window(request_)) return;
   const Grid grid(window, trial.step);
   const PilotRun run = method.energies(window, grid.n_samples, grid.n_steps);
   n_force_ += run.n_force;
