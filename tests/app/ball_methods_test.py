@@ -63,11 +63,11 @@ class BallMethods(ProgramTest):
         self.assertLessEqual(forces["auto"], min(forces.values()), forces)
 
     def test_a_long_run_keeps_its_energy(self):
-        """The energy of this release changed by 5.5 times the tolerance, as the motion spreads to fast modes. A small motion stays in
+        """The energy of such a release changes by more than the tolerance, as the motion spreads to fast modes. A small motion stays in
         its modes, and a short one is not looked at: their steps are longer."""
         release = {"Continuum/Degree": 2, "Initial state/Velocity": "0, 0, 0; 0, 0, 0; 0, 0, 0", "Time/End": 40,
                    "Time/Tolerance": 1e-2, "Time/Method": "symmetric-4", "Output/Samples": 400}
-        stretched = {**release, "Initial state/Deformation": f"1.3, 0, 0; 0, 1, 0; 0, 0, {1 / 1.3!r}", "Continuum/Volumetric stiffness": 0}
+        stretched = {**release, "Initial state/Deformation": f"1.18, 0, 0; 0, 1, 0; 0, 0, {1 / 1.18!r}", "Continuum/Volumetric stiffness": 0}
         step = self.counters("long", stretched)["step"]
         self.assertLess(self.change_of_energy("long"), 1e-2)
         self.assertIn("set by the drift of the energy", self.log("long"))

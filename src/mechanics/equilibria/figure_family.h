@@ -9,8 +9,8 @@
 /// The figures of the family are called its members. Each member is found by continuation from the nearest known
 /// figure. The first member is found from the ball at rest. A family of ellipsoids may bifurcate from the spheroids, as
 /// Jacobi's family does. The continuation then follows the spheroids to a place near the bifurcation. There it adds the
-/// displacement (ε/2)(x₁ ê₁ − x₂ ê₂), which is close to the null vector of the bifurcation, and solves for the figure
-/// with ln(a₂/a₁) = −ε and for its drive.
+/// displacement (ε/2)(x₁ ê₁ − x₂ ê₂), which is close to the null vector of the bifurcation. It then solves for the
+/// figure with ln(a₂/a₁) = −ε and for its drive.
 
 #include <functional>
 #include <map>

@@ -45,10 +45,10 @@
 /// RATTLE-4 has C = −0.0009. The change of its energy has the opposite sign and a hundredth of the size.
 ///
 /// Therefore the search makes one more pilot run of a multistep method, with the step that it has found. This run
-/// covers the first eighth of the whole run, and is made only if this eighth has the length of at least five windows,
-/// and if the run does not watch its energy. D is the largest change of the energy in this pilot run. δ is the
-/// difference of the mean energies in its first and second half. D and δ are divided by the energy of the motion above
-/// the least potential energy. The step is shortened to h' such that
+/// covers the first eighth of the whole run, and is made only if this eighth has the length of at least five windows.
+/// It is not made if the whole run watches its energy. D is the largest change of the energy in this pilot run. δ is
+/// the difference of the mean energies in its first and second half. D and δ are divided by the energy of the motion
+/// above the least potential energy. The step is shortened to h' such that
 ///
 ///   (D + 44 δ) (h'/h)^p ≤ target,
 ///
