@@ -38,8 +38,10 @@ double violence_of_start(const Scene& scene) {
   const auto& [radius, density] = std::pair(scene.body.radius, scene.body.density);
   const materials::AnyLaw law = law_of(scene);
   const double mu = materials::moduli_at_rest(law, scene.body.incompressible).shear;
-  const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation),
-                        L = loads::to_eigen(scene.initial_state.velocity) * Q.inverse(),
+  const Scene::InitialState& start = scene.initial_state;
+  const bool disturbs = starts_from_own_figure(scene) && start.origin;
+  const Eigen::Matrix3d Q = loads::to_eigen(disturbs ? start.origin->deformation : start.deformation),
+                        L = loads::to_eigen(disturbs ? start.origin->velocity : start.velocity) * Q.inverse(),
                         DQ = 0.5 * (L + L.transpose()) * Q;
   const auto energy = [&](const Eigen::Matrix3d& F) {
     materials::Tensor<double> f;
@@ -53,7 +55,7 @@ double violence_of_start(const Scene& scene) {
 
 bool starts_violently(const Scene& scene) {
   constexpr double violent = 0.06;
-  return !starts_from_own_figure(scene) && violence_of_start(scene) > violent;
+  return violence_of_start(scene) > violent;
 }
 
 double volumetric_stiffness_of_elements(const Scene& scene) {

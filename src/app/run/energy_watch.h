@@ -1,8 +1,8 @@
 #pragma once
 /// Check that the steps between two samples conserve the energy. An interval is checked only if the least det F is
-/// below 0.95 at one of its ends, with the deformation gradient F. Let K be the kinetic and V the potential energy, E =
-/// K + V, and N the number of samples. The indices 0 and 1 denote the ends of the interval between the samples. The
-/// condition is
+/// below 0.95 at one of its ends, with the deformation gradient F, or if every interval is watched. Let K be the
+/// kinetic and V the potential energy, E = K + V, and N the number of samples. The indices 0 and 1 denote the ends of
+/// the interval between the samples. The condition is
 ///
 ///   |E_1 − E_0| ≤ min(τ, 5e-4)/√N · max(E_m, K_0 + K_1),   E_m = K + |V − V of the body at rest| at the start,
 ///
@@ -26,17 +26,19 @@ class EnergyWatch {
 
  public:
   /// The object refers to `model`. `tolerance` is τ and `n_samples` is N in the condition above.
-  EnergyWatch(const Model& model, double tolerance, long n_samples)
-      : model_(model), most_(std::clamp(tolerance, 1e-9, 5e-4) / std::sqrt(static_cast<double>(n_samples))) {}
+  EnergyWatch(const Model& model, double tolerance, long n_samples, bool every_interval)
+      : model_(model),
+        most_(std::clamp(tolerance, 1e-9, 5e-4) / std::sqrt(static_cast<double>(n_samples))),
+        every_interval_(every_interval) {}
 
   /// Returns true if the condition in the opening comment holds between the states `before` and `after` at the ends of
   /// an interval. J_before and J_after are the least det F in these states. Also returns true if forces dissipate
-  /// energy or depend on time, because E is then not constant. Also returns true if J_before and J_after are at least
-  /// 0.95. Errors of the energy then result from the chosen step and are not judged.
+  /// energy or depend on time, because E is then not constant. Unless every interval is watched, also returns true if
+  /// J_before and J_after are at least 0.95. Errors of the energy then result from the chosen step and are not judged.
   bool keeps_energy(const State& before, double J_before, const State& after, double J_after) {
     constexpr double watched = 0.95;
     if (mechanics::dissipative(model_.system()) || mechanics::time_dependent(model_.system())) return true;
-    if (J_before >= watched && J_after >= watched) return true;
+    if (!every_interval_ && J_before >= watched && J_after >= watched) return true;
     if (!of_motion_) {
       const State start = model_.initial_state();
       const Eigen::Vector2d at_start = model_.energies(start);
@@ -48,7 +50,8 @@ class EnergyWatch {
 
  private:
   const Model& model_;
-  double most_;                      ///< the factor min(τ, 5e-4)/√N of the formula above
+  double most_;  ///< the factor min(τ, 5e-4)/√N of the formula above
+  bool every_interval_;
   std::optional<double> of_motion_;  ///< E_m of the formula above; computed when it is first needed
 };
 

@@ -40,7 +40,8 @@ void add_snapshot(io::Checkpoint& c, const Snapshot& snapshot, SavedVectors vect
   set("halvings", static_cast<long>(position.halvings));
   set("halvings after failure", static_cast<long>(position.halvings_after_failure));
   set("energy has changed", static_cast<long>(position.energy_has_changed));
-  set("changes of energy", static_cast<long>(position.n_changes_of_energy));
+  set("halvings for energy", static_cast<long>(position.halvings_for_energy));
+  set("held intervals", static_cast<long>(position.n_held));
   set("repeated intervals", position.n_repeated);
   set("failed intervals", position.n_failed);
   set("repeated forces", position.n_repeated_forces);
@@ -81,7 +82,8 @@ void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot, const std::str
                        static_cast<int>(integer("halvings")),
                        static_cast<int>(integer("halvings after failure")),
                        integer("energy has changed") != 0,
-                       static_cast<int>(integer("changes of energy")),
+                       static_cast<int>(integer("halvings for energy")),
+                       static_cast<int>(integer("held intervals")),
                        integer("repeated intervals"),
                        integer("failed intervals"),
                        integer("repeated forces"),

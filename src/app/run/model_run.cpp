@@ -56,8 +56,9 @@ bool ModelRunBase::is_time_to_save() const {
 /// Returns to the stored state, so that the interval can be integrated again with shorter steps. Returns false if a
 /// repetition is not possible. A repetition requires a costly force, a method of fixed step and a step that the program
 /// has chosen. A repetition is not possible if the model itself ended the run, or if it would need more than
-/// `most_halvings` halvings of the step. The step after the repeated interval depends only on the state there and on
-/// the last failure. A motion that is violent for a short time therefore does not shorten the steps of the whole run.
+/// `most_halvings` halvings of the step. The steps of later intervals depend only on the state there, on the last
+/// failure, and on the last change of the energy (end_interval). A motion that is violent for a short time therefore
+/// does not shorten the steps of the whole run.
 bool ModelRunBase::repeat_interval(const mechanics::RunResult& failure) {
   if (!repeats_intervals() || !verdict_) return false;
   const bool asked = least_halvings_ > position_.halvings;
@@ -109,6 +110,7 @@ void ModelRunBase::step_anew() {
   if (position_.time_error) position_.time_error = next_stepping_->time_error;  // else the interval was violent
   if (position_.method != next_stepping_->method) n_steps_.clear();
   position_.looks = {.next = position_.cursor.sample};
+  position_.halvings_for_energy = position_.n_held = 0;
   identity_ = next_stepping_->identity;
   good_.position = position_;
   keep_state();

@@ -109,7 +109,7 @@ class ModelRun final : public ModelRunBase, private mechanics::AnyHooks<mechanic
         model_(model),
         state_(model.initial_state()),
         good_state_(state_),
-        energy_(model, context.scene.time.tolerance, times_.n_samples),
+        energy_(model, context.scene.time.tolerance, times_.n_samples, watches_every_interval()),
         vectors_(model) {
     good_.t = state_.t;
   }
@@ -149,8 +149,8 @@ class ModelRun final : public ModelRunBase, private mechanics::AnyHooks<mechanic
     if (adapts() && k >= position_.looks.next) reconsider();
     if (repeats_intervals()) {
       if (!kept_volume_) kept_volume_ = look_at(state);  // not known after a resumption
-      position_.halvings =
-          std::max({least_halvings_, position_.halvings_after_failure, halvings_at(state, *kept_volume_)});
+      position_.halvings = std::max({least_halvings_, position_.halvings_after_failure, position_.halvings_for_energy,
+                                     halvings_at(state, *kept_volume_)});
     }
     return position_.steps_in_interval = times_.steps_per_interval(std::ldexp(position_.step, -position_.halvings));
   }
@@ -223,7 +223,7 @@ class ModelRun final : public ModelRunBase, private mechanics::AnyHooks<mechanic
   }
   /// Fails at the end of an interval that must be integrated again. The reason is that the state at this end requires
   /// shorter steps than those of the interval, or that the energy has changed. The condition is the same for the
-  /// interval backwards in time, so steps change reversibly.
+  /// interval backwards in time.
   Status judge_interval(long k, const State& state) {
     if (!repeats_intervals() || given_steps()) return {};
     const LocalVolume seen = look_at(state);

@@ -4,8 +4,6 @@
 
 #include <chrono>
 
-#include "scene/stabilization.h"
-
 namespace pseudorigid::app {
 namespace {
 
@@ -108,18 +106,20 @@ void ModelStepping::reconsider() {
 }
 
 void ModelStepping::end_interval(long k) {
-  constexpr int often = 3;
+  constexpr int hold = 8;
   position_.cursor = {k, 0};
   position_.steps_in_interval = 0;
   position_.halvings_after_failure = std::max(0, position_.halvings_after_failure - 1);
-  const bool counts = position_.energy_has_changed && position_.halvings < most_halvings_for_energy;
-  position_.n_changes_of_energy = counts ? position_.n_changes_of_energy + 1 : 0;
+  int& halvings = position_.halvings_for_energy;
+  if (position_.energy_has_changed) {
+    const bool was_near = position_.halvings <= halvings + 1;
+    position_.n_held = was_near ? hold : 1;
+    halvings = std::min(position_.halvings, most_halvings_for_energy);
+  } else if (halvings > 0 && --position_.n_held <= 0) {
+    --halvings;
+    position_.n_held = 1;
+  }
   position_.energy_has_changed = false;
-  if (position_.n_changes_of_energy < often) return;
-  position_.n_changes_of_energy = 0;
-  position_.step /= 2;
-  context_.log->info("{}: step reduced to {:.4g} at t = {:.6g}, because the energy changed in {} intervals",
-                     any_model_.name, position_.step * context_.units.time, time() * context_.units.time, often);
 }
 
 int ModelStepping::halvings_within(double rattle_limit) const {
@@ -132,15 +132,14 @@ int ModelStepping::halvings_within(double rattle_limit) const {
 /// time error of the earlier parts of the run; empty if it is not known.
 mechanics::Status ModelStepping::search(const std::optional<double>& error_so_far) {
   const double end = times_.end - time();
-  mechanics::StepRequest request{
-      .end = end,
-      .window = any_model_.pilot_window(end),
-      .tolerance = any_model_.pilot_reserve * context_.scene.time.tolerance,
-      .step_bound = std::min(step_bound(), end),
-      .interval = times_.interval(),
-      .spare_pilots = traits_.has_costly_force,
-      .watches_energy = repeats_intervals() && any_model_.has_fronts() && scene::starts_violently(context_.scene),
-      .method = asked_method()};
+  mechanics::StepRequest request{.end = end,
+                                 .window = any_model_.pilot_window(end),
+                                 .tolerance = any_model_.pilot_reserve * context_.scene.time.tolerance,
+                                 .step_bound = std::min(step_bound(), end),
+                                 .interval = times_.interval(),
+                                 .spare_pilots = traits_.has_costly_force,
+                                 .watches_energy = repeats_intervals() && watches_every_interval(),
+                                 .method = asked_method()};
   if (traits_.constrained_form) {
     double limit = 0;
     if (Status status = rattle_limit(reserve, limit); !status) return status;
@@ -212,13 +211,16 @@ mechanics::Status ModelStepping::take_over(const Stepping& known) {
   return {};
 }
 
-/// Chooses method and step after a search without result. The method is that of the scene, or explicit-8, or the last
-/// method of the search if explicit-8 does not fit the system. The step is half of the stable step, or the local
+/// Chooses method and step after a search without result. The method is that of the scene, or explicit-8. If explicit-8
+/// does not fit the system, the method is RATTLE, or the last method of the search if the energy of every interval is
+/// checked. The step is half of the stable step, or the local
 /// tolerance is small. A possible cause is that the motion itself ends within a pilot run. The run then continues as
 /// long as possible and reports the time at which it stopped.
 void ModelStepping::fall_back(const mechanics::StepChoice& choice, const mechanics::StepRequest& request) {
   using Explicit = mechanics::DormandPrince8;
-  position_.method = request.method.value_or(traits_.takes_explicit ? mechanics::id_of<Explicit> : choice.method);
+  position_.method = request.method.value_or(traits_.takes_explicit   ? mechanics::id_of<Explicit>
+                                             : request.watches_energy ? choice.method
+                                                                      : mechanics::id_of<mechanics::Rattle>);
   position_.local_tolerance = std::max(1e-3 * request.tolerance, 1e-14);
   position_.step =
       std::min({request.step_bound, request.interval, 0.5 * limit_of(position_.method, request.rattle_limit)});

@@ -13,6 +13,7 @@
 #include "app/run/run_context.h"
 #include "app/run/runnable_model.h"
 #include "mechanics/steps/step_size.h"
+#include "scene/stabilization.h"
 
 namespace pseudorigid::app {
 
@@ -88,12 +89,14 @@ class ModelStepping {
   /// True if a failed interval between samples is integrated again with shorter steps: force evaluations are costly,
   /// and the step can change.
   bool repeats_intervals() const { return traits_.has_costly_force && adapts(); }
+  /// True if the energy of every interval is checked, and not only where the body is compressed (energy_watch.h).
+  bool watches_every_interval() const { return any_model_.has_fronts() && scene::starts_violently(context_.scene); }
   /// True if the numbers of steps are recorded, for the estimate of the time error (search/time_error.h).
   bool records_steps() const { return repeats_intervals() && context_.needs.comparison; }
-  /// Sets the position of the run at the sample k, the end of an interval. Halves the step for the rest of the run if
-  /// this interval is the third in succession that was integrated again because the energy changed. The repetitions
-  /// would otherwise take as much time as the shorter steps. An interval with most_halvings_for_energy halvings does
-  /// not count.
+  /// Sets the position of the run at the sample k, the end of an interval. If the interval was integrated again because
+  /// the energy changed, the next interval has as many halvings. Each later interval without such a change has one
+  /// halving less. If the change asks for only one halving more than before, eight intervals keep this number first.
+  /// Otherwise every second interval of a motion that is violent for a long time would be integrated twice.
   void end_interval(long k);
   /// The numbers of steps of the intervals if another run gives them; null if this run chooses them.
   const std::vector<long>* given_steps() const {

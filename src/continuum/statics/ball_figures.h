@@ -24,7 +24,9 @@
 ///
 /// K is also singular at a bifurcation to figures that are not symmetric about axis 3. The search for a spheroid is
 /// therefore restricted to positions that are symmetric under the exchange of the axes 1 and 2. These positions exclude
-/// the figures that bifurcate with the azimuthal number 2, such as Jacobi's ellipsoids.
+/// the figures that bifurcate with the azimuthal number 2, such as Jacobi's ellipsoids. The search for an ellipsoid is
+/// not restricted. It may follow the spheroids to the neighbourhood of the bifurcation
+/// (mechanics/equilibria/figure_family.h).
 
 #include <memory>
 #include <utility>

@@ -33,7 +33,7 @@ FigureFinder::FigureFinder(const FigureEquations& equations, StabilityOfFigure a
 
 /// Finds the first figure of the family, which satisfies the condition. Fails if family_.bifurcation fails, or if no
 /// figure is found.
-Status FigureFinder::first(const FigureCondition& condition, EquilibriumFigure& figure) const {
+Status FigureFinder::first(const FigureCondition& condition, EquilibriumFigure& figure) {
   figure = equations_.affine(Eigen::Vector3d::Ones(), 0);
   if (family_.bifurcation) return first_of_branch(condition, figure);
   if (auto status = equations_.solve({condition.parameter, 0}, figure); !status) return status;
@@ -41,8 +41,9 @@ Status FigureFinder::first(const FigureCondition& condition, EquilibriumFigure& 
 }
 
 /// Replaces `figure`, the undeformed ball, by the figure with the condition in a family that bifurcates from the
-/// spheroids.
-Status FigureFinder::first_of_branch(const FigureCondition& condition, EquilibriumFigure& figure) const {
+/// spheroids. The figure next to the bifurcation becomes known, so that it is not sought again if the condition has no
+/// figure.
+Status FigureFinder::first_of_branch(const FigureCondition& condition, EquilibriumFigure& figure) {
   constexpr double epsilon = 0.05;
   double ratio = 1;
   if (auto status = family_.bifurcation(ratio); !status) return status;
@@ -50,10 +51,11 @@ Status FigureFinder::first_of_branch(const FigureCondition& condition, Equilibri
   if (auto status = equations_.solve(round, figure); !status) return status;
   const FigureCondition at_bifurcation{FigureParameter::log_ratio_31, std::log(ratio)};
   if (auto status = equations_.follow(0, at_bifurcation, figure); !status) return status;
-  const double a = std::pow(ratio, -1.0 / 3);  // a₁ = a₂ at volume 1
+  const double a = std::pow(ratio, -1.0 / 3);  // a₁ = a₂ if the volume is that of the ball
   figure.x += equations_.affine({a * epsilon / 2, -a * epsilon / 2, 0}, 0).x;
   const FigureCondition start{condition.parameter, -epsilon};
   if (auto status = equations_.solve(start, figure); !status) return status;
+  known_[start.value] = figure;
   return equations_.follow(-epsilon, condition, figure);
 }
 

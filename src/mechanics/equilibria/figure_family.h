@@ -109,8 +109,8 @@ class FigureFinder {
 
  private:
   bool gives_up() const { return give_up_ && give_up_(); }
-  Status first(const FigureCondition& condition, EquilibriumFigure& figure) const;
-  Status first_of_branch(const FigureCondition& condition, EquilibriumFigure& figure) const;
+  Status first(const FigureCondition& condition, EquilibriumFigure& figure);
+  Status first_of_branch(const FigureCondition& condition, EquilibriumFigure& figure);
   /// Finds the figure with this parameter from the nearest known figure, or by `first` if no figure is known. Fails if
   /// the condition has no finite value, if no figure is found, or if its drive is negative.
   Status find(double parameter, EquilibriumFigure& figure);

@@ -32,7 +32,7 @@ namespace pseudorigid::mechanics {
 /// The chosen method and step, or the reason why no step can be found. Times are in internal units.
 struct [[nodiscard]] StepChoice {
   Status status{};
-  MethodId method = id_of<Rattle>;  ///< after a failure the last method that was tried
+  MethodId method = id_of<Rattle>;  ///< after a failure the last method that was tried, if any
   double step = 0;                  ///< upper bound of the size of a step, which includes all its substeps
   double local_tolerance = 0;       ///< tolerance of one step of an adaptive method; otherwise 0
   double error = 0;                 ///< estimated error of the configuration over the run
