@@ -15,11 +15,10 @@
 ///
 ///   e = [W(Q₀) − W(Id)]/μ + ρ r² |D Q₀|²/(10 μ).
 ///
-/// The start is violent if e > 0.06, and then κ_v = 3μ; otherwise κ_v = 0. If the motion starts
-/// from the own figure of equilibrium, Q₀ and Q̇₀ are the deformation and velocity that disturb the figure. Without
-/// them, the motion has the κ of the figure. The release with the velocity diag(a, a, −2a)x, a = 0.3 c/r
-/// and the speed of shear waves c has e = 0.054. The threshold is slightly above this value, so the cost of this
-/// release does not increase.
+/// The start is violent if e > 0.06, and then κ_v = 3μ; otherwise κ_v = 0. If the motion starts from the own figure of
+/// equilibrium, Q₀ and Q̇₀ are the deformation and velocity that disturb the figure. Without them, the motion has the κ
+/// of the figure. The release with the velocity diag(a, a, −2a)x, a = 0.3 c/r and the speed of shear waves c has e =
+/// 0.054. The threshold is slightly above this value, so the cost of this release does not increase.
 ///
 /// The value κ_v = 3μ was measured for a neo-Hookean ball and unrefined elements, with κ/μ = 0, 1, 3, 10 and 30. The
 /// error of the deformation Q is the difference from elements of degree 8 with κ = 0. The ball was released from the

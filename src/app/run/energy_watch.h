@@ -8,8 +8,8 @@
 ///
 /// with the tolerance τ of the scene, but at least 1e-9. The errors of the energy and of Q are of the same order in the
 /// step. In 32 releases of elements until t = 5 r/c, the error of Q was below τ, but for one of 1.8 τ. The elements had
-/// degrees 3 to 6, the stretches were 1.35 and 1.5, and τ was 1e-6 to 1e-3. The bound 2 τ gave three errors above τ.
-/// The condition is the same for the interval backwards in time.
+/// degrees 3 to 6, the stretches were 1.35 and 1.5, and τ was 1e-6 to 1e-3. The bound 2 τ gave two errors above τ in
+/// an earlier form of the step control. The condition is the same for the interval backwards in time.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -25,7 +25,8 @@ class EnergyWatch {
   using State = typename Model::State;
 
  public:
-  /// The object refers to `model`. `tolerance` is τ and `n_samples` is N in the condition above.
+  /// The object refers to `model`. `tolerance` is τ and `n_samples` is N in the condition above. `every_interval` is true
+  /// if every interval is watched.
   EnergyWatch(const Model& model, double tolerance, long n_samples, bool every_interval)
       : model_(model),
         most_(std::clamp(tolerance, 1e-9, 5e-4) / std::sqrt(static_cast<double>(n_samples))),

@@ -89,7 +89,7 @@ class ModelStepping {
   /// True if a failed interval between samples is integrated again with shorter steps: force evaluations are costly,
   /// and the step can change.
   bool repeats_intervals() const { return traits_.has_costly_force && adapts(); }
-  /// True if the energy of every interval is checked, and not only where the body is compressed (energy_watch.h).
+  /// True if the energy of every interval is checked, and not only of those with a small det F (energy_watch.h).
   bool watches_every_interval() const { return any_model_.has_fronts() && scene::starts_violently(context_.scene); }
   /// True if the numbers of steps are recorded, for the estimate of the time error (search/time_error.h).
   bool records_steps() const { return repeats_intervals() && context_.needs.comparison; }
