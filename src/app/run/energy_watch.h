@@ -25,8 +25,8 @@ class EnergyWatch {
   using State = typename Model::State;
 
  public:
-  /// The object refers to `model`. `tolerance` is τ and `n_samples` is N in the condition above. `every_interval` is true
-  /// if every interval is watched.
+  /// The object refers to `model`. `tolerance` is τ and `n_samples` is N in the condition above. `every_interval` is
+  /// true if every interval is watched.
   EnergyWatch(const Model& model, double tolerance, long n_samples, bool every_interval)
       : model_(model),
         most_(std::clamp(tolerance, 1e-9, 5e-4) / std::sqrt(static_cast<double>(n_samples))),
