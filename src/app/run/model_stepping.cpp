@@ -106,20 +106,20 @@ void ModelStepping::reconsider() {
 }
 
 void ModelStepping::end_interval(long k) {
-  constexpr int hold = 8;
+  constexpr int often = 3, hold = 8;
   position_.cursor = {k, 0};
   position_.steps_in_interval = 0;
   position_.halvings_after_failure = std::max(0, position_.halvings_after_failure - 1);
   int& halvings = position_.halvings_for_energy;
-  if (position_.energy_has_changed) {
-    const bool was_near = position_.halvings <= halvings + 1;
-    position_.n_held = was_near ? hold : 1;
+  position_.n_changes_of_energy = position_.energy_has_changed ? position_.n_changes_of_energy + 1 : 0;
+  position_.energy_has_changed = false;
+  if (position_.n_changes_of_energy >= often || (position_.n_changes_of_energy > 0 && halvings > 0)) {
+    position_.n_held = position_.halvings <= halvings + 1 ? hold : 1;
     halvings = std::min(position_.halvings, most_halvings_for_energy);
   } else if (halvings > 0 && --position_.n_held <= 0) {
     --halvings;
     position_.n_held = 1;
   }
-  position_.energy_has_changed = false;
 }
 
 int ModelStepping::halvings_within(double rattle_limit) const {

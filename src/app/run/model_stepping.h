@@ -93,10 +93,11 @@ class ModelStepping {
   bool watches_every_interval() const { return any_model_.has_fronts() && scene::starts_violently(context_.scene); }
   /// True if the numbers of steps are recorded, for the estimate of the time error (search/time_error.h).
   bool records_steps() const { return repeats_intervals() && context_.needs.comparison; }
-  /// Sets the position of the run at the sample k, the end of an interval. If the interval was integrated again because
-  /// the energy changed, the next interval has as many halvings. Each later interval without such a change has one
-  /// halving less. If the change asks for only one halving more than before, eight intervals keep this number first.
-  /// Otherwise every second interval of a motion that is violent for a long time would be integrated twice.
+  /// Sets the position of the run at the sample k, the end of an interval. If three intervals in succession were
+  /// integrated again because the energy changed, the next interval has as many halvings as the last of them. Each
+  /// later interval without such a change has one halving less. If a change then asks for only one halving more, eight
+  /// intervals keep this number first. Otherwise every second interval of a motion that is violent for a long time
+  /// would be integrated twice.
   void end_interval(long k);
   /// The numbers of steps of the intervals if another run gives them; null if this run chooses them.
   const std::vector<long>* given_steps() const {
