@@ -87,7 +87,7 @@ class Companion {
   Companion(const RunContext& context, const scene::Discretization& discretization, double factor)
       : mesh_(context, discretization),
         family_(mesh_.family(factor)),
-        round_off_(1e-11 * (1 + gravity_to_elasticity(context.scene))) {}
+        round_off_(mesh_.figures().accepted_residual() + 1e-11 * gravity_to_elasticity(context.scene)) {}
 
   /// Appends the errors of a row with these numbers: those of the parameter, the spin, the semi-axes and the rates. The
   /// error of the parameter is 0 for an ordinary member, for which `special` is null. `of_basis` is the error of the
@@ -131,7 +131,7 @@ class Companion {
 
   FamilyOnMesh mesh_;
   FigureFamily family_;
-  double round_off_;  ///< relative error of a figure from the tolerance of Newton's iteration; increases with gravity
+  double round_off_;  ///< relative error of a figure from the tolerance of Newton's iteration
 };
 
 }  // namespace

@@ -137,9 +137,14 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
   // For analyses other than motions, each cell has dense matrices: the stiffness, its factors, and with self-gravity a
   // part of the stiffness.
   const double entries_of_cell = std::pow(3 * std::pow(k + 1, 3), 2);
-  const int n_matrices = scene.analysis == scene::Analysis::motion               ? 0
-                         : loads::present(scene.loads.get<loads::SelfGravity>()) ? 3
-                                                                                 : 2;
+  const bool gravitates = loads::present(scene.loads.get<loads::SelfGravity>());
+  // V-cycles replace these matrices for figures of a large body (continuum/statics/tangent_solver.h). At each Gauss
+  // point, they have 45 numbers in double and in single precision, and with self-gravity another 45.
+  constexpr double most_factorized = 60000, bytes_of_point = 45 * (sizeof(double) + 2 * sizeof(float));
+  const bool has_cycles = scene.analysis == scene::Analysis::equilibrium && !scene.equilibria.small_motions &&
+                          n_unknowns > most_factorized && gravity_to_elasticity(scene) <= 100;
+  const int n_matrices = scene.analysis == scene::Analysis::motion || has_cycles ? 0 : gravitates ? 3 : 2;
+  const double of_cycles = has_cycles ? bytes_of_point * std::pow(k + 1, 3) * n_cells : 0;
   // Self-gravity couples all unknowns of the surface. Their matrix and its factors exist for up to eight parities, but
   // in modes only for a small surface (continuum/modes/rest_problem.h).
   constexpr double bytes_of_pair_at_surface = 8 * 2 * sizeof(double);
@@ -149,7 +154,7 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
   return {.n_unknowns = n_unknowns,
           .n_multipliers = n_multipliers,
           .bytes = bytes_of_unknown * n_unknowns + bytes_of_pair_of_multipliers * n_multipliers * n_pressure +
-                   n_matrices * sizeof(double) * entries_of_cell * n_cells + of_parities,
+                   n_matrices * sizeof(double) * entries_of_cell * n_cells + of_cycles + of_parities,
           .bytes_of_parities = of_parities,
           .checkpoint_bytes = (scene.time.step ? 1 : 2) * sizeof(double) *
                               (remembered_of_unknown * n_unknowns + remembered_of_multiplier * n_multipliers),

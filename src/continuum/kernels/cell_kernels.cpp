@@ -86,6 +86,13 @@ void CellKernels::add_reaction(const ConstraintTangent& at_x, const Vector& lamb
   add_to_owners(f);
 }
 
+void CellKernels::stiffness_product(const StiffnessTangent& tangent, const Vector& u, Vector& f) const {
+  const GhostValues of_u(u);
+  f = 0.0;
+  local_->add_stiffness_product(tangent, u.begin(), f.begin());
+  add_to_owners(f);
+}
+
 double CellKernels::add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const {
   const GhostValues of_x(x);
   const GhostValues of_v(v);

@@ -56,6 +56,11 @@ class CellKernels {
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f) const;
   /// f ← f + Σ λ_j D²g_j(v, ·), the rate of Gᵀλ along v at the positions x.
   void add_reaction_rate(const Vector& x, const Vector& v, const Vector& lambda, Vector& f) const;
+  /// The stiffness of the cells. `fill(cell, values)` must set values[entry·n_points + point] for the 45 entries of c
+  /// (stiffness_tangents.h) at the Gauss points of a cell, with the first local direction as the fastest index.
+  std::unique_ptr<StiffnessTangent> make_stiffness(const FillCell& fill) const { return local_->make_stiffness(fill); }
+  /// f = K u with the stiffness K of the tangent.
+  void stiffness_product(const StiffnessTangent& tangent, const Vector& u, Vector& f) const;
   /// f ← f + viscous force. Returns the power that this force dissipates on this rank.
   double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const;
 

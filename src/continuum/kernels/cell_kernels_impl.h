@@ -21,6 +21,7 @@
 #include "continuum/kernels/point_law.h"
 #include "continuum/kernels/pressure_at_nodes.h"
 #include "continuum/kernels/reaction_of_cells.h"
+#include "continuum/kernels/stiffness_tangents.h"
 
 namespace pseudorigid::continuum {
 
@@ -39,7 +40,7 @@ class DegreeKernels final : public LocalKernels {
   DegreeKernels(const DegreeKernels&) = delete;  // because members refer to other members
   DegreeKernels& operator=(const DegreeKernels&) = delete;
   DegreeKernels(const LocalCells& cells, std::unique_ptr<PointLaw<n_lanes>> law)
-      : law_(std::move(law)), planes_(cells), tangents_(planes_), branches_(planes_) {
+      : law_(std::move(law)), planes_(cells), tangents_(planes_), stiffness_(planes_), branches_(planes_) {
     law_->reserve_points(planes_.n_batches() * n * plane);
     for (std::size_t b = 0; b < planes_.n_batches(); ++b) {
       planes_.load_layers(batches_.reference_positions, b, buffers_.X);
@@ -135,6 +136,12 @@ class DegreeKernels final : public LocalKernels {
   }
   void add_reaction(const ConstraintTangent& at_x, const double* lambda, double* f) const override {
     tangents_.add_reaction(at_x, lambda, f);
+  }
+  std::unique_ptr<StiffnessTangent> make_stiffness(const FillCell& fill) const override {
+    return stiffness_.make(fill);
+  }
+  void add_stiffness_product(const StiffnessTangent& tangent, const double* u, double* f) const override {
+    stiffness_.add_product(tangent, u, f);
   }
 
   /// Subtracts ∫2ηJ d F⁻ᵀ : ∇φ dX with the viscosity η from f, and returns the dissipated power. In reference
@@ -361,6 +368,7 @@ class DegreeKernels final : public LocalKernels {
   const Batches& batches_ = planes_.batches;
   typename Planes::Buffers& buffers_ = planes_.buffers();
   ConstraintTangents<degree, n_lanes> tangents_;
+  StiffnessTangents<degree, n_lanes> stiffness_;
   CellBranches<degree, n_lanes> branches_;
 };
 

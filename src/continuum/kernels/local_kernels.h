@@ -46,6 +46,9 @@ using UseRows = std::function<void(unsigned int, std::span<const double>)>;
 /// A function of the deformation gradient F. Its argument points to the nine entries of F, row by row.
 using FunctionOfF = std::function<double(const double* F)>;
 
+/// A function that sets the values of a cell. It is called as `fill(cell, values)`.
+using FillCell = std::function<void(unsigned int, std::span<double>)>;
+
 enum class Precision { single_precision, double_precision };
 
 /// The derivative of the constraint at given positions, for many products (constraint_tangents.h). `precision` is that
@@ -58,6 +61,13 @@ class ConstraintTangent {
 
  private:
   Precision precision_;
+};
+
+/// The stiffness of the cells at given positions, for many products (stiffness_tangents.h).
+class StiffnessTangent {
+ public:
+  static constexpr int n_entries = 45;  ///< entries (row, column) with row ≤ column of a symmetric 9×9 matrix, by rows
+  virtual ~StiffnessTangent() = default;
 };
 
 class LocalKernels {
@@ -81,6 +91,8 @@ class LocalKernels {
   virtual void set_tangent(const double* x, ConstraintTangent& tangent) const = 0;
   virtual void constraint_rate(const ConstraintTangent& at_x, const double* v, double* r) const = 0;
   virtual void add_reaction(const ConstraintTangent& at_x, const double* lambda, double* f) const = 0;
+  virtual std::unique_ptr<StiffnessTangent> make_stiffness(const FillCell& fill) const = 0;
+  virtual void add_stiffness_product(const StiffnessTangent& tangent, const double* u, double* f) const = 0;
   virtual double add_viscous_force(double viscosity, const double* x, const double* v, double* f) const = 0;
   virtual const BranchKernels& branches() const = 0;
   virtual CellIntegrals integrals(const double* x, const double* v) const = 0;

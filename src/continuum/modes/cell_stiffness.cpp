@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <variant>
 
+#include "continuum/mesh/tensor_product.h"
 #include "materials/volumetric_energy.h"
 
 namespace pseudorigid::continuum {
@@ -13,9 +14,6 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 Eigen::MatrixXd table(const std::vector<double>& row_major, int n) {
   return Eigen::Map<const RowMajor>(row_major.data(), n, n);
 }
-
-/// The six pairs (i, k) of components with i ≤ k.
-constexpr int pair_first[] = {0, 0, 0, 1, 1, 2}, pair_second[] = {0, 1, 2, 1, 2, 2};
 
 /// Returns the tangent with the entries C_iJkL = C(H)_iJ for the gradient H whose only nonzero entry is H_kL = 1. The
 /// function `of` returns C(H).
@@ -81,53 +79,54 @@ CellStiffness::CellStiffness(const BallSpace& space) : space_(space), n_(space.r
   }
 }
 
-/// The derivatives ∂x_i/∂ξ_d of the nodal positions x at a Gauss point of a cell.
-Eigen::Matrix3d CellStiffness::by_reference(unsigned int cell, const Vector& x, int point) const {
+CellStiffness::Gradients CellStiffness::by_reference(unsigned int cell, const Vector& x) const {
   const auto& nodes = space_.cell_nodes(cell);
-  const int n = n_;
-  const std::array<int, 3> at{point % n, point / n % n, point / n / n};
-  Eigen::Matrix3d result = Eigen::Matrix3d::Zero();
-  for (int a = 0; a < n * n * n; ++a) {
-    const std::array<int, 3> node{a % n, a / n % n, a / n / n};
-    Eigen::RowVector3d gradient = Eigen::RowVector3d::Ones();
-    for (int d = 0; d < 3; ++d)
-      for (int t = 0; t < 3; ++t) gradient[d] *= (t == d ? derivatives_ : values_)(at[t], node[t]);
-    for (int i = 0; i < 3; ++i) result.row(i) += x.local_element(3 * nodes[a] + i) * gradient;
+  Gradients result(static_cast<Eigen::Index>(nodes.size()), 9);
+  Eigen::VectorXd component(result.rows());
+  for (unsigned int i = 0; i < 3; ++i) {
+    for (Eigen::Index a = 0; a < component.size(); ++a)
+      component[a] = x.local_element(3 * nodes[static_cast<std::size_t>(a)] + i);
+    for (int d = 0; d < 3; ++d) {
+      const auto along = [&](int t) -> const Eigen::MatrixXd& { return t == d ? derivatives_ : values_; };
+      result.col(3 * static_cast<int>(i) + d) = tensor_product(along(0), along(1), along(2), component);
+    }
   }
   return result;
 }
 
-CellStiffness::PointCoefficients CellStiffness::coefficients(unsigned int cell, const Vector& x,
-                                                             const TangentOfPoint& tangent) const {
+PointCoefficients CellStiffness::coefficients(unsigned int cell, const Vector& x, const TangentOfPoint& tangent) const {
   const ReferenceCell& ref = space_.reference_cell();
-  const int n = n_, n_points = n * n * n;
-  PointCoefficients c;
-  for (auto& pair : c)
-    for (auto& field : pair) field.resize(n_points);
-  for (int q = 0; q < n_points; ++q) {
-    const Eigen::Matrix3d jacobian = by_reference(cell, space_.reference_positions(), q);
+  const int n = n_;
+  const Gradients of_X = by_reference(cell, space_.reference_positions()), of_x = by_reference(cell, x);
+  const auto matrix = [](const Eigen::Matrix<double, 1, 9>& row) -> Eigen::Matrix3d {
+    return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(row.data());
+  };
+  PointCoefficients c(of_X.rows(), StiffnessTangent::n_entries);
+  for (int q = 0; q < of_X.rows(); ++q) {
+    const Eigen::Matrix3d jacobian = matrix(of_X.row(q));
     const Eigen::Matrix3d inverse = jacobian.inverse();  // entry (d, J) is ∂ξ_d/∂X_J
-    const Eigen::Matrix3d gradient = by_reference(cell, x, q) * inverse;
+    const Eigen::Matrix3d gradient = matrix(of_x.row(q)) * inverse;
     materials::Tensor<double> F;
     for (int i = 0; i < 3; ++i)
       for (int J = 0; J < 3; ++J) F(i, J) = gradient(i, J);
     const Tangent C_of_point = tangent(q, F);
     const double weight =
         jacobian.determinant() * ref.point_weights[q % n] * ref.point_weights[q / n % n] * ref.point_weights[q / n / n];
-    for (int pair = 0; pair < 6; ++pair) {
-      Eigen::Matrix3d C;
-      for (int J = 0; J < 3; ++J)
-        for (int L = 0; L < 3; ++L) C(J, L) = C_of_point(pair_first[pair], J, pair_second[pair], L);
-      const Eigen::Matrix3d pulled_back = weight * inverse * C * inverse.transpose();
-      for (int de = 0; de < 9; ++de) c[pair][de][q] = pulled_back(de / 3, de % 3);
-    }
+    for (int i = 0; i < 3; ++i)
+      for (int k = i; k < 3; ++k) {
+        Eigen::Matrix3d C;
+        for (int J = 0; J < 3; ++J)
+          for (int L = 0; L < 3; ++L) C(J, L) = C_of_point(i, J, k, L);
+        const Eigen::Matrix3d pulled_back = weight * inverse * C * inverse.transpose();
+        for (int d = 0; d < 3; ++d)
+          for (int e = i == k ? d : 0; e < 3; ++e) c(q, entry_of_c(3 * i + d, 3 * k + e)) = pulled_back(d, e);
+      }
   }
   return c;
 }
 
-/// The n³×n³ matrix Σ_de Σ_q c_de ∂_dφ_a ∂_eφ_b, with the basis functions φ_a and the Gauss points q. In direction t,
-/// the nodes a and b and the point q have the indices a_t, b_t and q_t.
-Eigen::MatrixXd CellStiffness::contract(const std::array<Eigen::VectorXd, 9>& c) const {
+/// In direction t, the nodes a and b and the point q have the indices a_t, b_t and q_t.
+Eigen::MatrixXd CellStiffness::contract(const PointCoefficients& c, int i, int k) const {
   const int n = n_, n2 = n * n;
   // Returns the index in products_ for one direction. The index has the summand 2 if ∂_d differentiates in this
   // direction, and the summand 1 if ∂_e does.
@@ -136,7 +135,8 @@ Eigen::MatrixXd CellStiffness::contract(const std::array<Eigen::VectorXd, 9>& c)
   for (auto& m : plane) m.setZero(n2 * n2, n);
   for (int de = 0; de < 9; ++de) {
     const Eigen::MatrixXd line =  // rows (a₀b₀), columns (q₁ q₂)
-        products_[pattern(de, 0)].transpose() * Eigen::Map<const Eigen::MatrixXd>(c[de].data(), n, n2);
+        products_[pattern(de, 0)].transpose() *
+        Eigen::Map<const Eigen::MatrixXd>(c.col(entry_of_c(3 * i + de / 3, 3 * k + de % 3)).data(), n, n2);
     for (int q = 0; q < n; ++q)
       Eigen::Map<Eigen::MatrixXd>(plane[pattern(de, 2)].col(q).data(), n2, n2).noalias() +=
           line.middleCols(q * n, n) * products_[pattern(de, 1)];
@@ -157,20 +157,35 @@ Eigen::MatrixXd CellStiffness::contract(const std::array<Eigen::VectorXd, 9>& c)
   return result;
 }
 
-Eigen::MatrixXd CellStiffness::cell_matrix(unsigned int cell, const Vector& x, const TangentOfPoint& tangent) const {
-  const PointCoefficients c = coefficients(cell, x, tangent);
+Eigen::MatrixXd CellStiffness::cell_matrix(const PointCoefficients& c) const {
   const int n_nodes = n_ * n_ * n_;
   Eigen::MatrixXd K(3 * n_nodes, 3 * n_nodes);
-  for (int pair = 0; pair < 6; ++pair) {
-    const int i = pair_first[pair], k = pair_second[pair];
-    const Eigen::MatrixXd block = contract(c[pair]);
-    for (int b = 0; b < n_nodes; ++b)
-      for (int a = 0; a < n_nodes; ++a) {
-        K(3 * a + i, 3 * b + k) = block(a, b);
-        K(3 * b + k, 3 * a + i) = block(a, b);
-      }
-  }
+  for (int i = 0; i < 3; ++i)
+    for (int k = i; k < 3; ++k) {
+      const Eigen::MatrixXd block = contract(c, i, k);
+      for (int b = 0; b < n_nodes; ++b)
+        for (int a = 0; a < n_nodes; ++a) {
+          K(3 * a + i, 3 * b + k) = block(a, b);
+          K(3 * b + k, 3 * a + i) = block(a, b);
+        }
+    }
   return K;
+}
+
+Eigen::VectorXd CellStiffness::diagonal(const PointCoefficients& c) const {
+  // products_ for a = b, as maps from the points of one direction to its nodes
+  std::array<Eigen::MatrixXd, 4> squares;
+  for (std::size_t p = 0; p < 4; ++p) squares[p] = products_[p](Eigen::all, Eigen::seqN(0, n_, n_ + 1)).transpose();
+  const int n_nodes = n_ * n_ * n_;
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(3 * n_nodes);
+  for (int i = 0; i < 3; ++i)
+    for (int d = 0; d < 3; ++d)
+      for (int e = 0; e < 3; ++e) {
+        const auto of = [&](int t) -> const Eigen::MatrixXd& { return squares[2 * (t == d) + (t == e)]; };
+        result(Eigen::seqN(i, n_nodes, 3)) +=
+            tensor_product(of(0), of(1), of(2), c.col(entry_of_c(3 * i + d, 3 * i + e)));
+      }
+  return result;
 }
 
 }  // namespace pseudorigid::continuum

@@ -10,14 +10,15 @@
 /// with the basis functions φ_a. At rest, F = Id. In an incompressible body, λ_h then balances the stress of the law
 /// (materials/rest_moduli.h).
 ///
-/// Let c^ik_de = w det(∂X/∂ξ) (∂ξ_d/∂X_J) C_iJkL (∂ξ_e/∂X_L) at the Gauss points with the weights w. The derivative
-/// ∂_dφ_a is a product of one-dimensional functions. Therefore the sum K^ik_ab = Σ_de Σ_q c^ik_de ∂_dφ_a ∂_eφ_b over
+/// Let c_(id)(ke) = w det(∂X/∂ξ) (∂ξ_d/∂X_J) C_iJkL (∂ξ_e/∂X_L) at the Gauss points with the weights w. The derivative
+/// ∂_dφ_a is a product of one-dimensional functions. Therefore the sum K^ik_ab = Σ_de Σ_q c_(id)(ke) ∂_dφ_a ∂_eφ_b over
 /// the points q is computed one direction after the other. This takes O(n⁷) operations for a cell with n³ nodes.
 
 #include <Eigen/Core>
 #include <array>
 #include <functional>
 
+#include "continuum/kernels/local_kernels.h"
 #include "continuum/kernels/stored_energy.h"
 #include "continuum/mesh/ball_space.h"
 #include "materials/rest_moduli.h"
@@ -55,19 +56,32 @@ struct RestElasticity {
 /// direction is the fastest index of the points.
 using TangentOfPoint = std::function<Tangent(int point, const materials::Tensor<double>& F)>;
 
+/// The numbers c of a cell, with a row for each Gauss point. As a matrix with the rows (i, d) and the columns (k, e), c
+/// is symmetric. The columns are its entries (r, s) with r ≤ s, by rows; `entry_of_c` returns the index for r = 3i + d
+/// and s = 3k + e in any order.
+using PointCoefficients = Eigen::Matrix<double, Eigen::Dynamic, StiffnessTangent::n_entries>;
+constexpr int entry_of_c(int r, int s) { return r > s ? entry_of_c(s, r) : 9 * r - r * (r - 1) / 2 + s - r; }
+
 class CellStiffness {
  public:
   explicit CellStiffness(const BallSpace& space);
+  PointCoefficients coefficients(unsigned int cell, const Vector& x, const TangentOfPoint& tangent) const;
+  /// K of a cell with the numbers c. The indices of the rows and columns are those of the other cell_matrix.
+  Eigen::MatrixXd cell_matrix(const PointCoefficients& c) const;
+  /// The diagonal of cell_matrix(c).
+  Eigen::VectorXd diagonal(const PointCoefficients& c) const;
   /// K of a cell at the positions x. The indices of the rows and columns are 3·node + component, with the order of
   /// nodes of BallSpace::cell_nodes.
-  Eigen::MatrixXd cell_matrix(unsigned int cell, const Vector& x, const TangentOfPoint& tangent) const;
+  Eigen::MatrixXd cell_matrix(unsigned int cell, const Vector& x, const TangentOfPoint& tangent) const {
+    return cell_matrix(coefficients(cell, x, tangent));
+  }
 
  private:
-  /// The numbers c^ik_de: [pair i ≤ k][3d + e], each at all points of a cell.
-  using PointCoefficients = std::array<std::array<Eigen::VectorXd, 9>, 6>;
-  PointCoefficients coefficients(unsigned int cell, const Vector& x, const TangentOfPoint& tangent) const;
-  Eigen::Matrix3d by_reference(unsigned int cell, const Vector& x, int point) const;
-  Eigen::MatrixXd contract(const std::array<Eigen::VectorXd, 9>& c) const;
+  /// The derivatives ∂x_i/∂ξ_d of the nodal positions x at the Gauss points of a cell: (point, 3i + d).
+  using Gradients = Eigen::Matrix<double, Eigen::Dynamic, 9>;
+  Gradients by_reference(unsigned int cell, const Vector& x) const;
+  /// The n³×n³ matrix of the products of the components i and k: Σ_de Σ_q c_(id)(ke) ∂_dφ_a ∂_eφ_b.
+  Eigen::MatrixXd contract(const PointCoefficients& c, int i, int k) const;
 
   const BallSpace& space_;
   int n_;

@@ -64,8 +64,13 @@ std::vector<Eigen::Index> LinearProblem::unknowns_at_surface(const ParitySector&
   return indices;
 }
 
-std::vector<FaceSprings> LinearProblem::add_springs(
-    const std::function<Eigen::Vector3d(const FacePoint& point)>& along) {
+void LinearProblem::add_springs(const std::vector<FaceSprings>& springs) {
+  for (const FaceSprings& of_face : springs)
+    stiffness[of_face.cell](of_face.places, of_face.places) += of_face.rows.transpose() * of_face.rows;
+}
+
+std::vector<FaceSprings> springs_at_surface(const BallSpace& space,
+                                            const std::function<Eigen::Vector3d(const FacePoint& point)>& along) {
   std::vector<FaceSprings> springs;
   for (const CellFace& face : free_surface(space)) {
     const auto& nodes = space.cell_nodes(face.cell);
@@ -84,7 +89,6 @@ std::vector<FaceSprings> LinearProblem::add_springs(
         of_face.rows.row(row).segment<3>(first.at(n.node)) += n.value * spring;
       ++row;
     }
-    stiffness[face.cell](of_face.places, of_face.places) += of_face.rows.transpose() * of_face.rows;
     springs.push_back(std::move(of_face));
   }
   return springs;

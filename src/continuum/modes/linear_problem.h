@@ -37,6 +37,11 @@ struct FaceSprings {
   Eigen::MatrixXd rows;
 };
 
+/// Returns a spring for each quadrature point of the free surface. It acts along the vector `along(point)`, and its
+/// stiffness is the square of the length of this vector times the quadrature weight.
+std::vector<FaceSprings> springs_at_surface(const BallSpace& space,
+                                            const std::function<Eigen::Vector3d(const FacePoint& point)>& along);
+
 /// The product ρg of density and gravity at the surface of the ball, g = (4/3)πGρr, in internal units with ρ = r = 1. G
 /// is Newton's constant.
 inline double weight_of_density(double G) { return 4 * std::numbers::pi / 3 * G; }
@@ -71,10 +76,8 @@ struct LinearProblem {
   void set_constraint(const CellKernels& kernels, const Vector& x);
   /// Sets `stiffness` and `is_shared`. The function `of_cell` returns K of a cell, to which set_stiffness adds γGᵀG.
   void set_stiffness(const std::function<Eigen::MatrixXd(unsigned int cell)>& of_cell);
-  /// Adds a spring at each quadrature point of the free surface to `stiffness`, which set_stiffness must have set. A
-  /// spring acts along the vector `along(point)`, and its stiffness is the square of the length of this vector times
-  /// the quadrature weight. Returns the springs.
-  std::vector<FaceSprings> add_springs(const std::function<Eigen::Vector3d(const FacePoint& point)>& along);
+  /// Adds springs to `stiffness`, which set_stiffness must have set.
+  void add_springs(const std::vector<FaceSprings>& springs);
   /// Declares that E is a matrix of the unknowns of the free surface. Must be called after set_stiffness.
   void couple_surface();
   /// The indices, in the vectors of the sector, of the displacements of nodes on the free surface.

@@ -20,10 +20,11 @@ RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels
     return cells.cell_matrix(cell, X, [&](int, const auto&) { return elasticity.tangent; });
   });
   if (weight_of_density == 0) return;
-  const auto springs = add_springs([&](const FacePoint& point) -> Eigen::Vector3d {
+  const auto springs = springs_at_surface(space, [&](const FacePoint& point) -> Eigen::Vector3d {
     const FacePoint::Jet at = point.jet(X);
     return std::sqrt(weight_of_density * at.by_p.cross(at.by_q).norm()) * at.u.normalized();
   });
+  add_springs(springs);
   const auto degree = static_cast<std::size_t>(space.degree());
   factorises_gravity_ = 3 * springs.size() * degree * degree <= most_coupled;
   if (factorises_gravity_) couple_surface();

@@ -11,8 +11,9 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Relative tolerance of GMRES. Later steps of Newton's iteration correct the remaining error.
-constexpr double tolerance_of_gmres = 1e-8;
+/// Smallest and largest relative tolerance of the linear equations. The smallest one is also that of the derivatives
+/// along a family.
+constexpr double least_tolerance = 1e-8, largest_tolerance = 1e-3;
 
 constexpr std::array<bool, 3> octant{true, true, true};
 
@@ -47,6 +48,7 @@ BallFigures::BallFigures(const FigureSetup& setup, SectorRanks ranks)
     : stored_(setup.stored),
       incompressible_(setup.incompressible),
       kind_(setup.drive),
+      n_refinements_(setup.n_refinements),
       ranks_(ranks),
       body_(make_body(setup)),
       forcing_(forcing_of(setup)) {
@@ -191,17 +193,15 @@ struct BallFigures::Factors {
   Factors(const BallFigures& figures, const Figure& figure, const HeldDirection* held)
       : x(figures.positions(figure)),
         lambda(figures.multiplier(figure)),
-        problem(figures.state(x, lambda, figure.drive), 0, held),
-        sector(problem, parity_of_sector(0)) {}
+        solver(make_tangent_solver(figures.state(x, lambda, figure.drive), held, figures.n_refinements_)) {}
 
   Vector x, lambda;
-  TangentProblem problem;
-  ParitySector sector;
+  std::unique_ptr<TangentSolver> solver;
 };
 
 BallFigures::~BallFigures() = default;
 
-mechanics::Status BallFigures::solve_linear(const Figure& figure, const HeldDirection* held,
+mechanics::Status BallFigures::solve_linear(const Figure& figure, const HeldDirection* held, double tolerance,
                                             const std::vector<std::pair<Vector, Vector>>& right_sides,
                                             std::vector<Figure>& changes) const {
   std::unique_ptr<Factors> of_held;
@@ -209,20 +209,18 @@ mechanics::Status BallFigures::solve_linear(const Figure& figure, const HeldDire
   if (held || !reuses_factors_ || !factors) {
     factors = std::make_unique<Factors>(*this, figure, held);
     ++counts_.factorizations;
-    if (auto status = factors->sector.factorize(); !status) {
+    if (auto status = factors->solver->factorize(); !status) {
       factors.reset();
       return status;
     }
   }
-  const ParitySector& sector = factors->sector;
   changes.clear();
   for (const auto& [f, h] : right_sides) {
-    Eigen::VectorXd u, of_lambda;
-    const Eigen::VectorXd of_constraint = incompressible_ ? entries(h) : Eigen::VectorXd();
-    const auto report = sector.solve(sector.entries_of(f), of_constraint, tolerance_of_gmres, u, of_lambda);
+    Vector u = body_->make_vector(), of_lambda = h;
+    const auto report = factors->solver->solve(f, h, tolerance, u, of_lambda);
     if (!report.status) return report.status;
     counts_.linear_products += report.iterations;
-    changes.push_back({entries(sector.field_of(u)), of_lambda});
+    changes.push_back({entries(u), entries(of_lambda)});
     symmetrize(changes.back().x);
   }
   return {};
@@ -230,13 +228,14 @@ mechanics::Status BallFigures::solve_linear(const Figure& figure, const HeldDire
 
 mechanics::Status BallFigures::solve_with_condition(const Condition& condition, const Figure& figure, const Vector& f,
                                                     const Vector& minus_g, const Vector& drive, double c,
-                                                    Figure& change) const {
+                                                    double tolerance, Figure& change) const {
   const HeldDirection held = axis_direction(condition);
   const Vector no_constraint = incompressible_ ? body_->space().make_multiplier() : Vector();
   Vector of_held = f;
   of_held.add(held.stiffness * c, held.w);
   std::vector<Figure> found;
-  if (auto status = solve_linear(figure, &held, {{of_held, minus_g}, {drive, no_constraint}}, found); !status)
+  if (auto status = solve_linear(figure, &held, tolerance, {{of_held, minus_g}, {drive, no_constraint}}, found);
+      !status)
     return status;
   change = found[0];
   found[1].drive = 1;
@@ -245,30 +244,33 @@ mechanics::Status BallFigures::solve_with_condition(const Condition& condition, 
 }
 
 mechanics::Status BallFigures::step(const Condition& condition, const Figure& figure, const Terms& now,
-                                    Figure& step) const {
+                                    double tolerance, Figure& step) const {
   Vector r = now.residual(figure.drive), minus_g = now.constraint;
   if (incompressible_) minus_g *= -1;
   if (condition.parameter != mechanics::FigureParameter::drive) {
     const double excess = axis_direction(condition).w * positions(figure);
-    return solve_with_condition(condition, figure, r, minus_g, now.drive, -excess, step);
+    return solve_with_condition(condition, figure, r, minus_g, now.drive, -excess, tolerance, step);
   }
   const double change = condition.value - figure.drive;
   r.add(change, now.drive);
   std::vector<Figure> found;
-  if (auto status = solve_linear(figure, nullptr, {{r, minus_g}}, found); !status) return status;
+  if (auto status = solve_linear(figure, nullptr, tolerance, {{r, minus_g}}, found); !status) return status;
   step = found[0];
   step.drive = change;
   return {};
 }
 
+double BallFigures::accepted_residual() const {
+  // At γ = 1000 the residual does not fall below about 1.5e-11, and at λ/μ = 1000 not below 5e-11.
+  const auto moduli = materials::moduli_at_rest(stored_.law, incompressible_);
+  const double gamma = weight_of_density(forcing_.gravity_constant) / moduli.shear;
+  return 1e-11 * (std::min(10.0, 1 + gamma) + (incompressible_ ? 0 : moduli.lame / moduli.shear / 100));
+}
+
 mechanics::Status BallFigures::newton_here(const Condition& condition, Figure& figure) const {
   constexpr int max_iterations = 60, max_halvings = 12;
   constexpr double slow = 0.2;  // a slower decrease of the residual needs a new tangent
-  // The round-off of the forces grows with γ = ρgr/μ: at γ = 1000 the residual does not fall below about 1.5e-11. The
-  // error bars of figures contain the larger bound 1e-11 (1 + γ).
-  const double gamma =
-      weight_of_density(forcing_.gravity_constant) / materials::moduli_at_rest(stored_.law, incompressible_).shear;
-  const double accepted = 1e-11 * std::min(10.0, 1 + gamma);
+  const double accepted = accepted_residual();
   Figure kept = figure;
   double best = std::numeric_limits<double>::infinity();
   const bool can_reuse = condition.parameter == mechanics::FigureParameter::drive;
@@ -291,13 +293,14 @@ mechanics::Status BallFigures::newton_here(const Condition& condition, Figure& f
     }
     if (!computed) return computed;
     if (!std::isfinite(size)) break;
-    if (i > 0) reuses_factors_ = can_reuse && size < slow * best;
+    if (i > 0) reuses_factors_ = can_reuse && size < slow * best && factors_ && !factors_->solver->factors_are_cheap();
     if (size < best) best = size, kept = figure;
     if (size == 0) break;
     Figure full;
     ++counts_.newton;
     reused = reuses_factors_;
-    const mechanics::Status solved = step(condition, figure, now, full);
+    const double tolerance = reused ? largest_tolerance : std::clamp(size, least_tolerance, largest_tolerance);
+    const mechanics::Status solved = step(condition, figure, now, tolerance, full);
     if (!solved || !full.x.allFinite()) {
       if (std::exchange(reused, false)) continue;  // `figure` is `kept`, so the next step has a new tangent
       if (best <= accepted || solved) break;
@@ -325,7 +328,7 @@ BallFigures::Figure BallFigures::tangent_here(const Condition& condition, const 
   const Vector no_constraint = incompressible_ ? body_->space().make_multiplier() : Vector();
   if (condition.parameter == mechanics::FigureParameter::drive) {
     std::vector<Figure> found;
-    if (!solve_linear(figure, nullptr, {{now.drive, no_constraint}}, found)) return none;
+    if (!solve_linear(figure, nullptr, least_tolerance, {{now.drive, no_constraint}}, found)) return none;
     found[0].drive = 1;
     return found[0];
   }
@@ -333,7 +336,9 @@ BallFigures::Figure BallFigures::tangent_here(const Condition& condition, const 
   // derivative of x.
   const double c = std::exp(condition.value) * body_->mass_moment(positions(figure))(0, 0);
   Figure along;
-  if (!solve_with_condition(condition, figure, body_->make_vector(), no_constraint, now.drive, c, along)) return none;
+  if (!solve_with_condition(condition, figure, body_->make_vector(), no_constraint, now.drive, c, least_tolerance,
+                            along))
+    return none;
   return along;
 }
 

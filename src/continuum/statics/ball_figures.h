@@ -12,15 +12,17 @@
 /// do not make K singular.
 ///
 /// The equations are solved by Newton's iteration. Each step solves K δx − Gᵀδλ = r, Gδx = −g with the tangent K
-/// (tangent_problem.h), by GMRES with a factorisation of the cells as the preconditioner (modes/parity_sector.h). If
+/// (tangent_problem.h), by GMRES (tangent_solver.h). If
 /// the condition of the figure is a ratio of two axes, δν is also unknown, and the condition is w·δx = c with a vector
 /// w. K is singular if the family has a fold. Therefore δx is then the sum of two solutions with K + σwwᵀ in place of K
 /// and a number σ > 0:
 ///
 ///   δx = u₀ + δν u₁,   (K + σwwᵀ)u₀ − Gᵀδλ₀ = r + σcw,   (K + σwwᵀ)u₁ − Gᵀδλ₁ = h,   w·δx = c.
 ///
-/// A step with the ν of the condition keeps the tangent of an earlier step as long as the residual falls by a factor of
-/// 5 or more in each step. A factorisation takes about as long as four steps with known factors.
+/// If a factorisation takes much longer than a solution, a step with the ν of the condition keeps the tangent of an
+/// earlier step as long as the residual falls by a factor of 5 or more in each step. The linear equations of a step are
+/// solved with the relative tolerance r, or 0.001 if r is larger or the tangent is an earlier one. r is the residual
+/// relative to the terms. Newton's iteration then still converges quadratically (Dembo, Eisenstat & Steihaug 1982).
 ///
 /// K is also singular at a bifurcation to figures that are not symmetric about axis 3. The search for a spheroid is
 /// therefore restricted to positions that are symmetric under the exchange of the axes 1 and 2. These positions exclude
@@ -34,9 +36,8 @@
 
 #include "continuum/body/compressible_ball.h"
 #include "continuum/body/elastic_ball.h"
-#include "continuum/modes/parity_sector.h"
 #include "continuum/parallel/sector_ranks.h"
-#include "continuum/statics/tangent_problem.h"
+#include "continuum/statics/tangent_solver.h"
 #include "mechanics/equilibria/figures.h"
 
 namespace pseudorigid::continuum {
@@ -77,6 +78,9 @@ class BallFigures final : public mechanics::FigureEquations {
   const SectorRanks& ranks() const { return ranks_; }
   Drive drive() const { return kind_; }
   const loads::Forcing& forcing() const { return forcing_; }  ///< the sum of the loads
+  /// The largest residual, relative to the terms, of a figure that Newton's iteration accepts. It grows with the
+  /// round-off of the forces, and so with ρgr and the Lamé modulus over the shear modulus.
+  double accepted_residual() const;
   double typical_stiffness() const { return continuum::typical_stiffness(stored_, incompressible_, forcing_); }
   /// `permits_rotation_of_space` is true if rotations of space about the axis do not change the energy.
   /// `permits_rotation_of_ball` is true if rotations of the undeformed ball about the axis do not change the energy.
@@ -136,16 +140,19 @@ class BallFigures final : public mechanics::FigureEquations {
   /// Solves K δx − Gᵀδλ = f, G δx = h at a figure, for each pair of right sides (f, h). Sets `changes` to the
   /// solutions, with δν = 0. For a spheroid, each δx is then symmetrized (`symmetrize`). Fails if K cannot be
   /// factorised or GMRES does not converge. If `held` is not null, K contains the term σwwᵀ of `held`. Otherwise, and
-  /// if reuses_factors_ is true, K and G are those of the last call without `held`.
-  mechanics::Status solve_linear(const Figure& figure, const HeldDirection* held,
+  /// if reuses_factors_ is true, K and G are those of the last call without `held`. The tolerance is relative.
+  mechanics::Status solve_linear(const Figure& figure, const HeldDirection* held, double tolerance,
                                  const std::vector<std::pair<Vector, Vector>>& right_sides,
                                  std::vector<Figure>& changes) const;
   /// Sets `change` to the solution (δx, δλ, δν) of K δx − δν h − Gᵀδλ = f, G δx = minus_g and w·δx = c. The vector w is
   /// that of a condition on the ratio of axes, and `drive` is h.
   mechanics::Status solve_with_condition(const Condition& condition, const Figure& figure, const Vector& f,
-                                         const Vector& minus_g, const Vector& drive, double c, Figure& change) const;
-  /// Sets `step` to the step of Newton's iteration from `figure`, whose terms are `now`.
-  mechanics::Status step(const Condition& condition, const Figure& figure, const Terms& now, Figure& step) const;
+                                         const Vector& minus_g, const Vector& drive, double c, double tolerance,
+                                         Figure& change) const;
+  /// Sets `step` to the step of Newton's iteration from `figure`, whose terms are `now`. The tolerance is that of the
+  /// linear equations.
+  mechanics::Status step(const Condition& condition, const Figure& figure, const Terms& now, double tolerance,
+                         Figure& step) const;
   /// Returns the vector w with w·x = a_k − b a₁ for each field x, whose affine part is A = diag(a). The axis k and the
   /// ratio b = exp(value) are those of the condition. The result also contains σ (`stiffness`).
   HeldDirection axis_direction(const Condition& condition) const;
@@ -162,6 +169,7 @@ class BallFigures final : public mechanics::FigureEquations {
   StoredEnergy stored_;
   bool incompressible_;
   Drive kind_;
+  int n_refinements_;
   SectorRanks ranks_;
   std::shared_ptr<const BallBody> body_;  ///< shared, because BallBody has no virtual destructor
   loads::Forcing forcing_;

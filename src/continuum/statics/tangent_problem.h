@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "continuum/body/ball_body.h"
+#include "continuum/modes/cell_stiffness.h"
 #include "continuum/modes/parity_sector.h"
 #include "mechanics/equilibria/figures.h"
 
@@ -48,6 +49,23 @@ struct HeldDirection {
   double stiffness;  ///< factor σ
 };
 
+/// The factor of the constraint in the tangent of the cells: the multiplier, or the mean stress of the law.
+enum class Balance { multiplier, mean_stress };
+/// The numbers c (modes/cell_stiffness.h) of a cell, for the tangent of the stored energy, of the pressure and of the
+/// constraint.
+PointCoefficients tangent_coefficients(const CellStiffness& cells, const FigureState& state, unsigned int cell,
+                                       Balance balance);
+/// The springs of the preconditioner, for nodal positions x on a space. The weight is ρg.
+std::vector<FaceSprings> springs_of_gravity(const BallSpace& space, const Vector& x, double weight);
+/// The derivative of the force of gravity along u, with the opposite sign.
+Vector rate_of_gravity(const FigureState& state, const Vector& u, const Parity& parity);
+/// Adds the forces of springs that act on u, with the opposite sign.
+void add_rate_of_springs(const BallSpace& space, const std::vector<FaceSprings>& springs, double factor,
+                         const Vector& u, Vector& force);
+/// Adds the product of u with the terms of E that are neither of the cells nor of gravity: those of the drive, and
+/// σwwᵀ if `held` is not null.
+void add_rate_beyond_cells(const FigureState& state, const HeldDirection* held, const Vector& u, Vector& force);
+
 class TangentProblem final : public LinearProblem {
  public:
   /// The objects to which `state` refers must outlive this object. `shift` is s of parity_sector.h. If the shift is
@@ -62,13 +80,6 @@ class TangentProblem final : public LinearProblem {
   /// springs, which couple the unknowns of the surface. `rate_within` computes the other terms.
   Vector rate_at_surface(const Vector& u, const Parity& parity) const;
   Vector rate_within(const Vector& u) const;
-  /// `of_cell` returns the entries of a nodal vector at the nodes of a cell. `add_of_cell` adds such entries to f.
-  Eigen::VectorXd of_cell(unsigned int cell, const Vector& u) const;
-  void add_of_cell(unsigned int cell, const Eigen::VectorXd& local, Vector& f) const;
-
-  /// The diagonal of −Ω²P for a rotation, or of νT for a ball at rest: the stiffness per mass of the centrifugal force
-  /// or of the quadratic potential. The planes of the octant are planes of symmetry, so T is diagonal.
-  Eigen::Vector3d rate_of_drive() const;
 
   FigureState state_;
   bool definite_;  ///< true if the shift is positive

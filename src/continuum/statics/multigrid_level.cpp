@@ -1,0 +1,193 @@
+#include "continuum/statics/multigrid_level.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "continuum/mesh/tensor_product.h"
+#include "continuum/modes/largest_eigenpairs.h"
+#include "continuum/statics/tangent_problem.h"
+
+namespace pseudorigid::continuum {
+namespace {
+
+constexpr int n_smoothing_steps = 4;
+constexpr double smoothing_range = 20;         // b/a
+constexpr double tolerance_of_largest = 1e-2;  // relative; the iteration approaches the eigenvalue from below
+constexpr double safety = 1.1;                 // b over the largest eigenvalue that is found
+
+/// The Lagrange polynomials on `nodes` at `points`: (point, node).
+Eigen::MatrixXd lagrange_table(const std::vector<double>& nodes, const std::vector<double>& points) {
+  Eigen::MatrixXd table(points.size(), nodes.size());
+  for (std::size_t q = 0; q < points.size(); ++q)
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      table(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(i)) = lagrange(nodes, i, points[q]);
+  return table;
+}
+
+/// The quadrature weights of the reference cell.
+Eigen::VectorXd unit_weights(const ReferenceCell& ref) {
+  Eigen::VectorXd w(ref.n * ref.n * ref.n);
+  for (int q = 0; q < w.size(); ++q)
+    w[q] = ref.point_weights[q % ref.n] * ref.point_weights[q / ref.n % ref.n] * ref.point_weights[q / ref.n / ref.n];
+  return w;
+}
+
+}  // namespace
+
+std::unique_ptr<StiffnessTangent> make_stiffness(const CellKernels& kernels, const StiffnessCoefficients& c) {
+  return kernels.make_stiffness([&](unsigned int cell, std::span<double> values) {
+    std::copy_n(c[cell].data(), c[cell].size(), values.begin());
+  });
+}
+
+MultigridLevel::MultigridLevel(const BallBody& body, const StoredEnergy& stored, int n_refinements, int degree,
+                               bool smooths)
+    : own_space_(degree == body.space().degree()
+                     ? nullptr
+                     : std::make_unique<BallSpace>(BallMesh(body.space().mesh().sector(), n_refinements), degree)),
+      own_kernels_(own_space_ && smooths ? make_cell_kernels(*own_space_, stored) : nullptr),
+      space_(own_space_ ? own_space_.get() : &body.space()),
+      kernels_(own_space_ ? own_kernels_.get() : &body.kernels()),
+      cells_(*space_),
+      share_(space_->n_nodes(), 0) {
+  for (const auto& nodes : space_->cells())
+    for (const unsigned int node : nodes) ++share_[node];
+  for (double& s : share_) s = 1 / s;
+}
+
+void MultigridLevel::clear_fixed(Vector& f) const {
+  const double* inverse_mass = space_->inverse_mass().begin();
+  double* values = f.begin();
+  for (std::size_t i = 0; i < f.locally_owned_size(); ++i)
+    if (inverse_mass[i] == 0) values[i] = 0;
+}
+
+mechanics::Status MultigridLevel::set(const StiffnessCoefficients& c, std::vector<FaceSprings> springs) {
+  springs_ = std::move(springs);
+  if (!kernels_) return {};
+  inverse_diagonal_ = make_vector();
+  for (unsigned int cell = 0; cell < space_->n_cells(); ++cell) {
+    const Eigen::VectorXd of_cell = cells_.diagonal(c[cell]);
+    Eigen::Index i = 0;
+    for (const unsigned int node : space_->cell_nodes(cell))
+      for (unsigned int k = 0; k < 3; ++k) inverse_diagonal_.local_element(3 * node + k) += of_cell[i++];
+  }
+  for (const FaceSprings& face : springs_)
+    for (std::size_t i = 0; i < face.places.size(); ++i) {
+      const auto place = static_cast<unsigned int>(face.places[i]);
+      inverse_diagonal_.local_element(3 * space_->cell_nodes(face.cell)[place / 3] + place % 3) +=
+          face.rows.col(static_cast<Eigen::Index>(i)).squaredNorm();
+    }
+  for (unsigned int i = 0; i < 3 * space_->n_nodes(); ++i) {
+    double& d = inverse_diagonal_.local_element(i);
+    if (!(d > 0)) return mechanics::Status::failure("the stiffness has a diagonal entry that is not positive");
+    d = 1 / d;
+  }
+  clear_fixed(inverse_diagonal_);
+  stiffness_ = make_stiffness(*kernels_, c);
+  return find_largest_eigenvalue();
+}
+
+mechanics::Status MultigridLevel::find_largest_eigenvalue() {
+  Vector u = make_vector(), f = make_vector();
+  const LinearOperator scaled = [&](std::span<const double> in, std::span<double> out) -> mechanics::Status {
+    for (std::size_t i = 0; i < in.size(); ++i) u.begin()[i] = std::sqrt(inverse_diagonal_.begin()[i]) * in[i];
+    product(u, f);
+    for (std::size_t i = 0; i < in.size(); ++i) out[i] = std::sqrt(inverse_diagonal_.begin()[i]) * f.begin()[i];
+    return {};
+  };
+  std::vector<EigenPair> largest;
+  const auto status = append_largest_eigenpairs(scaled, u.locally_owned_size(), 1, tolerance_of_largest, largest);
+  if (status) largest_ = safety * largest.front().value;
+  return status;
+}
+
+StiffnessCoefficients MultigridLevel::interpolate(const MultigridLevel& finer, const StiffnessCoefficients& c) const {
+  const ReferenceCell &from = finer.space().reference_cell(), &to = space_->reference_cell();
+  const Eigen::MatrixXd table = lagrange_table(from.points, to.points);
+  const Eigen::VectorXd weights = unit_weights(to), inverse_weights = unit_weights(from).cwiseInverse();
+  StiffnessCoefficients result(c.size(), PointCoefficients(weights.size(), StiffnessTangent::n_entries));
+  for (std::size_t cell = 0; cell < c.size(); ++cell)
+    for (Eigen::Index k = 0; k < result[cell].cols(); ++k)
+      result[cell].col(k) =
+          weights.cwiseProduct(tensor_product(table, table, table, c[cell].col(k).cwiseProduct(inverse_weights)));
+  return result;
+}
+
+void MultigridLevel::product(const Vector& u, Vector& f) const {
+  kernels_->stiffness_product(*stiffness_, u, f);
+  add_rate_of_springs(*space_, springs_, 1, u, f);
+  clear_fixed(f);
+}
+
+void MultigridLevel::residual(const Vector& f, const Vector& u, Vector& r) const {
+  product(u, r);
+  const double* force = f.begin();
+  double* rest = r.begin();
+  for (std::size_t i = 0, n = f.locally_owned_size(); i < n; ++i) rest[i] = force[i] - rest[i];
+}
+
+void MultigridLevel::smooth(const Vector& f, Vector& r, Vector& u) const {
+  const double least = largest_ / smoothing_range, theta = (largest_ + least) / 2, delta = (largest_ - least) / 2;
+  Vector change = make_vector();
+  const double *D = inverse_diagonal_.begin(), *rest = r.begin();
+  double *s = change.begin(), *to = u.begin();
+  double rho = delta / theta, keep = 0, add = 1 / theta;
+  for (int m = 0; m < n_smoothing_steps; ++m) {
+    if (m > 0) {
+      residual(f, u, r);
+      const double next = 1 / (2 * theta / delta - rho);
+      keep = next * rho, add = 2 * next / delta, rho = next;
+    }
+    for (std::size_t i = 0, n = f.locally_owned_size(); i < n; ++i) {
+      s[i] = keep * s[i] + add * D[i] * rest[i];
+      to[i] += s[i];
+    }
+  }
+}
+
+Eigen::MatrixXd MultigridLevel::interpolation_from(const MultigridLevel& other) const {
+  return lagrange_table(other.space().reference_cell().nodes, space_->reference_cell().nodes);
+}
+
+Vector MultigridLevel::at_nodes(const MultigridLevel& other, const Vector& x) const {
+  Vector result = make_vector();
+  add_interpolated(other, x, result);
+  return result;
+}
+
+void MultigridLevel::restrict_to(const MultigridLevel& coarser, const Vector& r, Vector& f) const {
+  const Eigen::MatrixXd table = interpolation_from(coarser).transpose();
+  Eigen::VectorXd fine(space_->nodes_per_cell());
+  f = 0.0;
+  for (unsigned int cell = 0; cell < space_->n_cells(); ++cell) {
+    const auto &nodes = space_->cell_nodes(cell), &to = coarser.space().cell_nodes(cell);
+    for (unsigned int k = 0; k < 3; ++k) {
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        fine[static_cast<Eigen::Index>(a)] = share_[nodes[a]] * r.local_element(3 * nodes[a] + k);
+      const Eigen::VectorXd coarse = tensor_product(table, table, table, fine);
+      for (std::size_t a = 0; a < to.size(); ++a)
+        f.local_element(3 * to[a] + k) += coarse[static_cast<Eigen::Index>(a)];
+    }
+  }
+  coarser.clear_fixed(f);
+}
+
+void MultigridLevel::add_interpolated(const MultigridLevel& coarser, const Vector& u, Vector& result) const {
+  const Eigen::MatrixXd table = interpolation_from(coarser);
+  Eigen::VectorXd coarse(coarser.space().nodes_per_cell());
+  for (unsigned int cell = 0; cell < space_->n_cells(); ++cell) {
+    const auto &nodes = space_->cell_nodes(cell), &from = coarser.space().cell_nodes(cell);
+    for (unsigned int k = 0; k < 3; ++k) {
+      for (std::size_t a = 0; a < from.size(); ++a)
+        coarse[static_cast<Eigen::Index>(a)] = u.local_element(3 * from[a] + k);
+      const Eigen::VectorXd fine = tensor_product(table, table, table, coarse);
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        result.local_element(3 * nodes[a] + k) += share_[nodes[a]] * fine[static_cast<Eigen::Index>(a)];
+    }
+  }
+}
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,89 @@
+#include "continuum/statics/tangent_solver.h"
+
+#include <algorithm>
+
+#include "continuum/statics/multigrid.h"
+#include "materials/rest_moduli.h"
+
+namespace pseudorigid::continuum {
+namespace {
+
+/// V-cycles take less time than a factorisation from about this number of unknowns on.
+constexpr std::size_t n_large = 5000;
+/// A body with more unknowns is not factorised. The factors of this number take about 1 GB.
+constexpr std::size_t n_factorized = 60000;
+/// Largest Lamé modulus and largest ρgr, both over the shear modulus, for V-cycles. The number of iterations grows with
+/// both ratios.
+constexpr double largest_ratio = 100;
+
+std::size_t n_unknowns(const FigureState& state) { return 3 * state.body.space().n_nodes(); }
+
+bool uses_cycles(const FigureState& state) {
+  const auto [shear, lame] = materials::moduli_at_rest(state.stored.law, state.incompressible);
+  const double most = largest_ratio * shear;
+  return n_unknowns(state) >= n_large && weight_of_density(state.forcing.gravity_constant) <= most &&
+         (state.incompressible || lame + state.stored.volumetric_stiffness <= most);
+}
+
+class Factorization final : public TangentSolver {
+ public:
+  Factorization(const FigureState& state, const HeldDirection* held)
+      : problem_(state, 0, held), sector_(problem_, parity_of_sector(0)) {}
+
+  mechanics::Status factorize() override { return sector_.factorize(); }
+  bool factors_are_cheap() const override { return false; }
+  mechanics::SolveReport solve(const Vector& f, const Vector& h, double tolerance, Vector& u, Vector& lambda) override {
+    Eigen::VectorXd displacement, multiplier;
+    const Eigen::VectorXd of_constraint =
+        Eigen::Map<const Eigen::VectorXd>(h.begin(), static_cast<Eigen::Index>(h.locally_owned_size()));
+    const auto report = sector_.solve(sector_.entries_of(f), of_constraint, tolerance, displacement, multiplier);
+    if (!report.status) return report;
+    u = sector_.field_of(displacement);
+    std::ranges::copy(multiplier, lambda.begin());
+    return report;
+  }
+
+ private:
+  TangentProblem problem_;
+  ParitySector sector_;
+};
+
+/// V-cycles, or a factorisation if they fail and the body is not too large.
+class CyclesFirst final : public TangentSolver {
+ public:
+  CyclesFirst(const FigureState& state, const HeldDirection* held, int n_refinements)
+      : state_(state), held_(held), solver_(std::make_unique<Multigrid>(state, held, n_refinements)) {}
+
+  mechanics::Status factorize() override {
+    const auto status = solver_->factorize();
+    return status || !may_factorize() ? status : use_factorization();
+  }
+  bool factors_are_cheap() const override { return solver_->factors_are_cheap(); }
+  mechanics::SolveReport solve(const Vector& f, const Vector& h, double tolerance, Vector& u, Vector& lambda) override {
+    const auto report = solver_->solve(f, h, tolerance, u, lambda);
+    if (report.status || !may_factorize()) return report;
+    if (auto status = use_factorization(); !status) return {status};
+    return solver_->solve(f, h, tolerance, u, lambda);
+  }
+
+ private:
+  bool may_factorize() const { return factors_are_cheap() && n_unknowns(state_) <= n_factorized; }
+  mechanics::Status use_factorization() {
+    solver_ = std::make_unique<Factorization>(state_, held_);
+    return solver_->factorize();
+  }
+
+  FigureState state_;
+  const HeldDirection* held_;
+  std::unique_ptr<TangentSolver> solver_;
+};
+
+}  // namespace
+
+std::unique_ptr<TangentSolver> make_tangent_solver(const FigureState& state, const HeldDirection* held,
+                                                   int n_refinements) {
+  if (uses_cycles(state)) return std::make_unique<CyclesFirst>(state, held, n_refinements);
+  return std::make_unique<Factorization>(state, held);
+}
+
+}  // namespace pseudorigid::continuum
