@@ -3,6 +3,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "continuum/kernels/local_kernels.h"
 #include "continuum/kernels/pressure_basis.h"
 #include "continuum/kernels/stress_points.h"
 #include "continuum/kernels/sum_factorization.h"
@@ -86,6 +87,10 @@ struct Cost {
       return {
           gradient() + integration() + basis_operations + n_points * (inverse_at_point() + 10 + pressure_at_point()),
           indices + pressure_points + basis};
+    if (kernel == "stiffness") {  // a symmetric 9×9 matrix in single precision, times a vector
+      constexpr double entries = continuum::StiffnessTangent::n_entries, operations_of_entries = 2 * 81;
+      return {gradient() + integration() + n_points * operations_of_entries, indices + 4 * entries * n_points};
+    }
     throw std::invalid_argument("no cost known of " + kernel);
   }
 };

@@ -12,7 +12,7 @@ struct CellCost {
   double cell_bytes;  ///< geometry, indices, pressure basis, multipliers
 };
 
-/// `kernel` is force, constraint, rate or reaction; degree 2 … 8.
+/// `kernel` is force, constraint, rate, reaction or stiffness; degree 2 … 8.
 CellCost cell_cost(const std::string& kernel, int degree);
 /// The force by FEEvaluation (fe_evaluation_force.h), with deal.II's sweeps on a number that counts. The bytes are
 /// those of the stored geometry and of the indices. Degree 2 … 8.

@@ -6,8 +6,9 @@
 /// interleaved, times are CPU times. Lines with # are the machine's limits and accounts of memory. Columns:
 ///
 ///   degree, refinements, unknowns   of the mesh
-///   kernel                          force, constraint, rate, reaction, gram (S = G M⁻¹ Gᵀ), or the force by
-///                                   FEEvaluation, with its number of lanes: 1 in the installed library, or our number
+///   kernel                          force, constraint, rate, reaction, gram (S = G M⁻¹ Gᵀ), stiffness (the product
+///                                   with the tangent), or the force by FEEvaluation, with its number of lanes: 1 in
+///                                   the installed library, or our number
 ///   per_second, best_per_second     unknowns per second: median and best of the rounds
 ///   over_fe_evaluation              median against that of FEEvaluation's force with our number of lanes, or with one lane
 ///                                   without PSEUDORIGID_NATIVE or AVX
@@ -22,6 +23,7 @@
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -138,6 +140,9 @@ void measure(int degree, unsigned int least_unknowns, const MachineLimits& limit
                     kernels->constraint_rate(y.x, y.f, y.g);
                   },
                   jobs[3].flops + jobs[4].flops + 1, jobs[3].bytes + jobs[4].bytes + 32});
+  const auto stiffness =
+      kernels->make_stiffness([](unsigned int, std::span<double> values) { std::ranges::fill(values, 1.0); });
+  add("stiffness", 8 + 24, [&] { kernels->stiffness_product(*stiffness, y.v, y.f); });
   jobs.push_back({of_width(installed->n_lanes()), [&] { installed->force(installed_x, installed_f); }});
   for (Job* job : {&jobs[0], &jobs[1], &jobs.back()}) job->call();
   jobs[1].difference = std::abs(y.f.l2_norm() / rival_f.l2_norm() - 1);

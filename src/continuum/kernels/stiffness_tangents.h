@@ -37,7 +37,7 @@ class StiffnessTangents {
       for (int q3 = 0; q3 < n; ++q3)
         for (int k = 0; k < n_entries; ++k)
           for (int q = 0; q < plane; ++q)
-            result->planes[b * n + q3].c[k][q] = L::of([&](int l) {
+            result->planes[b * n + q3].c[q][k] = L::of([&](int l) {
               return values[((l < batch.n_active ? l : 0) * n_entries + k) * n_points + q3 * plane + q];
             });
     }
@@ -63,7 +63,7 @@ class StiffnessTangents {
 
  private:
   struct PlaneOfPoints {
-    Single c[n_entries][plane];
+    Single c[plane][n_entries];
   };
   struct Tangent final : StiffnessTangent {
     explicit Tangent(std::size_t n_planes) : planes(n_planes) {}
@@ -77,12 +77,12 @@ class StiffnessTangents {
       L gradient[9], sum[9];
 #pragma GCC unroll 9
       for (int k = 0; k < 9; ++k) gradient[k] = T[k][q], sum[k] = L(0.0);
-      int entry = 0;
+      const Single* entry = at.c[q];
 #pragma GCC unroll 9
       for (int row = 0; row < 9; ++row)
 #pragma GCC unroll 9
         for (int column = row; column < 9; ++column) {
-          const L c = at.c[entry++][q];
+          const L c = *entry++;
           sum[row] += c * gradient[column];
           if (column != row) sum[column] += c * gradient[row];
         }
