@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-#include "continuum/modes/shell_operator.h"
+#include "continuum/modes/krylov.h"
 
 namespace pseudorigid::continuum {
 namespace {

@@ -8,7 +8,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-constexpr std::size_t n_direct = 3000;
+constexpr std::size_t n_direct = 400;
 constexpr int n_iterations_of_cycles = 200;
 
 }  // namespace

@@ -12,7 +12,7 @@
 ///
 /// Here μ is the shear modulus and κ the stiffness of the volumetric stabilisation. V is one V-cycle for K u = f. Its
 /// levels are elements of the degrees k, ⌈k/2⌉, …, 1 on the same cells (multigrid_level.h). The cycle ends at the first
-/// coarser level with at most 3000 unknowns, or with the degree 1. The stiffness of this level is factorised. Under
+/// coarser level with at most 400 unknowns, or with the degree 1. The stiffness of this level is factorised. Under
 /// self-gravity, the levels have the stiffness of the cells and of the springs that tangent_problem.h describes. The
 /// functions ψ of the multiplier are orthonormal, so their mass matrix is the identity. In an infinite body at rest, G
 /// K⁻¹Gᵀ is this matrix over 2μ + κ.

@@ -6,16 +6,16 @@
 #include <utility>
 
 #include "continuum/mesh/tensor_product.h"
-#include "continuum/modes/largest_eigenpairs.h"
+#include "continuum/modes/krylov.h"
 #include "continuum/statics/tangent_problem.h"
 
 namespace pseudorigid::continuum {
 namespace {
 
 constexpr int n_smoothing_steps = 4;
-constexpr double smoothing_range = 20;         // b/a
-constexpr double tolerance_of_largest = 1e-2;  // relative; the iteration approaches the eigenvalue from below
-constexpr double safety = 1.1;                 // b over the largest eigenvalue that is found
+constexpr double smoothing_range = 20;  // b/a
+constexpr int n_lanczos_steps = 12;
+constexpr double safety = 1.1;  // b over the estimate of the largest eigenvalue
 
 /// The Lagrange polynomials on `nodes` at `points`: (point, node).
 Eigen::MatrixXd lagrange_table(const std::vector<double>& nodes, const std::vector<double>& points) {
@@ -98,9 +98,11 @@ mechanics::Status MultigridLevel::find_largest_eigenvalue() {
     for (std::size_t i = 0; i < in.size(); ++i) out[i] = std::sqrt(inverse_diagonal_.begin()[i]) * f.begin()[i];
     return {};
   };
-  std::vector<EigenPair> largest;
-  const auto status = append_largest_eigenpairs(scaled, u.locally_owned_size(), 1, tolerance_of_largest, largest);
-  if (status) largest_ = safety * largest.front().value;
+  std::vector<double> start(u.locally_owned_size());
+  for (std::size_t i = 0; i < start.size(); ++i)
+    start[i] = inverse_diagonal_.begin()[i] > 0 ? std::sin(static_cast<double>(i * i)) : 0;
+  const auto status = estimate_largest_eigenvalue(scaled, start, n_lanczos_steps, largest_);
+  largest_ *= safety;
   return status;
 }
 

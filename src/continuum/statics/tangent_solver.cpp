@@ -8,8 +8,6 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// V-cycles take less time than a factorisation from about this number of unknowns on.
-constexpr std::size_t n_large = 5000;
 /// A body with more unknowns is not factorised. The factors of this number take about 1 GB.
 constexpr std::size_t n_factorized = 60000;
 /// Largest Lamé modulus and largest ρgr, both over the shear modulus, for V-cycles. The number of iterations grows with
@@ -21,7 +19,7 @@ std::size_t n_unknowns(const FigureState& state) { return 3 * state.body.space()
 bool uses_cycles(const FigureState& state) {
   const auto [shear, lame] = materials::moduli_at_rest(state.stored.law, state.incompressible);
   const double most = largest_ratio * shear;
-  return n_unknowns(state) >= n_large && weight_of_density(state.forcing.gravity_constant) <= most &&
+  return weight_of_density(state.forcing.gravity_constant) <= most &&
          (state.incompressible || lame + state.stored.volumetric_stiffness <= most);
 }
 
