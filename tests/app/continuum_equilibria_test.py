@@ -55,6 +55,22 @@ class ContinuumEquilibria(ProgramTest):
         self.assertAlmostEqual(stretches[0.01][0] / stretches[0.01][1], 25 / 19, delta=0.02)
         self.assertGreater(stretches[1][0], stretches[1][1])
 
+    def test_nearly_incompressible_figure(self):
+        """Its difference from the incompressible figure is of the order of mu/lambda."""
+        common = {**AT_REST, "Models": "continuum", "Continuum/Degree": 4, "Loads/Tidal matrix": matrix(0.3, 0.3, 0),
+                  "Equilibrium/Small motions": "false", "Continuum/Error estimate": "none"}
+
+        def long_axis(entries):
+            self.scene({**common, **entries})
+            self.run_done("run", "scene.prm")
+            return self.figures().column("a3")[0]
+
+        limit = long_axis({"Continuum/Volumetric stiffness": 0})
+        compressible = {"Body/Incompressible": "false", "Material/Law": "ciarlet-geymonat"}
+        products = [Lame * (limit - long_axis({**compressible, "Material/Lame lambda": Lame})) for Lame in (100, 1000, 10000)]
+        self.assertAlmostEqual(products[1] / products[0], 1, delta=0.03)
+        self.assertAlmostEqual(products[2] / products[1], 1, delta=0.05)
+
     def test_elastic_ellipsoids_of_jacobi(self):
         """They bifurcate from the spheroids at another spin in each model; of degree 1 they are those of the pseudo-rigid body."""
         self.scene({**FIGURES, "Models": "reduced, polynomial, continuum", "Polynomial/Degree": "1, 3, 5", "Gravity/Constant": 10 / math.pi,
