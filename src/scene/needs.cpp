@@ -123,7 +123,7 @@ void describe_output(const Scene& scene, Needs& needs) {
   }
   const bool finds_figures = scene.analysis == Analysis::equilibrium || starts_from_own_figure(scene);
   if (finds_figures && needs.discretized)
-    needs.needed.push_back("tangent stiffness of finite elements: Newton's iteration with a factorisation, GMRES");
+    needs.needed.push_back("tangent stiffness of finite elements: Newton's iteration, GMRES with V-cycles");
   else
     needs.skipped.push_back(
         fmt::format("tangent stiffness and preconditioners for it: every method is explicit in the elastic force{}",

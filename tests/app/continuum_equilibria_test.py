@@ -63,6 +63,7 @@ class ContinuumEquilibria(ProgramTest):
         def long_axis(entries):
             self.scene({**common, **entries})
             self.run_done("run", "scene.prm")
+            self.assertGreater((self.scratch / "output/scene/log.txt").read_text().count("GMRES"), 2)
             return self.figures().column("a3")[0]
 
         limit = long_axis({"Continuum/Volumetric stiffness": 0})

@@ -115,6 +115,14 @@ class StartingFigures(ProgramTest):
             self.assertGreater(size[-1] - size[0], 1, model)
             self.assertAlmostEqual(numpy.polyfit(t, size, 1)[0] / figure["growth_rate"], 1, delta=0.01, msg=model)
 
+    def test_elements_without_a_figure_and_a_body_that_has_one(self):
+        """At this spin the family of the elements has ended. The pseudo-rigid run is complete, and the reason is said."""
+        self.scene({**OWN, "Models": "reduced, continuum", "Initial state/Equilibrium parameter": 2.1, "Time/End": 0.1})
+        result = self.run_program("run", "scene.prm", "--output", "motion")
+        self.assertEqual(result.returncode, STOPPED, result.stderr)
+        self.assertIn("Initial state/Figure", result.stderr)
+        self.assertEqual(len(self.table("motion", "reduced.csv")), OWN["Output/Samples"] + 1)
+
     def test_amplitude_is_the_mean_displacement(self):
         """Of the motion of degree 2 at rest, whose mass moment has nearly the whole displacement: exact for the ellipsoid."""
         for model, number in (("reduced", 1), ("polynomial", 10), ("continuum", 10)):

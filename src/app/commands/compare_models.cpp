@@ -18,12 +18,13 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Reads the tables of all runs that have an entry in the manifest.
+/// Reads the tables of all runs that have an entry in the manifest. A run that ended before its first row has no table.
 std::vector<RunOfModel> runs_with_files(const RunContext& context, const io::Manifest& manifest) {
   std::vector<RunOfModel> runs;
   for (const scene::ModelDescription* model : context.needs.models)
     for (const scene::ModelRun& run : scene::runs_of(*model, context.scene))
-      if (const auto ran = manifest.models.find(run.name); ran != manifest.models.end())
+      if (const auto ran = manifest.models.find(run.name);
+          ran != manifest.models.end() && io::is_there(context.directory.csv(run.name)))
         runs.push_back({model, run.name, adjective_of(run, ran->second), ran->second,
                         io::read_csv(context.directory.csv(run.name))});
   return runs;

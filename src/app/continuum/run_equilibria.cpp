@@ -42,8 +42,7 @@ class FamilyOnMesh {
   FamilyOnMesh(const RunContext& context, const scene::Discretization& discretization)
       : context_(context),
         family_(family_of_figures(context.scene, context.scene.equilibria.family)),
-        figures_(figure_setup(context.scene, discretization.degree, discretization.refinements, family_.figure),
-                 sector_ranks(context)) {}
+        figures_(setup(context, discretization, family_.figure), sector_ranks(context)) {}
 
   /// The family of figures of the scene. If the scene requests the figure at rest, the family has only this figure, for
   /// the loads times `factor`. Otherwise `factor` is not used.
@@ -63,6 +62,16 @@ class FamilyOnMesh {
   const continuum::BallFigures& figures() const { return figures_; }
 
  private:
+  /// The setup of the figures, with a line in the log for each step of Newton's iteration.
+  static continuum::FigureSetup setup(const RunContext& context, const scene::Discretization& discretization,
+                                      mechanics::Figure figure) {
+    auto result = figure_setup(context.scene, discretization.degree, discretization.refinements, figure);
+    result.watch = [&context](const continuum::NewtonStep& step) {
+      context.log->debug("  Newton's iteration, step {}: residual {:.1e} of the terms, {} iterations of GMRES",
+                         step.number, step.residual, step.n_linear_products);
+    };
+    return result;
+  }
   mechanics::FigureFinder finder() const {
     // A special point has the error of the mesh, so it need not be located up to round-off.
     constexpr double resolution = 1e-7;

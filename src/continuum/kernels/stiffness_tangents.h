@@ -1,7 +1,7 @@
 #pragma once
-/// Products of the stiffness of the cells with displacements u. At every Gauss point q, the matrix c has the rows (i,
-/// d) and the columns (k, e) for the components i, k and the local directions d, e (modes/cell_stiffness.h). It is
-/// symmetric, and its 45 numbers are stored in single precision. The product is
+/// Products of the stiffness of the cells with displacements u. At every Gauss point q, there is a matrix c
+/// (modes/cell_stiffness.h). It has the rows (i, d) and the columns (k, e), with components i, k and local directions
+/// d, e. It is symmetric, and its 45 numbers are stored in single precision. The product is
 ///
 ///   (K u)_(a,i) = Σ_q Σ_d T_id ∂_dφ_a,   T_id = Σ_ke c_(id)(ke) ∂_e u_k.
 

@@ -13,7 +13,7 @@ namespace {
 
 /// Smallest and largest relative tolerance of the linear equations. The smallest one is also that of the derivatives
 /// along a family.
-constexpr double least_tolerance = 1e-8, largest_tolerance = 1e-3;
+constexpr double least_tolerance = 1e-8, largest_tolerance = 1e-5;
 
 constexpr std::array<bool, 3> octant{true, true, true};
 
@@ -49,6 +49,7 @@ BallFigures::BallFigures(const FigureSetup& setup, SectorRanks ranks)
       incompressible_(setup.incompressible),
       kind_(setup.drive),
       n_refinements_(setup.n_refinements),
+      watch_(setup.watch),
       ranks_(ranks),
       body_(make_body(setup)),
       forcing_(forcing_of(setup)) {
@@ -275,6 +276,7 @@ mechanics::Status BallFigures::newton_here(const Condition& condition, Figure& f
   double best = std::numeric_limits<double>::infinity();
   const bool can_reuse = condition.parameter == mechanics::FigureParameter::drive;
   bool reused = false;  // true if the last step had the factors of an earlier tangent
+  long n_products = counts_.linear_products;
   reuses_factors_ = can_reuse && factors_;
   for (int i = 0; i < max_iterations; ++i) {
     Terms now;
@@ -285,6 +287,8 @@ mechanics::Status BallFigures::newton_here(const Condition& condition, Figure& f
       size = std::max(size, can_reuse ? std::abs(figure.drive - condition.value)
                                       : std::abs(axis_direction(condition).w * positions(figure)));
     }
+    if (watch_) watch_({i, figure.drive, size, counts_.linear_products - n_products});
+    n_products = counts_.linear_products;
     if (size >= 0.5 * best && best <= accepted) break;  // a small residual that does not halve is round-off
     if (reused && !(size < best)) {                     // the old tangent misleads
       figure = kept;
@@ -299,7 +303,7 @@ mechanics::Status BallFigures::newton_here(const Condition& condition, Figure& f
     Figure full;
     ++counts_.newton;
     reused = reuses_factors_;
-    const double tolerance = reused ? largest_tolerance : std::clamp(size, least_tolerance, largest_tolerance);
+    const double tolerance = std::clamp(size, least_tolerance, largest_tolerance);
     const mechanics::Status solved = step(condition, figure, now, tolerance, full);
     if (!solved || !full.x.allFinite()) {
       if (std::exchange(reused, false)) continue;  // `figure` is `kept`, so the next step has a new tangent

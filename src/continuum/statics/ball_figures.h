@@ -19,10 +19,11 @@
 ///
 ///   δx = u₀ + δν u₁,   (K + σwwᵀ)u₀ − Gᵀδλ₀ = r + σcw,   (K + σwwᵀ)u₁ − Gᵀδλ₁ = h,   w·δx = c.
 ///
-/// If a factorisation takes much longer than a solution, a step with the ν of the condition keeps the tangent of an
-/// earlier step as long as the residual falls by a factor of 5 or more in each step. The linear equations of a step are
-/// solved with the relative tolerance r, or 0.001 if r is larger or the tangent is an earlier one. r is the residual
-/// relative to the terms. Newton's iteration then still converges quadratically (Dembo, Eisenstat & Steihaug 1982).
+/// A factorisation takes about as long as four steps with known factors. With a factorisation, a step with the ν of the
+/// condition therefore keeps the tangent of an earlier step. This ends when the residual falls by a factor of less than
+/// 5 in a step. With V-cycles, each step has a new tangent. The relative tolerance of its linear equations is then the
+/// residual relative to the terms, but at least 1e-8 and at most 1e-5. Newton's iteration still converges quadratically
+/// (Dembo, Eisenstat & Steihaug 1982).
 ///
 /// K is also singular at a bifurcation to figures that are not symmetric about axis 3. The search for a spheroid is
 /// therefore restricted to positions that are symmetric under the exchange of the axes 1 and 2. These positions exclude
@@ -30,6 +31,7 @@
 /// not restricted. It may follow the spheroids to the neighbourhood of the bifurcation
 /// (mechanics/equilibria/figure_family.h).
 
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -42,6 +44,13 @@
 
 namespace pseudorigid::continuum {
 
+/// A state of Newton's iteration.
+struct NewtonStep {
+  int number;              ///< number of steps before this state
+  double drive, residual;  ///< ν, and the residual relative to the terms
+  long n_linear_products;  ///< number of products of GMRES in the step to this state
+};
+
 /// The ball whose figures are sought.
 struct FigureSetup {
   int degree;         ///< degree k of the elements
@@ -51,6 +60,7 @@ struct FigureSetup {
   bool incompressible;
   Drive drive;  ///< a rotation uses only self-gravity and, for a compressible body, the pressure
   mechanics::Figure figure;
+  std::function<void(const NewtonStep&)> watch{};  ///< called for each state of Newton's iteration; may be empty
 };
 
 /// Numbers of operations since the construction of BallFigures.
@@ -170,6 +180,7 @@ class BallFigures final : public mechanics::FigureEquations {
   bool incompressible_;
   Drive kind_;
   int n_refinements_;
+  std::function<void(const NewtonStep&)> watch_;
   SectorRanks ranks_;
   std::shared_ptr<const BallBody> body_;  ///< shared, because BallBody has no virtual destructor
   loads::Forcing forcing_;

@@ -4,7 +4,7 @@
 ///
 ///   (K + E) u − Gᵀλ = f,   G u = h,
 ///
-/// without λ and h for a compressible ball. K is the stiffness of the cells, G is the derivative of the constraint, and
+/// without λ and h for a compressible ball. K is the stiffness of the cells, and G is the derivative of the constraint.
 /// E has the terms of gravity, of the drive and of a held direction (tangent_problem.h). The numbers of K and G have
 /// single precision. GMRES solves the equations with the block-triangular preconditioner
 ///

@@ -34,7 +34,9 @@ class Factorization final : public TangentSolver {
     Eigen::VectorXd displacement, multiplier;
     const Eigen::VectorXd of_constraint =
         Eigen::Map<const Eigen::VectorXd>(h.begin(), static_cast<Eigen::Index>(h.locally_owned_size()));
-    const auto report = sector_.solve(sector_.entries_of(f), of_constraint, tolerance, displacement, multiplier);
+    // Under strong gravity, a larger tolerance leads the iteration for figures astray.
+    const auto report =
+        sector_.solve(sector_.entries_of(f), of_constraint, std::min(tolerance, 1e-8), displacement, multiplier);
     if (!report.status) return report;
     u = sector_.field_of(displacement);
     std::ranges::copy(multiplier, lambda.begin());
