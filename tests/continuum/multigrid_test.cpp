@@ -84,7 +84,7 @@ TEST(Stiffness, ProductAndDiagonalAreThoseOfTheMatrices) {
       const Eigen::MatrixXd K = cells.cell_matrix(c.back());
       EXPECT_LT((cells.diagonal(c.back()) - K.diagonal()).norm(), 1e-13 * K.diagonal().norm()) << degree;
       Eigen::VectorXd of_cell(K.cols());
-      const auto entry = [&](Eigen::Index i) { return 3 * space.cell_nodes(cell)[i / 3] + i % 3; };
+      const auto entry = [&](Eigen::Index i) { return space.entry_of(cell, i); };
       for (Eigen::Index i = 0; i < of_cell.size(); ++i) of_cell[i] = u.local_element(entry(i));
       of_cell = (K * of_cell).eval();
       for (Eigen::Index i = 0; i < of_cell.size(); ++i) expected.local_element(entry(i)) += of_cell[i];

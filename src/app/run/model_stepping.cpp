@@ -213,9 +213,8 @@ mechanics::Status ModelStepping::take_over(const Stepping& known) {
 
 /// Chooses method and step after a search without result. The method is that of the scene, or explicit-8. If explicit-8
 /// does not fit the system, the method is RATTLE, or the last method of the search if the energy of every interval is
-/// checked. The step is half of the stable step, or the local
-/// tolerance is small. A possible cause is that the motion itself ends within a pilot run. The run then continues as
-/// long as possible and reports the time at which it stopped.
+/// checked. The step is half of the stable step, or the local tolerance is small. A possible cause is that the motion
+/// itself ends within a pilot run. The run then continues as long as possible and reports the time at which it stopped.
 void ModelStepping::fall_back(const mechanics::StepChoice& choice, const mechanics::StepRequest& request) {
   using Explicit = mechanics::DormandPrince8;
   position_.method = request.method.value_or(traits_.takes_explicit   ? mechanics::id_of<Explicit>

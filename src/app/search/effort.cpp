@@ -10,6 +10,7 @@
 #include "app/run/scene_to_model.h"
 #include "io/available_memory.h"
 #include "materials/rest_moduli.h"
+#include "mechanics/equilibria/figure_solver_limits.h"
 #include "mechanics/methods/methods.h"
 #include "mechanics/methods/time_loop.h"
 #include "scene/bulk.h"
@@ -116,6 +117,33 @@ void describe_effort_of_sweep(const scene::Scene& scene, double seconds_of_run, 
                   seconds_of_run * (end - first), end - first));
 }
 
+/// The way in which the finite elements solve linear equations with the stiffness.
+enum class Solver { none, cycles, factors };
+
+Solver solver_of(const scene::Scene& scene, double n_unknowns) {
+  if (scene.analysis == scene::Analysis::motion) return Solver::none;
+  const bool finds_figures_alone = scene.analysis == scene::Analysis::equilibrium && !scene.equilibria.small_motions;
+  return finds_figures_alone && n_unknowns > mechanics::most_factorized_unknowns &&
+                 gravity_to_elasticity(scene) <= mechanics::largest_ratio_of_cycles
+             ? Solver::cycles
+             : Solver::factors;
+}
+
+/// Bytes of the factors of one parity (continuum/modes/parity_sector.h), and of the entries before the factorisation.
+struct Factors {
+  double kept = 0, temporary = 0;
+};
+
+/// The factors for elements of degree k. Each cell has the blocks of its own unknowns and of those that it shares. The
+/// unknowns between cells have a sparse Cholesky factor. Its size and that of the temporary entries are fitted to the
+/// runs of effort.h.
+Factors factors_of(double k, double n_unknowns, double n_cells, double n_pressure) {
+  const double own = 3 * std::pow(k - 1, 3), all = 3 * std::pow(k + 1, 3), shared = all - own;
+  const double n_between = std::max(0.0, n_unknowns - own * n_cells);
+  return {sizeof(double) * n_cells * (own * all + n_pressure * all) + 500 * std::pow(n_between, 4.0 / 3),
+          20 * n_cells * shared * shared};
+}
+
 }  // namespace
 
 std::string in_bytes(double bytes) {
@@ -134,27 +162,32 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
   const bool has_pressure = scene.body.incompressible || scene::projects_bulk(scene);
   const double n_pressure = has_pressure ? k * (k + 1) * (k + 2) / 6 : 0;
   const double n_unknowns = 3 * n_nodes, n_multipliers = n_cells * n_pressure;
-  // For analyses other than motions, each cell has dense matrices: the stiffness, its factors, and with self-gravity a
-  // part of the stiffness.
-  const double entries_of_cell = std::pow(3 * std::pow(k + 1, 3), 2);
   const bool gravitates = loads::present(scene.loads.get<loads::SelfGravity>());
-  // V-cycles replace these matrices for figures of a large body (continuum/statics/tangent_solver.h). At each Gauss
-  // point, they have 45 numbers in double and in single precision, and with self-gravity another 45.
-  constexpr double most_factorized = 60000, bytes_of_point = 45 * (sizeof(double) + 2 * sizeof(float));
-  const bool has_cycles = scene.analysis == scene::Analysis::equilibrium && !scene.equilibria.small_motions &&
-                          n_unknowns > most_factorized && gravity_to_elasticity(scene) <= 100;
-  const int n_matrices = scene.analysis == scene::Analysis::motion || has_cycles ? 0 : gravitates ? 3 : 2;
-  const double of_cycles = has_cycles ? bytes_of_point * std::pow(k + 1, 3) * n_cells : 0;
+  const Solver solver = solver_of(scene, n_unknowns);
+  // The stiffness of each cell as a dense matrix, and with self-gravity a part of it.
+  const int n_matrices = solver != Solver::factors ? 0 : gravitates ? 2 : 1;
+  const double entries_of_cell = std::pow(3 * std::pow(k + 1, 3), 2);
+  // The numbers of V-cycles at each Gauss point, in double and in single precision (continuum/statics/multigrid.h).
+  constexpr double bytes_of_point = 45 * (sizeof(double) + 2 * sizeof(float));
+  const double of_cycles = solver == Solver::cycles ? bytes_of_point * std::pow(k + 1, 3) * n_cells : 0;
+  const Factors factors = solver == Solver::none     ? Factors{}
+                          : solver == Solver::cycles ? factors_of(1, n_unknowns / (k * k * k), n_cells, 0)
+                                                     : factors_of(k, n_unknowns, n_cells, n_pressure);
+  // Modes and Love numbers keep the factors of four parities, the small motions about a figure those of two.
+  const bool finds_figures = scene.analysis == scene::Analysis::equilibrium;
+  const int n_parities = !finds_figures ? 4 : scene.equilibria.small_motions ? 2 : 1;
   // Self-gravity couples all unknowns of the surface. Their matrix and its factors exist for up to eight parities, but
   // in modes only for a small surface (continuum/modes/rest_problem.h).
   constexpr double bytes_of_pair_at_surface = 8 * 2 * sizeof(double);
-  const double n_at_surface = n_matrices == 3 ? 9 * n * n : 0;
+  const double n_at_surface = n_matrices == 2 ? 9 * n * n : 0;
   const bool has_matrix = scene.analysis == scene::Analysis::equilibrium || n_at_surface <= 3000;
-  const double of_parities = has_matrix ? bytes_of_pair_at_surface * n_at_surface * n_at_surface : 0;
+  const double of_parities =
+      n_parities * factors.kept + (has_matrix ? bytes_of_pair_at_surface * n_at_surface * n_at_surface : 0);
   return {.n_unknowns = n_unknowns,
           .n_multipliers = n_multipliers,
           .bytes = bytes_of_unknown * n_unknowns + bytes_of_pair_of_multipliers * n_multipliers * n_pressure +
-                   n_matrices * sizeof(double) * entries_of_cell * n_cells + of_cycles + of_parities,
+                   n_matrices * sizeof(double) * entries_of_cell * n_cells + of_cycles + factors.temporary +
+                   of_parities,
           .bytes_of_parities = of_parities,
           .checkpoint_bytes = (scene.time.step ? 1 : 2) * sizeof(double) *
                               (remembered_of_unknown * n_unknowns + remembered_of_multiplier * n_multipliers),

@@ -7,7 +7,6 @@
 ///
 ///   (G v)_j = Σ_q ψ_j T_q : ∂v/∂ξ,   (Gᵀλ)_n = Σ_q λ_h T_q : ∂φ_n/∂ξ
 
-#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -100,15 +99,6 @@ class ConstraintTangents {
   struct PlaneOfPoints {
     Number T[9][plane];
   };
-  /// Prefetches the q-th part of the plane `next`. A part has as many bytes as the tensor of one point. `next` may
-  /// point behind the last plane, because a prefetch of any address is permitted.
-  template <class Number>
-  static void prefetch_values(const PlaneOfPoints<Number>* next, int q) {
-    constexpr int per_point = 9 * sizeof(Number), cache_line = 64;
-    const auto start = reinterpret_cast<std::uintptr_t>(next) + static_cast<std::uintptr_t>(q * per_point);
-    for (int offset = 0; offset < per_point; offset += cache_line)
-      __builtin_prefetch(reinterpret_cast<const char*>(start + offset), 0, 2);
-  }
   template <class Number>
   using Stored = std::vector<PlaneOfPoints<Number>>;
   template <class Number>
@@ -157,7 +147,7 @@ class ConstraintTangents {
         const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
         for (int q = 0; q < plane; ++q) {
           prefetch(points + plane + q);
-          prefetch_values(planes + q3 + 1, q);
+          prefetch_part<9 * sizeof(Number)>(planes + q3 + 1, q);
           const L* X = points[q].position;
           Batches::Monomials::add_moments(dot(Planes::load(planes[q3].T, q), Planes::load(buffers.dv, q)), X[0], X[1],
                                           X[2], moments);
@@ -188,7 +178,7 @@ class ConstraintTangents {
       const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
       for (int q = 0; q < plane; ++q) {
         prefetch(points + plane + q);
-        prefetch_values(planes + q3 + 1, q);
+        prefetch_part<9 * sizeof(Number)>(planes + q3 + 1, q);
         const L* X = points[q].position;
         const L pressure = Batches::Monomials::evaluate(coefficients, X[0], X[1], X[2]);
 #pragma GCC unroll 9

@@ -4,6 +4,7 @@
 /// it needs.
 
 #include <cstddef>
+#include <cstdint>
 
 #include "mechanics/core/lanes.h"
 
@@ -35,6 +36,15 @@ template <class Point>
 #pragma GCC unroll 16
   for (std::size_t offset = 0; offset < sizeof(Point); offset += cache_line)
     __builtin_prefetch(reinterpret_cast<const char*>(point) + offset, 0, 2);
+}
+
+/// Prefetches the bytes from q · `n_bytes` to (q + 1) · `n_bytes` of an object, which may be behind the last object.
+template <int n_bytes>
+[[gnu::always_inline]] inline void prefetch_part(const void* object, int q) {
+  constexpr int cache_line = 64;
+  const auto start = reinterpret_cast<std::uintptr_t>(object) + static_cast<std::uintptr_t>(q * n_bytes);
+  for (int offset = 0; offset < n_bytes; offset += cache_line)
+    __builtin_prefetch(reinterpret_cast<const char*>(start + offset), 0, 2);
 }
 
 }  // namespace pseudorigid::continuum

@@ -6,7 +6,6 @@
 ///   (K u)_(a,i) = Σ_q Σ_d T_id ∂_dφ_a,   T_id = Σ_ke c_(id)(ke) ∂_e u_k.
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
 #include "continuum/kernels/cell_planes.h"
@@ -73,7 +72,7 @@ class StiffnessTangents {
   /// T ← c T at the points of a plane.
   [[gnu::noinline]] static void multiply(const PlaneOfPoints& at, typename Planes::Field& T) {
     for (int q = 0; q < plane; ++q) {
-      prefetch_next(at, q);
+      prefetch_part<sizeof(at.c[0])>(&at + 1, q);
       L gradient[9], sum[9];
 #pragma GCC unroll 9
       for (int k = 0; k < 9; ++k) gradient[k] = T[k][q], sum[k] = L(0.0);
@@ -89,14 +88,6 @@ class StiffnessTangents {
 #pragma GCC unroll 9
       for (int k = 0; k < 9; ++k) T[k][q] = sum[k];
     }
-  }
-
-  /// Prefetches the q-th part of the next plane. The address may be behind the last plane.
-  static void prefetch_next(const PlaneOfPoints& at, int q) {
-    constexpr int cache_line = 64, per_point = sizeof(PlaneOfPoints) / plane;
-    const auto start = reinterpret_cast<std::uintptr_t>(&at + 1) + static_cast<std::uintptr_t>(q * per_point);
-    for (int offset = 0; offset < per_point; offset += cache_line)
-      __builtin_prefetch(reinterpret_cast<const char*>(start + offset), 0, 2);
   }
 
   const Planes& planes_;

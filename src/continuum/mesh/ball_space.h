@@ -16,6 +16,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -54,6 +55,10 @@ class BallSpace {
   /// node has the local entry 3·node + c in vectors.
   const std::vector<unsigned int>& cell_nodes(unsigned int cell) const { return cell_nodes_[cell]; }
   const std::vector<std::vector<unsigned int>>& cells() const { return cell_nodes_; }
+  /// Local entry in vectors of the entry 3·(node of the cell) + component of a cell.
+  unsigned int entry_of(unsigned int cell, std::ptrdiff_t of_cell) const {
+    return 3 * cell_nodes_[cell][static_cast<std::size_t>(of_cell / 3)] + static_cast<unsigned int>(of_cell % 3);
+  }
   const Vector& reference_positions() const { return X_; }  ///< X with ghost nodes; 0 at additional nodes
   const Vector& mass() const { return mass_; }  ///< m_n at each component of own node n; 0 at additional nodes
   /// 1/m_n at each component of node n, or 0 if a symmetry plane fixes the component. At additional nodes the entry is

@@ -21,6 +21,10 @@ double lagrange_derivative(const std::vector<double>& x, std::size_t i, double y
 
 struct ReferenceCell {
   explicit ReferenceCell(int degree);
+  /// Weight of the Gauss point q of the cell. The first direction is the fastest index of the points.
+  double weight_of_point(int q) const {
+    return point_weights[q % n] * point_weights[q / n % n] * point_weights[q / n / n];
+  }
 
   int n;                                       ///< number of nodes and of Gauss points per direction: degree + 1
   std::vector<double> nodes, node_weights;     ///< nodes and weights of the Gauss–Lobatto rule

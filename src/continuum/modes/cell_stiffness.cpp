@@ -96,7 +96,6 @@ CellStiffness::Gradients CellStiffness::by_reference(unsigned int cell, const Ve
 
 PointCoefficients CellStiffness::coefficients(unsigned int cell, const Vector& x, const TangentOfPoint& tangent) const {
   const ReferenceCell& ref = space_.reference_cell();
-  const int n = n_;
   const Gradients of_X = by_reference(cell, space_.reference_positions()), of_x = by_reference(cell, x);
   const auto matrix = [](const Eigen::Matrix<double, 1, 9>& row) -> Eigen::Matrix3d {
     return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(row.data());
@@ -110,8 +109,7 @@ PointCoefficients CellStiffness::coefficients(unsigned int cell, const Vector& x
     for (int i = 0; i < 3; ++i)
       for (int J = 0; J < 3; ++J) F(i, J) = gradient(i, J);
     const Tangent C_of_point = tangent(q, F);
-    const double weight =
-        jacobian.determinant() * ref.point_weights[q % n] * ref.point_weights[q / n % n] * ref.point_weights[q / n / n];
+    const double weight = jacobian.determinant() * ref.weight_of_point(q);
     for (int i = 0; i < 3; ++i)
       for (int k = i; k < 3; ++k) {
         Eigen::Matrix3d C;

@@ -26,11 +26,6 @@ Eigen::Matrix3Xd at_gauss_points(const ReferenceCell& ref, Eigen::Matrix3Xd valu
   return values;
 }
 
-/// The weight of Gauss point i in the reference cell.
-double weight_of_point(const ReferenceCell& ref, int i) {
-  return ref.point_weights[i % ref.n] * ref.point_weights[i / ref.n % ref.n] * ref.point_weights[i / ref.n / ref.n];
-}
-
 /// Adds the Gauss points of a cell to `sums`. Fails as `observe_stress` does.
 mechanics::Status add_cell(const BallBody& ball, const Vector& position, unsigned int cell,
                            mechanics::StressSums& sums) {
@@ -44,7 +39,7 @@ mechanics::Status add_cell(const BallBody& ball, const Vector& position, unsigne
     const Eigen::Matrix3d F = gradient_on_grid(ref.differentiate, ref.n, x, i) * of_reference.inverse();
     Eigen::Matrix3d stress;
     if (auto status = materials::cauchy_stress(ball.law(), X.col(i), F, branches[i], stress); !status) return status;
-    sums.add(stress, weight_of_point(ref, i) * of_reference.determinant(), X.col(i).norm());
+    sums.add(stress, ref.weight_of_point(i) * of_reference.determinant(), X.col(i).norm());
   }
   return {};
 }

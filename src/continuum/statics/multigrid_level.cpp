@@ -29,8 +29,7 @@ Eigen::MatrixXd lagrange_table(const std::vector<double>& nodes, const std::vect
 /// The quadrature weights of the reference cell.
 Eigen::VectorXd unit_weights(const ReferenceCell& ref) {
   Eigen::VectorXd w(ref.n * ref.n * ref.n);
-  for (int q = 0; q < w.size(); ++q)
-    w[q] = ref.point_weights[q % ref.n] * ref.point_weights[q / ref.n % ref.n] * ref.point_weights[q / ref.n / ref.n];
+  for (int q = 0; q < w.size(); ++q) w[q] = ref.weight_of_point(q);
   return w;
 }
 
@@ -70,16 +69,13 @@ mechanics::Status MultigridLevel::set(const StiffnessCoefficients& c, std::vecto
   inverse_diagonal_ = make_vector();
   for (unsigned int cell = 0; cell < space_->n_cells(); ++cell) {
     const Eigen::VectorXd of_cell = cells_.diagonal(c[cell]);
-    Eigen::Index i = 0;
-    for (const unsigned int node : space_->cell_nodes(cell))
-      for (unsigned int k = 0; k < 3; ++k) inverse_diagonal_.local_element(3 * node + k) += of_cell[i++];
+    for (Eigen::Index i = 0; i < of_cell.size(); ++i)
+      inverse_diagonal_.local_element(space_->entry_of(cell, i)) += of_cell[i];
   }
   for (const FaceSprings& face : springs_)
-    for (std::size_t i = 0; i < face.places.size(); ++i) {
-      const auto place = static_cast<unsigned int>(face.places[i]);
-      inverse_diagonal_.local_element(3 * space_->cell_nodes(face.cell)[place / 3] + place % 3) +=
-          face.rows.col(static_cast<Eigen::Index>(i)).squaredNorm();
-    }
+    for (Eigen::Index i = 0; i < face.rows.cols(); ++i)
+      inverse_diagonal_.local_element(space_->entry_of(face.cell, face.places[static_cast<std::size_t>(i)])) +=
+          face.rows.col(i).squaredNorm();
   for (unsigned int i = 0; i < 3 * space_->n_nodes(); ++i) {
     double& d = inverse_diagonal_.local_element(i);
     if (!(d > 0)) return mechanics::Status::failure("the stiffness has a diagonal entry that is not positive");
@@ -98,7 +94,7 @@ mechanics::Status MultigridLevel::find_largest_eigenvalue() {
     for (std::size_t i = 0; i < in.size(); ++i) out[i] = std::sqrt(inverse_diagonal_.begin()[i]) * f.begin()[i];
     return {};
   };
-  std::vector<double> start(u.locally_owned_size());
+  std::vector<double> start(u.locally_owned_size());  // irregular, so that it has a part of every eigenvector
   for (std::size_t i = 0; i < start.size(); ++i)
     start[i] = inverse_diagonal_.begin()[i] > 0 ? std::sin(static_cast<double>(i * i)) : 0;
   const auto status = estimate_largest_eigenvalue(scaled, start, n_lanczos_steps, largest_);

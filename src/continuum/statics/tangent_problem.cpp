@@ -64,16 +64,13 @@ Vector rate_of_gravity(const FigureState& state, const Vector& u, const Parity& 
 void add_rate_of_springs(const BallSpace& space, const std::vector<FaceSprings>& springs, double factor,
                          const Vector& u, Vector& force) {
   for (const FaceSprings& of_face : springs) {
-    const auto& nodes = space.cell_nodes(of_face.cell);
-    const auto entry = [&](Eigen::Index place) {
-      return 3 * nodes[static_cast<std::size_t>(place / 3)] + static_cast<unsigned int>(place % 3);
+    const auto entry = [&](Eigen::Index i) {
+      return space.entry_of(of_face.cell, of_face.places[static_cast<std::size_t>(i)]);
     };
     Eigen::VectorXd at_face(of_face.rows.cols());
-    for (Eigen::Index i = 0; i < at_face.size(); ++i)
-      at_face[i] = u.local_element(entry(of_face.places[static_cast<std::size_t>(i)]));
+    for (Eigen::Index i = 0; i < at_face.size(); ++i) at_face[i] = u.local_element(entry(i));
     const Eigen::VectorXd of_springs = factor * (of_face.rows.transpose() * (of_face.rows * at_face));
-    for (Eigen::Index i = 0; i < at_face.size(); ++i)
-      force.local_element(entry(of_face.places[static_cast<std::size_t>(i)])) += of_springs[i];
+    for (Eigen::Index i = 0; i < at_face.size(); ++i) force.local_element(entry(i)) += of_springs[i];
   }
 }
 
@@ -129,13 +126,9 @@ Vector TangentProblem::rate_within(const Vector& u) const {
   add_rate_beyond_cells(state_, held_, u, force);
   Eigen::VectorXd local(3 * space.nodes_per_cell());
   for (unsigned int cell = 0; cell < of_gravity_.size(); ++cell) {
-    const auto& nodes = space.cell_nodes(cell);
-    const auto entry = [&](Eigen::Index i) {
-      return 3 * nodes[static_cast<std::size_t>(i / 3)] + static_cast<unsigned int>(i % 3);
-    };
-    for (Eigen::Index i = 0; i < local.size(); ++i) local[i] = u.local_element(entry(i));
+    for (Eigen::Index i = 0; i < local.size(); ++i) local[i] = u.local_element(space.entry_of(cell, i));
     local = (of_gravity_[cell] * local).eval();
-    for (Eigen::Index i = 0; i < local.size(); ++i) force.local_element(entry(i)) += local[i];
+    for (Eigen::Index i = 0; i < local.size(); ++i) force.local_element(space.entry_of(cell, i)) += local[i];
   }
   return force;
 }

@@ -55,11 +55,11 @@ enum class Balance { multiplier, mean_stress };
 /// constraint.
 PointCoefficients tangent_coefficients(const CellStiffness& cells, const FigureState& state, unsigned int cell,
                                        Balance balance);
-/// The springs of the preconditioner, for nodal positions x on a space. The weight is ρg.
+/// The springs that take the place of gravity in the preconditioner, for nodal positions x of a space. `weight` is ρg.
 std::vector<FaceSprings> springs_of_gravity(const BallSpace& space, const Vector& x, double weight);
 /// The derivative of the force of gravity along u, with the opposite sign.
 Vector rate_of_gravity(const FigureState& state, const Vector& u, const Parity& parity);
-/// Adds the forces of springs that act on u, with the opposite sign.
+/// Adds the forces of springs that act on u, times −`factor`.
 void add_rate_of_springs(const BallSpace& space, const std::vector<FaceSprings>& springs, double factor,
                          const Vector& u, Vector& force);
 /// Adds the product of u with the terms of E that are neither of the cells nor of gravity: those of the drive, and

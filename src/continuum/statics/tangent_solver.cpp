@@ -4,21 +4,14 @@
 
 #include "continuum/statics/multigrid.h"
 #include "materials/rest_moduli.h"
+#include "mechanics/equilibria/figure_solver_limits.h"
 
 namespace pseudorigid::continuum {
 namespace {
 
-/// A body with more unknowns is not factorised. The factors of this number take about 1 GB.
-constexpr std::size_t n_factorized = 60000;
-/// Largest Lamé modulus and largest ρgr, both over the shear modulus, for V-cycles. The number of iterations grows with
-/// both ratios.
-constexpr double largest_ratio = 100;
-
-std::size_t n_unknowns(const FigureState& state) { return 3 * state.body.space().n_nodes(); }
-
 bool uses_cycles(const FigureState& state) {
   const auto [shear, lame] = materials::moduli_at_rest(state.stored.law, state.incompressible);
-  const double most = largest_ratio * shear;
+  const double most = mechanics::largest_ratio_of_cycles * shear;
   return weight_of_density(state.forcing.gravity_constant) <= most &&
          (state.incompressible || lame + state.stored.volumetric_stiffness <= most);
 }
@@ -67,7 +60,9 @@ class CyclesFirst final : public TangentSolver {
   }
 
  private:
-  bool may_factorize() const { return factors_are_cheap() && n_unknowns(state_) <= n_factorized; }
+  bool may_factorize() const {
+    return factors_are_cheap() && 3 * state_.body.space().n_nodes() <= mechanics::most_factorized_unknowns;
+  }
   mechanics::Status use_factorization() {
     solver_ = std::make_unique<Factorization>(state_, held_);
     return solver_->factorize();

@@ -26,7 +26,7 @@ class TangentSolver {
 
 /// The solver for a state of an octant whose mesh has `n_refinements` refinements. It uses V-cycles (multigrid.h) if
 /// the Lamé modulus and ρgr are at most 100 times the shear modulus. It uses a factorisation (modes/parity_sector.h)
-/// for other bodies, and if V-cycles fail for a body of at most 60,000 unknowns. `held` has the meaning of
+/// for other bodies, and if V-cycles fail for a body of at most 25,000 unknowns. `held` has the meaning of
 /// TangentProblem. The objects to which `state` refers, and `*held`, must outlive the result.
 std::unique_ptr<TangentSolver> make_tangent_solver(const FigureState& state, const HeldDirection* held,
                                                    int n_refinements);
