@@ -13,8 +13,8 @@ One thread computes.
 
 Columns: degree, refinements, unknowns (coordinates of the octant, with those that a sector sets to 0), seconds (processor time of the
 process less that of a start before it, median of five), n_modes, error_S2 (relative error of the mean frequency of S2), sectors,
-seconds_libraries (part of `seconds` for the start of PETSc and SLEPc, which FEniCSx does not time), omega_S2. seconds_libraries is that
-of an analysis of degree 2 with one frequency. It contains about 5 ms of work.
+seconds_libraries (part of `seconds` for the start of deal.II and its libraries, which FEniCSx does not time), omega_S2.
+seconds_libraries is that of an analysis of degree 2 with one frequency. It contains about 5 ms of work.
 """
 import os
 import pathlib

@@ -108,6 +108,8 @@ function(pseudorigid_use_dealii target)
       get_target_property(behind ${DEAL_II_TARGET_${flavour}} INTERFACE_LINK_LIBRARIES)
       target_link_libraries(pseudorigid_dealii INTERFACE ${behind} $<TARGET_FILE:${DEAL_II_TARGET_${flavour}}>)
     endif()
+    # deal.II has a BLAS. Eigen's own products would be those of the oldest x86-64.
+    target_compile_definitions(pseudorigid_dealii INTERFACE EIGEN_USE_BLAS)
     # The program opens it as a library, in which nobody replaces a function.
     target_compile_options(pseudorigid_dealii INTERFACE -fPIC -fno-semantic-interposition)
   endif()

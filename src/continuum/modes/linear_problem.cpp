@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <span>
-#include <utility>
 
 #include "continuum/modes/parity_sector.h"
 #include "continuum/modes/surface_harmonics.h"
@@ -36,12 +35,7 @@ void LinearProblem::set_stiffness(const std::function<Eigen::MatrixXd(unsigned i
   std::vector<bool> has_cell(space.n_nodes(), false);
   is_shared.assign(space.n_nodes(), false);
   for (unsigned int cell = 0; cell < space.n_cells(); ++cell) {
-    Eigen::MatrixXd K = of_cell(cell);
-    if (incompressible) {
-      K.selfadjointView<Eigen::Lower>().rankUpdate(constraint[cell].transpose(), penalty);
-      K.triangularView<Eigen::StrictlyUpper>() = K.transpose();
-    }
-    stiffness.push_back(std::move(K));
+    stiffness.push_back(of_cell(cell));
     for (const unsigned int node : space.cell_nodes(cell)) {
       if (has_cell[node]) is_shared[node] = true;
       has_cell[node] = true;

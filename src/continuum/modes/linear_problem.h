@@ -54,27 +54,36 @@ struct LinearProblem {
 
   const BallSpace& space;
   bool incompressible;
-  double shift;  ///< shift s; may be 0 for a stable ball in a sector without rigid motions
+  /// Shift s of an eigenvalue problem. It is 0 in a static problem, for a stable ball in a sector without rigid
+  /// motions.
+  double shift = 0;
   /// A stiffness per mass for each component, in addition to the stiffness of the cells. Its product with the mass is
   /// added to the diagonal of B.
   Eigen::Vector3d of_mass = Eigen::Vector3d::Zero();
-  double penalty;                             ///< penalty γ of the augmented Lagrangian; 0 for a compressible body
-  std::vector<Eigen::MatrixXd> stiffness{};   ///< K + γGᵀG of each cell
+  double penalty = 0;                         ///< penalty γ of the augmented Lagrangian; 0 for a compressible body
+  std::vector<Eigen::MatrixXd> stiffness{};   ///< K of each cell
   std::vector<Eigen::MatrixXd> constraint{};  ///< G of each cell; empty for a compressible body
   std::vector<bool> is_shared{};  ///< nodes of several cells, and nodes of the free surface if E is a matrix
 
+  /// Sets `shift` and `penalty`. The penalty of an incompressible body is 10⁶ times its stiffness in an eigenvalue
+  /// problem, which then needs no corrections of G u. In a static problem it is 10⁴ times the stiffness, because a
+  /// larger penalty amplifies the round-off of responses and multipliers.
+  void set_shift(double s) {
+    shift = s;
+    penalty = incompressible ? (s > 0 ? 1e6 : 1e4) * stiffness_of_body_ : 0;
+  }
+
  protected:
   /// `space` must be that of an octant in one process. `stiffness_of_body` is the larger of the shear modulus and ρg in
-  /// internal units. The penalty of an incompressible body is 10⁴ times this number.
+  /// internal units.
   LinearProblem(const BallSpace& ball_space, bool is_incompressible, double of_shift, double stiffness_of_body)
-      : space(ball_space),
-        incompressible(is_incompressible),
-        shift(of_shift),
-        penalty(is_incompressible ? 1e4 * stiffness_of_body : 0) {}
+      : space(ball_space), incompressible(is_incompressible), stiffness_of_body_(stiffness_of_body) {
+    set_shift(of_shift);
+  }
   LinearProblem(const LinearProblem&) = default;
-  /// Sets `constraint` to G at the positions x. Must be called before `set_stiffness`.
+  /// Sets `constraint` to G at the positions x.
   void set_constraint(const CellKernels& kernels, const Vector& x);
-  /// Sets `stiffness` and `is_shared`. The function `of_cell` returns K of a cell, to which set_stiffness adds γGᵀG.
+  /// Sets `stiffness` and `is_shared`. The function `of_cell` returns K of a cell.
   void set_stiffness(const std::function<Eigen::MatrixXd(unsigned int cell)>& of_cell);
   /// Adds springs to `stiffness`, which set_stiffness must have set.
   void add_springs(const std::vector<FaceSprings>& springs);
@@ -82,6 +91,9 @@ struct LinearProblem {
   void couple_surface();
   /// The indices, in the vectors of the sector, of the displacements of nodes on the free surface.
   std::vector<Eigen::Index> unknowns_at_surface(const ParitySector& sector) const;
+
+ private:
+  double stiffness_of_body_;
 };
 
 }  // namespace pseudorigid::continuum

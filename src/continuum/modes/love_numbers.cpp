@@ -66,7 +66,7 @@ mechanics::Status numbers_of_parity(const RestProblem& problem, bool odd, const 
 
 mechanics::Status love_numbers(RestProblem problem, const std::vector<int>& degrees,
                                std::vector<BallLoveNumbers>& numbers, const SectorRanks& ranks) {
-  problem.shift = 0;
+  problem.set_shift(0);
   numbers.assign(degrees.size(), {});
   mechanics::Status status;
   for (const bool odd : {false, true})

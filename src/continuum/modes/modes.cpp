@@ -7,7 +7,7 @@
 #include <functional>
 #include <limits>
 
-#include "continuum/modes/largest_eigenpairs.h"
+#include "continuum/modes/block_lanczos.h"
 #include "mechanics/equilibria/mode_groups.h"
 
 namespace pseudorigid::continuum {
@@ -73,46 +73,44 @@ class SectorSpectrum {
       : problem_(problem),
         sector_(problem, parity_of_sector(sector_class.number)),
         harmonics_(problem.space, sector_.parity(), max_degree),
+        lanczos_([this](const auto& y, auto& z) { return sector_.apply(y, z); },
+                 static_cast<Eigen::Index>(sector_.n_unknowns())),
         n_copies_(sector_class.n_sectors),
         is_mine_(is_mine) {}
 
   bool is_mine() const { return is_mine_; }
   mechanics::Status factorize() { return sector_.factorize(); }
 
-  /// Computes n more eigenpairs, or a few more. Their modes are the new modes of the sector, except for rigid motions.
-  /// If the sector has no other eigenpair, complete_below() becomes infinite. Fails if an eigenpair or a mode cannot be
-  /// computed. Only the owner calls this function, and then all ranks call `publish`.
+  /// Computes the modes of n more eigenpairs and improves the others. If the sector has no other eigenpair,
+  /// complete_below() becomes infinite. Fails if an eigenpair or a mode cannot be computed. Only the owner calls this
+  /// function, and then all ranks call `publish`.
   mechanics::Status extend(int n) {
-    const std::size_t n_before = pairs_.size();
-    const auto apply = [&](std::span<const double> y, std::span<double> z) {
-      ++n_applications_;
-      return sector_.apply(y, z);
-    };
-    if (auto s = append_largest_eigenpairs(apply, sector_.n_unknowns(), n, eigenvector_tolerance, pairs_); !s) return s;
-    if (pairs_.size() == n_before) {
+    const Eigen::Index n_before = lanczos_.n_found();
+    if (auto s = lanczos_.find(n_before + n, eigenvector_tolerance); !s) return s;
+    if (lanczos_.n_found() == n_before) {
       complete_below_ = std::numeric_limits<double>::infinity();
       return {};
     }
-    const auto found = std::span<const EigenPair>(pairs_).subspan(n_before);
     ParitySector::Modes modes;
-    if (auto s = sector_.modes_of(found, modes); !s) return s;
+    if (auto s = sector_.modes_of(lanczos_.vectors(), modes); !s) return s;
+    modes_.clear();
     for (Eigen::Index k = 0; k < modes.u.cols(); ++k) {
       Vector u = sector_.field_of(modes.u.col(k));
       if (is_rigid(u)) continue;
       const ModeClass kind = harmonics_.classify(u);
-      new_modes_.push_back({modes.omega_squared[k], kind, sector_.parity(), n_copies_, std::move(u)});
+      modes_.push_back({modes.omega_squared[k], kind, sector_.parity(), n_copies_, std::move(u)});
     }
-    const double largest = std::ranges::max_element(found, {}, &EigenPair::value)->value;
-    complete_below_ = std::sqrt(std::max(0.0, 1 / largest - problem_.shift)) * (1 - round_off);
+    const double least = lanczos_.values()[lanczos_.n_found() - 1];
+    complete_below_ = std::sqrt(std::max(0.0, 1 / least - problem_.shift)) * (1 - round_off);
     return {};
   }
 
-  /// Moves the new modes of the owner to `modes` on all ranks, and adds the counts to `report`. Collective.
-  void publish(const SectorRanks& ranks, std::vector<SectorMode>& modes, ModesReport& report) {
-    std::vector<double> numbers{complete_below_, static_cast<double>(n_applications_),
-                                static_cast<double>(pairs_.size())};
+  /// Gives the modes of the owner to all ranks, and adds the new counts to `report`. Collective.
+  void publish(const SectorRanks& ranks, ModesReport& report) {
+    std::vector<double> numbers{complete_below_, static_cast<double>(lanczos_.n_products()),
+                                static_cast<double>(lanczos_.n_found())};
     std::vector<Eigen::VectorXd> shapes;
-    for (const SectorMode& mode : new_modes_) {
+    for (const SectorMode& mode : modes_) {
       numbers.insert(numbers.end(), {mode.omega_squared, mode.kind.kind == ModeKind::spheroidal ? 1.0 : 0.0,
                                      static_cast<double>(mode.kind.degree), mode.kind.share});
       shapes.push_back(sector_.entries_of(mode.u));
@@ -124,14 +122,15 @@ class SectorSpectrum {
     report.n_eigenpairs += static_cast<int>(numbers[2]) - n_published_pairs_;
     n_published_applications_ = static_cast<long>(numbers[1]);
     n_published_pairs_ = static_cast<int>(numbers[2]);
+    modes_.clear();
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       const double* of_mode = numbers.data() + 3 + 4 * i;
       const ModeClass kind{of_mode[1] == 1 ? ModeKind::spheroidal : ModeKind::toroidal, static_cast<int>(of_mode[2]),
                            of_mode[3]};
-      modes.push_back({of_mode[0], kind, sector_.parity(), n_copies_, sector_.field_of(shapes[i])});
+      modes_.push_back({of_mode[0], kind, sector_.parity(), n_copies_, sector_.field_of(shapes[i])});
     }
-    new_modes_.clear();
   }
+  const std::vector<SectorMode>& modes() const { return modes_; }
 
   double complete_below() const { return complete_below_; }
 
@@ -165,11 +164,11 @@ class SectorSpectrum {
   const RestProblem& problem_;
   ParitySector sector_;
   SurfaceHarmonics harmonics_;
+  BlockLanczos lanczos_;
   int n_copies_;
   bool is_mine_;
-  std::vector<EigenPair> pairs_;
-  std::vector<SectorMode> new_modes_;  ///< modes of this rank that `publish` has not moved
-  long n_applications_ = 0, n_published_applications_ = 0;
+  std::vector<SectorMode> modes_;
+  long n_published_applications_ = 0;
   int n_published_pairs_ = 0;
   double complete_below_ = 0;
 };
@@ -177,19 +176,19 @@ class SectorSpectrum {
 double root(double square) { return std::copysign(std::sqrt(std::abs(square)), square); }
 
 /// Groups the modes with ω < `bound` into frequencies, which are ordered by their lowest modes. Omits the other modes.
-std::vector<mechanics::ModeGroup> sort_modes(const std::vector<SectorMode>& modes, double bound) {
+std::vector<mechanics::ModeGroup> sort_modes(const std::vector<const SectorMode*>& modes, double bound) {
   std::vector<mechanics::ClassifiedMode> known;
-  for (const SectorMode& mode : modes) {
-    const bool counts = root(mode.omega_squared) < bound;
+  for (const SectorMode* mode : modes) {
+    const bool counts = root(mode->omega_squared) < bound;
     known.push_back(
-        {mode.omega_squared, mode.kind.kind == ModeKind::spheroidal, mode.kind.degree, counts ? mode.n_copies : 0});
+        {mode->omega_squared, mode->kind.kind == ModeKind::spheroidal, mode->kind.degree, counts ? mode->n_copies : 0});
   }
   return mechanics::group_modes(known);
 }
 
 /// The frequency of a group of modes. Its shape is that of the first mode of the group.
-BallFrequency frequency_of(const std::vector<SectorMode>& modes, const mechanics::ModeGroup& group) {
-  const SectorMode& shown = modes[group.modes.front()];
+BallFrequency frequency_of(const std::vector<const SectorMode*>& modes, const mechanics::ModeGroup& group) {
+  const SectorMode& shown = *modes[group.modes.front()];
   BallFrequency f{.omega = group.omega,
                   .least = group.least,
                   .largest = group.largest,
@@ -200,7 +199,7 @@ BallFrequency frequency_of(const std::vector<SectorMode>& modes, const mechanics
                   .share = 1,
                   .parity = shown.parity,
                   .shape = shown.u};
-  for (const std::size_t mode : group.modes) f.share = std::min(f.share, modes[mode].kind.share);
+  for (const std::size_t mode : group.modes) f.share = std::min(f.share, modes[mode]->kind.share);
   double largest = 0;
   for (unsigned int i = 0; i < f.shape.locally_owned_size(); i += 3)
     largest = std::max(
@@ -232,14 +231,16 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
     }
     return ranks.of_all(status);
   };
-  std::vector<SectorMode> modes;
   const int n_first = 2 + n_frequencies / 2, n_more = 2 + n_frequencies / 4;
   frequencies.clear();
   auto status = for_own_sectors([](SectorSpectrum& sector) { return sector.factorize(); });
   if (status) status = for_own_sectors([&](SectorSpectrum& sector) { return sector.extend(n_first); });
   if (!status) return status;
-  for (SectorSpectrum& sector : sectors) sector.publish(ranks, modes, report);
+  for (SectorSpectrum& sector : sectors) sector.publish(ranks, report);
   while (true) {
+    std::vector<const SectorMode*> modes;
+    for (const SectorSpectrum& sector : sectors)
+      for (const SectorMode& mode : sector.modes()) modes.push_back(&mode);
     SectorSpectrum& last = *std::ranges::min_element(sectors, {}, &SectorSpectrum::complete_below);
     const auto sorted = sort_modes(modes, last.complete_below());
     const auto n = static_cast<std::size_t>(n_frequencies);
@@ -253,7 +254,7 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
     if (std::isinf(last.complete_below())) break;  // all modes of the mesh are known
     if (report.n_eigenpairs > 200 * (n_frequencies + 1)) break;
     if (status = ranks.of_all(last.is_mine() ? last.extend(n_more) : mechanics::Status()); !status) return status;
-    last.publish(ranks, modes, report);
+    last.publish(ranks, report);
   }
   return mechanics::Status::failure(
       "the modes cannot be sorted by kind and degree, as the mesh is too coarse for so many of them; raise "

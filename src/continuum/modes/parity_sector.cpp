@@ -17,9 +17,10 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Numbers of corrections of the constraint G u (parity_sector.h). The first number is for the operator of the
-/// eigenvalue problem, the second for a mode or a static response.
-constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
+/// Numbers of corrections of the constraint G u (parity_sector.h): for the operator of the eigenvalue problem, for a
+/// mode or a step of the conjugate gradients, and for a static response. The iteration for eigenvectors needs G u = 0
+/// only roughly, because the step of inverse iteration after it corrects G u.
+constexpr int n_corrections_of_operator = 0, n_corrections_of_mode = 1, n_corrections_of_response = 4;
 /// Relative tolerances of the conjugate gradients in the energy norm. The first is for eigenvectors and modes, the
 /// second for a static response.
 constexpr double tolerance_of_operator = 1e-9, tolerance_of_response = 1e-13;
@@ -110,19 +111,23 @@ void ParitySector::number_unknowns() {
 
 /// Computes the Cholesky factor L of B_own, the block of B = K + s M + γ GᵀG for the own entries of the cell. Sets
 /// cell.coupling to L⁻¹B_own,shared. Sets the lower triangle of `schur` to that of B_shared − couplingᵀ coupling. Here
-/// B_shared does not contain the entries of diagonal_, which `factorize` adds.
-void ParitySector::condense(Cell& cell, unsigned int number, Eigen::MatrixXd& schur) const {
-  const Eigen::MatrixXd& B = problem_.stiffness[number];
-  const auto n_own = static_cast<Eigen::Index>(cell.own.size());
-  Eigen::MatrixXd own = B(cell.own, cell.own);
-  for (Eigen::Index i = 0; i < n_own; ++i) own(i, i) += diagonal_[cell.unknown[i]];
-  cell.own_factor.compute(own);
-  cell.coupling = B(cell.own, cell.shared);
+/// B_shared does not contain the entries of diagonal_, which `factorize` adds. Returns false if B_own is not positive
+/// definite.
+bool ParitySector::condense(Cell& cell, unsigned int number, Eigen::MatrixXd& schur) const {
+  const auto n_own = static_cast<Eigen::Index>(cell.own.size()),
+             n_shared = static_cast<Eigen::Index>(cell.shared.size());
+  Eigen::MatrixXd B = problem_.stiffness[number](cell.free, cell.free);
+  if (problem_.incompressible) {
+    cell.constraint = problem_.constraint[number](Eigen::all, cell.free);
+    B.selfadjointView<Eigen::Lower>().rankUpdate(cell.constraint.transpose(), problem_.penalty);
+  }
+  for (Eigen::Index i = 0; i < n_own; ++i) B(i, i) += diagonal_[cell.unknown[i]];
+  cell.own_factor.compute(B.topLeftCorner(n_own, n_own));
+  cell.coupling = B.bottomLeftCorner(n_shared, n_own).transpose();
   cell.own_factor.matrixL().solveInPlace(cell.coupling);
-  schur = B(cell.shared, cell.shared);
-  schur.selfadjointView<Eigen::Lower>().rankUpdate(cell.coupling.transpose(), -1);
-  if (!problem_.incompressible) return;
-  cell.constraint = problem_.constraint[number](Eigen::all, cell.free);
+  schur = B.bottomRightCorner(n_shared, n_shared);
+  if (n_own > 0) schur.selfadjointView<Eigen::Lower>().rankUpdate(cell.coupling.transpose(), -1);
+  return cell.own_factor.info() == Eigen::Success;
 }
 
 mechanics::Status ParitySector::factorize() {
@@ -140,8 +145,7 @@ mechanics::Status ParitySector::factorize() {
   for (unsigned int c = 0; c < cells_.size(); ++c) {
     Cell& cell = cells_[c];
     Eigen::MatrixXd schur;
-    condense(cell, c, schur);
-    regular = regular && cell.own_factor.info() == Eigen::Success;
+    regular = condense(cell, c, schur) && regular;
     const Eigen::Index* shared = cell.unknown.data() + cell.own.size();
     for (Eigen::Index j = 0; j < schur.cols(); ++j)
       for (Eigen::Index i = j; i < schur.rows(); ++i) {
@@ -266,15 +270,16 @@ mechanics::Status ParitySector::solve_definite(const Eigen::VectorXd& f, int n_c
   return {};
 }
 
-mechanics::Status ParitySector::solve_all(const Eigen::MatrixXd& f, double tolerance, Eigen::MatrixXd& u) const {
+mechanics::Status ParitySector::solve_all(const Eigen::MatrixXd& f, int n_corrections, double tolerance,
+                                          Eigen::MatrixXd& u) const {
   if (f.cols() > 0 && !iterates()) {
-    u = solve_cells<Eigen::Dynamic>(f, n_corrections_of_mode);
+    u = solve_cells<Eigen::Dynamic>(f, n_corrections);
     return {};
   }
   u.resize(f.rows(), f.cols());
   for (Eigen::Index k = 0; k < f.cols(); ++k) {
     Eigen::VectorXd column;
-    if (auto status = solve_definite(f.col(k), n_corrections_of_mode, tolerance, column); !status) return status;
+    if (auto status = solve_definite(f.col(k), n_corrections, tolerance, column); !status) return status;
     u.col(k) = column;
   }
   return {};
@@ -289,7 +294,6 @@ Eigen::MatrixXd ParitySector::product(const Eigen::MatrixXd& u) const {
     local = (problem_.stiffness[c] * local).eval();
     scatter_add<Eigen::Dynamic>(cell, local(cell.free, Eigen::all), f);
   }
-  if (problem_.incompressible) f -= reaction_of<Eigen::Dynamic>(problem_.penalty * constraint_of<Eigen::Dynamic>(u));
   for (Eigen::Index k = 0; iterates() && k < u.cols(); ++k) f.col(k) += beyond_cells_.product(u.col(k));
   const auto& coupled = beyond_cells_.unknowns;
   if (!coupled.empty()) f(coupled, Eigen::all) += beyond_cells_.matrix * u(coupled, Eigen::all);
@@ -299,7 +303,7 @@ Eigen::MatrixXd ParitySector::product(const Eigen::MatrixXd& u) const {
 Eigen::VectorXd ParitySector::with_volume(const Eigen::VectorXd& h) const {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n_unknowns_));
   if (!problem_.incompressible) return u;
-  for (int correction = 0; correction < n_corrections_of_mode; ++correction) {
+  for (int correction = 0; correction < n_corrections_of_response; ++correction) {
     Eigen::VectorXd part = reaction_of<1>(problem_.penalty * (h - constraint_of<1>(u)));
     solve_penalized<1>(part);
     u += part;
@@ -348,27 +352,21 @@ mechanics::SolveReport ParitySector::solve(const Eigen::VectorXd& f, const Eigen
   return report;
 }
 
-mechanics::Status ParitySector::apply(std::span<const double> y, std::span<double> z) const {
-  const auto n = static_cast<Eigen::Index>(n_unknowns_);
-  const Eigen::Map<const Eigen::VectorXd> in(y.data(), n);
-  Eigen::Map<Eigen::VectorXd> out(z.data(), n);
-  Eigen::VectorXd u;
-  if (auto status = solve_definite(root_mass_.cwiseProduct(in), n_corrections_of_operator, tolerance_of_operator, u);
-      !status)
+mechanics::Status ParitySector::apply(const Eigen::MatrixXd& y, Eigen::MatrixXd& z) const {
+  const int n_corrections = iterates() ? n_corrections_of_mode : n_corrections_of_operator;
+  if (auto status = solve_all(root_mass_.asDiagonal() * y, n_corrections, tolerance_of_operator, z); !status)
     return status;
-  out = root_mass_.cwiseProduct(u);
+  z = root_mass_.asDiagonal() * z;
   return {};
 }
 
-mechanics::Status ParitySector::modes_of(std::span<const EigenPair> pairs, Modes& modes) const {
-  Eigen::MatrixXd f(static_cast<Eigen::Index>(n_unknowns_), static_cast<Eigen::Index>(pairs.size()));
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    f.col(static_cast<Eigen::Index>(k)) =
-        root_mass_.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(pairs[k].vector.data(), f.rows()));
-  if (auto status = solve_all(f, tolerance_of_operator, modes.u); !status) return status;
+mechanics::Status ParitySector::modes_of(const Eigen::MatrixXd& y, Modes& modes) const {
+  if (auto status = solve_all(root_mass_.asDiagonal() * y, n_corrections_of_mode, tolerance_of_operator, modes.u);
+      !status)
+    return status;
   const Eigen::MatrixXd K_u = product(modes.u);
-  modes.omega_squared.resize(f.cols());
-  for (Eigen::Index k = 0; k < f.cols(); ++k) {
+  modes.omega_squared.resize(y.cols());
+  for (Eigen::Index k = 0; k < y.cols(); ++k) {
     const auto u = modes.u.col(k);
     modes.omega_squared[k] = u.dot(K_u.col(k)) / u.dot(mass_.cwiseProduct(u)) - problem_.shift;
   }
@@ -376,7 +374,7 @@ mechanics::Status ParitySector::modes_of(std::span<const EigenPair> pairs, Modes
 }
 
 mechanics::Status ParitySector::respond(const Eigen::MatrixXd& f, Eigen::MatrixXd& u) const {
-  return solve_all(f, tolerance_of_response, u);
+  return solve_all(f, n_corrections_of_response, tolerance_of_response, u);
 }
 
 Eigen::VectorXd ParitySector::entries_of(const Vector& field) const {

@@ -29,10 +29,8 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <span>
 #include <vector>
 
-#include "continuum/modes/largest_eigenpairs.h"
 #include "continuum/modes/linear_problem.h"
 #include "continuum/modes/parity.h"
 #include "mechanics/core/status.h"
@@ -70,10 +68,11 @@ class ParitySector {
   /// Returns u minus a displacement with the same G u. The result w therefore has G w = 0.
   Eigen::VectorXd without_volume(const Eigen::VectorXd& u) const;
 
-  /// Sets z = M^½ T M^½ y. Here and in `respond`, T is defined with K + E in place of K. The operator M^½ T M^½ is
-  /// symmetric and has the eigenvalues 1/(ω² + s). `apply`, `respond` and `modes_of` fail if K + E + s M is not
-  /// positive definite, or if the conjugate-gradient iteration does not converge.
-  mechanics::Status apply(std::span<const double> y, std::span<double> z) const;
+  /// Sets z = M^½ T M^½ y for each column y, with G u = 0 to about 10⁻⁶ in an eigenvalue problem. Here and in
+  /// `respond`, T is defined with K + E in place of K. The operator M^½ T M^½ is symmetric and has the eigenvalues
+  /// 1/(ω² + s). `apply`, `respond` and `modes_of` fail if K + E + s M is not positive definite, or if the
+  /// conjugate-gradient iteration does not converge.
+  mechanics::Status apply(const Eigen::MatrixXd& y, Eigen::MatrixXd& z) const;
 
   /// Sets u = T f for each column f. Several columns take much less time than as many calls, because each factor is
   /// then read once. Fails in the same cases as `apply`.
@@ -84,27 +83,26 @@ class ParitySector {
   ///
   ///   (B + E) δ = r + γGᵀ(h − G u),   u ← u + δ,   λ ← λ + γ(h − G u).
   ///
-  /// The error of G u falls by a factor of the order of γ/μ in each step,
-  /// with the shear modulus μ; γ/μ is 10⁴. If there is an E that B does not contain, GMRES solves for δ with the
-  /// preconditioner B⁻¹, up to `tolerance` relative to B⁻¹ times the right side. The steps end when δ is at most
-  /// `tolerance` times u, or after 8 steps. `lambda` is empty for a compressible body. Fails if GMRES does not
-  /// converge.
+  /// The error of G u falls by a factor of the order of γ/μ in each step, with the shear modulus μ
+  /// (LinearProblem::set_shift). If there is an E that B does not contain, GMRES solves for δ with the preconditioner
+  /// B⁻¹, up to `tolerance` relative to B⁻¹ times the right side. The steps end when δ is at most `tolerance` times u,
+  /// or after 8 steps. `lambda` is empty for a compressible body. Fails if GMRES does not converge.
   mechanics::SolveReport solve(const Eigen::VectorXd& f, const Eigen::VectorXd& h, double tolerance, Eigen::VectorXd& u,
                                Eigen::VectorXd& lambda) const;
 
-  /// Modes u as columns, with their ω². `modes_of` makes one step of inverse iteration from each approximate
-  /// eigenvector of `apply`, which gives u. The result ω² is uᵀ(K + E)u / uᵀMu.
+  /// Modes u as columns, with their ω². `modes_of` makes one step of inverse iteration from each column y, an
+  /// approximate eigenvector of `apply`, which gives u. The result ω² is uᵀ(K + E)u / uᵀMu.
   struct Modes {
     Eigen::VectorXd omega_squared;
     Eigen::MatrixXd u;
   };
-  mechanics::Status modes_of(std::span<const EigenPair> pairs, Modes& modes) const;
+  mechanics::Status modes_of(const Eigen::MatrixXd& y, Modes& modes) const;
 
  private:
   struct Cell;
   struct Interface;
   void number_unknowns();
-  void condense(Cell& cell, unsigned int number, Eigen::MatrixXd& coupling) const;
+  bool condense(Cell& cell, unsigned int number, Eigen::MatrixXd& coupling) const;
   template <int n>
   void scatter_add(const Cell& cell, const Columns<n>& local, Columns<n>& u) const;
   template <int n>
@@ -119,7 +117,7 @@ class ParitySector {
   mechanics::Status solve_definite(const Eigen::VectorXd& f, int n_corrections, double tolerance,
                                    Eigen::VectorXd& u) const;
   /// `solve_definite` for each column of f.
-  mechanics::Status solve_all(const Eigen::MatrixXd& f, double tolerance, Eigen::MatrixXd& u) const;
+  mechanics::Status solve_all(const Eigen::MatrixXd& f, int n_corrections, double tolerance, Eigen::MatrixXd& u) const;
   Eigen::VectorXd with_volume(const Eigen::VectorXd& h) const;  ///< some u with G u = h; 0 for a compressible body
 
   /// True if there is an E that B does not contain.

@@ -2,19 +2,19 @@
 
 #include <deal.II/base/config.h>
 
-#ifndef DEAL_II_WITH_SLEPC
-#error "the continuum needs a deal.II with SLEPc (the package slepc-dev, found when deal.II is configured)"
+#ifndef DEAL_II_WITH_PETSC
+#error "the continuum needs a deal.II with PETSc (the package petsc-dev, found when deal.II is configured)"
 #endif
-#include <slepcsys.h>
+#include <petscsys.h>
 
 namespace pseudorigid::continuum {
 
 void start_petsc() {
-  if (SlepcInitializeCalled) return;
+  if (PetscInitializeCalled) return;
   PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
   struct Session {
-    Session() { SlepcInitialize(nullptr, nullptr, nullptr, nullptr); }
-    ~Session() { SlepcFinalize(); }
+    Session() { PetscInitialize(nullptr, nullptr, nullptr, nullptr); }
+    ~Session() { PetscFinalize(); }
   };
   static const Session session;
 }

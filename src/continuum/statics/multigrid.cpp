@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "continuum/modes/krylov.h"
 #include "materials/rest_moduli.h"
 
 namespace pseudorigid::continuum {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+
+#include "continuum/modes/block_lanczos.h"
 
 namespace pseudorigid::continuum {
 
@@ -10,14 +11,11 @@ mechanics::Status SectorBasis::add_eigenvectors(int n) {
   // Relative residual of eigenvectors. The eigenvalues of the projected problem have errors of the order of its square.
   constexpr double eigenvector_tolerance = 1e-6;
   if (auto status = sector_.factorize(); !status) return status;
-  std::vector<EigenPair> known = uniform_motions();
-  const std::size_t n_uniform = known.size();
-  const auto apply = [&](std::span<const double> y, std::span<double> z) { return sector_.apply(y, z); };
-  if (auto status = append_largest_eigenpairs(apply, sector_.n_unknowns(), n, eigenvector_tolerance, known); !status)
-    return status;
-  known.resize(std::min(known.size(), n_uniform + static_cast<std::size_t>(n)));
+  BlockLanczos lanczos([&](const auto& y, auto& z) { return sector_.apply(y, z); },
+                       static_cast<Eigen::Index>(sector_.n_unknowns()), uniform_motions());
+  if (auto status = lanczos.find(n, eigenvector_tolerance); !status) return status;
   ParitySector::Modes modes;
-  if (auto status = sector_.modes_of(std::span(known).subspan(n_uniform), modes); !status) return status;
+  if (auto status = sector_.modes_of(lanczos.vectors(), modes); !status) return status;
   for (Eigen::Index k = 0; k < modes.u.cols(); ++k) eigenvectors_.push_back(modes.u.col(k));
   return {};
 }
@@ -67,14 +65,13 @@ Eigen::MatrixXd SectorBasis::stiffness(double shift) const {
   return (K + K.transpose()) / 2;
 }
 
-std::vector<EigenPair> SectorBasis::uniform_motions() const {
+Eigen::MatrixXd SectorBasis::uniform_motions() const {
   const auto& sign = sector_.parity().sign;
   if (std::ranges::count(sign, -1) != 1) return {};
   const Eigen::Vector3d axis = Eigen::Vector3d::Unit(std::ranges::find(sign, -1) - sign.begin());
   Vector u = sector_.space().make_vector();
   for (unsigned int i = 0; i < 3 * sector_.space().n_nodes(); ++i) u.local_element(i) = axis[i % 3];
-  const Eigen::VectorXd y = sector_.entries_of(u).cwiseProduct(sector_.mass().cwiseSqrt()).normalized();
-  return {{0, {y.begin(), y.end()}}};
+  return sector_.entries_of(u).cwiseProduct(sector_.mass().cwiseSqrt()).normalized();
 }
 
 void SectorBasis::append(Eigen::VectorXd u) {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "continuum/modes/largest_eigenpairs.h"
+#include "continuum/modes/parity_sector.h"
 #include "continuum/parallel/sector_ranks.h"
 #include "continuum/statics/tangent_problem.h"
 
@@ -56,8 +56,8 @@ class SectorBasis {
 
  private:
   /// The uniform translation u in the sector as the vector M^½ u of length 1, which is an argument of
-  /// ParitySector::apply. The result is empty if the sector does not contain a translation.
-  std::vector<EigenPair> uniform_motions() const;
+  /// ParitySector::apply. The result has no column if the sector does not contain a translation.
+  Eigen::MatrixXd uniform_motions() const;
   /// Appends the part of u that is orthogonal to the basis, divided by its length. Omits this part if it is short
   /// (`dependent`).
   void append(Eigen::VectorXd u);
