@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <slepceps.h>
 
-#include <Eigen/QR>
 #include <limits>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "continuum/modes/parity_sector.h"
 #include "continuum/modes/rest_problem.h"
 #include "continuum/parallel/petsc_session.h"
+#include "mechanics/core/dense_algebra.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -28,8 +28,7 @@ continuum::BlockOperator product_with(const Eigen::MatrixXd& A) {
 /// A symmetric matrix with these eigenvalues, whose eigenvectors are random.
 struct SymmetricMatrix {
   explicit SymmetricMatrix(const Eigen::VectorXd& values)
-      : vectors(Eigen::HouseholderQR<Eigen::MatrixXd>(Eigen::MatrixXd::Random(values.size(), values.size()))
-                    .householderQ()),
+      : vectors(mechanics::span_of(Eigen::MatrixXd::Random(values.size(), values.size()), 0)),
         A(vectors * values.asDiagonal() * vectors.transpose()) {}
   Eigen::MatrixXd vectors, A;
 };

@@ -1,9 +1,10 @@
 #include "continuum/modes/block_lanczos.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 #include <utility>
+
+#include "mechanics/core/dense_algebra.h"
 
 namespace pseudorigid::continuum {
 namespace {
@@ -67,11 +68,11 @@ mechanics::Status BlockLanczos::expand() {
   n_multiplied_ = n;
   append(w, std::numeric_limits<double>::epsilon() * T_.norm());
   R_ = V_.middleCols(n, n_basis_ - n).transpose() * w;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(T_);
-  if (solver.info() != Eigen::Success)
-    return mechanics::Status::failure("the iteration for the eigenvectors does not converge");
-  theta_ = solver.eigenvalues().reverse();
-  s_ = solver.eigenvectors().rowwise().reverse();
+  if (!T_.allFinite())
+    return mechanics::Status::failure("a product of the iteration for the eigenvectors is not finite");
+  const mechanics::SymmetricSpectrum ritz = mechanics::symmetric_spectrum(T_);
+  theta_ = ritz.values.reverse();
+  s_ = ritz.vectors.rowwise().reverse();
   return {};
 }
 

@@ -1,7 +1,6 @@
 #include "mechanics/equilibria/critical_point.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -22,18 +21,15 @@ constexpr double round_off_curvature = 1e-14;
 /// The real part of a rate counts as zero if its absolute value is at most this fraction of the largest |rate|. With
 /// little damping, an error of a zero eigenvalue of H causes rates whose size is the square root of this error.
 constexpr double zero_rate = 1e-6;
+/// A constraint depends on others if its part that is independent of them is smaller than this fraction.
+constexpr double dependent_constraint = 1e-12;
 
 /// Returns a matrix T whose columns are a basis of ker G with TᵀMT = Id, for the mass M and the derivative G of the
 /// constraints. M must be positive definite.
 Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G) {
   const Eigen::LLT<Eigen::MatrixXd> factor(M);  // M = LLᵀ, T = L⁻ᵀZ with Z ⟂ L⁻¹Gᵀ
-  Eigen::MatrixXd Z = Eigen::MatrixXd::Identity(M.rows(), M.cols());
-  if (G.rows() > 0) {
-    const Eigen::MatrixXd normals = factor.matrixL().solve(G.transpose());
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(normals);
-    Z = (qr.householderQ() * Z).rightCols(M.rows() - qr.rank()).eval();
-  }
-  return factor.matrixU().solve(Z);
+  const Eigen::MatrixXd normals = factor.matrixL().solve(G.transpose());
+  return factor.matrixU().solve(null_space(normals.transpose(), dependent_constraint));
 }
 
 /// Sets the rates z and the directions of p for a system without damping. Each eigenvalue κ of H gives the two rates z
