@@ -20,7 +20,7 @@
 #   bulk        both forms of the bulk term of a nearly incompressible ball
 #   peers       the nonlinear release by FEniCSx and GetFEM, where their packages are installed, and small systems by SciPy
 #   modes       the frequencies of the ball by the program and by FEniCSx with SLEPc
-#   figures     a ball at rest by the program and by FEniCSx
+#   figures     a ball at rest by the program, by FEniCSx and by GetFEM
 #   ranks       steps of the program and of FEniCSx on one and on two ranks
 #   long-run    a million periods of the reduced model: 15 minutes more
 # Options:
@@ -203,6 +203,13 @@ measure_figures() {
   has_fenicsx figures || return 0
   into static_figure.csv "$root/benchmarks/static_figure.py" "$program" "${quick[@]}"
   into fenicsx_static.csv /usr/bin/python3 "$root/benchmarks/peers/fenicsx_static.py" "${quick[@]}"
+  local packages=(python3-getfem++ python3-scipy python3-petsc4py)
+  if [[ -n $(missing_packages "${packages[@]}") ]]; then
+    say "GetFEM is left out: apt-get install --no-install-recommends ${packages[*]}"
+  else
+    into getfem_static.csv /usr/bin/python3 "$root/benchmarks/peers/getfem_static.py" "${quick[@]}" ||
+      say "GetFEM failed; its earlier results stay"
+  fi
 }
 measure_ranks() {
   has_fenicsx ranks || return 0

@@ -47,6 +47,7 @@ TABLES = {
     "sizes_of_peers": release_tables.sizes,
     "references_of_release": release_tables.references,
     "static_figures": release_tables.static_figures,
+    "static_figures_of_getfem": release_tables.static_figures_of_getfem,
     "peers": lambda data: release_tables.runs_of_peer(data, "fenicsx_release.csv"),
     "runs_of_midpoint": lambda data: release_tables.runs_of_peer(data, "implicit_midpoint.csv"),
     "runs_of_getfem": lambda data: release_tables.runs_of_peer(data, "getfem_release.csv"),

@@ -174,3 +174,20 @@ def static_figures(data):
                      number(float(r["seconds"]), 2)])
     return ["discretisation", "coordinates / unknowns of FEniCSx", "error of Q33, pseudorigid", "FEniCSx", "s, pseudorigid", "s, FEniCSx",
             "FEniCSx / pseudorigid", "s, with small motions and error bars"], rows
+
+
+def static_figures_of_getfem(data):
+    """The same by GetFEM, on its own meshes, with the cheapest figure of pseudorigid that is at least as accurate."""
+    own, others = (read_rows(data, name) for name in ("static_figure.csv", "getfem_static.csv"))
+    if not own or not others:
+        return None
+    finest = float(own[-1]["Q33"])
+    figures = [{**r, "seconds": r["seconds_figure"], "error": abs(float(r["Q33"]) - finest)} for r in own[:-1]]
+    rows = []
+    for r in others:
+        error = abs(float(r["Q33"]) - finest)
+        figure = cheapest(figures, error)
+        rows.append([discretization(r), r["unknowns"], error_or_bound(error), number(float(r["seconds"]), 2),
+                     *((discretization(figure), error_or_bound(figure["error"]), number(float(figure["seconds"]), 2),
+                        ratio(float(r["seconds"]), float(figure["seconds"]))) if figure else [NONE] * 4)])
+    return ["GetFEM", "unknowns", "error of Q33", "s", "pseudorigid", "error of Q33", "s", "GetFEM / pseudorigid"], rows
