@@ -2,10 +2,9 @@
 ///
 ///   ball_frequency [--quick] > ball_frequency.csv
 ///
-/// Two ways, after the start of PETSc and SLEPc (a line with # says how long that takes): of the octant's motion alone,
-/// where S2 is the lowest mode, and as Analysis = modes finds it, of all parities with kind and degree. Everything from
-/// mesh to eigenvalue is timed, in turn, and the medians of seven rounds are given, or of as many as 8 seconds hold.
-/// Columns:
+/// Two ways: of the octant's motion alone, where S2 is the lowest mode, and as Analysis = modes finds it, of all
+/// parities with kind and degree. Everything from mesh to eigenvalue is timed, in turn, and the medians of seven rounds
+/// are given, or of as many as 8 seconds hold. Columns:
 ///
 ///   way                    octant, or all parities
 ///   degree, refinements, unknowns
@@ -21,9 +20,8 @@
 #include <string_view>
 #include <vector>
 
-#include "continuum/modes/largest_eigenpairs.h"
+#include "continuum/modes/block_lanczos.h"
 #include "continuum/modes/modes.h"
-#include "continuum/parallel/petsc_session.h"
 #include "materials/law_table.h"
 #include "measuring.h"
 
@@ -52,11 +50,11 @@ struct Rest {
 double octant_frequency(const Rest& rest) {
   ParitySector sector(rest.problem, parity_of_sector(0));
   require(sector.factorize());
-  std::vector<EigenPair> pairs;
-  require(append_largest_eigenpairs([&](auto y, auto z) { return sector.apply(y, z); }, sector.n_unknowns(), 1, 1e-7,
-                                    pairs));
+  BlockLanczos lanczos([&](const auto& y, auto& z) { return sector.apply(y, z); },
+                       static_cast<Eigen::Index>(sector.n_unknowns()));
+  require(lanczos.find(1, 1e-7));
   ParitySector::Modes modes;
-  require(sector.modes_of(std::span(pairs).first(1), modes));
+  require(sector.modes_of(lanczos.vectors(), modes));
   return std::sqrt(modes.omega_squared[0]);
 }
 
@@ -96,9 +94,6 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "ball_frequency [--quick]\n");
     return 2;
   }
-  const double start = cpu_seconds();
-  start_petsc();
-  std::printf("# PETSc and SLEPc start in %.3f s\n", cpu_seconds() - start);
   std::printf("way,degree,refinements,unknowns,seconds,error\n");
   constexpr int combinations[][2] = {{2, 0}, {3, 0}, {4, 0}, {5, 0}, {6, 0}, {7, 0},
                                      {2, 1}, {3, 1}, {4, 1}, {2, 2}, {3, 2}};

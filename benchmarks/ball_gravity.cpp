@@ -68,7 +68,7 @@ void run(int degree, int n_refinements, int n_steps) {
   const double step_s = median_seconds(n_steps, step);
 
   auto f = ball.make_vector();
-  const double gravity_s = median_seconds(15, [&] { ball.gravity()->add(state.q, f); });
+  const double gravity_s = median_seconds(15, [&] { require(ball.gravity()->add(state.q, f)); });
   const int n_points = continuum::n_gravity_points(ball.space(), false);
   const std::size_t n_targets = continuum::free_surface(ball.space()).size() * n_points * n_points,
                     n_sources = 8 * n_targets;

@@ -135,7 +135,7 @@ def errors_of_the_ball(data):
          None, ["ranks_of_peers"]),
         ("Elastic ball: modes by two programs", "modes",
          ["The 12 lowest frequencies with all their modes. pseudorigid: processor time of the process less that of a start and of the "
-          "start of PETSc and SLEPc. FEniCSx: from the first assembly to the eigenvalues, without sorting by kind and degree."],
+          "start of its libraries. FEniCSx: from the first assembly to the eigenvalues, without sorting by kind and degree."],
          None, ["modes_of_peers"]),
         ("Elastic ball: nearly incompressible", "bulk",
          ["The release with λ from 10² to 10⁵ μ and both forms of Material/Bulk. Wall time of one thread from the search for the step to "
@@ -166,7 +166,7 @@ def errors_of_the_ball(data):
         ("Elastic ball: lowest spheroidal frequency", "frequency",
          ["S2 of the incompressible sphere, 2.665622189236 c/r. octant: the lowest mode of the motion that is "
           "symmetric to three planes; all parities: as Analysis = modes finds it among all modes of the ball. From "
-          "mesh to eigenvalue, after the start of PETSc and SLEPc, median.", reference_of_frequency(data)],
+          "mesh to eigenvalue, after the start of the libraries, median.", reference_of_frequency(data)],
          lambda f, d, i: f.draw_frequency(d, i), ["frequency"]),
         ("Discretisation from a tolerance", "auto",
          ["Continuum/Degree = auto, Refinements = auto beside the cheapest discretisation that meets the tolerance, "
