@@ -12,9 +12,8 @@ The path of the program is in the environment variable PSEUDORIGID. If it is not
 One thread computes.
 
 Columns: degree, refinements, unknowns (coordinates of the octant, with those that a sector sets to 0), seconds (processor time of the
-process less that of a start before it, median of five), n_modes, error_S2 (relative error of the mean frequency of S2), sectors,
-seconds_libraries (part of `seconds` for the start of deal.II and its libraries, which FEniCSx does not time), omega_S2.
-seconds_libraries is that of an analysis of degree 2 with one frequency. It contains about 5 ms of work.
+process less that of a start of the finite elements before it, median of five), n_modes, error_S2 (relative error of the mean frequency
+of S2), sectors, omega_S2.
 """
 import os
 import pathlib
@@ -25,7 +24,6 @@ import tempfile
 import program
 
 ENTRIES = {"Analysis": "modes", "Models": "continuum", "Modes/Number": 12, "Output/Graphics": "none"}
-LEAST = {**ENTRIES, "Modes/Number": 1, "Continuum/Degree": 2, "Continuum/Refinements": 0}
 MESHES = ((3, 0), (4, 0), (5, 0), (3, 1), (6, 0), (4, 1), (7, 0), (5, 1))
 QUICK = ((3, 0), (4, 0))
 N_RUNS = 5
@@ -34,18 +32,17 @@ SPHEROIDAL = 1
 
 
 def measure(executable, entries):
-    """(seconds, those of an analysis of degree 2, manifest of the model, columns of modes.csv)"""
-    seconds, least = [], []
+    """(seconds, manifest of the model, columns of modes.csv)"""
+    seconds = []
     for _ in range(N_RUNS):
         with tempfile.TemporaryDirectory() as folder:
             scene = pathlib.Path(folder) / "modes.prm"
             scene.write_text("")
             empty = program.start_up(executable)
-            least.append(program.run(executable, scene, pathlib.Path(folder) / "least", LEAST).cpu - empty)
             run = program.run(executable, scene, pathlib.Path(folder) / "out", entries)
             model, table = run.manifest["models"]["continuum"], run.table("modes.csv")
         seconds.append(run.cpu - empty)
-    return statistics.median(seconds), statistics.median(least), model, table
+    return statistics.median(seconds), model, table
 
 
 def main():
@@ -54,14 +51,14 @@ def main():
     built = pathlib.Path(__file__).resolve().parents[1] / "build/release/bin/pseudorigid"
     executable = pathlib.Path(os.environ.get("PSEUDORIGID", built)).resolve()
     os.environ.update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
-    print("degree,refinements,unknowns,seconds,n_modes,error_S2,sectors,seconds_libraries,omega_S2", flush=True)
+    print("degree,refinements,unknowns,seconds,n_modes,error_S2,sectors,omega_S2", flush=True)
     for degree, refinements in QUICK if sys.argv[1:] else MESHES:
         entries = {**ENTRIES, "Continuum/Degree": degree, "Continuum/Refinements": refinements}
-        seconds, seconds_libraries, model, table = measure(executable, entries)
+        seconds, model, table = measure(executable, entries)
         S2 = next(i for i, row in enumerate(zip(table["kind"], table["degree"], table["overtone"])) if row == (SPHEROIDAL, 2, 0))
         omega, exact = table["omega"][S2], table["exact"][S2]
         print(degree, refinements, int(model["counters"]["unknowns"]), f"{seconds:.4g}", int(sum(table["multiplicity"])),
-              f"{abs(omega / exact - 1):.3g}", N_SECTORS, f"{seconds_libraries:.4g}", f"{omega:.13f}", sep=",", flush=True)
+              f"{abs(omega / exact - 1):.3g}", N_SECTORS, f"{omega:.13f}", sep=",", flush=True)
 
 
 if __name__ == "__main__":
