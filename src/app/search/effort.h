@@ -28,8 +28,8 @@ namespace pseudorigid::app {
 /// Estimated size of a run. The number n_unknowns is three times the number of nodes. The number of multipliers of the
 /// constraint is n_multipliers, which is 0 for a compressible body. `bytes` is the memory of all ranks of a
 /// motion together, or that of another analysis in one process.
-/// In motions, estimated and measured memory differ by less than a third. In eight runs of other analyses with 54,000
-/// to 412,000 unknowns and more than 300 MB, the process took 0.8 to 1.5 times the estimate.
+/// In motions, estimated and measured memory differ by less than a third. In ten runs of other analyses with 54,000 to
+/// 412,000 unknowns and more than 300 MB, the process took 0.8 to 1.6 times the estimate.
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
   double bytes_of_parities = 0;  ///< part of `bytes` that the ranks of an analysis share

@@ -65,9 +65,10 @@ struct LinearProblem {
   std::vector<Eigen::MatrixXd> constraint{};  ///< G of each cell; empty for a compressible body
   std::vector<bool> is_shared{};  ///< nodes of several cells, and nodes of the free surface if E is a matrix
 
-  /// Sets `shift` and `penalty`. The penalty of an incompressible body is 10⁶ times its stiffness in an eigenvalue
-  /// problem, which then needs no corrections of G u. In a static problem it is 10⁴ times the stiffness, because a
-  /// larger penalty amplifies the round-off of responses and multipliers.
+  /// Sets `shift` and `penalty`. Must be called before a sector of this problem is made. The penalty of an
+  /// incompressible body is 10⁶ times its stiffness in an eigenvalue problem, which then needs no corrections of G u.
+  /// In a static problem it is 10⁴ times the stiffness, because a larger penalty amplifies the round-off of responses
+  /// and multipliers.
   void set_shift(double s) {
     shift = s;
     penalty = incompressible ? (s > 0 ? 1e6 : 1e4) * stiffness_of_body_ : 0;

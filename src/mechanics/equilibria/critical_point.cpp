@@ -21,8 +21,8 @@ constexpr double round_off_curvature = 1e-14;
 /// The real part of a rate counts as zero if its absolute value is at most this fraction of the largest |rate|. With
 /// little damping, an error of a zero eigenvalue of H causes rates whose size is the square root of this error.
 constexpr double zero_rate = 1e-6;
-/// A constraint depends on others if its part that is independent of them is smaller than this fraction.
-constexpr double dependent_constraint = 1e-12;
+/// A singular value of the constraints counts as zero if it is at most this fraction of the largest.
+constexpr double dependent_constraint = 1e-14;
 
 /// Returns a matrix T whose columns are a basis of ker G with TᵀMT = Id, for the mass M and the derivative G of the
 /// constraints. M must be positive definite.
