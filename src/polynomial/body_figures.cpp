@@ -247,7 +247,8 @@ mechanics::Status BodyFigures::complete(EquilibriumFigure& figure) const {
   return {};
 }
 
-EquilibriumFigure BodyFigures::tangent(const FigureCondition& condition, const EquilibriumFigure& figure) const {
+EquilibriumFigure BodyFigures::tangent(const FigureCondition& condition, const EquilibriumFigure& figure,
+                                       double /*tolerance*/) const {
   Equations e;
   if (!equations(condition, figure, e))
     return change(Eigen::VectorXd::Constant(U_.cols() + V_.cols() + 1, std::numeric_limits<double>::quiet_NaN()));

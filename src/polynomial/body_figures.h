@@ -110,7 +110,8 @@ class BodyFigures final : public mechanics::FigureEquations {
   Eigen::MatrixXd tangent_matrix(const EquilibriumFigure& figure) const;
   void add_condition(const FigureCondition& condition, const EquilibriumFigure& figure, Equations& result) const;
   mechanics::Status newton(const FigureCondition& condition, EquilibriumFigure& figure) const override;
-  EquilibriumFigure tangent(const FigureCondition& condition, const EquilibriumFigure& figure) const override;
+  EquilibriumFigure tangent(const FigureCondition& condition, const EquilibriumFigure& figure,
+                            double tolerance) const override;
   mechanics::Status complete(EquilibriumFigure& figure) const override;
   bool is_admissible(const Eigen::VectorXd& x) const override { return body().admissible(x).ok(); }
   const CompressibleBody& body() const { return forces_.body(); }

@@ -34,6 +34,11 @@ class ContinuumEquilibria(ProgramTest):
             self.assertAlmostEqual(energy, J * spin / 2, delta=1e-12)
         self.assertEqual(elements.column("parameter_error"), [0] * len(elements))
 
+    def test_a_terminal_gets_the_progress(self):
+        self.scene({**FIGURES, "Equilibrium/Number": 12})
+        text = self.terminal_output("run", "scene.prm")
+        self.assertRegex(text, r"\requilibria-continuum  +\d+ %  \S+ figures/s  \d+ s left\x1b\[K")
+
     def test_traction_is_that_of_the_pseudo_rigid_body(self):
         self.scene({**AT_REST, "Loads/Nominal traction": matrix(0.3, 0.3, 0.9)})
         self.run_done("run", "scene.prm")

@@ -77,7 +77,7 @@ class DiscretizationSearchTest : public ::testing::Test {
                              .directory = directory,
                              .units = io::ball_units(1, 1, 1),
                              .log = io::make_logger(io::Verbosity::silent, {}),
-                             .sink_of = files_of_models(false),
+                             .sink_of = files_of_models(),
                              .resumes = resume};
     if (scene::fixed_discretization(scene_)) return run_with_estimate(context, std::ref(continuum));
     return DiscretizationSearch(context, std::ref(continuum)).run();

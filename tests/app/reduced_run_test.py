@@ -2,7 +2,6 @@
 import json
 import os
 import pathlib
-import pty
 import re
 import unittest
 
@@ -139,21 +138,6 @@ class ReducedRun(ProgramTest):
         self.assertRegex(result.stderr, r"\Ascene: A tumbling ball\nreduced: \d+ steps, \S+ s\nresults are in output/scene\n\Z")
         verbose = self.run_done("run", "scene.prm", "--verbose", *overrides({"Time/Step": "auto"}))
         self.assertIn("Skipped:\n", verbose.stderr)
-
-    def terminal_output(self, *arguments):
-        """Of a run whose stderr is a terminal."""
-        ours, theirs = pty.openpty()
-        process = self.start_program(*arguments, stderr=theirs)
-        os.close(theirs)
-        text = b""
-        try:
-            while part := os.read(ours, 4096):
-                text += part
-        except OSError:  # the other side is closed
-            pass
-        os.close(ours)
-        self.assertEqual(process.wait(), 0)
-        return text.decode()
 
     def test_a_terminal_gets_the_progress(self):
         self.scene(SLOW)

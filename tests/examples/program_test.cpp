@@ -43,7 +43,7 @@ class SphericalPendulumProgram : public scene::test::SceneFiles {
                              .directory = directory,
                              .units = {},
                              .log = io::make_logger(io::Verbosity::silent, {}),
-                             .sink_of = files_of_models(false)};
+                             .sink_of = files_of_models()};
     const ModelOutcome outcome = run_system(system_, context);
     EXPECT_EQ(outcome.end, mechanics::Outcome::finished) << outcome.message;
     return io::read_csv(directory.csv(name));

@@ -40,7 +40,7 @@ class Spring final : public FigureEquations {
     }
     return Status::failure("no figure");
   }
-  EquilibriumFigure tangent(const FigureCondition&, const EquilibriumFigure& figure) const override {
+  EquilibriumFigure tangent(const FigureCondition&, const EquilibriumFigure& figure, double) const override {
     tangents_at.push_back(figure.drive);
     return {Eigen::VectorXd::Constant(1, 1 / stiffness_(figure.x[0])), Eigen::VectorXd(), 1};
   }

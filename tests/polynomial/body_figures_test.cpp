@@ -198,7 +198,10 @@ TEST(SteadyRotation, JacobisEllipsoidsBecomePears) {
                                ratio_of_spheroid = m.A(2, 2) / m.A(0, 0);
                                return status;
                              }});
-    const FigureFamily family = finder.family({0.41, 0.46});
+    std::vector<double> fractions;
+    const FigureFamily family =
+        finder.family({0.41, 0.46}, {}, [&](double fraction) { fractions.push_back(fraction); });
+    EXPECT_EQ(fractions, (std::vector{0.0, 0.5}));
     ASSERT_EQ(family.members.size(), 2u);
     if (N == 1) {
       EXPECT_TRUE(family.special.empty());

@@ -10,6 +10,7 @@ import json
 import math
 import os
 import pathlib
+import pty
 import re
 import shutil
 import signal
@@ -151,6 +152,21 @@ class ProgramTest(unittest.TestCase):
         result = self.run_program(*arguments, **options)
         self.assertEqual(result.returncode, DONE, result.stderr)
         return result
+
+    def terminal_output(self, *arguments):
+        """Of a run whose stderr is a terminal."""
+        ours, theirs = pty.openpty()
+        process = self.start_program(*arguments, stderr=theirs)
+        os.close(theirs)
+        text = b""
+        try:
+            while part := os.read(ours, 4096):
+                text += part
+        except OSError:  # the other side is closed
+            pass
+        os.close(ours)
+        self.assertEqual(process.wait(), 0)
+        return text.decode()
 
     def wait_until(self, condition, what, seconds=TIME_LIMIT):
         deadline = time.monotonic() + seconds

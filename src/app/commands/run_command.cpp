@@ -107,9 +107,9 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
 
 /// Runs the sweep and returns the exit code.
 int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
-                    io::ManifestFile& manifest, bool shows_progress) {
+                    io::ManifestFile& manifest) {
   using enum mechanics::Outcome;
-  const ModelOutcome sweep = run_sweep(raw, context, executable, shows_progress);
+  const ModelOutcome sweep = run_sweep(raw, context, executable);
   manifest.content().models["sweep"] = sweep.statistics;
   // The outcome of a sweep is `failed` only if the input of one of its runs is wrong.
   const int exit_code = sweep.end == failed ? exit_wrong_input : exit_code_of(sweep.end);
@@ -236,14 +236,14 @@ int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const O
   const io::RunLock lock = prepare(directory, read, needs, options);
   const bool quiet = options.verbosity == io::Verbosity::quiet;
   const auto log = io::make_logger(options.verbosity, directory.log(), options.resume);
-  const bool shows_progress = !quiet && io::Progress::stderr_is_terminal();
   const RunContext context{.scene = scene,
                            .needs = needs,
                            .directory = directory,
                            .units = units_of(scene),
                            .log = log,
-                           .sink_of = files_of_models(shows_progress),
-                           .resumes = options.resume};
+                           .sink_of = files_of_models(),
+                           .resumes = options.resume,
+                           .shows_progress = !quiet && io::Progress::stderr_is_terminal()};
   std::optional<io::ManifestFile> manifest;
   try {
     io::write_file_atomically(directory.used_prm(), {scene::to_prm(scene, read.origins)});
@@ -255,7 +255,7 @@ int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const O
       log->info("the run goes on to Time/End = {:.6g}; Output/Samples = {}, so that they keep their distance",
                 scene.time.end, scene.output.samples);
     const int code = scene.sweep.empty() ? run_models(context, executable, *manifest, quiet)
-                                         : run_whole_sweep(raw, context, executable, *manifest, shows_progress);
+                                         : run_whole_sweep(raw, context, executable, *manifest);
     if (needs.report) add_report(context);
     return code;
   } catch (const std::exception& error) {
@@ -274,7 +274,7 @@ int assist_scene(const scene::ReadScene& read, const Options& options, const Exe
                            .directory = directory,
                            .units = units_of(scene),
                            .log = io::make_logger(io::Verbosity::silent, std::nullopt),
-                           .sink_of = files_of_models(false),
+                           .sink_of = files_of_models(),
                            .resumes = options.resume,
                            .ranks = executable.ranks,
                            .tables = &unused};

@@ -310,8 +310,7 @@ std::optional<std::pair<double, double>> gammas_of_sweep(const scene::ReadScene&
   return gammas;
 }
 
-ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
-                       bool shows_progress) {
+ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable) {
   const auto start = std::chrono::steady_clock::now();
   const auto [first, end] = scene::runs_of_part(raw.scene.sweep_part, scene::n_runs(raw.scene.sweep));
   const int n = end - first;
@@ -325,7 +324,7 @@ ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, c
     context.log->warn("sweep: {} thread{} in place of {}, because the address space is limited (ulimit -v)", n_threads,
                       n_threads == 1 ? "" : "s", n_wanted);
   }
-  SweepRows rows(context, task->columns(), first, n, shows_progress);
+  SweepRows rows(context, task->columns(), first, n);
   Workers workers(in_processes ? *in_processes : *task, raw.scene.sweep, end, context, rows);
   n_threads = workers.work(n_threads);
   rows.finish();

@@ -45,7 +45,6 @@ std::optional<std::pair<double, double>> gammas_of_sweep(const scene::ReadScene&
 /// and `interrupted` after an interrupt. A run that stops early does not end the sweep. Its row has 0 in the column
 /// finished, or for compared models in the columns m_finished of the models without all samples. Rethrows the first
 /// exception of a run that is not a UserError.
-ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
-                       bool shows_progress);
+ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable);
 
 }  // namespace pseudorigid::app

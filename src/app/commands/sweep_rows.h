@@ -28,13 +28,12 @@ class SweepRows {
   /// Creates the tables for the runs first_run, …, first_run + n_runs − 1, or continues the tables if the sweep is
   /// resumed. In this class the numbers of the runs count from 0. Throws UserError if the checkpoint or a table of the
   /// earlier run is missing or damaged.
-  SweepRows(const RunContext& context, const std::vector<std::string>& columns, int first_run, int n_runs,
-            bool shows_progress)
+  SweepRows(const RunContext& context, const std::vector<std::string>& columns, int first_run, int n_runs)
       : identity_(run_identity(context.scene)),
         checkpoint_path_(context.directory.checkpoint(name)),
         first_run_(first_run),
         n_runs_(n_runs),
-        progress_(name, shows_progress, "runs") {
+        progress_(name, context.shows_progress, "runs") {
     const auto path = context.directory.csv(name);
     std::int64_t n_samples = 0;
     if (context.resumes) {

@@ -44,11 +44,11 @@ class FamilyOnMesh {
         family_(family_of_figures(context.scene, context.scene.equilibria.family)),
         figures_(setup(context, discretization, family_.figure), sector_ranks(context)) {}
 
-  /// The family of figures of the scene. If the scene requests the figure at rest, the family has only this figure, for
-  /// the loads times `factor`. Otherwise `factor` is not used.
-  FigureFamily family(double factor) const {
+  /// The family of figures of the scene, as a family of `run`. If the scene requests the figure at rest, the family has
+  /// only this figure, for the loads times `factor`. Otherwise `factor` is not used.
+  FigureFamily family(double factor, FigureRun& run) const {
     if (scene::finds_static_equilibria(context_.scene)) return mechanics::figure_at_rest(figures_, analysis(), factor);
-    return finder().family(parameters_of(context_.scene.equilibria), [&] { return context_.interrupted(); });
+    return run.next_family([&](const auto&... arguments) { return finder().family(arguments...); });
   }
   /// Computes the numbers of a row for a member. Fails if they cannot be computed.
   mechanics::Status numbers(const FigureMember& member, FigureNumbers& numbers) const {
@@ -92,10 +92,10 @@ class FamilyOnMesh {
 /// The members and special points of the family on the companion mesh, from which the errors of the rows are estimated.
 class Companion {
  public:
-  /// `factor` is the factor of the loads for the figure at rest.
-  Companion(const RunContext& context, const scene::Discretization& discretization, double factor)
+  /// `factor` is the factor of the loads for the figure at rest. The family is a further one of `run`.
+  Companion(const RunContext& context, const scene::Discretization& discretization, double factor, FigureRun& run)
       : mesh_(context, discretization),
-        family_(mesh_.family(factor)),
+        family_(mesh_.family(factor, run)),
         round_off_(mesh_.figures().accepted_residual() + 1e-11 * gravity_to_elasticity(context.scene)) {}
 
   /// Appends the errors of a row with these numbers: those of the parameter, the spin, the semi-axes and the rates. The
@@ -148,13 +148,13 @@ class Companion {
 ModelOutcome run_continuum_equilibria(const RunContext& context) {
   const scene::Scene& scene = context.scene;
   const scene::Discretization discretization = *scene::fixed_discretization(scene);
-  FigureRun run(context, "equilibria-continuum", continuum_figure_columns());
+  const bool has_companion = scene.continuum.error_estimate == scene::ErrorEstimate::automatic;
+  FigureRun run(context, "equilibria-continuum", continuum_figure_columns(), has_companion ? 2 : 1);
   FamilyOnMesh mesh(context, discretization);
-  const FigureFamily family = mesh.family(1);
+  const FigureFamily family = mesh.family(1, run);
   const double factor = family.members.empty() ? 1 : family.members.front().parameter;
   std::optional<Companion> companion;
-  if (scene.continuum.error_estimate == scene::ErrorEstimate::automatic)
-    companion.emplace(context, scene::companion(discretization), factor);
+  if (has_companion) companion.emplace(context, scene::companion(discretization), factor, run);
   if (context.interrupted()) run.end(mechanics::Outcome::interrupted, "interrupted while computing equilibria");
   run.add(
       "elements of " + scene::describe(discretization), family,

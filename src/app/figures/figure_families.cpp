@@ -268,11 +268,14 @@ std::vector<double> figure_row(int index, const FigureMember& member, const mech
   return row;
 }
 
-FigureRun::FigureRun(const RunContext& context, std::string_view file, const std::vector<scene::Column>& columns)
+FigureRun::FigureRun(const RunContext& context, std::string_view file, const std::vector<scene::Column>& columns,
+                     std::size_t n_families)
     : context_(context),
       file_(file),
       parameter_(parameter_name(context.scene.equilibria.family)),
       is_row_(context.tables && context.ranks->is_first()),
+      n_families_(static_cast<double>(n_families)),
+      progress_(file_, context.shows_progress, "figures"),
       kept_(kept_columns(context.scene, columns)) {
   on_all_ranks(*context.ranks, [&] { table_.emplace(table_of(context, file_, chosen(columns, kept_))); });
 }
@@ -340,6 +343,7 @@ void FigureRun::write(const mechanics::FigureFamily& family, const RowOf& row_of
 }
 
 ModelOutcome FigureRun::finish() {
+  progress_.finish();
   on_all_ranks(*context_.ranks, [&] { table_->flush(); });
   auto& counters = outcome_.statistics.counters;
   counters["equilibria"] = n_members_;

@@ -10,6 +10,7 @@
 
 #include "app/run/run_context.h"
 #include "io/column_table.h"
+#include "io/progress.h"
 #include "mechanics/equilibria/figure_family.h"
 #include "observables/body_observables.h"
 #include "scene/catalogue.h"
@@ -99,7 +100,19 @@ class FigureRun {
 
   /// `file` is the name of the table without ".csv". The table has those of `columns` that has_figure_column admits.
   /// The object refers to `context`.
-  FigureRun(const RunContext& context, std::string_view file, const std::vector<scene::Column>& columns);
+  /// `n_families` is the number of families that the run computes.
+  FigureRun(const RunContext& context, std::string_view file, const std::vector<scene::Column>& columns,
+            std::size_t n_families);
+
+  /// Computes the next family with the parameters of the scene: the result of find(parameters, give_up, watch), where
+  /// `find` has the arguments of mechanics::FigureFinder::family. Shows the progress of the run.
+  template <class Find>
+  mechanics::FigureFamily next_family(const Find& find) {
+    const double n_before = n_families_done_++;
+    return find(
+        parameters_of(context_.scene.equilibria), [this] { return context_.interrupted(); },
+        [this, n_before](double fraction) { progress_.step((n_before + fraction) / n_families_); });
+  }
 
   /// Writes the members and the special points of the family of one degree by increasing parameter. A run of a sweep
   /// writes nothing if a figure is missing. Adds a line with the number of members, and a line for each special point,
@@ -128,6 +141,8 @@ class FigureRun {
   std::string file_, parameter_;  ///< name of the table without ".csv"; name of the family's parameter for messages
   bool is_row_;                   ///< true if the run gives a row of a sweep
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double n_families_, n_families_done_ = 0;
+  io::Progress progress_;
   std::vector<std::size_t> kept_;         ///< indices of the columns that the table has
   std::optional<io::ColumnTable> table_;  ///< has a value after the construction
   ModelOutcome outcome_;

@@ -24,7 +24,7 @@ void add_degree(int degree, const RunContext& context, FigureRun& run) {
                                       scene.equilibria.small_motions);
   const mechanics::FigureFamily found =
       is_at_rest ? finder.at_rest()
-                 : finder.family(parameters_of(scene.equilibria), [&] { return context.interrupted(); });
+                 : run.next_family([&](const auto&... arguments) { return finder.family(arguments...); });
   const EquilibriumRows rows(finder.setup(), finder.spectrum());
   run.add(
       fmt::format("degree {}", degree), found,
@@ -69,7 +69,8 @@ std::optional<scene::Refusal> refuses_polynomial_equilibria(const scene::Scene& 
 }
 
 ModelOutcome run_polynomial_equilibria(const RunContext& context) {
-  FigureRun run(context, "equilibria-polynomial", polynomial_equilibria_columns());
+  FigureRun run(context, "equilibria-polynomial", polynomial_equilibria_columns(),
+                context.scene.polynomial.degrees.size());
   for (const int degree : context.scene.polynomial.degrees) {
     if (context.interrupted() && run.goes_on())
       run.end(mechanics::Outcome::interrupted, fmt::format("equilibria interrupted before degree {}", degree));

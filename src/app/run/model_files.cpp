@@ -9,12 +9,12 @@
 
 namespace pseudorigid::app {
 
-ModelFiles::ModelFiles(const RunContext& context, std::string model, bool shows_progress)
+ModelFiles::ModelFiles(const RunContext& context, std::string model)
     : context_(context),
       model_(std::move(model)),
       frames_(context.scene.output.frames, context.scene.output.samples),
       shapes_(context.scene.output.samples),
-      progress_(model_, shows_progress) {}
+      progress_(model_, context.shows_progress) {}
 
 void ModelFiles::create(const std::vector<std::string>& columns) {
   on_all_ranks(*context_.ranks, [&] {
@@ -110,9 +110,9 @@ void ModelFiles::append_shape(const Rows& rows) {
   });
 }
 
-SinkOfModel files_of_models(bool shows_progress) {
-  return [=](const RunContext& context, const char* model) -> std::unique_ptr<ModelSink> {
-    return std::make_unique<ModelFiles>(context, model, shows_progress);
+SinkOfModel files_of_models() {
+  return [](const RunContext& context, const char* model) -> std::unique_ptr<ModelSink> {
+    return std::make_unique<ModelFiles>(context, model);
   };
 }
 

@@ -19,7 +19,7 @@ namespace pseudorigid::app {
 
 class ModelFiles : public ModelSink {
  public:
-  ModelFiles(const RunContext& context, std::string model, bool shows_progress);
+  ModelFiles(const RunContext& context, std::string model);
 
   void create(const std::vector<std::string>& columns) override;
   void append(const std::vector<double>& row) override;
@@ -70,8 +70,7 @@ class ModelFiles : public ModelSink {
   std::optional<io::PvdCollection> pvd_;
 };
 
-/// Returns a function that makes sinks for files in the directory of the run. If `shows_progress` is true, the sinks
-/// show the completed fraction on the terminal.
-SinkOfModel files_of_models(bool shows_progress);
+/// Returns a function that makes sinks for files in the directory of the run.
+SinkOfModel files_of_models();
 
 }  // namespace pseudorigid::app

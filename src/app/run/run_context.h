@@ -39,6 +39,7 @@ struct RunContext {
   std::shared_ptr<io::Logger> log;
   SinkOfModel sink_of;               ///< makes the sink of each model
   bool resumes = false;              ///< true if the run continues an earlier run in the directory
+  bool shows_progress = false;       ///< true if the run shows its completed fraction on the terminal
   const Ranks* ranks = &one_rank();  ///< processes that share the run of the model
   /// Receives the tables of `table_of`. If the pointer is null, these tables are written to files.
   std::map<std::string, io::Table>* tables = nullptr;
@@ -58,7 +59,7 @@ struct RunContext {
 /// A copy of the context that refers to another scene and to other needs. `scene` and `needs` must exist as long as the
 /// copy.
 inline RunContext derived(const RunContext& context, const scene::Scene& scene, const scene::Needs& needs) {
-  const auto& [its_scene, its_needs, directory, units, log, sink_of, resumes, ranks, tables] = context;
+  const auto& [its_scene, its_needs, directory, units, log, sink_of, resumes, shows_progress, ranks, tables] = context;
   return {.scene = scene,
           .needs = needs,
           .directory = directory,
@@ -66,6 +67,7 @@ inline RunContext derived(const RunContext& context, const scene::Scene& scene, 
           .log = log,
           .sink_of = sink_of,
           .resumes = resumes,
+          .shows_progress = shows_progress,
           .ranks = ranks,
           .tables = tables};
 }

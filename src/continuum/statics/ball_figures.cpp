@@ -11,8 +11,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Smallest and largest relative tolerance of the linear equations. The smallest one is also that of the derivatives
-/// along a family.
+/// Smallest and largest relative tolerance of the linear equations of a step.
 constexpr double least_tolerance = 1e-8, largest_tolerance = 1e-5;
 
 constexpr std::array<bool, 3> octant{true, true, true};
@@ -271,6 +270,7 @@ double BallFigures::accepted_residual() const {
 mechanics::Status BallFigures::newton_here(const Condition& condition, Figure& figure) const {
   constexpr int max_iterations = 60, max_halvings = 12;
   constexpr double slow = 0.2;  // a slower decrease of the residual needs a new tangent
+  constexpr double round_off = 1e-14, quadratic = 1e-7, fast = 0.1;  // see the head of ball_figures.h
   const double accepted = accepted_residual();
   Figure kept = figure;
   double best = std::numeric_limits<double>::infinity();
@@ -297,13 +297,14 @@ mechanics::Status BallFigures::newton_here(const Condition& condition, Figure& f
     }
     if (!computed) return computed;
     if (!std::isfinite(size)) break;
+    const bool ends = size <= round_off || (!reused && best <= quadratic && size <= std::min(accepted, fast * best));
     if (i > 0) reuses_factors_ = can_reuse && size < slow * best && factors_ && !factors_->solver->factors_are_cheap();
     if (size < best) best = size, kept = figure;
-    if (size == 0) break;
+    if (ends) break;
     Figure full;
     ++counts_.newton;
     reused = reuses_factors_;
-    const double tolerance = std::clamp(size, least_tolerance, largest_tolerance);
+    const double tolerance = std::clamp(std::max(size, 0.01 * round_off / size), least_tolerance, largest_tolerance);
     const mechanics::Status solved = step(condition, figure, now, tolerance, full);
     if (!solved || !full.x.allFinite()) {
       if (std::exchange(reused, false)) continue;  // `figure` is `kept`, so the next step has a new tangent
@@ -322,7 +323,8 @@ mechanics::Status BallFigures::newton_here(const Condition& condition, Figure& f
       mechanics::six_digits(best) + " of the terms");
 }
 
-BallFigures::Figure BallFigures::tangent_here(const Condition& condition, const Figure& figure) const {
+BallFigures::Figure BallFigures::tangent_here(const Condition& condition, const Figure& figure,
+                                              double tolerance) const {
   const auto nan = std::numeric_limits<double>::quiet_NaN();
   const Figure none{Eigen::VectorXd::Constant(figure.x.size(), nan),
                     Eigen::VectorXd::Constant(figure.lambda.size(), nan), nan};
@@ -332,7 +334,7 @@ BallFigures::Figure BallFigures::tangent_here(const Condition& condition, const 
   const Vector no_constraint = incompressible_ ? body_->space().make_multiplier() : Vector();
   if (condition.parameter == mechanics::FigureParameter::drive) {
     std::vector<Figure> found;
-    if (!solve_linear(figure, nullptr, least_tolerance, {{now.drive, no_constraint}}, found)) return none;
+    if (!solve_linear(figure, nullptr, tolerance, {{now.drive, no_constraint}}, found)) return none;
     found[0].drive = 1;
     return found[0];
   }
@@ -340,8 +342,7 @@ BallFigures::Figure BallFigures::tangent_here(const Condition& condition, const 
   // derivative of x.
   const double c = std::exp(condition.value) * body_->mass_moment(positions(figure))(0, 0);
   Figure along;
-  if (!solve_with_condition(condition, figure, body_->make_vector(), no_constraint, now.drive, c, least_tolerance,
-                            along))
+  if (!solve_with_condition(condition, figure, body_->make_vector(), no_constraint, now.drive, c, tolerance, along))
     return none;
   return along;
 }

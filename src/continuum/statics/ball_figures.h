@@ -23,7 +23,11 @@
 /// condition therefore keeps the tangent of an earlier step. This ends when the residual falls by a factor of less than
 /// 5 in a step. With V-cycles, each step has a new tangent. The relative tolerance of its linear equations is then the
 /// residual relative to the terms, but at least 1e-8 and at most 1e-5. Newton's iteration still converges quadratically
-/// (Dembo, Eisenstat & Steihaug 1982).
+/// (Dembo, Eisenstat & Steihaug 1982). If the residual is near round-off, a larger tolerance suffices.
+///
+/// The iteration ends at a figure whose residual is round-off. A step from a residual below 1e-7 that divides it by ten
+/// or more leads to round-off, because the convergence is quadratic. Otherwise a further step must show that a small
+/// residual does not halve.
 ///
 /// K is also singular at a bifurcation to figures that are not symmetric about axis 3. The search for a spheroid is
 /// therefore restricted to positions that are symmetric under the exchange of the axes 1 and 2. These positions exclude
@@ -124,8 +128,8 @@ class BallFigures final : public mechanics::FigureEquations {
     share(figure);
     return ranks_.of_all(status);
   }
-  Figure tangent(const Condition& condition, const Figure& figure) const override {
-    Figure result = ranks_.is_first() ? tangent_here(condition, figure) : figure;
+  Figure tangent(const Condition& condition, const Figure& figure, double tolerance) const override {
+    Figure result = ranks_.is_first() ? tangent_here(condition, figure, tolerance) : figure;
     share(result);
     return result;
   }
@@ -140,7 +144,7 @@ class BallFigures final : public mechanics::FigureEquations {
   void share(Figure& figure) const;
   /// The work of the first rank for the functions of the base class. These functions must not be collective.
   mechanics::Status newton_here(const Condition& condition, Figure& figure) const;
-  Figure tangent_here(const Condition& condition, const Figure& figure) const;
+  Figure tangent_here(const Condition& condition, const Figure& figure, double tolerance) const;
   mechanics::Status complete_here(Figure& figure) const;
   bool is_admissible_here(const Eigen::VectorXd& x) const;
 

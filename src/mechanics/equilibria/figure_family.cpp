@@ -145,11 +145,14 @@ void FigureFinder::locate_special(double a, double b, FigureFamily& result) {
   if (!is_complete && rotates && !gives_up()) result.without_special.push_back(b);
 }
 
-FigureFamily FigureFinder::family(const std::vector<double>& parameters, std::function<bool()> give_up) {
+FigureFamily FigureFinder::family(const std::vector<double>& parameters, std::function<bool()> give_up,
+                                  const std::function<void(double)>& watch) {
   give_up_ = std::move(give_up);
   FigureFamily result;
   bool previous = false;
+  double n_done = 0;
   for (const double p : parameters) {
+    if (watch) watch(n_done++ / static_cast<double>(parameters.size()));
     FigureMember at;
     const Status status = member(p, at);
     if (!status && gives_up()) break;

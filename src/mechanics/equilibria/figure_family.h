@@ -102,7 +102,9 @@ class FigureFinder {
   /// Folds are located only if the parameter of the condition is a ratio of axes.
   /// Parameters for which no member is found are listed in `missing`. `give_up` is called before each member and each
   /// trial member near a special point. If `give_up` returns true, the function returns the members found so far.
-  FigureFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {});
+  /// `watch` is called with the completed fraction of the parameters, from 0 on.
+  FigureFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {},
+                      const std::function<void(double fraction)>& watch = {});
   /// Finds the member with this parameter. Fails if no figure is found, if its stability cannot be computed, or if the
   /// function `give_up` of the last call of `family` returns true.
   Status member(double parameter, FigureMember& member);

@@ -22,6 +22,7 @@ Status FigureEquations::follow(double from, const FigureCondition& condition, Eq
   // The largest changes of the logarithm of a ratio of axes, and of an entry of x in a prediction, so that the search
   // does not jump to other branches.
   constexpr double largest_ratio = 0.25, largest_move = 0.25;
+  constexpr double of_prediction = 1e-5;  // relative tolerance of a prediction
   constexpr double astray = 0.5;  // bound of the distance between solution and prediction, as a fraction of the step
   const double way = condition.value - from;
   if (!std::isfinite(way)) return Status::failure("there is no figure with this parameter");
@@ -30,7 +31,7 @@ Status FigureEquations::follow(double from, const FigureCondition& condition, Eq
   EquilibriumFigure along;
   bool is_known = false;  // whether `along` is the tangent at `figure`
   while (at != condition.value) {
-    if (!is_known) along = tangent({condition.parameter, at}, figure);
+    if (!is_known) along = tangent({condition.parameter, at}, figure, of_prediction);
     is_known = true;
     const double rate = along.x.lpNorm<Eigen::Infinity>();
     if (std::isfinite(rate) && rate * step > largest_move)

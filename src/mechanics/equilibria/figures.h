@@ -68,16 +68,18 @@ class FigureEquations {
   /// Returns the derivative of ν along the family with respect to condition.parameter, or NaN if it cannot be computed.
   /// `figure` must satisfy the condition.
   double slope(const FigureCondition& condition, const EquilibriumFigure& figure) const {
-    return tangent(condition, figure).drive;
+    constexpr double tolerance = 1e-8;
+    return tangent(condition, figure, tolerance).drive;
   }
 
  private:
   /// Makes Newton's iteration from `figure`. Fails if the residual does not reach round-off, or if a force cannot be
   /// computed. `figure` becomes the iterate with the least residual, unless a force fails.
   virtual Status newton(const FigureCondition& condition, EquilibriumFigure& figure) const = 0;
-  /// Returns the derivatives of x, λ and ν along the family with respect to condition.parameter. The derivatives are
-  /// NaN if they cannot be computed.
-  virtual EquilibriumFigure tangent(const FigureCondition& condition, const EquilibriumFigure& figure) const = 0;
+  /// Returns the derivatives of x, λ and ν along the family with respect to condition.parameter. An iterative solver
+  /// has the relative `tolerance`. The derivatives are NaN if they cannot be computed.
+  virtual EquilibriumFigure tangent(const FigureCondition& condition, const EquilibriumFigure& figure,
+                                    double tolerance) const = 0;
   /// Sets the residual of the figure, and the multipliers that Newton's iteration does not compute. Fails if a force
   /// cannot be computed.
   virtual Status complete(EquilibriumFigure& figure) const = 0;
