@@ -236,6 +236,12 @@ if [[ -z $page_only ]]; then
   # Numerical libraries that would start threads must not: everything here runs on one core unless it says otherwise.
   # (Not before the build: nproc says 1 where OMP_NUM_THREADS is 1.)
   export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+  # All programs have the kernels of OpenBLAS that pseudorigid selects. OpenBLAS does not know the newest processors.
+  if grep -qw avx512vl /proc/cpuinfo; then
+    export OPENBLAS_CORETYPE=SKYLAKEX
+  elif grep -qw avx2 /proc/cpuinfo; then
+    export OPENBLAS_CORETYPE=HASWELL
+  fi
   for part in "${parts[@]}"; do
     say "Measuring: $part"
     read -r load _ </proc/loadavg

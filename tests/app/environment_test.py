@@ -2,6 +2,7 @@
 memory."""
 import fcntl
 import os
+import pathlib
 import re
 import resource
 import shutil
@@ -289,6 +290,24 @@ class Environment(StoppedRunTest):
         self.run_done("run", "scene.prm", "--output", "chosen")
         chosen = self.json("chosen", "manifest.json")["instructions"]
         self.assertEqual(self.bytes("chosen", "continuum.csv"), self.bytes(chosen, "continuum.csv"))
+
+    def test_kernels_of_openblas_fit_the_processor(self):
+        """A model of processor that OpenBLAS does not know would get kernels without AVX."""
+        self.scene({**BOTH, "Models": "continuum"})
+        env = {name: value for name, value in os.environ.items() if name != "OPENBLAS_CORETYPE"}
+
+        def kernels(name, **more):
+            run = self.run_program("run", "scene.prm", "--output", name, env={**env, "OPENBLAS_VERBOSE": "2", **more})
+            self.assert_exit(run, DONE)
+            return re.findall(r"^Core: (\w+)$", run.stderr, re.MULTILINE)
+
+        (asked_for,) = kernels("asked", OPENBLAS_CORETYPE="NEHALEM") or [None]
+        if asked_for is None:
+            self.skipTest("the library of BLAS is not OpenBLAS")
+        self.assertEqual(asked_for, "Nehalem")
+        flags = set(pathlib.Path("/proc/cpuinfo").read_text().split())
+        if "avx2" in flags:
+            self.assertEqual(kernels("chosen"), ["SkylakeX" if "avx512vl" in flags else "Haswell"])
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "app/commands/blas_kernels.h"
 #include "app/commands/needed_libraries.h"
 
 namespace pseudorigid::app {
@@ -36,6 +37,7 @@ const ContinuumModule* open_continuum() {
       (fs::read_symlink("/proc/self/exe").parent_path() / PSEUDORIGID_CONTINUUM_LIBRARY).lexically_normal();
   if (!fs::exists(library)) throw NoContinuum(fmt::format("there is no {}", library.string()));
   require_address_space();
+  choose_blas_kernels();
   open_needed_libraries(library);
   // RTLD_GLOBAL makes the symbols visible to all libraries, because MPI and PETSc open further libraries that need
   // them.

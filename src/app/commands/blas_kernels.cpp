@@ -1,0 +1,16 @@
+#include "app/commands/blas_kernels.h"
+
+#include <cstdlib>
+
+namespace pseudorigid::app {
+
+void choose_blas_kernels() {
+  constexpr const char* variable = "OPENBLAS_CORETYPE";
+  constexpr int keeps = 0;  // a value that the user has set
+  if (__builtin_cpu_supports("x86-64-v4"))
+    ::setenv(variable, "SKYLAKEX", keeps);
+  else if (__builtin_cpu_supports("x86-64-v3"))
+    ::setenv(variable, "HASWELL", keeps);
+}
+
+}  // namespace pseudorigid::app
