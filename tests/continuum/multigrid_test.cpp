@@ -125,18 +125,49 @@ TEST(Stiffness, ProductIsTheDerivativeOfTheForces) {
   }
 }
 
-TEST(MultigridLevel, RestrictionIsTheTransposedInterpolation) {
-  const StrainedBall ball(cases.front(), 5, 1);
-  const MultigridLevel fine(ball.body(), ball.state().stored, 1, 5, true),
-      coarse(ball.body(), ball.state().stored, 1, 3, true);
-  const Vector r = ball.irregular();
-  Vector restricted = coarse.make_vector(), u = coarse.make_vector(), interpolated = fine.make_vector();
-  for (unsigned int i = 0; i < u.locally_owned_size(); ++i) u.local_element(i) = std::cos(7 * i);
-  coarse.clear_fixed(u);
-  fine.restrict_to(coarse, r, restricted);
-  fine.add_interpolated(coarse, u, interpolated);
-  EXPECT_NEAR(restricted * u, r * interpolated, 1e-12 * r.l2_norm() * u.l2_norm());
-  EXPECT_LT(distance(coarse.at_nodes(fine, interpolated), u), 1e-13);
+TEST(MultigridTransfer, RestrictionIsTheTransposedInterpolation) {
+  struct Levels {
+    int finer_degree, finer_refinements, degree, refinements;
+  };
+  for (const auto& of : {Levels{5, 1, 3, 1}, Levels{1, 2, 1, 1}, Levels{3, 1, 2, 0}}) {
+    const StrainedBall finer(cases.back(), of.finer_degree, of.finer_refinements),
+        coarser(cases.back(), of.degree, of.refinements);
+    const MultigridTransfer transfer(finer.body().space(), coarser.body().space());
+    const Vector r = finer.irregular(), u = coarser.irregular();
+    Vector restricted = coarser.body().make_vector(), interpolated = finer.body().make_vector();
+    transfer.restrict_to_coarser(r, restricted);
+    transfer.add_interpolated(u, interpolated);
+    EXPECT_NEAR(restricted * u, r * interpolated, 1e-12 * r.l2_norm() * u.l2_norm()) << of.finer_degree;
+    EXPECT_LT(distance(transfer.at_coarser_nodes(interpolated), u), 1e-13) << of.finer_degree;
+  }
+}
+
+/// The numbers of a coarser mesh differ from those that its own cells have by the curvature of the cells.
+TEST(MultigridTransfer, NumbersOfTheStiffnessConverge) {
+  double before = 0;
+  for (const int refinements : {1, 2}) {
+    const StrainedBall finer(cases.back(), 2, refinements + 1), coarser(cases.back(), 2, refinements);
+    const auto numbers = [](const StrainedBall& ball) {
+      const CellStiffness cells(ball.body().space());
+      StiffnessCoefficients c;
+      for (unsigned int cell = 0; cell < ball.body().space().n_cells(); ++cell)
+        c.push_back(tangent_coefficients(cells, ball.state(), cell, Balance::multiplier));
+      return c;
+    };
+    const MultigridTransfer transfer(finer.body().space(), coarser.body().space());
+    const StiffnessCoefficients found = transfer.at_coarser_points(numbers(finer)), expected = numbers(coarser);
+    double difference = 0, size = 0;
+    for (std::size_t cell = 0; cell < found.size(); ++cell) {
+      difference += (found[cell] - expected[cell]).squaredNorm();
+      size += expected[cell].squaredNorm();
+    }
+    const double relative = std::sqrt(difference / size);
+    EXPECT_LT(relative, 0.05);
+    if (before > 0) {
+      EXPECT_LT(relative, before / 3);  // the geometry of elements of degree 2 converges with order 2 or more
+    }
+    before = relative;
+  }
 }
 
 TEST(Multigrid, SolutionIsThatOfAFactorization) {

@@ -36,10 +36,18 @@ Multigrid::Multigrid(const FigureState& state, const HeldDirection* held, int n_
       bulk_(2 * materials::moduli_at_rest(state.stored.law, state.incompressible).shear +
             state.stored.volumetric_stiffness) {
   const BallSpace& space = state.body.space();
-  for (int degree = space.degree();; degree = (degree + 1) / 2) {
-    const auto n_unknowns = space.n_global_cells() * static_cast<std::size_t>(3 * degree * degree * degree);
-    const bool is_last = degree == 1 || (n_unknowns <= n_direct && !levels_.empty());
-    levels_.push_back(std::make_unique<MultigridLevel>(state.body, state.stored, n_refinements, degree, !is_last));
+  levels_.push_back(std::make_unique<MultigridLevel>(state.body));
+  std::size_t n_cells = space.n_cells();
+  for (int degree = space.degree(); degree > 1 || n_refinements > 0;) {
+    if (degree > 1)
+      degree = (degree + 1) / 2;
+    else
+      --n_refinements, n_cells /= 8;
+    const std::size_t n_unknowns = n_cells * static_cast<std::size_t>(3 * degree * degree * degree);
+    const bool is_last = n_unknowns <= n_direct || (degree == 1 && n_refinements == 0);
+    levels_.push_back(
+        std::make_unique<MultigridLevel>(space.mesh().sector(), state.stored, n_refinements, degree, !is_last));
+    transfers_.emplace_back(levels_.end()[-2]->space(), levels_.back()->space());
     if (is_last) break;
   }
 }
@@ -61,11 +69,14 @@ mechanics::Status Multigrid::factorize() {
     c = coefficients(Balance::mean_stress);
   }
   const double weight = weight_of_density(state_.forcing.gravity_constant);
+  Vector x = state_.x;
   for (std::size_t l = 0; l < levels_.size(); ++l) {
-    const MultigridLevel& level = *levels_[l];
-    if (l > 0) c = level.interpolate(*levels_[l - 1], c);
+    if (l > 0) c = transfers_[l - 1].at_coarser_points(c);
     std::vector<FaceSprings> springs;
-    if (gravitates) springs = springs_of_gravity(level.space(), level.at_nodes(finest, state_.x), weight);
+    if (gravitates) {
+      if (l > 0) x = transfers_[l - 1].at_coarser_nodes(x);
+      springs = springs_of_gravity(levels_[l]->space(), x, weight);
+    }
     if (auto status = levels_[l]->set(c, std::move(springs)); !status) return status;
   }
   coarsest_ = std::make_unique<Coarsest>(*levels_.back(), c);
@@ -100,9 +111,9 @@ void Multigrid::cycle(std::size_t l, const Vector& f, Vector& u) const {
   level.residual(f, u, r);
   const MultigridLevel& coarser = *levels_[l + 1];
   Vector of_coarser = coarser.make_vector(), correction = coarser.make_vector();
-  level.restrict_to(coarser, r, of_coarser);
+  transfers_[l].restrict_to_coarser(r, of_coarser);
   cycle(l + 1, of_coarser, correction);
-  level.add_interpolated(coarser, correction, u);
+  transfers_[l].add_interpolated(correction, u);
   level.residual(f, u, r);
   level.smooth(f, r, u);
 }

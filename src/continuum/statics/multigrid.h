@@ -11,11 +11,12 @@
 ///   u = V f,   λ = (2μ + κ)(h − G u).
 ///
 /// Here μ is the shear modulus and κ the stiffness of the volumetric stabilisation. V is one V-cycle for K u = f. Its
-/// levels are elements of the degrees k, ⌈k/2⌉, …, 1 on the same cells (multigrid_level.h). The cycle ends at the first
-/// coarser level with at most 400 unknowns, or with the degree 1. The stiffness of this level is factorised. Under
-/// self-gravity, the levels have the stiffness of the cells and of the springs that tangent_problem.h describes. The
-/// functions ψ of the multiplier are orthonormal, so their mass matrix is the identity. In an infinite body at rest, G
-/// K⁻¹Gᵀ is this matrix over 2μ + κ.
+/// levels are elements of the degrees k, ⌈k/2⌉, …, 1 on the cells of the body, and then elements of degree 1 on meshes
+/// with one refinement less each (multigrid_level.h). The cycle ends at the first coarser level with at most 400
+/// unknowns, or with the four cells of the octant. The stiffness of this level is factorised. Under self-gravity, the
+/// levels have the stiffness of the cells and of the springs that tangent_problem.h describes. The functions ψ of the
+/// multiplier are orthonormal, so their mass matrix is the identity. In an infinite body at rest, G K⁻¹Gᵀ is this
+/// matrix over 2μ + κ.
 
 #include <memory>
 #include <vector>
@@ -53,6 +54,7 @@ class Multigrid final : public TangentSolver {
   const HeldDirection* held_;
   double bulk_;  ///< 2μ + κ
   std::vector<std::unique_ptr<MultigridLevel>> levels_;
+  std::vector<MultigridTransfer> transfers_;  ///< between a level and the next coarser one
   std::unique_ptr<Coarsest> coarsest_;
   std::unique_ptr<StiffnessTangent> whole_;        ///< K, if the levels have another stiffness; otherwise null
   std::unique_ptr<ConstraintTangent> constraint_;  ///< G; null for a compressible body

@@ -5,7 +5,6 @@
 #include <span>
 #include <utility>
 
-#include "continuum/mesh/tensor_product.h"
 #include "continuum/modes/krylov.h"
 #include "continuum/statics/tangent_problem.h"
 
@@ -17,22 +16,6 @@ constexpr double smoothing_range = 20;  // b/a
 constexpr int n_lanczos_steps = 12;
 constexpr double safety = 1.1;  // b over the estimate of the largest eigenvalue
 
-/// The Lagrange polynomials on `nodes` at `points`: (point, node).
-Eigen::MatrixXd lagrange_table(const std::vector<double>& nodes, const std::vector<double>& points) {
-  Eigen::MatrixXd table(points.size(), nodes.size());
-  for (std::size_t q = 0; q < points.size(); ++q)
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      table(static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(i)) = lagrange(nodes, i, points[q]);
-  return table;
-}
-
-/// The quadrature weights of the reference cell.
-Eigen::VectorXd unit_weights(const ReferenceCell& ref) {
-  Eigen::VectorXd w(ref.n * ref.n * ref.n);
-  for (int q = 0; q < w.size(); ++q) w[q] = ref.weight_of_point(q);
-  return w;
-}
-
 }  // namespace
 
 std::unique_ptr<StiffnessTangent> make_stiffness(const CellKernels& kernels, const StiffnessCoefficients& c) {
@@ -41,20 +24,16 @@ std::unique_ptr<StiffnessTangent> make_stiffness(const CellKernels& kernels, con
   });
 }
 
-MultigridLevel::MultigridLevel(const BallBody& body, const StoredEnergy& stored, int n_refinements, int degree,
+MultigridLevel::MultigridLevel(const BallBody& body)
+    : space_(&body.space()), kernels_(&body.kernels()), cells_(*space_) {}
+
+MultigridLevel::MultigridLevel(const Sector& sector, const StoredEnergy& stored, int n_refinements, int degree,
                                bool smooths)
-    : own_space_(degree == body.space().degree()
-                     ? nullptr
-                     : std::make_unique<BallSpace>(BallMesh(body.space().mesh().sector(), n_refinements), degree)),
-      own_kernels_(own_space_ && smooths ? make_cell_kernels(*own_space_, stored) : nullptr),
-      space_(own_space_ ? own_space_.get() : &body.space()),
-      kernels_(own_space_ ? own_kernels_.get() : &body.kernels()),
-      cells_(*space_),
-      share_(space_->n_nodes(), 0) {
-  for (const auto& nodes : space_->cells())
-    for (const unsigned int node : nodes) ++share_[node];
-  for (double& s : share_) s = 1 / s;
-}
+    : own_space_(std::make_unique<BallSpace>(BallMesh(sector, n_refinements), degree)),
+      own_kernels_(smooths ? make_cell_kernels(*own_space_, stored) : nullptr),
+      space_(own_space_.get()),
+      kernels_(own_kernels_.get()),
+      cells_(*space_) {}
 
 void MultigridLevel::clear_fixed(Vector& f) const {
   const double* inverse_mass = space_->inverse_mass().begin();
@@ -102,18 +81,6 @@ mechanics::Status MultigridLevel::find_largest_eigenvalue() {
   return status;
 }
 
-StiffnessCoefficients MultigridLevel::interpolate(const MultigridLevel& finer, const StiffnessCoefficients& c) const {
-  const ReferenceCell &from = finer.space().reference_cell(), &to = space_->reference_cell();
-  const Eigen::MatrixXd table = lagrange_table(from.points, to.points);
-  const Eigen::VectorXd weights = unit_weights(to), inverse_weights = unit_weights(from).cwiseInverse();
-  StiffnessCoefficients result(c.size(), PointCoefficients(weights.size(), StiffnessTangent::n_entries));
-  for (std::size_t cell = 0; cell < c.size(); ++cell)
-    for (Eigen::Index k = 0; k < result[cell].cols(); ++k)
-      result[cell].col(k) =
-          weights.cwiseProduct(tensor_product(table, table, table, c[cell].col(k).cwiseProduct(inverse_weights)));
-  return result;
-}
-
 void MultigridLevel::product(const Vector& u, Vector& f) const {
   kernels_->stiffness_product(*stiffness_, u, f);
   add_rate_of_springs(*space_, springs_, 1, u, f);
@@ -142,48 +109,6 @@ void MultigridLevel::smooth(const Vector& f, Vector& r, Vector& u) const {
     for (std::size_t i = 0, n = f.locally_owned_size(); i < n; ++i) {
       s[i] = keep * s[i] + add * D[i] * rest[i];
       to[i] += s[i];
-    }
-  }
-}
-
-Eigen::MatrixXd MultigridLevel::interpolation_from(const MultigridLevel& other) const {
-  return lagrange_table(other.space().reference_cell().nodes, space_->reference_cell().nodes);
-}
-
-Vector MultigridLevel::at_nodes(const MultigridLevel& other, const Vector& x) const {
-  Vector result = make_vector();
-  add_interpolated(other, x, result);
-  return result;
-}
-
-void MultigridLevel::restrict_to(const MultigridLevel& coarser, const Vector& r, Vector& f) const {
-  const Eigen::MatrixXd table = interpolation_from(coarser).transpose();
-  Eigen::VectorXd fine(space_->nodes_per_cell());
-  f = 0.0;
-  for (unsigned int cell = 0; cell < space_->n_cells(); ++cell) {
-    const auto &nodes = space_->cell_nodes(cell), &to = coarser.space().cell_nodes(cell);
-    for (unsigned int k = 0; k < 3; ++k) {
-      for (std::size_t a = 0; a < nodes.size(); ++a)
-        fine[static_cast<Eigen::Index>(a)] = share_[nodes[a]] * r.local_element(3 * nodes[a] + k);
-      const Eigen::VectorXd coarse = tensor_product(table, table, table, fine);
-      for (std::size_t a = 0; a < to.size(); ++a)
-        f.local_element(3 * to[a] + k) += coarse[static_cast<Eigen::Index>(a)];
-    }
-  }
-  coarser.clear_fixed(f);
-}
-
-void MultigridLevel::add_interpolated(const MultigridLevel& coarser, const Vector& u, Vector& result) const {
-  const Eigen::MatrixXd table = interpolation_from(coarser);
-  Eigen::VectorXd coarse(coarser.space().nodes_per_cell());
-  for (unsigned int cell = 0; cell < space_->n_cells(); ++cell) {
-    const auto &nodes = space_->cell_nodes(cell), &from = coarser.space().cell_nodes(cell);
-    for (unsigned int k = 0; k < 3; ++k) {
-      for (std::size_t a = 0; a < from.size(); ++a)
-        coarse[static_cast<Eigen::Index>(a)] = u.local_element(3 * from[a] + k);
-      const Eigen::VectorXd fine = tensor_product(table, table, table, coarse);
-      for (std::size_t a = 0; a < nodes.size(); ++a)
-        result.local_element(3 * nodes[a] + k) += share_[nodes[a]] * fine[static_cast<Eigen::Index>(a)];
     }
   }
 }
