@@ -3,7 +3,7 @@
 ///
 /// OpenBLAS chooses its kernels by the model of the processor. For a model that is newer than itself, it may choose
 /// those of the oldest x86-64. OpenBLAS 0.3.21 of Debian 12 does so on Intel's Emerald Rapids. Modes and figures of
-/// finite elements then take 1.4 to 1.8 times as long.
+/// finite elements then take 1.5 to 1.8 times as long.
 
 namespace pseudorigid::app {
 

@@ -58,4 +58,30 @@ struct SectorRanks {
   }
 };
 
+/// A division of the ranks into groups. Each group solves some of the problems, and the ranks of a group share a
+/// problem.
+class RankGroups {
+ public:
+  /// Makes as many groups as there are problems, or ranks if these are fewer. Collective.
+  RankGroups(const SectorRanks& all, std::size_t n_problems)
+      : n_(std::min(all.size(), n_problems)), own_number_(this_rank(all.communicator) % n_), own_(all) {
+    if (n_ == 1) return;
+    MPI_Comm_split(all.communicator, static_cast<int>(own_number_), 0, &own_.communicator);
+  }
+  ~RankGroups() {
+    if (n_ > 1) MPI_Comm_free(&own_.communicator);
+  }
+  RankGroups(const RankGroups&) = delete;
+  RankGroups& operator=(const RankGroups&) = delete;
+
+  std::size_t size() const { return n_; }  ///< number of groups
+  /// True if the group of this rank solves the problem with this number.
+  bool owns(std::size_t problem) const { return problem % n_ == own_number_; }
+  const SectorRanks& own() const { return own_; }  ///< the ranks of the group of this rank
+
+ private:
+  std::size_t n_, own_number_;
+  SectorRanks own_;
+};
+
 }  // namespace pseudorigid::continuum

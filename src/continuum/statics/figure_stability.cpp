@@ -84,10 +84,32 @@ struct Rotations {
   std::array<Vector, 3> of_space, of_ball;
 };
 
+/// Replaces `stability` by that of the owner on all ranks. Collective.
+void share(const SectorRanks& ranks, bool is_owner, mechanics::LinearStability& stability) {
+  if (ranks.size() == 1) return;
+  auto& [rates, second_variation, n_negative, growth_rate, stable] = stability;
+  std::vector<double> values{static_cast<double>(rates.size()), static_cast<double>(n_negative), growth_rate,
+                             stable ? 1.0 : 0.0};
+  for (const mechanics::Rate& rate : rates)
+    values.insert(values.end(), {rate.s.real(), rate.s.imag(), static_cast<double>(rate.energy_sign)});
+  values.insert(values.end(), second_variation.begin(), second_variation.end());
+  values = ranks.of_owner(is_owner, values);
+  n_negative = static_cast<int>(values[1]);
+  growth_rate = values[2];
+  stable = values[3] == 1;
+  rates.clear();
+  const double* next = values.data() + 4;
+  for (double n = values[0]; n > 0; --n, next += 3) rates.push_back({{next[0], next[1]}, static_cast<int>(next[2])});
+  second_variation = Eigen::Map<const Eigen::VectorXd>(next, values.data() + values.size() - next);
+}
+
 class StabilityProblem {
  public:
-  StabilityProblem(const BallFigures& figures, const mechanics::EquilibriumFigure& figure, double shift)
+  /// `ranks` share the parities of a class; they must exist as long as the object.
+  StabilityProblem(const BallFigures& figures, const mechanics::EquilibriumFigure& figure, double shift,
+                   const SectorRanks& ranks)
       : figures_(figures),
+        ranks_(ranks),
         space_(figures.body().space()),
         drive_(figure.drive),
         spin_(figures.drive() == Drive::rotation ? std::sqrt(std::max(figure.drive, 0.0)) : 0),
@@ -103,17 +125,17 @@ class StabilityProblem {
 
   /// Sets the stability in the class with this index. Collective.
   mechanics::Status solve(std::size_t number, int n_eigenvectors, mechanics::ClassStability& of_class) const {
-    ClassBasis basis(problem_, number, figures_.ranks());
+    ClassBasis basis(problem_, number, ranks_);
     if (auto status = fill(n_eigenvectors, basis); !status) return status;
     const auto analyse = [&](int n, mechanics::LinearStability& stability) {
       basis.span(n);
       const Eigen::MatrixXd K = stiffness(basis);
       mechanics::Status status;
-      if (figures_.ranks().is_first())
+      if (ranks_.is_first())
         status = mechanics::analyse_stability(
             mechanics::reduce(K, coriolis(basis), symmetries(basis), SectorBasis::dependent), stability);
-      share(stability);
-      return figures_.ranks().of_all(status);
+      share(ranks_, ranks_.is_first(), stability);
+      return ranks_.of_all(status);
     };
     // Without the rates in the smaller basis, the error of a rate is the rate itself.
     if (!analyse(3 * n_eigenvectors / 5, of_class.in_smaller_basis)) of_class.in_smaller_basis = {};
@@ -121,7 +143,7 @@ class StabilityProblem {
   }
   mechanics::Status solve(std::size_t of_class, int n_eigenvectors, std::complex<double> rate,
                           SmallMotionOfBall& motion) const {
-    ClassBasis basis(problem_, of_class, figures_.ranks());
+    ClassBasis basis(problem_, of_class, ranks_);
     if (auto status = fill(n_eigenvectors, basis); !status) return status;
     basis.span(n_eigenvectors);
     mechanics::SmallMotion found;
@@ -138,26 +160,6 @@ class StabilityProblem {
   }
 
  private:
-  /// Replaces `stability` by that of the first rank on all ranks. Collective.
-  void share(mechanics::LinearStability& stability) const {
-    const SectorRanks& ranks = figures_.ranks();
-    if (ranks.size() == 1) return;
-    auto& [rates, second_variation, n_negative, growth_rate, stable] = stability;
-    std::vector<double> values{static_cast<double>(rates.size()), static_cast<double>(n_negative), growth_rate,
-                               stable ? 1.0 : 0.0};
-    for (const mechanics::Rate& rate : rates)
-      values.insert(values.end(), {rate.s.real(), rate.s.imag(), static_cast<double>(rate.energy_sign)});
-    values.insert(values.end(), second_variation.begin(), second_variation.end());
-    values = ranks.of_owner(ranks.is_first(), values);
-    n_negative = static_cast<int>(values[1]);
-    growth_rate = values[2];
-    stable = values[3] == 1;
-    rates.clear();
-    const double* next = values.data() + 4;
-    for (double n = values[0]; n > 0; --n, next += 3) rates.push_back({{next[0], next[1]}, static_cast<int>(next[2])});
-    second_variation = Eigen::Map<const Eigen::VectorXd>(next, values.data() + values.size() - next);
-  }
-
   /// Calls `work(part)` for the parts of the basis that this rank owns, until the first failure. Returns the failure of
   /// any rank on all ranks. Collective.
   template <class Work>
@@ -165,7 +167,7 @@ class StabilityProblem {
     mechanics::Status status;
     for (std::size_t part = 0; part < 2; ++part)
       if (status && basis.parts[part].is_mine()) status = work(part);
-    return figures_.ranks().of_all(status);
+    return ranks_.of_all(status);
   }
 
   /// Adds the vectors of both bases: eigenvectors, the static responses to the forces of Coriolis of the eigenvectors
@@ -246,6 +248,7 @@ class StabilityProblem {
   }
 
   const BallFigures& figures_;
+  const SectorRanks& ranks_;
   const BallSpace& space_;
   double drive_, spin_;
   Vector x_, lambda_;
@@ -258,8 +261,8 @@ class StabilityProblem {
 /// definite. A larger shift permits a more unstable figure, but the iteration for the eigenvectors is then slower.
 class ShiftedProblems {
  public:
-  ShiftedProblems(const BallFigures& figures, const mechanics::EquilibriumFigure& figure)
-      : figures_(figures), figure_(figure) {}
+  ShiftedProblems(const BallFigures& figures, const mechanics::EquilibriumFigure& figure, const SectorRanks& ranks)
+      : figures_(figures), figure_(figure), ranks_(ranks) {}
 
   /// Calls `solve` with the problem of the first shift, and after a failure with those of the larger shifts. Returns
   /// the status of the last call.
@@ -269,7 +272,7 @@ class ShiftedProblems {
     for (std::size_t trial = 0; trial < problems_.size(); ++trial) {
       if (!problems_[trial]) {
         const double shift = figures_.typical_stiffness() + softening(figures_, figure_.drive);
-        problems_[trial] = std::make_unique<StabilityProblem>(figures_, figure_, std::pow(8, trial) * shift);
+        problems_[trial] = std::make_unique<StabilityProblem>(figures_, figure_, std::pow(8, trial) * shift, ranks_);
       }
       status = solve(*problems_[trial]);
       if (status) break;
@@ -280,6 +283,7 @@ class ShiftedProblems {
  private:
   const BallFigures& figures_;
   const mechanics::EquilibriumFigure& figure_;
+  const SectorRanks& ranks_;
   std::array<std::unique_ptr<StabilityProblem>, 3> problems_;
 };
 
@@ -290,13 +294,21 @@ mechanics::Status stability_of(const BallFigures& figures, const mechanics::Equi
                                std::vector<mechanics::ClassStability>& classes) {
   classes.clear();
   for (const auto& parities : parities_of_classes) classes.push_back({{(parities[0] & 4) != 0, parities[0] & 1}, {}});
-  ShiftedProblems problems(figures, figure);
+  const RankGroups groups(figures.ranks(), only ? 1 : classes.size());
+  ShiftedProblems problems(figures, figure, groups.own());
+  mechanics::Status status;
   // Each class has the first shift with which it can be solved, so its result does not depend on the other classes.
   for (std::size_t k = 0; k < classes.size(); ++k) {
-    if (only && k != *only) continue;
-    const auto status =
+    if ((only && k != *only) || !groups.owns(k) || !status) continue;
+    status =
         problems.solve([&](const StabilityProblem& problem) { return problem.solve(k, n_eigenvectors, classes[k]); });
-    if (!status) return status;
+  }
+  status = figures.ranks().of_all(status);
+  if (!status || groups.size() == 1) return status;
+  for (std::size_t k = 0; k < classes.size(); ++k) {
+    const bool is_owner = groups.owns(k) && groups.own().is_first();
+    share(figures.ranks(), is_owner, classes[k].stability);
+    share(figures.ranks(), is_owner, classes[k].in_smaller_basis);
   }
   return {};
 }
@@ -304,7 +316,7 @@ mechanics::Status stability_of(const BallFigures& figures, const mechanics::Equi
 mechanics::Status small_motion_of(const BallFigures& figures, const mechanics::EquilibriumFigure& figure,
                                   int n_eigenvectors, std::size_t of_class, std::complex<double> rate,
                                   SmallMotionOfBall& motion) {
-  return ShiftedProblems(figures, figure).solve([&](const StabilityProblem& problem) {
+  return ShiftedProblems(figures, figure, figures.ranks()).solve([&](const StabilityProblem& problem) {
     return problem.solve(of_class, n_eigenvectors, rate, motion);
   });
 }
