@@ -275,7 +275,7 @@ FigureRun::FigureRun(const RunContext& context, std::string_view file, const std
       parameter_(parameter_name(context.scene.equilibria.family)),
       is_row_(context.tables && context.ranks->is_first()),
       n_families_(static_cast<double>(n_families)),
-      progress_(file_, context.shows_progress, "figures"),
+      progress_(file_, context.shows_progress && !context.tables, "figures"),
       kept_(kept_columns(context.scene, columns)) {
   on_all_ranks(*context.ranks, [&] { table_.emplace(table_of(context, file_, chosen(columns, kept_))); });
 }
