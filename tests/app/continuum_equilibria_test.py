@@ -1,5 +1,9 @@
 """Equilibria of finite elements: families of figures that turn, a ball at rest under loads, their errors, and refusals."""
 import math
+import re
+import signal
+import subprocess
+import time
 import unittest
 
 from program_test import SOURCE, STOPPED, ProgramTest, matrix, overrides
@@ -38,6 +42,26 @@ class ContinuumEquilibria(ProgramTest):
         self.scene({**FIGURES, "Equilibrium/Number": 12})
         text = self.terminal_output("run", "scene.prm")
         self.assertRegex(text, r"\requilibria-continuum  +\d+ %  \S+ figures/s  \d+ s left\x1b\[K")
+
+    def test_the_rest_of_an_interrupted_family(self):
+        """The message names the entries that compute it."""
+        family = {**FIGURES, "Equilibrium/Number": 24, "Continuum/Error estimate": "none"}
+        self.scene(family)
+        self.run_done("run", "scene.prm", "--output", "whole")
+        process = self.start_program("run", "scene.prm", "--output", "begun", stderr=subprocess.PIPE, text=True)
+        self.wait_until((self.scratch / "begun/manifest.json").exists, "the run is under way")
+        time.sleep(self.json("whole", "manifest.json")["wall_seconds"] / 2)
+        process.send_signal(signal.SIGINT)
+        _, error = process.communicate()
+        self.assertEqual(process.returncode, STOPPED, error)
+        rest = dict(re.findall(r"(Equilibrium/\w+) = (\S+)", error))
+        self.assertEqual(set(rest), {"Equilibrium/First", "Equilibrium/Number"})
+        self.run_done("run", "scene.prm", "--output", "rest", *overrides(rest))
+        whole, begun, after = (self.table(folder, "equilibria-continuum.csv") for folder in ("whole", "begun", "rest"))
+        self.assertGreater(len(begun), 0)
+        for name in "parameter", "omega3", "a3", "energy", "rate_3_im":
+            for x, y in zip(whole.column(name), begun.column(name) + after.column(name), strict=True):
+                self.assertAlmostEqual(x, y, delta=1e-9, msg=name)
 
     def test_traction_is_that_of_the_pseudo_rigid_body(self):
         self.scene({**AT_REST, "Loads/Nominal traction": matrix(0.3, 0.3, 0.9)})

@@ -155,7 +155,6 @@ ModelOutcome run_continuum_equilibria(const RunContext& context) {
   const double factor = family.members.empty() ? 1 : family.members.front().parameter;
   std::optional<Companion> companion;
   if (has_companion) companion.emplace(context, scene::companion(discretization), factor, run);
-  if (context.interrupted()) run.end(mechanics::Outcome::interrupted, "interrupted while computing equilibria");
   run.add(
       "elements of " + scene::describe(discretization), family,
       [](const mechanics::MotionClass& motions) { return name_of(motions, mechanics::Figure::ellipsoid); },
@@ -167,6 +166,8 @@ ModelOutcome run_continuum_equilibria(const RunContext& context) {
         row.resize(row.size() + n_error_columns);
         return mechanics::Status();
       });
+  if (context.interrupted() && run.goes_on())
+    run.end(mechanics::Outcome::interrupted, "interrupted while the errors of equilibria were estimated");
   const continuum::FigureCounts& counts = mesh.figures().counts();
   auto& counters = run.outcome().statistics.counters;
   counters["cells"] = mesh.figures().body().space().n_cells();

@@ -312,11 +312,19 @@ void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily&
   n_members_ += static_cast<double>(family.members.size());
   n_special_ += static_cast<double>(family.special.size());
   const auto n_values = static_cast<int>(family.members.size() + family.missing.size());
-  const int n_wanted = scene::finds_static_equilibria(context_.scene) ? 1 : context_.scene.equilibria.number;
+  const bool is_at_rest = scene::finds_static_equilibria(context_.scene);
+  const int n_wanted = is_at_rest ? 1 : context_.scene.equilibria.number;
   if (n_values < n_wanted && goes_on() && context_.interrupted())
     end(mechanics::Outcome::interrupted,
-        fmt::format("equilibria interrupted after {} of {} values of {} of {}; those before are in {}.csv", n_values,
-                    n_wanted, parameter_, of_degree, file_));
+        fmt::format("equilibria interrupted after {} of {} values of {} of {}; those before are in {}.csv{}", n_values,
+                    n_wanted, parameter_, of_degree, file_, is_at_rest ? "" : the_rest(n_values)));
+}
+
+/// The entries of a scene that computes the rest of a family after `n_done` values, as an addition to a sentence.
+std::string FigureRun::the_rest(int n_done) const {
+  const std::vector<double> values = parameters_of(context_.scene.equilibria);
+  return fmt::format(" (Equilibrium/First = {} and Equilibrium/Number = {} compute the others)",
+                     values[static_cast<std::size_t>(n_done)], static_cast<int>(values.size()) - n_done);
 }
 
 /// The beginning of the sentence about a figure that was not found.

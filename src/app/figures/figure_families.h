@@ -135,6 +135,7 @@ class FigureRun {
   /// Appends the rows of the family to the table, or sets the outcome to `failed` at the first row that cannot be
   /// computed.
   void write(const mechanics::FigureFamily& family, const RowOf& row_of);
+  std::string the_rest(int n_done) const;
   std::string missing_in_words(const mechanics::FigureFamily& family, const mechanics::NoFigure& missing) const;
 
   const RunContext& context_;
