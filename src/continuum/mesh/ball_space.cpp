@@ -105,6 +105,13 @@ void BallSpace::place_nodes() {
   X_.update_ghost_values();
 }
 
+void BallSpace::clear_fixed(Vector& f) const {
+  const double* inverse_mass = inverse_mass_.begin();
+  double* values = f.begin();
+  for (std::size_t i = 0, n = f.locally_owned_size(); i < n; ++i)
+    if (inverse_mass[i] == 0) values[i] = 0;
+}
+
 void BallSpace::lump_mass() {
   mass_.reinit(partitioner_);
   const int n = reference_.n;

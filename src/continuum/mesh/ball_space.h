@@ -64,6 +64,8 @@ class BallSpace {
   /// 1/m_n at each component of node n, or 0 if a symmetry plane fixes the component. At additional nodes the entry is
   /// 1 if the coordinate is used, and otherwise 0.
   const Vector& inverse_mass() const { return inverse_mass_; }
+  /// Sets the entries of a nodal field to 0 if a symmetry plane fixes them, or if they belong to unused coordinates.
+  void clear_fixed(Vector& f) const;
   const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
   /// Local index of the coordinate whose velocity is the dissipated energy. The next index is that of the given energy,
   /// followed by an index for the energy that each branch dissipates. The inverse masses of these coordinates are 1.

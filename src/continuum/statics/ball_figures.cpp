@@ -129,12 +129,6 @@ bool BallFigures::is_admissible_here(const Eigen::VectorXd& x) const {
   return body_->least_jacobian(at).value > 0 && body_->least_reserve(at).value > 0;
 }
 
-void BallFigures::clear_fixed(Vector& f) const {
-  const Vector& inverse_mass = body_->space().inverse_mass();
-  for (unsigned int i = 0; i < f.locally_owned_size(); ++i)
-    if (inverse_mass.local_element(i) == 0) f.local_element(i) = 0;
-}
-
 Vector BallFigures::Terms::residual(double nu) const {
   Vector r = force;
   r.add(nu, drive);
@@ -161,7 +155,7 @@ mechanics::Status BallFigures::terms(const Figure& figure, Terms& terms) const {
     terms.constraint = space.make_multiplier();
     if (auto status = body_->judge(body_->kernels().constraint(x, terms.constraint), x); !status) return status;
   }
-  for (Vector* f : {&terms.force, &terms.drive, &terms.reaction}) clear_fixed(*f);
+  for (Vector* f : {&terms.force, &terms.drive, &terms.reaction}) space.clear_fixed(*f);
   return {};
 }
 

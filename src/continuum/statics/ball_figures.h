@@ -172,8 +172,6 @@ class BallFigures final : public mechanics::FigureEquations {
   HeldDirection axis_direction(const Condition& condition) const;
   /// The largest entry of the terms f, ν h and Gᵀλ, or a typical elastic force on a node if this force is larger.
   double scale_of(const Figure& figure, const Terms& terms) const;
-  /// Sets the components of f that a plane of the octant fixes to 0.
-  void clear_fixed(Vector& f) const;
   Vector field(const Eigen::VectorXd& x) const;
   /// For a spheroid, replaces the displacement u by the mean of u and its image under the exchange of the axes 1 and 2.
   /// For an ellipsoid, does nothing.

@@ -140,7 +140,7 @@ mechanics::SolveReport Multigrid::solve(const Vector& f, const Vector& h, double
       kernels.add_reaction(*constraint_, multiplier, force);
       kernels.constraint_rate(*constraint_, displacement, multiplier);
     }
-    levels_.front()->clear_fixed(force);
+    state_.body.space().clear_fixed(force);
     precondition(force, multiplier, out);
     return {};
   };

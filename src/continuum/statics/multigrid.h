@@ -43,8 +43,6 @@ class Multigrid final : public TangentSolver {
   void cycle(const Vector& f, Vector& u) const { cycle(0, f, u); }
   /// f = (K + E) u
   void product(const Vector& u, Vector& f) const;
-  /// Sets the components of f that a plane of the octant fixes to 0.
-  void clear_fixed(Vector& f) const { levels_.front()->clear_fixed(f); }
 
  private:
   struct Coarsest;

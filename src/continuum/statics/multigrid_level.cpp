@@ -35,13 +35,6 @@ MultigridLevel::MultigridLevel(const Sector& sector, const StoredEnergy& stored,
       kernels_(own_kernels_.get()),
       cells_(*space_) {}
 
-void MultigridLevel::clear_fixed(Vector& f) const {
-  const double* inverse_mass = space_->inverse_mass().begin();
-  double* values = f.begin();
-  for (std::size_t i = 0; i < f.locally_owned_size(); ++i)
-    if (inverse_mass[i] == 0) values[i] = 0;
-}
-
 mechanics::Status MultigridLevel::set(const StiffnessCoefficients& c, std::vector<FaceSprings> springs) {
   springs_ = std::move(springs);
   if (!kernels_) return {};
@@ -60,7 +53,7 @@ mechanics::Status MultigridLevel::set(const StiffnessCoefficients& c, std::vecto
     if (!(d > 0)) return mechanics::Status::failure("the stiffness has a diagonal entry that is not positive");
     d = 1 / d;
   }
-  clear_fixed(inverse_diagonal_);
+  space_->clear_fixed(inverse_diagonal_);
   stiffness_ = make_stiffness(*kernels_, c);
   return find_largest_eigenvalue();
 }
@@ -84,7 +77,7 @@ mechanics::Status MultigridLevel::find_largest_eigenvalue() {
 void MultigridLevel::product(const Vector& u, Vector& f) const {
   kernels_->stiffness_product(*stiffness_, u, f);
   add_rate_of_springs(*space_, springs_, 1, u, f);
-  clear_fixed(f);
+  space_->clear_fixed(f);
 }
 
 void MultigridLevel::residual(const Vector& f, const Vector& u, Vector& r) const {

@@ -42,8 +42,6 @@ class MultigridLevel {
   void residual(const Vector& f, const Vector& u, Vector& r) const;
   /// Applies the smoother to u. On entry, r must be f − K u. On return, r is not defined.
   void smooth(const Vector& f, Vector& r, Vector& u) const;
-  /// Sets the components of f that a plane of the octant fixes to 0.
-  void clear_fixed(Vector& f) const;
   Vector make_vector() const { return space_->make_vector(); }
 
  private:

@@ -70,8 +70,7 @@ void MultigridTransfer::restrict_to_coarser(const Vector& r, Vector& f) const {
         f.local_element(3 * to[a] + k) += coarse[static_cast<Eigen::Index>(a)];
     }
   }
-  for (unsigned int i = 0; i < f.locally_owned_size(); ++i)
-    if (coarser_.inverse_mass().local_element(i) == 0) f.local_element(i) = 0;
+  coarser_.clear_fixed(f);
 }
 
 void MultigridTransfer::add_interpolated(const Vector& u, Vector& result) const {
