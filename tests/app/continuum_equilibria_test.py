@@ -43,7 +43,7 @@ class ContinuumEquilibria(ProgramTest):
         self.assertRegex(text, r"\requilibria-continuum  +\d+ %  \S+ figures/s  \d+ s left\x1b\[K")
 
     def test_the_rest_of_an_interrupted_family(self):
-        """The message names the entries that compute it."""
+        """The message names the entries that compute it, and the last two members again."""
         family = {**FIGURES, "Equilibrium/Number": 24, "Continuum/Error estimate": "none"}
         self.scene(family)
         self.run_done("run", "scene.prm", "--output", "whole")
@@ -53,13 +53,13 @@ class ContinuumEquilibria(ProgramTest):
         process.send_signal(signal.SIGINT)
         _, error = process.communicate()
         self.assertEqual(process.returncode, STOPPED, error)
-        rest = dict(re.findall(r"(Equilibrium/\w+) = (\S+)", error))
+        rest = dict(re.findall(r"(Equilibrium/\w+) = ([-+0-9.e]+)", error))
         self.assertEqual(set(rest), {"Equilibrium/First", "Equilibrium/Number"})
         self.run_done("run", "scene.prm", "--output", "rest", *overrides(rest))
         whole, begun, after = (self.table(folder, "equilibria-continuum.csv") for folder in ("whole", "begun", "rest"))
-        self.assertGreater(len(begun), 0)
+        self.assertGreater(len(begun), 2)
         for name in "parameter", "omega3", "a3", "energy", "rate_3_im":
-            for x, y in zip(whole.column(name), begun.column(name) + after.column(name), strict=True):
+            for x, y in zip(whole.column(name), begun.column(name)[:-2] + after.column(name), strict=True):
                 self.assertAlmostEqual(x, y, delta=1e-9, msg=name)
 
     def test_traction_is_that_of_the_pseudo_rigid_body(self):

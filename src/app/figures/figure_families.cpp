@@ -320,11 +320,13 @@ void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily&
                     n_wanted, parameter_, of_degree, file_, is_at_rest ? "" : the_rest(n_values)));
 }
 
-/// The entries of a scene that computes the rest of a family after `n_done` values, as an addition to a sentence.
+/// The entries of a scene that computes the rest of a family after `n_done` values, as an addition to a sentence. The
+/// rest begins with the last two values again, because the interrupt may have left out special points between them.
 std::string FigureRun::the_rest(int n_done) const {
   const std::vector<double> values = parameters_of(context_.scene.equilibria);
-  return fmt::format(" (Equilibrium/First = {} and Equilibrium/Number = {} compute the others)",
-                     values[static_cast<std::size_t>(n_done)], static_cast<int>(values.size()) - n_done);
+  const int first = std::max(n_done - 2, 0);
+  return fmt::format("; Equilibrium/First = {} and Equilibrium/Number = {} compute the rest, from the last two on",
+                     values[static_cast<std::size_t>(first)], static_cast<int>(values.size()) - first);
 }
 
 /// The beginning of the sentence about a figure that was not found.
