@@ -29,8 +29,8 @@ class BodyFigureFinder {
   /// `family` returns the members with these parameters and the special points between successive members. `member`
   /// sets its argument `member` to the member with this parameter. mechanics::FigureFinder describes the failures.
   FigureFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {},
-                      const std::function<void(double fraction)>& watch = {}) {
-    return finder_.family(parameters, std::move(give_up), watch);
+                      const mechanics::FamilyWatch& watch = {}, FigureFamily known = {}) {
+    return finder_.family(parameters, std::move(give_up), watch, std::move(known));
   }
   mechanics::Status member(double parameter, FigureMember& member) { return finder_.member(parameter, member); }
   /// The family with the figure at rest under the loads (mechanics::figure_at_rest).

@@ -200,7 +200,7 @@ TEST(SteadyRotation, JacobisEllipsoidsBecomePears) {
                              }});
     std::vector<double> fractions;
     const FigureFamily family =
-        finder.family({0.41, 0.46}, {}, [&](double fraction) { fractions.push_back(fraction); });
+        finder.family({0.41, 0.46}, {}, [&](double fraction, const FigureFamily&) { fractions.push_back(fraction); });
     EXPECT_EQ(fractions, (std::vector{0.0, 0.5}));
     ASSERT_EQ(family.members.size(), 2u);
     if (N == 1) {

@@ -23,10 +23,11 @@ inline std::vector<std::string> movers(const scene::Catalogue& catalogue) {
   return names;
 }
 
-/// The names of the checkpoints that a run can write. Models, systems and sweeps have checkpoints, and so do the two
-/// searches for a discretisation and a degree.
+/// The names of the checkpoints that a run can write. Models, their families of equilibria, systems and sweeps have
+/// checkpoints, and so do the two searches for a discretisation and a degree.
 inline std::vector<std::string> writers_of_checkpoints(const scene::Catalogue& catalogue) {
   std::vector<std::string> names = movers(catalogue);
+  for (const scene::ModelDescription& model : catalogue.models) names.emplace_back(model.equilibria.file);
   names.insert(names.end(), {SweepRows::name, DiscretizationSearch::checkpoint_name, degree_checkpoint_name});
   return names;
 }

@@ -118,7 +118,7 @@ std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory
 
 void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory) {
   const auto found = checkpoints(directory, scene);
-  if (found.empty() || !scene.sweep.empty()) return;
+  if (found.empty() || !scene.sweep.empty() || scene.analysis != scene::Analysis::motion) return;
   const Entries before = entries_of(found.front());
   const auto end = number(before, end_of_time), n = number(before, number_of_samples);
   if (!end || !n) return;

@@ -276,12 +276,14 @@ FigureRun::FigureRun(const RunContext& context, std::string_view file, const std
       is_row_(context.tables && context.ranks->is_first()),
       n_families_(static_cast<double>(n_families)),
       progress_(file_, context.shows_progress && !context.tables, "figures"),
+      checkpoint_(context, file_),
       kept_(kept_columns(context.scene, columns)) {
   on_all_ranks(*context.ranks, [&] { table_.emplace(table_of(context, file_, chosen(columns, kept_))); });
 }
 
 void FigureRun::end(mechanics::Outcome how, std::string message) {
   outcome_.end = how;
+  outcome_.is_over = how == mechanics::Outcome::failed;
   outcome_.message = std::move(message);
 }
 
@@ -316,17 +318,8 @@ void FigureRun::add(const std::string& of_degree, const mechanics::FigureFamily&
   const int n_wanted = is_at_rest ? 1 : context_.scene.equilibria.number;
   if (n_values < n_wanted && goes_on() && context_.interrupted())
     end(mechanics::Outcome::interrupted,
-        fmt::format("equilibria interrupted after {} of {} values of {} of {}; those before are in {}.csv{}", n_values,
-                    n_wanted, parameter_, of_degree, file_, is_at_rest ? "" : the_rest(n_values)));
-}
-
-/// The entries of a scene that computes the rest of a family after `n_done` values, as an addition to a sentence. The
-/// rest begins with the last two values again, because the interrupt may have left out special points between them.
-std::string FigureRun::the_rest(int n_done) const {
-  const std::vector<double> values = parameters_of(context_.scene.equilibria);
-  const int first = std::max(n_done - 2, 0);
-  return fmt::format("; Equilibrium/First = {} and Equilibrium/Number = {} compute the rest, from the last two on",
-                     values[static_cast<std::size_t>(first)], static_cast<int>(values.size()) - first);
+        fmt::format("equilibria interrupted after {} of {} values of {} of {}; those before are in {}.csv", n_values,
+                    n_wanted, parameter_, of_degree, file_));
 }
 
 /// The beginning of the sentence about a figure that was not found.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/figures/family_checkpoint.h"
 #include "app/run/run_context.h"
 #include "io/column_table.h"
 #include "io/progress.h"
@@ -104,14 +105,21 @@ class FigureRun {
   FigureRun(const RunContext& context, std::string_view file, const std::vector<scene::Column>& columns,
             std::size_t n_families);
 
-  /// Computes the next family with the parameters of the scene: the result of find(parameters, give_up, watch), where
-  /// `find` has the arguments of mechanics::FigureFinder::family. Shows the progress of the run.
+  /// Computes the next family with the parameters of the scene: the result of find(parameters, give_up, watch, known),
+  /// where `find` has the arguments of mechanics::FigureFinder::family. Shows the progress of the run, and writes
+  /// checkpoints. In a resumed run, `known` is the part of the family that the checkpoint contains.
   template <class Find>
   mechanics::FigureFamily next_family(const Find& find) {
-    const double n_before = n_families_done_++;
-    return find(
-        parameters_of(context_.scene.equilibria), [this] { return context_.interrupted(); },
-        [this, n_before](double fraction) { progress_.step((n_before + fraction) / n_families_); });
+    const std::size_t k = n_families_done_++;
+    const mechanics::FamilyWatch watch = [this, k](double fraction, const mechanics::FigureFamily& known) {
+      progress_.step((static_cast<double>(k) + fraction) / n_families_);
+      checkpoint_.save_if_old(k, known);
+    };
+    mechanics::FigureFamily family = find(
+        parameters_of(context_.scene.equilibria), [this] { return context_.interrupted(); }, watch,
+        checkpoint_.known(k));
+    checkpoint_.save(k, family);
+    return family;
   }
 
   /// Writes the members and the special points of the family of one degree by increasing parameter. A run of a sweep
@@ -135,15 +143,16 @@ class FigureRun {
   /// Appends the rows of the family to the table, or sets the outcome to `failed` at the first row that cannot be
   /// computed.
   void write(const mechanics::FigureFamily& family, const RowOf& row_of);
-  std::string the_rest(int n_done) const;
   std::string missing_in_words(const mechanics::FigureFamily& family, const mechanics::NoFigure& missing) const;
 
   const RunContext& context_;
   std::string file_, parameter_;  ///< name of the table without ".csv"; name of the family's parameter for messages
   bool is_row_;                   ///< true if the run gives a row of a sweep
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double n_families_, n_families_done_ = 0;
+  double n_families_;
+  std::size_t n_families_done_ = 0;
   io::Progress progress_;
+  FamilyCheckpoint checkpoint_;
   std::vector<std::size_t> kept_;         ///< indices of the columns that the table has
   std::optional<io::ColumnTable> table_;  ///< has a value after the construction
   ModelOutcome outcome_;

@@ -101,8 +101,7 @@ struct ModelOutcome {
   /// The same motion on another discretisation, for the estimate of the error in space; empty without an estimate.
   std::optional<analysis::OtherResolution> other{};
   std::string results{};  ///< text for standard output at the end of the run
-  bool is_over = false;  ///< true if the model has ended its motion, for example by a collision, so that a smaller step
-                         ///< does not continue it
+  bool is_over = false;   ///< true if a resumed run cannot continue, for example after a collision
 };
 
 /// Adds a line to the results and to log.txt. Standard output shows the results at the end of the run.

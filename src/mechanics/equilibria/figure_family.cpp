@@ -145,24 +145,35 @@ void FigureFinder::locate_special(double a, double b, FigureFamily& result) {
   if (!is_complete && rotates && !gives_up()) result.without_special.push_back(b);
 }
 
+void FigureFinder::forget_all_but(const FigureMember& member) {
+  known_ = {{family_.condition(member.parameter).value, member.figure}};
+  members_ = {{member.parameter, member}};
+  trials_.clear();
+}
+
 FigureFamily FigureFinder::family(const std::vector<double>& parameters, std::function<bool()> give_up,
-                                  const std::function<void(double)>& watch) {
+                                  const FamilyWatch& watch, FigureFamily known) {
   give_up_ = std::move(give_up);
-  FigureFamily result;
-  bool previous = false;
-  double n_done = 0;
-  for (const double p : parameters) {
-    if (watch) watch(n_done++ / static_cast<double>(parameters.size()));
+  FigureFamily result = std::move(known);
+  const std::size_t n_known = result.members.size() + result.missing.size();
+  if (!result.members.empty()) forget_all_but(result.members.back());
+  // True if the preceding parameter has a member.
+  bool previous = !result.members.empty() && result.members.back().parameter == parameters[n_known - 1];
+  for (std::size_t i = n_known; i < parameters.size(); ++i) {
+    if (watch) watch(static_cast<double>(i) / static_cast<double>(parameters.size()), result);
+    const double p = parameters[i];
     FigureMember at;
     const Status status = member(p, at);
     if (!status && gives_up()) break;
     if (status) {
+      const auto n_special = static_cast<std::ptrdiff_t>(result.special.size());
       if (previous) locate_special(result.members.back().parameter, p, result);
+      if (previous && gives_up()) {  // some special points may be missing
+        result.special.erase(result.special.begin() + n_special, result.special.end());
+        break;
+      }
       result.members.push_back(at);
-      // The figures that were computed between members are not needed again.
-      known_ = {{family_.condition(p).value, at.figure}};
-      members_ = {{p, std::move(at)}};
-      trials_.clear();
+      forget_all_but(at);  // the figures that were computed between members are not needed again
     } else {
       result.missing.push_back({p, status.reason()});
     }

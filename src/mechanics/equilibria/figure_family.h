@@ -89,6 +89,9 @@ using StabilityOfFigure = std::function<Status(const EquilibriumFigure& figure, 
 /// reason. The family has no member if this largest factor is 0, or if the stability of the figure cannot be computed.
 FigureFamily figure_at_rest(const FigureEquations& equations, const StabilityOfFigure& analyse, double factor);
 
+/// A function that is called with the completed fraction of a family, and with the completed part.
+using FamilyWatch = std::function<void(double fraction, const FigureFamily& known)>;
+
 /// Finds members of one family and stores known figures as starts of the continuation.
 class FigureFinder {
  public:
@@ -101,10 +104,12 @@ class FigureFinder {
   /// Finds the members with these parameters, in this order, and the special points between successive members.
   /// Folds are located only if the parameter of the condition is a ratio of axes.
   /// Parameters for which no member is found are listed in `missing`. `give_up` is called before each member and each
-  /// trial member near a special point. If `give_up` returns true, the function returns the members found so far.
-  /// `watch` is called with the completed fraction of the parameters, from 0 on.
+  /// trial member near a special point. If `give_up` returns true, the function returns the members found so far and
+  /// all special points between them. `watch` is called before each member with the completed fraction of the
+  /// parameters and this part of the result. `known` is the part of an earlier call with the same parameters, which
+  /// this call completes.
   FigureFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {},
-                      const std::function<void(double fraction)>& watch = {});
+                      const FamilyWatch& watch = {}, FigureFamily known = {});
   /// Finds the member with this parameter. Fails if no figure is found, if its stability cannot be computed, or if the
   /// function `give_up` of the last call of `family` returns true.
   Status member(double parameter, FigureMember& member);
@@ -119,6 +124,8 @@ class FigureFinder {
   /// The stability in the class with the index `of_class` of the figure with this parameter. Empty if the figure or
   /// this stability cannot be computed, or if give_up_ returns true.
   std::optional<LinearStability> stability(double parameter, std::size_t of_class);
+  /// Makes this member the only known figure.
+  void forget_all_but(const FigureMember& member);
   /// Appends the special points between the members with the parameters a and b to `result`.
   void locate_special(double a, double b, FigureFamily& result);
 
