@@ -64,7 +64,10 @@ class RankGroups {
  public:
   /// Makes as many groups as there are problems, or ranks if these are fewer. Collective.
   RankGroups(const SectorRanks& all, std::size_t n_problems)
-      : n_(std::min(all.size(), n_problems)), own_number_(this_rank(all.communicator) % n_), own_(all) {
+      : n_(std::min(all.size(), n_problems)),
+        n_problems_(n_problems),
+        own_number_(this_rank(all.communicator) % n_),
+        own_(all) {
     if (n_ == 1) return;
     MPI_Comm_split(all.communicator, static_cast<int>(own_number_), 0, &own_.communicator);
   }
@@ -75,12 +78,12 @@ class RankGroups {
   RankGroups& operator=(const RankGroups&) = delete;
 
   std::size_t size() const { return n_; }  ///< number of groups
-  /// True if the group of this rank solves the problem with this number.
-  bool owns(std::size_t problem) const { return problem % n_ == own_number_; }
+  /// True if the group of this rank solves the problem with this number. A group has successive problems.
+  bool owns(std::size_t problem) const { return problem * n_ / n_problems_ == own_number_; }
   const SectorRanks& own() const { return own_; }  ///< the ranks of the group of this rank
 
  private:
-  std::size_t n_, own_number_;
+  std::size_t n_, n_problems_, own_number_;
   SectorRanks own_;
 };
 

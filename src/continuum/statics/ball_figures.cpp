@@ -77,12 +77,18 @@ void BallFigures::find_exchanged_nodes() {
   }
 }
 
-void BallFigures::symmetrize(Eigen::VectorXd& u) const {
-  if (exchanged_.empty()) return;
-  const Eigen::VectorXd before = u;
+Vector BallFigures::exchanged(const Vector& u) const {
+  Vector result = body_->make_vector();
   for (unsigned int node = 0; node < exchanged_.size(); ++node)
     for (unsigned int c = 0; c < 3; ++c)
-      u[3 * node + c] = (before[3 * node + c] + before[3 * exchanged_[node] + (c == 2 ? 2 : 1 - c)]) / 2;
+      result.local_element(3 * node + c) = u.local_element(3 * exchanged_[node] + (c == 2 ? 2 : 1 - c));
+  return result;
+}
+
+void BallFigures::symmetrize(Eigen::VectorXd& u) const {
+  if (!is_symmetric_under_exchange()) return;
+  const Vector image = exchanged(field(u));
+  for (Eigen::Index i = 0; i < u.size(); ++i) u[i] = (u[i] + image.local_element(static_cast<unsigned int>(i))) / 2;
 }
 
 Vector BallFigures::field(const Eigen::VectorXd& x) const {

@@ -104,6 +104,11 @@ class BallFigures final : public mechanics::FigureEquations {
   /// then has the same effect as a rotation of space.
   bool is_symmetric_about(int axis, double drive) const;
 
+  /// True if the figures are symmetric under the exchange of the axes 1 and 2.
+  bool is_symmetric_under_exchange() const { return !exchanged_.empty(); }
+  /// The image of a displacement under this exchange. Requires is_symmetric_under_exchange().
+  Vector exchanged(const Vector& u) const;
+
   /// The nodal positions and the multiplier of a figure. The multiplier of a compressible ball is 0.
   Vector positions(const Figure& figure) const { return field(figure.x); }
   Vector multiplier(const Figure& figure) const;

@@ -53,16 +53,31 @@ int parity_of_rotation(int axis) { return 7 ^ (1 << axis); }
 /// in x, and bit 2 for motions that are odd in z.
 constexpr std::array<std::array<int, 2>, 4> parities_of_classes{{{0, 3}, {1, 2}, {4, 7}, {5, 6}}};
 
-/// The bases of the two parities of a class. `numbers` has the numbers of the parities.
-struct ClassBasis {
-  ClassBasis(const TangentProblem& problem, std::size_t of_class, const SectorRanks& ranks)
-      : numbers(parities_of_classes[of_class]),
-        parts{SectorBasis(problem, numbers[0], ranks, ranks.owns(0)),
-              SectorBasis(problem, numbers[1], ranks, ranks.owns(1))} {}
+/// The number of the parity of the image of a displacement under the exchange of the axes 1 and 2.
+int exchanged_parity(int number) { return (number & 4) | (number & 1) << 1 | (number & 2) >> 1; }
 
+/// The bases of the two parities of a class. `numbers` has the numbers of the parities. If the figure is symmetric
+/// under the exchange of the axes 1 and 2, and the exchange maps the first parity to the second one, the vectors of the
+/// second basis are the images of those of the first.
+struct ClassBasis {
+  ClassBasis(const BallFigures& of_figures, const TangentProblem& problem, std::size_t of_class,
+             const SectorRanks& ranks)
+      : figures(of_figures),
+        numbers(parities_of_classes[of_class]),
+        has_images(figures.is_symmetric_under_exchange() && exchanged_parity(numbers[0]) == numbers[1]),
+        parts{SectorBasis(problem, numbers[0], ranks, ranks.owns(0)),
+              SectorBasis(problem, numbers[1], ranks, !has_images && ranks.owns(1))} {}
+
+  /// The number of bases whose vectors are computed.
+  std::size_t n_computed() const { return has_images ? 1 : 2; }
   bool contains(int number) const { return number == numbers[0] || number == numbers[1]; }
+  /// Eigenvector i of a part.
+  Vector eigenvector(std::size_t part, std::size_t i) const {
+    return part < n_computed() ? parts[part].eigenvector(i) : figures.exchanged(parts[0].eigenvector(i));
+  }
   void span(int n_eigenvectors) {
-    for (SectorBasis& part : parts) part.span(static_cast<std::size_t>(n_eigenvectors));
+    for (std::size_t part = 0; part < n_computed(); ++part) parts[part].span(static_cast<std::size_t>(n_eigenvectors));
+    if (has_images) parts[1].span_images(parts[0], [this](const Vector& u) { return figures.exchanged(u); });
   }
   Eigen::Index size() const { return parts[0].size() + parts[1].size(); }
   /// The coordinates of the field u in both bases. `number` is the parity of u, one of the two parities of the class.
@@ -75,7 +90,9 @@ struct ClassBasis {
     return result;
   }
 
+  const BallFigures& figures;
   std::array<int, 2> numbers;
+  bool has_images;  ///< true if the second basis has the images of the first
   std::array<SectorBasis, 2> parts;
 };
 
@@ -125,7 +142,7 @@ class StabilityProblem {
 
   /// Sets the stability in the class with this index. Collective.
   mechanics::Status solve(std::size_t number, int n_eigenvectors, mechanics::ClassStability& of_class) const {
-    ClassBasis basis(problem_, number, ranks_);
+    ClassBasis basis(figures_, problem_, number, ranks_);
     if (auto status = fill(n_eigenvectors, basis); !status) return status;
     const auto analyse = [&](int n, mechanics::LinearStability& stability) {
       basis.span(n);
@@ -143,7 +160,7 @@ class StabilityProblem {
   }
   mechanics::Status solve(std::size_t of_class, int n_eigenvectors, std::complex<double> rate,
                           SmallMotionOfBall& motion) const {
-    ClassBasis basis(problem_, of_class, ranks_);
+    ClassBasis basis(figures_, problem_, of_class, ranks_);
     if (auto status = fill(n_eigenvectors, basis); !status) return status;
     basis.span(n_eigenvectors);
     mechanics::SmallMotion found;
@@ -165,7 +182,7 @@ class StabilityProblem {
   template <class Work>
   mechanics::Status for_own_parts(const ClassBasis& basis, Work&& work) const {
     mechanics::Status status;
-    for (std::size_t part = 0; part < 2; ++part)
+    for (std::size_t part = 0; part < basis.n_computed(); ++part)
       if (status && basis.parts[part].is_mine()) status = work(part);
     return ranks_.of_all(status);
   }
@@ -176,18 +193,19 @@ class StabilityProblem {
     auto status =
         for_own_parts(basis, [&](std::size_t part) { return basis.parts[part].add_eigenvectors(n_eigenvectors); });
     if (!status) return status;
-    for (SectorBasis& part : basis.parts) part.share_eigenvectors();
+    for (std::size_t part = 0; part < basis.n_computed(); ++part) basis.parts[part].share_eigenvectors();
     status = for_own_parts(basis, [&](std::size_t part) { return add_others(basis, part); });
     if (!status) return status;
-    for (SectorBasis& part : basis.parts) part.share_others();
+    for (std::size_t part = 0; part < basis.n_computed(); ++part) basis.parts[part].share_others();
     return {};
   }
   /// Adds the vectors of a part that are not eigenvectors.
   mechanics::Status add_others(ClassBasis& basis, std::size_t part) const {
-    const SectorBasis& other = basis.parts[1 - part];
+    const std::size_t other = 1 - part;
+    const std::size_t n_eigenvectors = basis.parts[basis.has_images ? 0 : other].n_eigenvectors();
     std::vector<Vector> forces;
-    for (std::size_t i = 0; spin_ > 0 && i < other.n_eigenvectors(); ++i) {
-      Vector& force = forces.emplace_back(turned(space_, 2, other.eigenvector(i)));
+    for (std::size_t i = 0; spin_ > 0 && i < n_eigenvectors; ++i) {
+      Vector& force = forces.emplace_back(turned(space_, 2, basis.eigenvector(other, i)));
       for (unsigned int k = 0; k < 3 * space_.n_nodes(); ++k) force.local_element(k) *= space_.mass().local_element(k);
     }
     if (auto status = basis.parts[part].add_responses(forces); !status) return status;
@@ -203,7 +221,11 @@ class StabilityProblem {
     const Eigen::Index n = basis.size(), n_first = basis.parts[0].size();
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
     K.topLeftCorner(n_first, n_first) = basis.parts[0].stiffness(shift_);
-    K.bottomRightCorner(n - n_first, n - n_first) = basis.parts[1].stiffness(shift_);
+    auto of_second = K.bottomRightCorner(n - n_first, n - n_first);
+    if (basis.has_images)
+      of_second = K.topLeftCorner(n_first, n_first);
+    else
+      of_second = basis.parts[1].stiffness(shift_);
     return K;
   }
   /// The matrix with the entries bᵀM(Ω ê₃×b') for the vectors b and b' of both bases. The field ê₃×b' has the other

@@ -15,6 +15,9 @@
 /// projection causes an error that falls as the number of eigenvectors increases. Uniform translations are not
 /// included.
 ///
+/// The exchange of the axes 1 and 2 maps a spheroid to itself. The eigenvectors that are odd in axis 2 alone, of axes 1
+/// and 2, are then images of those that are odd in axis 1 alone, so only these are computed.
+///
 /// The mesh is not symmetric under rotations of the ball. Their removal therefore has the error of the mesh.
 
 #include <array>

@@ -42,6 +42,14 @@ class SectorBasis {
   /// Makes the basis of the first n eigenvectors, the first n responses and all other displacements.
   void span(std::size_t n);
 
+  /// Makes the basis of the images of the vectors of another basis, under a symmetry `image` of the figure and the mesh
+  /// that maps the other parity to this one. No other vectors need to be added.
+  template <class Image>
+  void span_images(const SectorBasis& other, const Image& image) {
+    basis_.clear();
+    for (Eigen::Index i = 0; i < other.size(); ++i) basis_.push_back(sector_.entries_of(image(other.field(i))));
+  }
+
   const ParitySector& sector() const { return sector_; }
   Eigen::Index size() const { return static_cast<Eigen::Index>(basis_.size()); }
   const Eigen::VectorXd& operator[](Eigen::Index i) const { return basis_[static_cast<std::size_t>(i)]; }
