@@ -40,7 +40,8 @@ RANGES = (("amplitude", "a", 0, 0.11, "frequency_ratio"), ("amplitude", "a", 0.2
           *((f"law-{law}", "l", low, high, "max_stretch_difference_max") for law in LAWS for low, high in ((1, 1.11), (1.69, 1.71))))
 # Columns that the pages and the pictures use, after the parameters.
 KEPT = ("compared", "_finished", "_amplitude", "_frequency_ratio", "_frequency_ratio_error", "_strain_difference_max",
-        "_max_stretch_difference_max", "_bulge_ratio", "_strain_ratio", "_strain_ratio_error", "_momentum_ratio", "_von_mises_ratio",
+        "_strain_difference_error", "_max_stretch_difference_max", "_max_stretch_difference_error", "_bulge_ratio", "_bulge_ratio_error",
+        "_strain_ratio", "_strain_ratio_error", "_momentum_ratio", "_von_mises_ratio",
         "_von_mises_ratio_error", "_von_mises_difference_rms")
 
 
@@ -57,8 +58,8 @@ def read(folder: pathlib.Path, family: str) -> Rows:
 
 
 def compared_figures(rows: Rows) -> Rows:
-    """The figures of every model of a sweep of equilibria as ratios to those of the finite elements: the bulge of the surface, the
-    strain ln(a1/a3) of the nearest ellipsoid with its bar, and the angular momentum of figures that turn. If the sweep has no
+    """The figures of every model of a sweep of equilibria as ratios to those of the finite elements: the bulge of the surface and the
+    strain ln(a1/a3) of the nearest ellipsoid with their bars, and the angular momentum of figures that turn. If the sweep has no
     pseudo-rigid model, its place is taken by the polynomial body of degree 1."""
     done = rows["finished"] == 1
     parameters = list(rows)[:list(rows).index("finished")]
@@ -76,14 +77,17 @@ def compared_figures(rows: Rows) -> Rows:
         return {name: value for name, value in values.items() if np.any(np.nan_to_num(value) != 0)}
 
     reference = measures("continuum")
-    if "continuum_axes_error" not in rows:
+    if "continuum_surface_error" not in rows:
         raise WrongInput("the sweep has no errors of the elements; use Continuum/Error estimate = auto")
-    # Both axes may be wrong by axes_error, in opposite directions.
-    bar = 2 * column("continuum_axes_error") / np.minimum(column("continuum_a1"), column("continuum_a3")) / np.abs(reference["strain"])
+    # Both axes may be wrong by their error, in opposite directions.
+    errors = {"bulge": 2 * column("continuum_surface_error"),
+              "strain": 2 * column("continuum_axes_error") / np.minimum(column("continuum_a1"), column("continuum_a3"))}
     for model in TITLES:
         for name, values in measures(model).items():
-            result[f"{model}_{name}_ratio"] = np.nan_to_num(values / reference[name])
-        result[f"{model}_strain_ratio_error"] = np.nan_to_num(bar)
+            ratio = values / reference[name]
+            result[f"{model}_{name}_ratio"] = np.nan_to_num(ratio)
+            if name in errors:
+                result[f"{model}_{name}_ratio_error"] = np.nan_to_num(np.abs(ratio) * errors[name] / np.abs(reference[name]))
     return result
 
 
@@ -109,9 +113,21 @@ def keep(rows: Rows, path: pathlib.Path) -> None:
             writer.writerow(f"{rows[name][k]:.6g}" for name in kept)
 
 
+def bars(rows: Rows, model: str, measure: str) -> np.ndarray:
+    """The error bars of a measure of RANGES; negative or NaN if they are not known. An amplitude is √2 times the root mean square of
+    C − mean of C. Let r be its ratio to that of the finite elements. An error d of C, relative to the larger amplitude, changes r by at
+    most √2 max(1, r)² d."""
+    name = f"{model}_strain_difference_error" if measure == "amplitude" else f"{model}_{measure.removesuffix('_max')}_error"
+    known_bars = rows.get(name, np.full(len(rows["run"]), np.nan))
+    if measure == "amplitude":
+        ratio = rows[f"{model}_amplitude"] / rows["continuum_amplitude"]
+        known_bars = math.sqrt(2) * np.maximum(1, ratio)**2 * known_bars
+    return known_bars
+
+
 def print_ranges(folder: pathlib.Path) -> None:
     """A line for each row of RANGES: the least and the greatest value for each model in per cent (of an amplitude its ratio to that of
-    the finite elements), and the median and the largest of the error bars."""
+    the finite elements), and the median and the largest of the error bars in per cent with the number of runs without a bar."""
     for family, parameter, low, high, measure in RANGES:
         rows = read(folder, family)
         inside = (rows[parameter] > low) & (rows[parameter] < high)
@@ -126,8 +142,9 @@ def print_ranges(folder: pathlib.Path) -> None:
                 values = values / rows["continuum_amplitude"][inside]
             else:
                 values = 100 * values
-            bars = 100 * rows.get(f"{model}_{measure}_error", np.array([np.nan] * len(inside)))[inside]
-            bar = f" (bars {np.median(bars[bars >= 0]):.2g}, up to {bars.max():.2g})" if np.isfinite(bars).any() else ""
+            errors = 100 * bars(rows, model, measure)[inside & (rows["compared"] == 1)]
+            errors, n_without = errors[errors >= 0], np.count_nonzero(~(errors >= 0))
+            bar = f" (bars {np.median(errors):.2g}, up to {errors.max():.2g}, {n_without} without)" if errors.size else ""
             parts.append(f"{model} {np.nanmin(values):.3g} to {np.nanmax(values):.3g}{bar}")
         print(f"{family}, {parameter} = {low} to {high}, {measure}: {'; '.join(parts)}")
 

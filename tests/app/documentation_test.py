@@ -32,7 +32,7 @@ class Documentation(ProgramTest):
     def test_what_counts_as_the_same(self):
         for a, b, same in (("step 0.02336, 1.93 s", "step 0.02337, 0.5 s", True), ("drift   4.4e-06", "drift 4.6e-06", True),
                            ("drift 1.2e-15", "drift 0", True), ("step 0.02336", "step 0.0241", False),
-                           ("drift 4.4e-06", "drift 6.4e-06", False), ("2 runs", "2 of the runs", False)):
+                           ("drift 4.4e-06", "drift 6.4e-06", False), ("18.9 +- 0.4 %", "18.9 +- 1 %", False), ("2 runs", "2 of the runs", False)):
             self.assertEqual(documentation.same_line(a, b), same, (a, b))
         self.assertIsNone(documentation.first_difference(["a", "…", "d"], ["a", "b", "c", "d"]))
         for printed in (["a"], ["a", "b"], ["a", "b", "d", "e"]):

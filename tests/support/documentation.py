@@ -119,9 +119,10 @@ def last_digit(text):
 
 
 def same_number(a, b):
+    """Up to a few units of the last digit. Numbers of one digit, as errors are, agree within a factor of two."""
     size, difference = max(abs(float(a)), abs(float(b))), abs(float(a) - float(b))
     return (size < ROUND_OFF or difference <= DIGITS * size or
-            difference <= UNITS_OF_LAST_DIGIT * max(last_digit(a), last_digit(b)))
+            difference <= min(UNITS_OF_LAST_DIGIT * max(last_digit(a), last_digit(b)), size / 2))
 
 
 def same_line(expected, printed):

@@ -97,7 +97,7 @@ Options parse_command_line(int argc, const char* const* argv) {
   app.require_subcommand(0, 1);
   app.footer(std::string() +
              "Exit codes: 0 done; 2 the input is wrong; 3 the run could not go on or was interrupted (--resume\n"
-             "continues a motion or a sweep); 1 a defect of the program." +
+             "continues a motion, a sweep or a family of equilibria); 1 a defect of the program." +
              note_on_scenes());
 
   bool quiet = false, verbose = false;

@@ -20,7 +20,7 @@
 ///
 /// with the density ρ, the gravity g at the surface and the shear modulus μ. The largest eigenvalue in magnitude of the
 /// deviator of T is s (10 + 0.8 γ') c²/r² with the strength s. In the sweeps of docs/adequacy.md with s up to 0.1 and γ
-/// up to 1000, the error differs from this prediction by at most a fifth. Their values of γ' are at least −2. There is
+/// up to 1000, the error differs from this prediction by at most 22 %. Their values of γ' are at least −2. There is
 /// no prediction for figures outside these ranges. At γ' = −9.5 the elastic ball loses its stability.
 
 #include "scene/needs.h"

@@ -98,29 +98,33 @@ class Companion {
         family_(mesh_.family(factor, run)),
         round_off_(mesh_.figures().accepted_residual() + 1e-11 * gravity_to_elasticity(context.scene)) {}
 
-  /// Appends the errors of a row with these numbers: those of the parameter, the spin, the semi-axes and the rates. The
-  /// error of the parameter is 0 for an ordinary member, for which `special` is null. `of_basis` is the error of the
-  /// rates that the basis of the small motions causes. If the companion mesh does not have such a figure, the other
-  /// errors are at least as large as the values. The errors contain the tolerances of Newton's iteration and of the
-  /// eigenvalues, because both meshes may agree to round-off. Fails if the numbers on the companion mesh cannot be
-  /// computed.
+  /// Appends the errors of a row with these numbers: those of the parameter, the spin, the semi-axes, the surface and
+  /// the rates. The error of the parameter is 0 for an ordinary member, for which `special` is null. `of_basis` is the
+  /// error of the rates that the basis of the small motions causes. If the companion mesh does not have such a figure,
+  /// the other errors are at least as large as the values. The errors contain the tolerances of Newton's iteration and
+  /// of the eigenvalues, because both meshes may agree to round-off. Fails if the numbers on the companion mesh cannot
+  /// be computed.
   mechanics::Status append_errors(const FigureMember& member, const SpecialFigure* special,
                                   const FigureNumbers& numbers, double of_basis, std::vector<double>& row) {
     const FigureMember* other = special ? match(*special) : match(member);
-    FigureNumbers of_other{0, 0, Eigen::Vector3d::Zero(), {}, {}};
+    FigureNumbers of_other{0, 0, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), {}};
     if (other)
       if (auto status = mesh_.numbers(*other, of_other); !status) return status;
     constexpr double of_eigenvalues = 1e-9;
     const double largest_rate = std::abs(slowest_rates(member).back());
     row.insert(row.end(), {special ? std::abs(member.parameter - (other ? other->parameter : 0)) : 0,
                            std::abs(numbers.spin - of_other.spin) + round_off_ * numbers.spin,
-                           (numbers.axes - of_other.axes).cwiseAbs().maxCoeff() + round_off_ * numbers.axes.maxCoeff(),
+                           error_of(numbers.axes, of_other.axes), error_of(numbers.surface, of_other.surface),
                            difference_of_rates(member, other ? *other : FigureMember()) + of_basis +
                                (of_eigenvalues + round_off_) * largest_rate});
     return {};
   }
 
  private:
+  /// The largest difference of three lengths, and the tolerance of Newton's iteration in the largest of them.
+  double error_of(const Eigen::Vector3d& lengths, const Eigen::Vector3d& others) const {
+    return (lengths - others).cwiseAbs().maxCoeff() + round_off_ * lengths.maxCoeff();
+  }
   /// The member with the same parameter; null if there is none.
   const FigureMember* match(const FigureMember& member) const {
     const auto found = std::ranges::find(family_.members, member.parameter, &FigureMember::parameter);

@@ -7,7 +7,7 @@
 
 namespace pseudorigid::app {
 
-inline constexpr std::size_t n_error_columns = 4;
+inline constexpr std::size_t n_error_columns = 5;
 
 /// The columns of figure_columns, and then n_error_columns columns with the estimated errors of the discretisation.
 inline std::vector<scene::Column> continuum_figure_columns() {
@@ -18,6 +18,8 @@ inline std::vector<scene::Column> continuum_figure_columns() {
                  {{"parameter_error", "", "difference of the parameter from that on the companion mesh; 0 for members"},
                   {"omega3_error", "1/time", "difference of omega3 from that on the companion mesh"},
                   {"axes_error", "length", "largest difference of a semi-axis from that on the companion mesh"},
+                  {"surface_error", "length",
+                   "largest difference of surface1, surface2 or surface3 from that on the companion mesh"},
                   {"rates_error", "1/time",
                    "largest difference of the rates in the row from those on the companion mesh, plus that from a "
                    "smaller basis"}});

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/figures/figure_families.h"
 #include "app/polynomial/body_setup.h"
 #include "app/polynomial/equilibrium_rows.h"
@@ -11,6 +13,20 @@ namespace pseudorigid::app {
 namespace {
 
 using scene::Family;
+
+/// Warns if the quadrature of gravity of a fluid has a large error. Nearly round figures have such an error, because it
+/// is relative to the centrifugal force.
+void warn_of_quadrature(int degree, const mechanics::FigureFamily& family, const RunContext& context) {
+  constexpr double large = 3e-4;
+  if (!scene::is_fluid(context.scene) || degree == 1 || family.members.empty()) return;
+  const mechanics::FigureMember& worst = *std::ranges::max_element(
+      family.members, {}, [](const mechanics::FigureMember& member) { return member.figure.residual; });
+  if (worst.figure.residual > large)
+    context.log->warn(
+        "degree {}: the quadrature of gravity has an error of {:.1g} of the centrifugal force at {} = {:.6g}; slow "
+        "motions and their special points may be wrong there; raise Polynomial/Gravity points",
+        degree, worst.figure.residual, parameter_name(context.scene.equilibria.family), worst.parameter);
+}
 
 /// Computes the family of one degree, and writes its rows and results. After an interrupt, writes the figures that were
 /// found before it.
@@ -25,6 +41,7 @@ void add_degree(int degree, const RunContext& context, FigureRun& run) {
   const mechanics::FigureFamily found =
       is_at_rest ? finder.at_rest()
                  : run.next_family([&](const auto&... arguments) { return finder.family(arguments...); });
+  if (!is_at_rest) warn_of_quadrature(degree, found, context);
   const EquilibriumRows rows(finder.setup(), finder.spectrum());
   run.add(
       fmt::format("degree {}", degree), found,
