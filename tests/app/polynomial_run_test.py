@@ -158,6 +158,9 @@ class PolynomialRun(ProgramTest):
         self.assertEqual(len(bifurcations), 2)
         for e in bifurcations:  # where Jacobi's ellipsoids leave (Chandrasekhar 1969, 32)
             self.assertAlmostEqual(e, 0.81267, delta=1e-5)
+        self.assertNotIn("quadrature of gravity", result.stderr)
+        nearly_round = overrides({"Models": "polynomial", "Equilibrium/First": 0.02, "Equilibrium/Number": 1})
+        self.assertIn("quadrature of gravity", self.run_done("run", "scene.prm", "--output", "nearly_round", *nearly_round).stderr)
 
     def test_pictures_show_the_body(self):
         self.run_release({"Polynomial/Degree": 3, "Output/Graphics": "vtu", "Output/Frames": 2})

@@ -90,6 +90,8 @@ class FamilyOnMesh {
 };
 
 /// The members and special points of the family on the companion mesh, from which the errors of the rows are estimated.
+/// The errors of both meshes may have the same sign. A number is therefore assumed to have twice the difference between
+/// the meshes as its error. This is a bound if the companion mesh has at least 1.5 times the error.
 class Companion {
  public:
   /// `factor` is the factor of the loads for the figure at rest. The family is a further one of `run`.
@@ -112,18 +114,20 @@ class Companion {
       if (auto status = mesh_.numbers(*other, of_other); !status) return status;
     constexpr double of_eigenvalues = 1e-9;
     const double largest_rate = std::abs(slowest_rates(member).back());
-    row.insert(row.end(), {special ? std::abs(member.parameter - (other ? other->parameter : 0)) : 0,
-                           std::abs(numbers.spin - of_other.spin) + round_off_ * numbers.spin,
+    row.insert(row.end(), {special ? of_difference * std::abs(member.parameter - (other ? other->parameter : 0)) : 0,
+                           of_difference * std::abs(numbers.spin - of_other.spin) + round_off_ * numbers.spin,
                            error_of(numbers.axes, of_other.axes), error_of(numbers.surface, of_other.surface),
-                           difference_of_rates(member, other ? *other : FigureMember()) + of_basis +
+                           of_difference * difference_of_rates(member, other ? *other : FigureMember()) + of_basis +
                                (of_eigenvalues + round_off_) * largest_rate});
     return {};
   }
 
  private:
-  /// The largest difference of three lengths, and the tolerance of Newton's iteration in the largest of them.
+  static constexpr double of_difference = 2;  ///< error over difference between the meshes
+
+  /// The largest error of three lengths, with the tolerance of Newton's iteration.
   double error_of(const Eigen::Vector3d& lengths, const Eigen::Vector3d& others) const {
-    return (lengths - others).cwiseAbs().maxCoeff() + round_off_ * lengths.maxCoeff();
+    return of_difference * (lengths - others).cwiseAbs().maxCoeff() + round_off_ * lengths.maxCoeff();
   }
   /// The member with the same parameter; null if there is none.
   const FigureMember* match(const FigureMember& member) const {

@@ -14,15 +14,16 @@ inline std::vector<scene::Column> continuum_figure_columns() {
   std::vector<scene::Column> columns =
       figure_columns("degree of the elements",
                      "of the same motions: 0 if even under the half turn about axis 3, otherwise 1; -1 if none grows");
-  columns.insert(columns.end(),
-                 {{"parameter_error", "", "difference of the parameter from that on the companion mesh; 0 for members"},
-                  {"omega3_error", "1/time", "difference of omega3 from that on the companion mesh"},
-                  {"axes_error", "length", "largest difference of a semi-axis from that on the companion mesh"},
-                  {"surface_error", "length",
-                   "largest difference of surface1, surface2 or surface3 from that on the companion mesh"},
-                  {"rates_error", "1/time",
-                   "largest difference of the rates in the row from those on the companion mesh, plus that from a "
-                   "smaller basis"}});
+  columns.insert(
+      columns.end(),
+      {{"parameter_error", "", "twice the difference of the parameter from that on the companion mesh; 0 for members"},
+       {"omega3_error", "1/time", "twice the difference of omega3 from that on the companion mesh"},
+       {"axes_error", "length", "twice the largest difference of a semi-axis from that on the companion mesh"},
+       {"surface_error", "length",
+        "twice the largest difference of surface1, surface2 or surface3 from that on the companion mesh"},
+       {"rates_error", "1/time",
+        "twice the largest difference of the rates in the row from those on the companion mesh, plus that from a "
+        "smaller basis"}});
   return columns;
 }
 

@@ -23,9 +23,9 @@ void warn_of_quadrature(int degree, const mechanics::FigureFamily& family, const
       family.members, {}, [](const mechanics::FigureMember& member) { return member.figure.residual; });
   if (worst.figure.residual > large)
     context.log->warn(
-        "degree {}: the quadrature of gravity has an error of {:.1g} of the centrifugal force at {} = {:.6g}; slow "
-        "motions and their special points may be wrong there; raise Polynomial/Gravity points",
-        degree, worst.figure.residual, parameter_name(context.scene.equilibria.family), worst.parameter);
+        "degree {}: at {} = {:.6g} the error of the quadrature of gravity is {:.1g} of the centrifugal force. Special "
+        "points of slow motions may be wrong there; raise Polynomial/Gravity points",
+        degree, parameter_name(context.scene.equilibria.family), worst.parameter, worst.figure.residual);
 }
 
 /// Computes the family of one degree, and writes its rows and results. After an interrupt, writes the figures that were
