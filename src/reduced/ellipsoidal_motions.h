@@ -57,11 +57,13 @@ inline Eigen::Vector3d axes_of_ratios(double a2_to_a1, double a3_to_a1) {
 
 /// Sets m to a steady motion of a body whose axes have the ratios of `axes`. motion(a, m) sets m to the motion with the
 /// semi-axes a. On SL(3), a = axes, so the product of `axes` must be 1. On GL⁺(3), a = size · axes with the size
-/// nearest to 1 at which the multiplier is 0. Fails if `motion` fails, or if there is no such size between 1/18 and 18.
-/// The function `motion` must set m.lambda even if it fails because the square of a velocity is negative.
+/// nearest to 1 at which the multiplier is 0. Fails if an axis is not positive, if `motion` fails, or if there is no
+/// such size between 1/18 and 18. The function `motion` must set m.lambda even if it fails because the square of a
+/// velocity is negative.
 template <SmoothPotential V, class MotionOfAxes>
 mechanics::Status motion_of_shape(const IsotropicBody<V>& body, const Eigen::Vector3d& axes, const MotionOfAxes& motion,
                                   SteadyMotion& m) {
+  if (!(axes.minCoeff() > 0)) return mechanics::Status::failure("the semi-axes of a figure are positive");
   if (body.incompressible) return motion(axes, m);
   constexpr double factor = 1.05;
   constexpr int n_factors = 60;  // sizes from 1/18 to 18

@@ -174,6 +174,31 @@ class ContinuumEquilibria(ProgramTest):
             self.assertAlmostEqual(turning.column(name)[0], resting.column(name)[0], delta=1e-9, msg=name)
         self.assertLess(turning.column("a1")[0], 1)
 
+    def test_loads_that_keep_the_shape(self):
+        """The loads change the pressure alone, so predictions do not move the ball."""
+        # The pressure that balances the trap is not a function of the mesh.
+        for entry, load, error in ("Loads/Nominal traction", 1.95, 1e-9), ("Loads/Tidal matrix", 40, 0.01):
+            self.scene({**AT_REST, entry: matrix(load, load, load), "Models": "continuum", "Continuum/Error estimate": "none"})
+            self.run_done("run", "scene.prm")
+            for i in 1, 2, 3:
+                self.assertAlmostEqual(self.figures().column(f"surface{i}")[0], 1, delta=error, msg=(entry, i))
+
+    def test_double_index_point_of_a_fine_mesh(self):
+        """A spheroid has it twice, up to round-off of the mesh; the rotation about its axis is once in the basis."""
+        self.scene({**FIGURES, "Continuum/Degree": 6, "Continuum/Error estimate": "none", "Gravity/Gamma": 47.46,
+                    "Equilibrium/Family": "maclaurin", "Equilibrium/First": 0.83582, "Equilibrium/Last": 0.87017})
+        self.assertIn("index at e = 0.83991", self.run_done("run", "scene.prm").stdout)
+
+    def test_copies_of_a_special_point_have_the_error_of_the_farthest(self):
+        self.scene({**FIGURES, "Material/Law": "gent", "Continuum/Degree": 4, "Gravity/Gamma": 22.34,
+                    "Equilibrium/Family": "spheroids", "Equilibrium/First": 0.6, "Equilibrium/Last": 0.66})
+        self.run_done("run", "scene.prm")
+        table = self.figures()
+        special = [k for k, kind in enumerate(table.column("kind")) if kind == 3]
+        self.assertEqual(len(special), 2)
+        for k in special:  # degree 6 has 0.63160469
+            self.assertLess(abs(table.column("parameter")[k] - 0.63160469), table.column("parameter_error")[k])
+
     def test_isotropic_and_compressive_tractions(self):
         """The undeformed ball is the solution of the first; the second is unstable against rotations alone."""
         self.scene({**AT_REST, "Models": "continuum", "Loads/Nominal traction": matrix(0.5, 0.5, 0.5)})

@@ -118,6 +118,11 @@ class PseudoRigid(ReducedTest):
                 column = table.column(name)
                 self.assertLess(max(column) - min(column), 1e-9, (family, name))
 
+    def test_axes_of_figures_are_positive(self):
+        self.run_scene({**FLUID, "Analysis": "equilibrium", "Equilibrium/Family": "jacobi", "Equilibrium/First": -1,
+                        "Equilibrium/Last": 0.5, "Equilibrium/Number": 4})
+        self.assertEqual([row[2] for row in self.table("output/scene/equilibria.csv").rows], [0.5])
+
     def test_an_elastic_spheroid(self):
         """PHYSICS.md 4: Omega^2 = kappa (1 − l^3), kappa = 5."""
         self.run_scene({"Models": "reduced", "Analysis": "equilibrium", "Equilibrium/Family": "spheroids",

@@ -109,12 +109,13 @@ class Companion {
   mechanics::Status append_errors(const FigureMember& member, const SpecialFigure* special,
                                   const FigureNumbers& numbers, double of_basis, std::vector<double>& row) {
     const FigureMember* other = special ? match(*special) : match(member);
+    const double apart = std::abs(member.parameter - (other ? other->parameter : 0));
     FigureNumbers of_other{0, 0, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), {}};
     if (other)
       if (auto status = mesh_.numbers(*other, of_other); !status) return status;
     constexpr double of_eigenvalues = 1e-9;
     const double largest_rate = std::abs(slowest_rates(member).back());
-    row.insert(row.end(), {special ? of_difference * std::abs(member.parameter - (other ? other->parameter : 0)) : 0,
+    row.insert(row.end(), {special ? of_difference * apart : 0,
                            of_difference * std::abs(numbers.spin - of_other.spin) + round_off_ * numbers.spin,
                            error_of(numbers.axes, of_other.axes), error_of(numbers.surface, of_other.surface),
                            of_difference * difference_of_rates(member, other ? *other : FigureMember()) + of_basis +
@@ -134,16 +135,24 @@ class Companion {
     const auto found = std::ranges::find(family_.members, member.parameter, &FigureMember::parameter);
     return found == family_.members.end() ? nullptr : &*found;
   }
-  /// The special point of the same kind and class of motions whose parameter is nearest; null if there is none.
+  /// The special point of the same kind and class of motions whose parameter is nearest; null if there is none. A mesh
+  /// separates points that a spheroid has twice. If several points have nearly this parameter, the farthest of them is
+  /// taken, because one copy may be near by chance.
   const FigureMember* match(const SpecialFigure& special) const {
-    const FigureMember* nearest = nullptr;
-    for (const SpecialFigure& other : family_.special)
-      if (other.kind == special.kind && other.motions.odd_in_z == special.motions.odd_in_z &&
-          other.motions.m == special.motions.m &&
-          (!nearest || std::abs(other.member.parameter - special.member.parameter) <
-                           std::abs(nearest->parameter - special.member.parameter)))
-        nearest = &other.member;
-    return nearest;
+    constexpr double of_copies = 0.01;  // larger than the relative distance of copies
+    const double here = special.member.parameter;
+    const FigureMember *nearest = nullptr, *farthest_copy = nullptr;
+    const auto distance = [&](const FigureMember* member) { return std::abs(member->parameter - here); };
+    for (const SpecialFigure& other : family_.special) {
+      const FigureMember* at = &other.member;
+      if (other.kind != special.kind || other.motions.odd_in_z != special.motions.odd_in_z ||
+          other.motions.m != special.motions.m)
+        continue;
+      if (!nearest || distance(at) < distance(nearest)) nearest = at;
+      if (distance(at) <= of_copies * std::abs(here) && (!farthest_copy || distance(at) > distance(farthest_copy)))
+        farthest_copy = at;
+    }
+    return farthest_copy ? farthest_copy : nearest;
   }
 
   FamilyOnMesh mesh_;

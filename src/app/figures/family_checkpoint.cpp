@@ -108,6 +108,7 @@ void transfer(NumberList& numbers, FigureFamily& family) {
   numbers.transfer(family.without_special, [&](double& parameter) { numbers.transfer(parameter); });
 }
 
+constexpr const char* of_table = "table";
 std::string name_of_numbers(std::size_t k) { return fmt::format("family {}", k); }
 std::string name_of_reason(std::size_t k, std::size_t i) { return fmt::format("family {}: reason {}", k, i); }
 
@@ -120,9 +121,13 @@ FamilyCheckpoint::FamilyCheckpoint(const RunContext& context, std::string name)
   on_all_ranks(*context.ranks, [&] { exists = keeps_states_ && context.resumes && io::is_there(path); });
   // The first rank decides for all ranks, because the others may read the disk later or have another disk.
   if (context.ranks->of_first(exists))
-    on_all_ranks(*context.ranks, [&] { content_ = io::Checkpoint::load(path); });
-  else
-    content_.set("scene", run_identity(context.scene).frozen_scene);
+    on_all_ranks(*context.ranks, [&] {
+      content_ = io::Checkpoint::load(path);
+      if (content_.get_string(of_table) != name_)
+        throw UserError(path.string() + " is the checkpoint of another model");
+    });
+  content_.set("scene", run_identity(context.scene).frozen_scene);
+  content_.set(of_table, name_);
 }
 
 FigureFamily FamilyCheckpoint::known(std::size_t k) const {

@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "app/ranks/on_all_ranks.h"
@@ -114,11 +115,12 @@ std::string name_of(const mechanics::MotionClass& motions, Figure figure) {
 }
 
 mechanics::FamilyOfFigures family_of_figures(const scene::Scene& scene, Family family) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();  // no figure has this parameter
   const double time_unit = units_of(scene).time;
   switch (family) {
     case Family::maclaurin:
       return {Figure::spheroid, [](double e) -> FigureCondition {
-                return {FigureParameter::log_ratio_31, 0.5 * std::log((1 - e) * (1 + e))};
+                return {FigureParameter::log_ratio_31, e < 0 ? none : 0.5 * std::log((1 - e) * (1 + e))};
               }};
     case Family::spheroids:
       return {Figure::spheroid, [](double polar_axis) -> FigureCondition {
@@ -126,7 +128,7 @@ mechanics::FamilyOfFigures family_of_figures(const scene::Scene& scene, Family f
               }};
     case Family::spinning:
       return {Figure::spheroid, [time_unit](double spin) -> FigureCondition {
-                return {FigureParameter::drive, spin * time_unit * spin * time_unit};
+                return {FigureParameter::drive, spin < 0 ? none : spin * time_unit * spin * time_unit};
               }};
     case Family::at_rest:
       return {Figure::ellipsoid, [](double factor) -> FigureCondition { return {FigureParameter::drive, factor}; }};

@@ -144,7 +144,7 @@ class BallFigures final : public mechanics::FigureEquations {
     return ranks_.of_all(status);
   }
   bool is_admissible(const Eigen::VectorXd& x) const override;
-  double error_of_solver() const override { return 1e-6; }
+  double error_of_solver() const override { return 1e-4; }
   /// Replaces `figure` by that of the first rank on all ranks. Collective.
   void share(Figure& figure) const;
   /// The work of the first rank for the functions of the base class. These functions must not be collective.

@@ -190,14 +190,24 @@ class StabilityProblem {
   /// Adds the vectors of both bases: eigenvectors, the static responses to the forces of Coriolis of the eigenvectors
   /// of the other basis of the class, and rotations. Collective.
   mechanics::Status fill(int n_eigenvectors, ClassBasis& basis) const {
-    auto status =
-        for_own_parts(basis, [&](std::size_t part) { return basis.parts[part].add_eigenvectors(n_eigenvectors); });
+    auto status = for_own_parts(basis, [&](std::size_t part) {
+      return basis.parts[part].add_eigenvectors(n_eigenvectors, known_eigenvector(basis.numbers[part]));
+    });
     if (!status) return status;
     for (std::size_t part = 0; part < basis.n_computed(); ++part) basis.parts[part].share_eigenvectors();
     status = for_own_parts(basis, [&](std::size_t part) { return add_others(basis, part); });
     if (!status) return status;
     for (std::size_t part = 0; part < basis.n_computed(); ++part) basis.parts[part].share_others();
     return {};
+  }
+  /// The rotation of a symmetric figure about its axis, an eigenvector of K with the eigenvalue 0, if it has the parity
+  /// with this number; otherwise null. The basis would have it twice, with a difference of round-off.
+  const Vector* known_eigenvector(int number) const {
+    for (int axis = 0; axis < 3; ++axis)
+      if (number == parity_of_rotation(axis) && figures_.is_symmetric_about(axis, drive_) &&
+          figures_.permits_rotation_of_space(axis))
+        return &rotations_.of_space[axis];
+    return nullptr;
   }
   /// Adds the vectors of a part that are not eigenvectors.
   mechanics::Status add_others(ClassBasis& basis, std::size_t part) const {
@@ -212,7 +222,8 @@ class StabilityProblem {
     for (int axis = 0; axis < 3; ++axis)
       if (basis.numbers[part] == parity_of_rotation(axis)) {
         basis.parts[part].add_projected(rotations_.of_space[axis]);
-        basis.parts[part].add_projected(rotations_.of_ball[axis]);
+        // Of a symmetric figure, both rotations differ by the error of the mesh.
+        if (!figures_.is_symmetric_about(axis, drive_)) basis.parts[part].add_projected(rotations_.of_ball[axis]);
       }
     return {};
   }

@@ -62,20 +62,19 @@ mechanics::Status Multigrid::factorize() {
       c.push_back(tangent_coefficients(finest.cells(), state_, cell, balance));
     return c;
   };
-  const bool gravitates = state_.body.gravity();
+  const double weight = weight_of_surface(state_);
   StiffnessCoefficients c = coefficients(Balance::multiplier);
-  if (gravitates) {
+  if (weight > 0) {
     whole_ = make_stiffness(state_.body.kernels(), c);
     c = coefficients(Balance::mean_stress);
   }
-  const double weight = weight_of_density(state_.forcing.gravity_constant);
   Vector x = state_.x;
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     if (l > 0) c = transfers_[l - 1].at_coarser_points(c);
     std::vector<FaceSprings> springs;
-    if (gravitates) {
+    if (weight > 0) {
       if (l > 0) x = transfers_[l - 1].at_coarser_nodes(x);
-      springs = springs_of_gravity(levels_[l]->space(), x, weight);
+      springs = springs_of_weight(levels_[l]->space(), x, weight);
     }
     if (auto status = levels_[l]->set(c, std::move(springs)); !status) return status;
   }
@@ -90,7 +89,7 @@ mechanics::Status Multigrid::factorize() {
 void Multigrid::product(const Vector& u, Vector& f) const {
   if (whole_) {
     state_.body.kernels().stiffness_product(*whole_, u, f);
-    f += rate_of_gravity(state_, u, parity_of_sector(0));
+    if (state_.body.gravity()) f += rate_of_gravity(state_, u, parity_of_sector(0));
   } else {
     levels_.front()->product(u, f);
   }

@@ -7,12 +7,12 @@
 
 namespace pseudorigid::continuum {
 
-mechanics::Status SectorBasis::add_eigenvectors(int n) {
+mechanics::Status SectorBasis::add_eigenvectors(int n, const Vector* known) {
   // Relative residual of eigenvectors. The eigenvalues of the projected problem have errors of the order of its square.
   constexpr double eigenvector_tolerance = 1e-6;
   if (auto status = sector_.factorize(); !status) return status;
   BlockLanczos lanczos([&](const auto& y, auto& z) { return sector_.apply(y, z); },
-                       static_cast<Eigen::Index>(sector_.n_unknowns()), uniform_motions());
+                       static_cast<Eigen::Index>(sector_.n_unknowns()), left_out(known));
   if (auto status = lanczos.find(n, eigenvector_tolerance); !status) return status;
   ParitySector::Modes modes;
   if (auto status = sector_.modes_of(lanczos.vectors(), modes); !status) return status;
@@ -65,13 +65,16 @@ Eigen::MatrixXd SectorBasis::stiffness(double shift) const {
   return (K + K.transpose()) / 2;
 }
 
-Eigen::MatrixXd SectorBasis::uniform_motions() const {
+Eigen::MatrixXd SectorBasis::left_out(const Vector* known) const {
+  const auto vector = [&](const Vector& u) {
+    return sector_.entries_of(u).cwiseProduct(sector_.mass().cwiseSqrt()).normalized();
+  };
   const auto& sign = sector_.parity().sign;
-  if (std::ranges::count(sign, -1) != 1) return {};
+  if (std::ranges::count(sign, -1) != 1) return known ? Eigen::MatrixXd(vector(*known)) : Eigen::MatrixXd();
   const Eigen::Vector3d axis = Eigen::Vector3d::Unit(std::ranges::find(sign, -1) - sign.begin());
   Vector u = sector_.space().make_vector();
   for (unsigned int i = 0; i < 3 * sector_.space().n_nodes(); ++i) u.local_element(i) = axis[i % 3];
-  return sector_.entries_of(u).cwiseProduct(sector_.mass().cwiseSqrt()).normalized();
+  return vector(u);
 }
 
 void SectorBasis::append(Eigen::VectorXd u) {

@@ -27,9 +27,10 @@ class SectorBasis {
       : sector_(problem, parity_of_sector(number)), ranks_(ranks), is_mine_(is_mine) {}
 
   bool is_mine() const { return is_mine_; }
-  /// Adds the eigenvectors of K for the n lowest eigenvalues, without uniform translations. Must be called before
-  /// add_responses and add_projected, because this function factorises the operator of the sector.
-  mechanics::Status add_eigenvectors(int n);
+  /// Adds the eigenvectors of K for the n lowest eigenvalues, without uniform translations and without the eigenvector
+  /// `known` if it is not null. Must be called before add_responses and add_projected, because this function factorises
+  /// the operator of the sector.
+  mechanics::Status add_eigenvectors(int n, const Vector* known);
   std::size_t n_eigenvectors() const { return eigenvectors_.size(); }
   Vector eigenvector(std::size_t i) const { return sector_.field_of(eigenvectors_[i]); }
   /// Adds the static responses to the forces, one for each eigenvector of the other basis of the class.
@@ -63,9 +64,9 @@ class SectorBasis {
   Eigen::MatrixXd stiffness(double shift) const;
 
  private:
-  /// The uniform translation u in the sector as the vector M^½ u of length 1, which is an argument of
-  /// ParitySector::apply. The result has no column if the sector does not contain a translation.
-  Eigen::MatrixXd uniform_motions() const;
+  /// The uniform translation u in the sector, or else `known`, as the vector M^½ u of length 1, which is an argument of
+  /// ParitySector::apply. The result has no column if there is neither.
+  Eigen::MatrixXd left_out(const Vector* known) const;
   /// Appends the part of u that is orthogonal to the basis, divided by its length. Omits this part if it is short
   /// (`dependent`).
   void append(Eigen::VectorXd u);

@@ -46,7 +46,13 @@ PointCoefficients tangent_coefficients(const CellStiffness& cells, const FigureS
   });
 }
 
-std::vector<FaceSprings> springs_of_gravity(const BallSpace& space, const Vector& x, double weight) {
+double weight_of_surface(const FigureState& state) {
+  const double of_gravity = weight_of_density(state.forcing.gravity_constant);
+  if (!state.incompressible || state.kind != Drive::loads) return of_gravity;
+  return of_gravity + std::max(0.0, state.drive * state.forcing.quadratic.diagonal().minCoeff());
+}
+
+std::vector<FaceSprings> springs_of_weight(const BallSpace& space, const Vector& x, double weight) {
   return springs_at_surface(space, [&](const FacePoint& point) -> Eigen::Vector3d {
     const FacePoint::Jet at = point.jet(x);
     const Eigen::Vector3d area = at.by_p.cross(at.by_q);
@@ -97,7 +103,7 @@ TangentProblem::TangentProblem(const FigureState& state, double of_shift, const 
   if (definite_) of_mass = rate_of_drive(state);
   if (incompressible) set_constraint(state.body.kernels(), state.x);
   const CellStiffness cells(space);
-  const double weight = weight_of_density(state.forcing.gravity_constant);
+  const double weight = weight_of_surface(state);
   const bool splits_gravity = weight > 0 && !definite_;
   set_stiffness([&](unsigned int cell) {
     if (!splits_gravity) return cells.cell_matrix(tangent_coefficients(cells, state, cell, Balance::multiplier));
@@ -109,14 +115,14 @@ TangentProblem::TangentProblem(const FigureState& state, double of_shift, const 
     return cells.cell_matrix(tangent_coefficients(cells, state, cell, Balance::mean_stress));
   });
   if (splits_gravity) {
-    springs_ = springs_of_gravity(space, state.x, weight);
+    springs_ = springs_of_weight(space, state.x, weight);
     add_springs(springs_);
   }
-  if (definite_ && weight > 0) couple_surface();
+  if (definite_ && state.body.gravity()) couple_surface();
 }
 
 Vector TangentProblem::rate_at_surface(const Vector& u, const Parity& parity) const {
-  Vector force = rate_of_gravity(state_, u, parity);
+  Vector force = state_.body.gravity() ? rate_of_gravity(state_, u, parity) : space.make_vector();
   add_rate_of_springs(space, springs_, -1, u, force);
   return force;
 }
@@ -140,7 +146,7 @@ BeyondCells TangentProblem::beyond_cells(const ParitySector& sector) const {
     return {[this, &sector, gravity](const Eigen::VectorXd& u) -> Eigen::VectorXd {
       const Vector field = sector.field_of(u);
       Vector f = rate_within(field);
-      if (gravity) f += rate_at_surface(field, sector.parity());
+      if (gravity || !springs_.empty()) f += rate_at_surface(field, sector.parity());
       return sector.entries_of(f);
     }};
   }

@@ -55,8 +55,11 @@ enum class Balance { multiplier, mean_stress };
 /// constraint.
 PointCoefficients tangent_coefficients(const CellStiffness& cells, const FigureState& state, unsigned int cell,
                                        Balance balance);
-/// The springs that take the place of gravity in the preconditioner, for nodal positions x of a space. `weight` is ρg.
-std::vector<FaceSprings> springs_of_gravity(const BallSpace& space, const Vector& x, double weight);
+/// The force per displacement and area with which gravity and an attractive quadratic potential hold the surface of an
+/// incompressible ball. It is ρg, plus ν times the least eigenvalue of the matrix T of the potential.
+double weight_of_surface(const FigureState& state);
+/// The springs that take the place of these forces in the preconditioner, for nodal positions x of a space.
+std::vector<FaceSprings> springs_of_weight(const BallSpace& space, const Vector& x, double weight);
 /// The derivative of the force of gravity along u, with the opposite sign.
 Vector rate_of_gravity(const FigureState& state, const Vector& u, const Parity& parity);
 /// Adds the forces of springs that act on u, times −`factor`.

@@ -12,8 +12,7 @@ namespace {
 bool uses_cycles(const FigureState& state) {
   const auto [shear, lame] = materials::moduli_at_rest(state.stored.law, state.incompressible);
   const double most = mechanics::largest_ratio_of_cycles * shear;
-  return weight_of_density(state.forcing.gravity_constant) <= most &&
-         (state.incompressible || lame + state.stored.volumetric_stiffness <= most);
+  return weight_of_surface(state) <= most && (state.incompressible || lame + state.stored.volumetric_stiffness <= most);
 }
 
 class Factorization final : public TangentSolver {

@@ -46,7 +46,7 @@ Status FigureEquations::follow(double from, const FigureCondition& condition, Eq
     if (predicted.x.allFinite() && is_admissible(predicted.x)) {
       Status end = newton({condition.parameter, next}, found);
       const double off = (found.x - predicted.x).norm(), moved = (predicted.x - figure.x).norm();
-      if (!end || off <= astray * moved + error_of_solver()) status = std::move(end);
+      if (!end || off <= astray * moved + error_of_solver() * predicted.x.norm()) status = std::move(end);
     }
     if (status) {
       figure = found;

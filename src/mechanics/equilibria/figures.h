@@ -85,7 +85,7 @@ class FigureEquations {
   virtual Status complete(EquilibriumFigure& figure) const = 0;
   /// Returns true if x is an admissible deformation of the body.
   virtual bool is_admissible(const Eigen::VectorXd& x) const = 0;
-  /// Returns a bound of the error in |x| that the linear solver of `tangent` causes in a prediction.
+  /// Returns a bound of the error that the linear solver of `tangent` causes in a prediction, relative to |x|.
   virtual double error_of_solver() const { return 1e-10; }
 };
 
