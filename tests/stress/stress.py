@@ -3,7 +3,7 @@
 
     stress.py [PART …] [--quick] [--fresh] [--seed N] [--number N] [--output DIR]
 
-Parts: scenes, ramps, units, long, mutants, interruptions, tolerances, quadrature, map, rows, violent, violent-high, violent-map, volume; all
+Parts: scenes, ramps, units, long, mutants, interruptions, tolerances, quadrature, figures, map, rows, violent, violent-high, violent-map, volume; all
 but violent-high and violent-map without a name. A part whose results are in DIR is not run again, unless --fresh. Exit code 1 if
 anything was not as it must be. The program is that of the environment variable
 PSEUDORIGID, test programs are those of PSEUDORIGID_TESTS; scripts/stress.sh sets both.
@@ -21,6 +21,7 @@ import time
 
 sys.dont_write_bytecode = True
 import compared_rows  # noqa: E402
+import figures  # noqa: E402
 import interruptions  # noqa: E402
 import local_volume  # noqa: E402
 import long_times  # noqa: E402
@@ -36,7 +37,7 @@ from program import Program  # noqa: E402
 
 PARTS = {"scenes": random_scenes.run, "ramps": ramps.run, "units": units.run, "long": long_times.run,
          "mutants": mutants.run, "interruptions": interruptions.run, "tolerances": tolerances.run,
-         "quadrature": quadrature.run, "map": stability_map.run, "rows": compared_rows.run,
+         "quadrature": quadrature.run, "figures": figures.run, "map": stability_map.run, "rows": compared_rows.run,
          "violent": violent.run, "violent-high": violent.run_high, "violent-map": violent.run_map, "volume": local_volume.run}
 LONG_PARTS = ("violent-high", "violent-map")  # run by name only
 N_SCENES = {True: 40, False: 1000}
