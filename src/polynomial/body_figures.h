@@ -87,6 +87,8 @@ class BodyFigures final : public mechanics::FigureEquations {
 
   /// The figure x = A X with A = diag(a), λ = 0 and this drive ν. It need not satisfy the equations.
   EquilibriumFigure affine(const Eigen::Vector3d& a, double drive) const override;
+  /// Contains the error of the quadrature of gravity.
+  double error_of_drive() const override { return error_of_drive_; }
 
  private:
   /// The equations Uᵀr = 0, Vᵀg = 0 and the condition, for the unknowns y, μ and ν (head of this file).
@@ -120,6 +122,7 @@ class BodyFigures final : public mechanics::FigureEquations {
   EquilibriumFigure change(const Eigen::VectorXd& step) const;
 
   bool incompressible_, is_fluid_;
+  double error_of_drive_;
   FigureForces forces_;    ///< forces on the octant
   Eigen::MatrixXd U_, V_;  ///< matrices U and V; V has no columns if λ is not an unknown
 };

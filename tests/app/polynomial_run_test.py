@@ -159,6 +159,9 @@ class PolynomialRun(ProgramTest):
         for e in bifurcations:  # where Jacobi's ellipsoids leave (Chandrasekhar 1969, 32)
             self.assertAlmostEqual(e, 0.81267, delta=1e-5)
         self.assertNotIn("quadrature of gravity", result.stderr)
+        ball = overrides({"Models": "polynomial", "Polynomial/Degree": 3, "Equilibrium/First": 0, "Equilibrium/Number": 1})
+        self.run_done("run", "scene.prm", "--output", "ball", *ball)
+        self.assertEqual(self.table("ball", "equilibria-polynomial.csv").column("omega3"), [0])
         nearly_round = overrides({"Models": "polynomial", "Equilibrium/First": 0.02, "Equilibrium/Number": 1})
         self.assertIn("quadrature of gravity", self.run_done("run", "scene.prm", "--output", "nearly_round", *nearly_round).stderr)
 

@@ -73,7 +73,7 @@ Status FigureFinder::find(double parameter, EquilibriumFigure& figure) {
   }
   if (!status) return status;
   constexpr double round_off = 1e-12;
-  if (figure.drive < -round_off)
+  if (figure.drive < -equations_.error_of_drive())
     return Status::failure("this figure does not turn steadily about its axis: Omega^2 = " + six_digits(figure.drive));
   if (figure.drive < round_off) figure.drive = 0;
   known_[condition.value] = figure;

@@ -72,6 +72,9 @@ class FigureEquations {
     return tangent(condition, figure, tolerance).drive;
   }
 
+  /// Returns a bound of the error of the drive of a figure, for example due to a quadrature.
+  virtual double error_of_drive() const { return 1e-12; }
+
  private:
   /// Makes Newton's iteration from `figure`. Fails if the residual does not reach round-off, or if a force cannot be
   /// computed. `figure` becomes the iterate with the least residual, unless a force fails.
