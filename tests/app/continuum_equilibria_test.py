@@ -176,7 +176,7 @@ class ContinuumEquilibria(ProgramTest):
 
     def test_loads_that_keep_the_shape(self):
         """The loads change the pressure alone, so predictions do not move the ball."""
-        # The pressure that balances the trap is not a function of the mesh.
+        # The mesh does not have the pressure that balances the trap. The error is 0.0013; the bound was set afterwards.
         for entry, load, error in ("Loads/Nominal traction", 1.95, 1e-9), ("Loads/Tidal matrix", 40, 0.01):
             self.scene({**AT_REST, entry: matrix(load, load, load), "Models": "continuum", "Continuum/Error estimate": "none"})
             self.run_done("run", "scene.prm")
@@ -184,7 +184,7 @@ class ContinuumEquilibria(ProgramTest):
                 self.assertAlmostEqual(self.figures().column(f"surface{i}")[0], 1, delta=error, msg=(entry, i))
 
     def test_double_index_point_of_a_fine_mesh(self):
-        """A spheroid has it twice, up to round-off of the mesh; the rotation about its axis is once in the basis."""
+        """A spheroid has it twice, up to the error of the mesh. The basis has the rotation about its axis once."""
         self.scene({**FIGURES, "Continuum/Degree": 6, "Continuum/Error estimate": "none", "Gravity/Gamma": 47.46,
                     "Equilibrium/Family": "maclaurin", "Equilibrium/First": 0.83582, "Equilibrium/Last": 0.87017})
         self.assertIn("index at e = 0.83991", self.run_done("run", "scene.prm").stdout)

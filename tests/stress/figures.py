@@ -1,6 +1,6 @@
-"""Figures of equilibrium of finite elements and polynomial bodies. Random families and figures at rest have bars (omega3_error,
-axes_error, surface_error, rates_error, parameter_error) that hold the difference from elements of a higher degree. Families that are
-ended at random moments and resumed have the table of an undisturbed run, byte by byte. Every scene follows from the seed of the part and
+"""Figures of equilibrium of finite elements and polynomial bodies. In random families and figures at
+rest, the difference from elements of a higher degree is below omega3_error, axes_error, surface_error, rates_error and parameter_error.
+Families that are ended at random moments and resumed have the table of an undisturbed run, byte by byte. Every scene follows from the seed of the part and
 its number; a moment follows from the clock. A record of a figure has the largest difference over its bar."""
 import math
 import random

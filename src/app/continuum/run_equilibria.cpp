@@ -90,8 +90,8 @@ class FamilyOnMesh {
 };
 
 /// The members and special points of the family on the companion mesh, from which the errors of the rows are estimated.
-/// The errors of both meshes may have the same sign. A number is therefore assumed to have twice the difference between
-/// the meshes as its error. This is a bound if the companion mesh has at least 1.5 times the error.
+/// The errors of both meshes may have the same sign. The error of a number is therefore assumed to be twice the
+/// difference between the meshes. This is a bound if the companion mesh has at least 1.5 times the error.
 class Companion {
  public:
   /// `factor` is the factor of the loads for the figure at rest. The family is a further one of `run`.

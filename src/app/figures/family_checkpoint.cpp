@@ -8,7 +8,7 @@
 
 #include "app/ranks/on_all_ranks.h"
 #include "app/run/model_checkpoint.h"
-#include "io/files.h"
+#include "app/run/resumed_checkpoint.h"
 #include "scene/user_error.h"
 
 namespace pseudorigid::app {
@@ -46,7 +46,7 @@ class NumberList {
     list.resize(static_cast<std::size_t>(size(static_cast<Eigen::Index>(list.size()))));
     for (T& entry : list) transfer_entry(entry);
   }
-  const std::vector<double>& values() const { return values_; }
+  std::vector<double> values() && { return std::move(values_); }
 
  private:
   /// The length of a list that follows: `present` if the list is appended.
@@ -116,24 +116,21 @@ std::string name_of_reason(std::size_t k, std::size_t i) { return fmt::format("f
 
 FamilyCheckpoint::FamilyCheckpoint(const RunContext& context, std::string name)
     : context_(context), name_(std::move(name)), keeps_states_(!context.tables || !context.ranks->is_first()) {
-  const auto path = context.directory.checkpoint(name_);
-  bool exists = false;
-  on_all_ranks(*context.ranks, [&] { exists = keeps_states_ && context.resumes && io::is_there(path); });
-  // The first rank decides for all ranks, because the others may read the disk later or have another disk.
-  if (context.ranks->of_first(exists))
-    on_all_ranks(*context.ranks, [&] {
-      content_ = io::Checkpoint::load(path);
-      if (content_.get_string(of_table) != name_)
-        throw UserError(path.string() + " is the checkpoint of another model");
-    });
-  content_.set("scene", run_identity(context.scene).frozen_scene);
-  content_.set(of_table, name_);
+  if (!keeps_states_) return;
+  auto earlier = resumed_checkpoint(context, name_);
+  on_all_ranks(*context.ranks, [&] {
+    if (earlier && earlier->get_string(of_table) != name_)
+      throw UserError(path().string() + " is the checkpoint of another model");
+    if (earlier) content_ = std::move(*earlier);
+    content_.set("scene", run_identity(context.scene).frozen_scene);
+    content_.set(of_table, name_);
+  });
 }
 
 FigureFamily FamilyCheckpoint::known(std::size_t k) const {
   FigureFamily family;
   if (!content_.has(name_of_numbers(k))) return family;
-  NumberList numbers(content_.get_doubles(name_of_numbers(k)), context_.directory.checkpoint(name_).string());
+  NumberList numbers(content_.get_doubles(name_of_numbers(k)), path().string());
   transfer(numbers, family);
   for (std::size_t i = 0; i < family.missing.size(); ++i)
     family.missing[i].reason = content_.get_string(name_of_reason(k, i));
@@ -147,9 +144,9 @@ void FamilyCheckpoint::save(std::size_t k, const FigureFamily& known) {
     NumberList numbers;
     FigureFamily copy = known;
     transfer(numbers, copy);
-    content_.set(name_of_numbers(k), numbers.values());
+    content_.set(name_of_numbers(k), std::move(numbers).values());
     for (std::size_t i = 0; i < known.missing.size(); ++i) content_.set(name_of_reason(k, i), known.missing[i].reason);
-    content_.save(context_.directory.checkpoint(name_));
+    content_.save(path());
     last_save_ = Clock::now();
     cost_ = last_save_ - start;
   });

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 
 #include "app/run/run_context.h"
@@ -27,6 +28,8 @@ class FamilyCheckpoint {
   void save_if_old(std::size_t k, const mechanics::FigureFamily& known);
 
  private:
+  std::filesystem::path path() const { return context_.directory.checkpoint(name_); }
+
   using Clock = std::chrono::steady_clock;
 
   const RunContext& context_;

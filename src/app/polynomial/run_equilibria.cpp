@@ -17,7 +17,7 @@ using scene::Family;
 /// Warns if the quadrature of gravity of a fluid has a large error. Nearly round figures have such an error, because it
 /// is relative to the centrifugal force.
 void warn_of_quadrature(int degree, const mechanics::FigureFamily& family, const RunContext& context) {
-  constexpr double large = 3e-4;
+  constexpr double large = 3e-4;  // errors from 4e-4 on gave Maclaurin's family false special points
   if (!scene::is_fluid(context.scene) || degree == 1 || family.members.empty()) return;
   const mechanics::FigureMember& worst = *std::ranges::max_element(
       family.members, {}, [](const mechanics::FigureMember& member) { return member.figure.residual; });

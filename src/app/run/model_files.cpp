@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/ranks/on_all_ranks.h"
-#include "io/files.h"
+#include "app/run/resumed_checkpoint.h"
 
 namespace pseudorigid::app {
 
@@ -39,16 +39,7 @@ void ModelFiles::save(const std::function<io::Checkpoint()>& checkpoint) {
   });
 }
 
-std::optional<io::Checkpoint> ModelFiles::state_to_resume() {
-  if (!context_.resumes) return std::nullopt;
-  bool exists = false;
-  on_all_ranks(*context_.ranks, [&] { exists = io::is_there(checkpoint()); });
-  // The first rank decides for all ranks, because the others may read the disk later or have another disk.
-  if (!context_.ranks->of_first(exists)) return std::nullopt;
-  std::optional<io::Checkpoint> state;
-  on_all_ranks(*context_.ranks, [&] { state = io::Checkpoint::load(checkpoint()); });
-  return state;
-}
+std::optional<io::Checkpoint> ModelFiles::state_to_resume() { return resumed_checkpoint(context_, model_); }
 
 void ModelFiles::resume(const std::vector<std::string>& columns, long n_samples_taken) {
   on_all_ranks(*context_.ranks, [&] {

@@ -10,11 +10,11 @@
 #include "app/ranks/on_all_ranks.h"
 #include "app/run/mesh_file.h"
 #include "app/run/model_checkpoint.h"
+#include "app/run/resumed_checkpoint.h"
 #include "app/search/effort.h"
 #include "app/search/error_estimate.h"
 #include "app/search/time_error.h"
 #include "io/checkpoint.h"
-#include "io/files.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -172,11 +172,8 @@ void DiscretizationSearch::write_checkpoint() const {
 }
 
 void DiscretizationSearch::load() {
-  const auto path = context_.directory.checkpoint(checkpoint_name);
-  bool exists = false;
-  on_all_ranks(*context_.ranks, [&] { exists = io::is_there(path); });
-  // The first rank decides for all ranks, because the others may read the disk later or have another disk.
-  if (context_.ranks->of_first(exists)) on_all_ranks(*context_.ranks, [&] { take(io::Checkpoint::load(path)); });
+  const auto content = resumed_checkpoint(context_, checkpoint_name);
+  if (content) on_all_ranks(*context_.ranks, [&] { take(*content); });
 }
 
 void DiscretizationSearch::take(const io::Checkpoint& c) {

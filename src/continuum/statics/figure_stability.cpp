@@ -222,7 +222,7 @@ class StabilityProblem {
     for (int axis = 0; axis < 3; ++axis)
       if (basis.numbers[part] == parity_of_rotation(axis)) {
         basis.parts[part].add_projected(rotations_.of_space[axis]);
-        // Of a symmetric figure, both rotations differ by the error of the mesh.
+        // The two rotations of a symmetric figure differ by the error of the mesh alone.
         if (!figures_.is_symmetric_about(axis, drive_)) basis.parts[part].add_projected(rotations_.of_ball[axis]);
       }
     return {};

@@ -15,8 +15,9 @@
 /// projection causes an error that falls as the number of eigenvectors increases. Uniform translations are not
 /// included.
 ///
-/// The exchange of the axes 1 and 2 maps a spheroid to itself. The eigenvectors that are odd in axis 2 alone, of axes 1
-/// and 2, are then images of those that are odd in axis 1 alone, so only these are computed.
+/// The exchange of the axes 1 and 2 maps a spheroid to itself. It maps displacements that are odd in axis 1 and even in
+/// axis 2 to displacements that are even in axis 1 and odd in axis 2. Only the eigenvectors of the first kind are
+/// computed. The eigenvectors of the second kind are their images.
 ///
 /// The mesh is not symmetric under rotations of the ball. Their removal therefore has the error of the mesh.
 
