@@ -120,7 +120,7 @@ Eigen::VectorXd FigureForces::rate(const Eigen::VectorXd& x, double nu, const Ei
 BodyFigures::BodyFigures(const FigureSetup& setup)
     : incompressible_(setup.incompressible),
       is_fluid_(std::holds_alternative<materials::Fluid>(setup.body.law)),
-      error_of_drive_(1e-12 + 4e-6 * setup.body.loads.get<loads::SelfGravity>().constant),
+      error_of_drive_(1e-12 * (1 + setup.body.loads.get<loads::SelfGravity>().constant)),
       forces_(setup, octant) {
   U_ = figure_fields(space(), setup.figure, is_fluid_ ? 1 : space().degree());
   V_ = figure_pressures(space(), setup.figure, !incompressible_ ? -1 : is_fluid_ ? 0 : space().degree());

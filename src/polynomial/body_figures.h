@@ -87,8 +87,7 @@ class BodyFigures final : public mechanics::FigureEquations {
 
   /// The figure x = A X with A = diag(a), λ = 0 and this drive ν. It need not satisfy the equations.
   EquilibriumFigure affine(const Eigen::Vector3d& a, double drive) const override;
-  /// Contains the error of the quadrature of gravity, which gives the ball ν = −1.2e-6 G at degree 3. G is Newton's
-  /// constant.
+  /// Contains the round-off of gravity, which is proportional to Newton's constant.
   double error_of_drive() const override { return error_of_drive_; }
 
  private:

@@ -61,6 +61,10 @@ BodyGravity::BodyGravity(double gravity_constant, std::shared_ptr<const Polynomi
   Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(space_->n_unknowns());
   space_->set_affine(Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(), at_rest);
   rest_volume_ = enclosed_volume(points(jets(at_rest)));
+  Eigen::VectorXd ball = at_rest, derivative = Eigen::VectorXd::Zero(space_->n_unknowns());
+  space_->set_affine(space_->semi_axes().cwiseInverse().asDiagonal(), Eigen::Vector3d::Zero(), ball);
+  add_surface_force(-1, ball, derivative);
+  error_of_ball_.emplace(space_, derivative);
 }
 
 BodyGravity::SurfaceJets BodyGravity::jets(const Eigen::VectorXd& q) const {
@@ -166,7 +170,8 @@ void BodyGravity::add_affine_force(const Eigen::Matrix3d& D, Eigen::VectorXd& f)
 double BodyGravity::energy(const Eigen::VectorXd& q) const {
   const Eigen::Matrix3d S = space_->semi_axes().asDiagonal();
   const double exact = AffineEnergy{ellipsoid_, S}.energy(space_->affine_part(q));
-  return is_affine() ? exact : exact + surface_energy(q) - surface_energy(affine_coefficients(q));
+  if (is_affine()) return exact;
+  return exact + surface_energy(q) - surface_energy(affine_coefficients(q)) - error_of_ball_->energy(q);
 }
 
 mechanics::Status BodyGravity::add_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
@@ -178,6 +183,7 @@ mechanics::Status BodyGravity::add_force(const Eigen::VectorXd& q, Eigen::Vector
   Eigen::VectorXd of_affine = Eigen::VectorXd::Zero(space_->n_unknowns());
   energy -= add_surface_force(-1, affine_coefficients(q), of_affine);
   f.head(space_->n_unknowns()) += affine_coefficients(of_affine);
+  add_affine_force(-error_of_ball_->add_derivative(q, f), f);
   return gravity::judge_energy(energy, constant_, space_->n_mirrors() * rest_volume_);
 }
 
@@ -186,6 +192,7 @@ void BodyGravity::add_force_rate(const Eigen::VectorXd& q, const Eigen::VectorXd
   add_affine_force(AffineEnergy{ellipsoid_, S}.second_derivative(space_->affine_part(q), space_->affine_part(u)), f);
   if (is_affine()) return;
   add_surface_force_rate(1, q, u, f);
+  add_affine_force(-error_of_ball_->add_derivative_rate(q, u, f), f);
   const Eigen::VectorXd affine_rate = affine_coefficients(u);
   if (affine_rate.isZero(0)) return;
   Eigen::VectorXd of_affine = Eigen::VectorXd::Zero(space_->n_unknowns());

@@ -6,11 +6,12 @@
 /// affine, and the energy V_g of an ellipsoid is known (gravity/ellipsoid_gravity.h). Therefore the error of the affine
 /// part is subtracted:
 ///
-///   Ê(q) = Ê_h(x) + E_A(A) − Ê_h(A X),   E_A(A) = V_g(A S) (det A)^{1/3},
+///   Ê(q) = Ê_h(x) + E_A(A) − Ê_h(A X) − E_ε(q),   E_A(A) = V_g(A S) (det A)^{1/3},
 ///
 /// with the affine part A of x, the reference position X, and the diagonal matrix S of the semi-axes of the reference
-/// body. Like Ê, E_A does not change under dilations of x. For degree 1, Ê is E_A, and energies and forces need no
-/// sums. The force is the exact derivative of Ê(q).
+/// body. The energy E_ε subtracts the remaining error of the force on the ball (ball_gravity_error.h). Nearly round
+/// figures of slow spins need this. Like Ê, E_A and E_ε do not change under dilations of x. For degree 1, Ê is E_A, and
+/// energies and forces need no sums. The force is the exact derivative of Ê(q).
 
 #include <Eigen/Core>
 #include <array>
@@ -20,6 +21,7 @@
 
 #include "gravity/ellipsoid_gravity.h"
 #include "gravity/surface_gravity.h"
+#include "polynomial/ball_gravity_error.h"
 #include "polynomial/polynomial_space.h"
 
 namespace pseudorigid::polynomial {
@@ -40,6 +42,8 @@ class BodyGravity {
   mechanics::Status add_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
   /// f ← f − D²Ê(q)[u]
   void add_force_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
+  /// The largest entry of the force on the ball that is due to the quadrature, before E_ε subtracts it.
+  double error_of_ball() const { return error_of_ball_->size(); }
   /// The gravitational potential per mass at positions `points` in space, on the surface of the deformed body or inside
   /// it.
   std::vector<double> potential(const Eigen::VectorXd& q, const std::vector<Eigen::Vector3d>& points) const;
@@ -78,6 +82,7 @@ class BodyGravity {
   std::vector<std::size_t> places_;  ///< indices of the points in the tables, which also have padding
   std::vector<double> weights_;      ///< weights w; −w at the images of an odd number of reflections
   double rest_volume_;               ///< volume of the undeformed computed sector, from the points of the surface
+  std::optional<BallGravityError> error_of_ball_;  ///< has a value after the construction
 };
 
 }  // namespace pseudorigid::polynomial

@@ -59,18 +59,38 @@ TEST(BodyGravity, OfEllipsoidsIsThatOfTheClosedForm) {
       }
 }
 
-/// The gauge makes the energy stationary under dilations. What is left for degrees above 1 is the quadrature's, and
-/// falls with the points.
-TEST(BodyGravity, ABallAtRestIsInEquilibrium) {
-  const auto force_at_rest = [](int degree, std::optional<int> n_points) {
-    const auto space = space_of(degree, all_planes);
-    return force(BodyGravity(G, space, n_points), affine(*space, Matrix3d::Identity())).norm();
-  };
-  EXPECT_LT(force_at_rest(1, {}), 1e-14);
+/// A ball of any size, turned by any rotation: the gauge makes the energy stationary under dilations.
+TEST(BodyGravity, ABallIsInEquilibrium) {
+  const Matrix3d R = Eigen::AngleAxisd(0.7, Vector3d(1, -2, 3).normalized()).toRotationMatrix();
+  for (const int N : {1, 2, 3, 5})
+    for (const Planes& planes : {no_planes, all_planes})
+      for (const Vector3d& semi_axes : {Vector3d(1, 1, 1), Vector3d(1.2, 0.9, 1)}) {
+        const auto space = space_of(N, planes, semi_axes);
+        const Matrix3d A = semi_axes.cwiseInverse().asDiagonal(), turned = 1.3 * R * A;
+        EXPECT_LT(force(BodyGravity(G, space, {}), affine(*space, planes == no_planes ? turned : A)).norm(), 1e-13)
+            << N;
+      }
+}
+
+/// The error of the quadrature, which the force of the ball does not contain, falls with the points.
+TEST(BodyGravity, ErrorOfTheBallFallsWithThePoints) {
   for (const int N : {3, 5}) {
-    EXPECT_LT(force_at_rest(N, {}), 2e-5) << N;
-    EXPECT_LT(force_at_rest(N, 24), force_at_rest(N, 12) / 12) << N;
+    const auto error = [N](std::optional<int> n_points) {
+      return BodyGravity(G, space_of(N, all_planes), n_points).error_of_ball();
+    };
+    EXPECT_LT(error({}), 2e-5) << N;
+    EXPECT_GT(error({}), 1e-9) << N;
+    EXPECT_LT(error(24), error(12) / 12) << N;
   }
+}
+
+/// The energy of the correction does not depend on rotations, so the angular momentum is constant.
+TEST(BodyGravity, ForceOfABentBodyHasNoTorque) {
+  std::mt19937 generator(3);
+  const auto space = space_of(3, no_planes, {1.2, 0.9, 1});
+  const VectorXd q = affine(*space, sample_map(no_planes)) + 0.02 * random_vector(space->n_unknowns(), generator);
+  const Matrix3d moment = space->moment(q, force(BodyGravity(G, space, {}), q));
+  EXPECT_LT((moment - moment.transpose()).norm(), 1e-14 * moment.norm());
 }
 
 /// Of the octant, to the force with 40 points in each direction.

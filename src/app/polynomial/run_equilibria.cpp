@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
 
 #include "app/figures/figure_families.h"
 #include "app/polynomial/body_setup.h"
 #include "app/polynomial/equilibrium_rows.h"
+#include "polynomial/body_gravity.h"
 #include "scene/models.h"
 
 namespace pseudorigid::app {
@@ -15,17 +18,25 @@ namespace {
 using scene::Family;
 
 /// Warns if the quadrature of gravity of a fluid has a large error. Nearly round figures have such an error, because it
-/// is relative to the centrifugal force.
-void warn_of_quadrature(int degree, const mechanics::FigureFamily& family, const RunContext& context) {
+/// is relative to the centrifugal force. The fluid has small motions without stiffness, whose rates the error changes.
+/// The measure of the error is the force on the ball.
+void warn_of_quadrature(const polynomial::BodySetup& setup, const mechanics::FigureFamily& family,
+                        const RunContext& context) {
   constexpr double large = 3e-4;  // errors from 4e-4 on gave Maclaurin's family false special points
-  if (!scene::is_fluid(context.scene) || degree == 1 || family.members.empty()) return;
-  const mechanics::FigureMember& worst = *std::ranges::max_element(
-      family.members, {}, [](const mechanics::FigureMember& member) { return member.figure.residual; });
-  if (worst.figure.residual > large)
+  if (!scene::is_fluid(context.scene) || setup.degree == 1) return;
+  const auto space = std::make_shared<const polynomial::PolynomialSpace>(setup.degree, std::array{true, true, true});
+  const polynomial::BodyGravity gravity(setup.loads.get<loads::SelfGravity>().constant, space, setup.n_gravity_points);
+  const mechanics::FigureMember* slowest = nullptr;
+  for (const mechanics::FigureMember& member : family.members)
+    if (member.figure.drive > 0 && (!slowest || member.figure.drive < slowest->figure.drive)) slowest = &member;
+  if (!slowest) return;
+  const double centrifugal = slowest->figure.drive * std::sqrt(space->inertia()[0]);
+  if (gravity.error_of_ball() > large * centrifugal)
     context.log->warn(
         "degree {}: at {} = {:.6g} the error of the quadrature of gravity is {:.1g} of the centrifugal force. Special "
         "points of slow motions may be wrong there; raise Polynomial/Gravity points",
-        degree, parameter_name(context.scene.equilibria.family), worst.parameter, worst.figure.residual);
+        setup.degree, parameter_name(context.scene.equilibria.family), slowest->parameter,
+        gravity.error_of_ball() / centrifugal);
 }
 
 /// Computes the family of one degree, and writes its rows and results. After an interrupt, writes the figures that were
@@ -41,7 +52,7 @@ void add_degree(int degree, const RunContext& context, FigureRun& run) {
   const mechanics::FigureFamily found =
       is_at_rest ? finder.at_rest()
                  : run.next_family([&](const auto&... arguments) { return finder.family(arguments...); });
-  if (!is_at_rest) warn_of_quadrature(degree, found, context);
+  if (!is_at_rest) warn_of_quadrature(setup, found, context);
   const EquilibriumRows rows(finder.setup(), finder.spectrum());
   run.add(
       fmt::format("degree {}", degree), found,
