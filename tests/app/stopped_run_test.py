@@ -1,5 +1,6 @@
 """Runs that end before their time: inverted elements, Ctrl-C, a full disk, SIGKILL; and how they go on with --resume."""
 import math
+import pathlib
 import resource
 import signal
 import subprocess
@@ -131,6 +132,16 @@ class StoppedRun(StoppedRunTest):
 
     def test_control_c_compressible(self):
         self.check_control_c({**LONG_CONTINUUM, "Body/Incompressible": "false"}, "continuum", 1e-11)
+
+    def test_control_c_while_the_finite_element_library_is_opened(self):
+        self.scene({"Models": "continuum", "Continuum/Degree": 3, "Time/End": 1, "Output/Samples": 10})
+        process = self.start_program("run", "scene.prm")
+        maps = pathlib.Path(f"/proc/{process.pid}/maps")
+        self.wait_until(lambda: "libpseudorigid-continuum" in maps.read_text(), "the library is mapped")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(), STOPPED)
+        self.assertEqual(self.json("output/scene/manifest.json")["state"], "interrupted")
+        self.assert_exit(self.run_program("run", "scene.prm", "--resume"), DONE)
 
     def test_control_c_in_the_first_of_two_models(self):
         self.scene({**LONG_REDUCED, "Models": "reduced, continuum", "Continuum/Degree": 2, "Time/End": 2,

@@ -21,7 +21,6 @@
 #include "io/files.h"
 #include "io/progress.h"
 #include "io/report.h"
-#include "io/signals.h"
 #include "io/standard_streams.h"
 #include "scene/needs.h"
 #include "scene/print_scene.h"
@@ -232,7 +231,6 @@ int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const O
   describe_disk_use(scene, directory, needs);
   needs.gammas = gammas_of_sweep(raw);
   needs.warnings.insert(needs.warnings.begin(), read.warnings.begin(), read.warnings.end());
-  io::install_signal_handlers();
   const io::RunLock lock = prepare(directory, read, needs, options);
   const bool quiet = options.verbosity == io::Verbosity::quiet;
   const auto log = io::make_logger(options.verbosity, directory.log(), options.resume);
@@ -267,7 +265,6 @@ int assist_scene(const scene::ReadScene& read, const Options& options, const Exe
   const scene::Scene& scene = read.scene;
   const scene::Needs needs = needs_with_effort(scene);
   const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
-  io::install_signal_handlers();
   std::map<std::string, io::Table> unused;  // the first rank writes the tables of analyses
   const RunContext context{.scene = scene,
                            .needs = needs,
