@@ -16,6 +16,7 @@
 #include "continuum/kernels/quadrature_point.h"
 #include "continuum/kernels/sum_factorization.h"
 #include "materials/tensor.h"
+#include "mechanics/core/huge_pages.h"
 
 namespace pseudorigid::continuum {
 
@@ -114,7 +115,7 @@ class CellBatches {
   SumFactorization<n> factorization;
   std::array<double, n_points> unit_weights;  ///< quadrature weights on the reference cell
   const double* reference_positions;          ///< X of own and ghost nodes, entry 3·node + component
-  std::vector<Batch> batches;
+  mechanics::HugePageVector<Batch> batches;
 
  private:
   void add_batch(const LocalCells& cells, unsigned int first_cell) {
@@ -192,10 +193,10 @@ class CellBatches {
       }
   }
 
-  std::vector<PressurePoint> pressure_points_;
+  mechanics::HugePageVector<PressurePoint> pressure_points_;
   /// [batch · n_nodes + node][lane]: index of the node's first component in vectors.
-  std::vector<std::array<unsigned int, n_lanes>> offsets_;
-  std::vector<L> basis_;  ///< the lower triangles of L⁻¹ of all batches, row by row
+  mechanics::HugePageVector<std::array<unsigned int, n_lanes>> offsets_;
+  mechanics::HugePageVector<L> basis_;  ///< the lower triangles of L⁻¹ of all batches, row by row
 };
 
 }  // namespace pseudorigid::continuum

@@ -13,6 +13,7 @@
 #include "continuum/kernels/cell_planes.h"
 #include "continuum/kernels/local_kernels.h"
 #include "continuum/kernels/single_lanes.h"
+#include "mechanics/core/huge_pages.h"
 
 namespace pseudorigid::continuum {
 
@@ -100,7 +101,7 @@ class ConstraintTangents {
     Number T[9][plane];
   };
   template <class Number>
-  using Stored = std::vector<PlaneOfPoints<Number>>;
+  using Stored = mechanics::HugePageVector<PlaneOfPoints<Number>>;
   template <class Number>
   struct Tangent final : ConstraintTangent {
     Tangent(Precision precision, std::size_t n_planes) : ConstraintTangent(precision), planes(n_planes) {}

@@ -11,6 +11,7 @@
 #include "continuum/kernels/cell_planes.h"
 #include "continuum/kernels/local_kernels.h"
 #include "continuum/kernels/single_lanes.h"
+#include "mechanics/core/huge_pages.h"
 
 namespace pseudorigid::continuum {
 
@@ -66,7 +67,7 @@ class StiffnessTangents {
   };
   struct Tangent final : StiffnessTangent {
     explicit Tangent(std::size_t n_planes) : planes(n_planes) {}
-    std::vector<PlaneOfPoints> planes;
+    mechanics::HugePageVector<PlaneOfPoints> planes;
   };
 
   /// T ← c T at the points of a plane.
