@@ -17,8 +17,17 @@ namespace pseudorigid::materials {
 struct BulkEnergy {
   double lambda;
 
-  double energy(double theta) const { return lambda / 4 * (std::expm1(2 * theta) - 2 * theta); }
-  double rate(double theta) const { return lambda / 2 * std::expm1(2 * theta); }
+  double energy(double theta) const { return energy(theta, std::expm1(2 * theta)); }
+  double rate(double theta) const { return rate_of(std::expm1(2 * theta)); }
+  /// B and B′ from `excess` = e^{2θ} − 1, for numbers or lanes.
+  template <class T>
+  T energy(T theta, T excess) const {
+    return T(lambda / 4) * (excess - T(2.0) * theta);
+  }
+  template <class T>
+  T rate_of(T excess) const {
+    return T(lambda / 2) * excess;
+  }
 };
 
 /// A law without its bulk term, and the modulus λ of this term.

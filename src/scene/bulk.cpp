@@ -32,8 +32,8 @@ const char* obstacle(const Scene& scene) {
   if (*ratio < least_ratio) return "a projected bulk term is for Lame lambda of at least 100 shear moduli";
   if (runs(scene, "continuum") && scene.continuum.degree == 1)
     return "the projection needs elements of degree 2 or more";
-  if (scene.time.method != automatic && scene.time.method != "rattle")
-    return "only the method rattle integrates a projected bulk term, which is implicit in time";
+  if (scene.time.method != automatic && scene.time.method != "rattle" && scene.time.method != "symmetric-4")
+    return "only the methods rattle and symmetric-4 integrate a projected bulk term, which is implicit in time";
   if (loads::present(scene.loads.get<loads::RigidPlanes>()))
     return "contact excites pressure waves, which a projected bulk term does not resolve";
   if (starts_from_own_figure(scene)) return "figures have a pointwise bulk term, and so have motions from them";

@@ -90,7 +90,8 @@ void visit_material(S& scene, Visit& visit) {
             "How motions of compressible polynomial bodies and finite elements have the bulk term B of the law. "
             "pointwise: at each point, explicit in time. Pressure waves limit the step. Elements and bodies of low "
             "degree lock. projected: at the projection of ln det F on the functions of the pressure, implicit in time. "
-            "Shear waves limit the step. It needs the method rattle and a Lame lambda of at least 100 shear moduli. "
+            "Shear waves limit the step. It needs the method rattle or symmetric-4 and a Lame lambda of at least 100 "
+            "shear moduli. "
             "Pressure waves are not resolved, so contact is refused. The pseudo-rigid model has one value of det F, "
             "explicit in time."});
 }

@@ -25,7 +25,7 @@ class NearlyIncompressible(ProgramTest):
         pointwise = self.run_of("pointwise", {"Models": models, "Polynomial/Degree": "1, 3", "Material/Bulk": "pointwise"})
         self.run_of("incompressible", {"Models": models, "Polynomial/Degree": "1, 3", "Body/Incompressible": "true", "Material/Bulk": "pointwise"})
         for model in "polynomial", "continuum":
-            self.assertEqual(projected[model]["method"], "rattle")
+            self.assertIn(projected[model]["method"], ("rattle", "symmetric-4"))
             self.assertLess(10 * projected[model]["counters"]["forces"], pointwise[model]["counters"]["forces"])
             self.assertNotIn("max_scaled_constraint", projected[model]["counters"])
         def distance(a, b, model):
@@ -53,14 +53,16 @@ class NearlyIncompressible(ProgramTest):
         self.assertIn("implicit in time", self.run_done("check", "scene.prm").stdout)
 
     def test_resumes(self):
-        entries = {"Models": "polynomial, continuum", "Material/Viscosity": 0.01, "Loads/Pressure": 0.2, "Time/Step": 0.01,
-                   "Time/Method": "rattle"}
-        self.run_of("whole", entries)
-        self.run_of("part", {**entries, "Time/End": 0.5, "Output/Samples": 5})
-        self.scene({**RELEASE, **entries})
-        self.run_done("run", "scene.prm", "--output", "part", "--resume")
-        for model in "polynomial", "continuum":
-            self.assertEqual(self.table("part", f"{model}.csv").rows, self.table("whole", f"{model}.csv").rows, model)
+        for method in "rattle", "symmetric-4":
+            entries = {"Models": "polynomial, continuum", "Loads/Pressure": 0.2, "Time/Step": 0.01, "Time/Method": method,
+                       **({"Material/Viscosity": 0.01} if method == "rattle" else {})}
+            self.run_of(f"whole-{method}", entries)
+            self.run_of(f"part-{method}", {**entries, "Time/End": 0.5, "Output/Samples": 5})
+            self.scene({**RELEASE, **entries})
+            self.run_done("run", "scene.prm", "--output", f"part-{method}", "--resume")
+            for model in "polynomial", "continuum":
+                self.assertEqual(self.table(f"part-{method}", f"{model}.csv").rows,
+                                 self.table(f"whole-{method}", f"{model}.csv").rows, (model, method))
 
     def test_draws_the_pressure_of_the_incompressible_body(self):
         """The pressure of the slow motion, without the fast oscillation of the volume."""
@@ -78,7 +80,7 @@ class RefusedBulk(RefusedInputTest):
         for entries, words in (
                 ({"Body/Incompressible": "true"}, ("Material/Bulk", "incompressible")),
                 ({"Material/Law": "saint-venant-kirchhoff"}, ("Material/Bulk", "law")),
-                ({"Time/Method": "symmetric-4"}, ("Material/Bulk", "rattle")),
+                ({"Time/Method": "energy-momentum"}, ("Material/Bulk", "rattle")),
                 ({"Time/Method": "rattle-4"}, ("Material/Bulk", "rattle")),
                 ({"Loads/Plane normals": "0, 0, 1", "Loads/Plane points": "0, 0, -2", "Loads/Plane stiffness": 100}, ("Material/Bulk", "contact")),
                 ({"Material/Lame lambda": 99}, ("Material/Bulk", "lambda")),

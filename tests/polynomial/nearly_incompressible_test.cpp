@@ -1,4 +1,4 @@
-/// Nearly incompressible polynomial bodies: a projected bulk term that RATTLE integrates implicitly. Degree 1 has one
+/// Nearly incompressible polynomial bodies: a projected bulk term that methods integrate implicitly. Degree 1 has one
 /// value of det F, so its projection is exact, and the body of the pointwise law is the reference.
 
 #include <gtest/gtest.h>
@@ -117,6 +117,24 @@ TEST(NearlyIncompressibleBody, StepIsThatOfShearWaves) {
   }
 }
 
+/// The slow motion at λ = 10⁸, against that of the incompressible body. The fast oscillation of the volume adds about
+/// 1e-7.
+TEST(NearlyIncompressibleBody, SymmetricMultistepHasOrder4) {
+  using Method = mechanics::Symmetric4;
+  const auto rigid = elastic_body<IncompressibleBody>(all_planes), soft = body_with_bulk(1e8, all_planes);
+  const auto start = pulsating(rigid);
+  constexpr double end = 1.5;
+  const auto reference = run<Method>(rigid, start, end, 1, 3000).last();
+  std::vector<ErrorPoint> points;
+  for (const long n : {20L, 30L, 45L, 68L, 100L}) {
+    const auto r = run<Method>(soft, start, end, 1, n);
+    ASSERT_TRUE(r.finished()) << r.result.reason;
+    points.push_back({end / static_cast<double>(n), (r.last().q - reference.q).cwiseAbs().maxCoeff()});
+  }
+  EXPECT_LT(points.back().error, 1e-5);
+  EXPECT_NEAR(fit_order(points).order, 4, 0.5);
+}
+
 TEST(NearlyIncompressibleBody, ReturnsWhereItCameFromWhenTimeIsReversed) {
   const auto body = body_with_bulk(1e3, no_planes);
   const auto start = breathing(body);
@@ -130,11 +148,11 @@ TEST(NearlyIncompressibleBody, ReturnsWhereItCameFromWhenTimeIsReversed) {
   EXPECT_LT(distance(back, start), 1e-10);
 }
 
-TEST(NearlyIncompressibleBody, ResumesBitByBit) {
-  using Method = mechanics::Rattle;
+template <class Method>
+void check_resuming() {
   const auto body = body_with_bulk(1e3, all_planes);
   State<IncompressibleBody> state = breathing(body);
-  Method::Workspace<IncompressibleBody> workspace(body), other(body);
+  typename Method::template Workspace<IncompressibleBody> workspace(body), other(body);
   for (int k = 0; k < 20; ++k) ASSERT_TRUE(Method::advance(body, 0.02, state, workspace));
   std::vector<double> memory;
   mechanics::save_memory(workspace, memory);
@@ -147,13 +165,19 @@ TEST(NearlyIncompressibleBody, ResumesBitByBit) {
   }
 }
 
-/// Only RATTLE integrates the bulk term: its compositions can be unstable (composition.h).
+TEST(NearlyIncompressibleBody, ResumesBitByBit) {
+  check_resuming<mechanics::Rattle>();
+  check_resuming<mechanics::Symmetric4>();
+}
+
+/// Compositions can be unstable (composition.h), and symmetric methods of higher order may be.
 TEST(NearlyIncompressibleBody, OtherMethodsDoNotFit) {
   const auto body = body_with_bulk(1e3, all_planes), rigid = elastic_body<IncompressibleBody>(all_planes);
   mechanics::for_each_method([&]<class Method>(Method) {
     if constexpr (mechanics::method_fits<Method, IncompressibleBody>()) {
-      constexpr bool is_rattle = std::is_same_v<Method, mechanics::Rattle>;
-      EXPECT_EQ(mechanics::fits<Method>(body), is_rattle) << Method::name;
+      constexpr bool is_offered =
+          std::is_same_v<Method, mechanics::Rattle> || std::is_same_v<Method, mechanics::Symmetric4>;
+      EXPECT_EQ(mechanics::fits<Method>(body), is_offered) << Method::name;
       EXPECT_TRUE(mechanics::fits<Method>(rigid)) << Method::name;
     }
   });
@@ -184,15 +208,38 @@ TEST(NearlyIncompressibleBody, DissipatesWhatItLoses) {
 }
 
 /// 20,000 steps at several λ: no mode of the volume grows. The error of the energy is that of an incompressible body.
-TEST(NearlyIncompressibleBody, IsStableOverManySteps) {
+template <class Method>
+void check_stability() {
   for (const double lambda : {100.0, 300.0, 1e3, 1e4}) {
     const auto body = body_with_bulk(lambda, all_planes);
     const auto start = pulsating(body);
     constexpr double h = 0.1;
     const double E = energy_of(body, start);
-    const auto r = run<mechanics::Rattle>(body, start, 20'000 * h, 20, 1000);
+    const auto r = run<Method>(body, start, 20'000 * h, 20, 1000);
     ASSERT_TRUE(r.finished()) << lambda << ": " << r.result.reason;
     for (const auto& state : r.states) EXPECT_NEAR(energy_of(body, state), E, 0.06 * E) << lambda;
+  }
+}
+
+TEST(NearlyIncompressibleBody, IsStableOverManySteps) {
+  check_stability<mechanics::Rattle>();
+  check_stability<mechanics::Symmetric4>();
+}
+
+/// One fast mode beside a slow one: the step is stable for every stiffness, up to 0.95 of the limit of the slow motion.
+TEST(NearlyIncompressibleBody, SymmetricMultistepIsStableForEveryStiffness) {
+  for (const double lambda : {100.0, 200.0, 400.0, 800.0, 1600.0, 6400.0, 1e5}) {
+    const auto body = body_with_bulk(lambda, all_planes);
+    State<IncompressibleBody> start = pulsating(body);
+    start.q = body.affine(Matrix3d::Identity());
+    start.v *= 1e-3;
+    start.v += 1e-5 * body.affine(Matrix3d::Identity());
+    const double limit = mechanics::Symmetric4::stability_limit / mechanics::Rattle::stability_limit;
+    const double h = stable_step(body, start, 0.95 * limit), E = body.kinetic_energy(start.v);
+    const double at_rest = body.potential_energy(start.q);
+    const auto r = run<mechanics::Symmetric4>(body, start, 20'000 * h, 20, 1000);
+    ASSERT_TRUE(r.finished()) << lambda << ": " << r.result.reason;
+    for (const auto& state : r.states) EXPECT_LT(energy_of(body, state) - at_rest, 3 * E) << lambda;
   }
 }
 

@@ -63,8 +63,9 @@ mechanics::Status judge_stiffness([[maybe_unused]] const Model& model,
   return {};
 }
 
-/// Sets `error` to the bound 2A/3 of the error of Q by an oscillation of the amplitude A that the steps do not resolve
-/// (mechanics/steps/compliance_oscillation.h). It is 0 unless the constraint is compliant.
+/// Sets `error` to the bound 4A/3 of the error of Q by an oscillation of the amplitude A that the steps do not resolve
+/// (mechanics/steps/compliance_oscillation.h). The bound is twice the estimate 2A/3. It is 0 unless the constraint is
+/// compliant.
 template <class Model>
 mechanics::Status unresolved_oscillation([[maybe_unused]] const Model& model,
                                          [[maybe_unused]] const typename Model::State& state, double& error) {
@@ -74,7 +75,7 @@ mechanics::Status unresolved_oscillation([[maybe_unused]] const Model& model,
       auto workspace = model.system().make_workspace();
       double amplitude = 0;
       mechanics::Status status = mechanics::compliance_oscillation(model.system(), state, workspace, amplitude);
-      error = 2 * amplitude / 3;
+      error = 4 * amplitude / 3;
       return status;
     }
   return {};

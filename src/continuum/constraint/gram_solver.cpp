@@ -33,6 +33,12 @@ class GramSolver::Impl {
                                Vector& lambda) {
     shift_ = shift;
     if (mechanics::Status status = history_.stale ? renew(q0) : restore(); !status) return {std::move(status), 0};
+    if (shift > 0 && method_ == GramMethod::dense && inverse_suffices(q0, r)) {
+      history_.n_iterations_fresh = 0;  // a renewed inverse suffices
+      ++statistics_.n_solves;
+      preconditioner_->apply(lambda, r);
+      return {};
+    }
     mechanics::SolveReport report = iterate(q1, q0, r, enough, lambda);
     if (!report.status) {
       if (mechanics::Status status = renew(q1); !status) return {std::move(status), report.iterations};
@@ -69,6 +75,18 @@ class GramSolver::Impl {
   }
 
  private:
+  /// True if the dense inverse alone gives a step of Newton's iteration for a compliant constraint. Its shift must be
+  /// nearly σ. This is then so for the first solve from q₀, and if the step before has reduced the residual enough.
+  bool inverse_suffices(const Vector& q0, const Vector& r) {
+    constexpr double enough = 0.2, nearly = 0.05;
+    if (std::abs(shift_ - history_.renewed_for) > nearly * shift_) return false;
+    const double norm = r.l2_norm(), before = std::exchange(inverse_.norm, norm);
+    const std::span<const double> values(q0.begin(), q0.locally_owned_size());
+    if (std::ranges::equal(values, inverse_.q0)) return norm <= enough * before;
+    inverse_.q0.assign(values.begin(), values.end());
+    return std::isfinite(norm);
+  }
+
   mechanics::Status renew(const Vector& x) {
     mechanics::Status status = preconditioner_->renew(x, shift_);
     ++statistics_.n_renewals;
@@ -167,6 +185,10 @@ class GramSolver::Impl {
   mechanics::ConjugateResiduals<Vector> iteration_;
   Vector reaction_, residual_;
   History history_;
+  struct {
+    std::vector<double> q0;
+    double norm = 0;      // |r|
+  } inverse_;             // of the last call of inverse_suffices
   bool is_made_ = false;  // true after the first attempt of this process to compute the preconditioner
   Statistics statistics_;
 };

@@ -8,7 +8,8 @@
 /// functions `acceleration`, `step` and `project` return a Status.
 ///
 ///   begin(system, w)                       prepares steps from a new state or with a new h
-///   acceleration(system, state, w, a)      sets a to the acceleration with the reaction; may first project state.v
+///   acceleration(system, state, w, a)      sets a to the acceleration with the reaction, but without that of a compliant
+///                                          constraint; may first project state.v
 ///   step(system, h, state, w)              makes one step of size h, and sets w.q_rounding
 ///   project(system, state, w)              projects the velocity onto G v = 0 if `step` does not
 ///   visit_memory(visit)                    passes the members that a checkpoint must contain to `visit`
@@ -79,6 +80,7 @@ struct CompositionStart {
       if (Status status = Rattle::ensure_acceleration(system, state, w); !status) return status;
       a = w.acceleration;
       if constexpr (unconstrained<S>) return {};
+      if (is_compliant(system)) return {};
       return detail::add_reaction_of_motion(system, state.q, state.v, w.system, w.constraint, curvature, a);
     }
     Status step(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {

@@ -44,9 +44,7 @@
 /// The step is symplectic, symmetric and of order 2. It keeps linear and angular momentum, because it is invariant
 /// under the motions of space. Only b is implicit. For linear b and small motions about λ = 0, the step is stable if
 /// hω ≤ 2 for the frequencies ω of f, for every stiffness κ of B. As κ → ∞, the step becomes that of the constraint g =
-/// 0. Newton's iteration for λ has the residual r = (2/κ)(b + λ), and b ≈ κg:
-///
-///   [G(q) M⁻¹ G(q_n)ᵀ + 4/(κh²)] δ = −r,   v ← v + M⁻¹G(q_n)ᵀδ/h,   q ← q + M⁻¹G(q_n)ᵀδ,   λ ← λ + 2δ/h².
+/// 0. Newton's iteration for λ (compliance.h) also changes v by M⁻¹G(q_n)ᵀδ/h.
 ///
 /// The reactions of two successive half steps act at one position. `advance` therefore leaves the second one to the
 /// next step, and `project_velocity` adds it at samples.
@@ -62,6 +60,7 @@
 
 #include "mechanics/core/orbiting_system.h"
 #include "mechanics/core/relaxation.h"
+#include "mechanics/methods/compliance.h"
 #include "mechanics/methods/rattle_velocity.h"
 
 namespace pseudorigid::mechanics {
@@ -215,18 +214,11 @@ struct Rattle {
   /// fails, or if the iteration does not converge.
   template <Compliant S>
   static Status move_against_compliance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
-    const double kappa = system.constraint_stiffness();
-    static_assert(!detail::single_constraint<S>, "the Gram system of a single constraint has no shift");
-    // An error δ of g remains as an oscillation of g. Its energy is about κδ²/2, and it changes v by δ/h.
-    constexpr double part = 1e-5;
-    const double least = system.constraint_tolerance();
-    const double tolerance = w.constraint_tolerance > least ? std::min(w.constraint_tolerance, part / std::sqrt(kappa))
-                                                            : std::min(1.0, std::abs(h)) * least;
     if (!w.compliance.g_known)
       if (Status status = system.constraint(state.q, w.compliance.g_end); !status) return status;
     std::swap(w.compliance.g_start, w.compliance.g_end);
     w.compliance.g_known = false;
-    auto &lambda = w.compliance.lambda, &mean = w.compliance.mean;
+    auto& lambda = w.compliance.lambda;
     w.history.guess(state.t + h / 2, lambda);
     w.impulse = lambda;
     scale(h / 2, w.impulse);
@@ -234,31 +226,22 @@ struct Rattle {
     detail::set_reaction(system, w.q_start, w.impulse, w.system, w.constraint);
     add(1.0, w.constraint.reaction, state.v, w.v_rounding);
     add(h, state.v, state.q, w.q_rounding);
-    const auto evaluate = [&] {
-      Status status = system.constraint(state.q, w.compliance.g_end);
-      if (!status) return status;
-      mean = w.compliance.g_start;
-      axpy(1.0, w.compliance.g_end, mean);
-      scale(0.5, mean);
-      system.constraint_force(mean, w.constraint.residual);
-      axpy(1.0, lambda, w.constraint.residual);
-      scale(2 / kappa, w.constraint.residual);
-      return status;
+    const double per_delta = 2 / (h * h);
+    const auto find_mean = [&] {
+      w.compliance.mean = w.compliance.g_start;
+      axpy(1.0, w.compliance.g_end, w.compliance.mean);
+      scale(0.5, w.compliance.mean);
     };
     const auto apply = [&] {
-      axpy(2 / (h * h), w.constraint.delta, lambda);
+      axpy(per_delta, w.constraint.delta, lambda);
       scale(1 / h, w.constraint.reaction);
       add(1.0, w.constraint.reaction, state.v, w.v_rounding);
       add(h, w.constraint.reaction, state.q, w.q_rounding);
       ++w.counters.n_position_iterations;
     };
-    w.system.gram_shift = 4 / (kappa * h * h);
-    Status status =
-        detail::meet_constraint(system, "position", tolerance, state.q, w.q_start, w.system, w.constraint, evaluate,
-                                apply, [&] { return detail::noise_of_constraint(system, state.q); });
-    w.system.gram_shift = 0;
-    w.counters.n_gram_iterations += std::exchange(w.constraint.n_gram_iterations, 0);
-    if (!status) return status;
+    if (Status status = detail::meet_compliance(system, h, 0.5, per_delta, state.q, lambda, w, find_mean, apply);
+        !status)
+      return status;
     w.compliance.g_known = true;
     w.history.record(state.t + h / 2, lambda);
     return {};

@@ -28,6 +28,18 @@
 /// waves. The relative energy error is 2e-5 at t = 100 r/c and 1e-2 at 1430 r/c. The error of the mean deformation Q at
 /// 100 r/c is 1e-5. For RATTLE with the same step, this error of Q is 7e-3.
 ///
+/// If the constraint is compliant (constrained_system.h), an energy B(g) with b = DB replaces the condition g = 0. The
+/// step of order 4 then has λ_n = −b((g_{n−1} + 2g_n + g_{n+1})/4), which contains the new g_{n+1} (compliance.h). Let
+/// f = −W q and b = κg, with ω² and Ω² the parts of the square of a frequency that are due to f and to b. With ζ =
+/// e^{iθ} and c = cos θ, a small motion ζⁿ satisfies
+///
+///   4(1 − c)(c₁ − c) + (7/3)(c − c₂)[(hω)² + (hΩ)²(1 + c)/2] = 0,   c₁ = 0, c₂ = 1/7.
+///
+/// The left side is positive at c = 1, negative at c₂ and, for (hω)² < 3, positive at −1. So both roots c are between
+/// −1 and 1, and the step is stable for every stiffness κ. The mean of g causes errors of λ of order h². They belong to
+/// a change of volume, which is proportional to 1/κ. Therefore the errors of q are of order h⁴ + h²/κ. At a sample, v
+/// is not projected. The next step is made and taken back, because a_n depends on it.
+///
 /// A round-off error ε of the constraint causes an error ε/h² of the multipliers. The step multiplies this error by the
 /// coefficients β̂, whose largest absolute value is 5 for order 8 and 62 for order 12. The resulting error of the
 /// motion grows as the square root of the number of steps. Therefore use order 8, not 12, for long runs with
@@ -37,6 +49,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -52,6 +65,33 @@ namespace pseudorigid::mechanics {
 /// Workspace of a symmetric multistep method. The members `d` and `a` are the history, a ring of k − 1 slots with d_i
 /// and a_i of the last k − 1 steps. In the slot of the newest step, `a` contains the old value a_{n−(k−1)} until a_n is
 /// computed. The base class has the members that RATTLE also uses.
+/// The last three values g_n of a compliant constraint, the latest first. It is empty for a rigid constraint.
+template <class S>
+struct ConstraintHistory {
+  static constexpr bool is_used = false;
+
+  explicit ConstraintHistory(const S&) {}
+  template <class Visit>
+  void visit_memory(Visit&&) {}
+};
+template <Compliant S>
+struct ConstraintHistory<S> {
+  explicit ConstraintHistory(const S& system) : is_used(is_compliant(system)) {
+    if (is_used) g.fill(system.make_multiplier());
+  }
+  void record(const typename S::Multiplier& newest) {
+    std::rotate(g.begin(), g.end() - 1, g.end());
+    g[0] = newest;
+  }
+  template <class Visit>
+  void visit_memory(Visit&& visit) {
+    for (auto& x : g) visit(x);
+  }
+
+  bool is_used;
+  std::array<typename S::Multiplier, 3> g;
+};
+
 template <ConstrainedSystem S, int k, template <class> class Start>
 struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_slots = k - 1;
@@ -59,7 +99,7 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_extrapolated = S::n_constraints == dynamic_constraints ? 5 : 6;
 
   explicit SymmetricMultistepWorkspace(const S& system)
-      : RattleWorkspace<S>(system), start(system), multiplier(system.make_multiplier()) {
+      : RattleWorkspace<S>(system), start(system), multiplier(system.make_multiplier()), constraints(system) {
     d.fill(system.make_vector());
     a.fill(system.make_vector());
     multipliers.fill(system.make_multiplier());
@@ -69,6 +109,7 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   typename S::Multiplier multiplier;  // λ_n, extrapolated and then corrected
   std::array<typename S::Vector, n_slots> d, a;
   std::array<typename S::Multiplier, n_extrapolated> multipliers;  // λ of the last steps, in a ring of slots
+  [[no_unique_address]] ConstraintHistory<S> constraints;
   double h = 0;               // size of the steps in the history; 0: there was no step
   int newest = 0;             // slot of d_n = q_n − q_{n−1}, the difference of the last step
   int n_known = 0;            // number of differences d in the history
@@ -84,6 +125,7 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
     for (auto& x : d) visit(x);
     for (auto& x : a) visit(x);
     for (auto& x : multipliers) visit(x);
+    constraints.visit_memory(visit);
     visit(h);
     visit(newest);
     visit(n_known);
@@ -98,7 +140,7 @@ struct SymmetricMultistep {
   static constexpr int order = Coefficients::order;
   static constexpr int n_stages = 1;
   static constexpr bool symplectic = false, symmetric = true;
-  static constexpr bool adaptive = false;
+  static constexpr bool adaptive = false, takes_compliance = order == 4;
   static constexpr double stability_limit = Coefficients::stability_limit;
   static constexpr double resonance_limit = Coefficients::resonance_limit;
   static constexpr MultistepFormula<order> formula = multistep_formula<order>(Coefficients::a);
@@ -148,17 +190,31 @@ struct SymmetricMultistep {
   static Status project_velocity(const S& system, State<S>& state, Workspace<S>& w) {
     if (w.n_known < w.n_slots) return w.start.project(system, state, w);
     if (Status status = ensure_predicted_acceleration(system, state, w); !status) return status;
-    state.v = w.d[w.newest];
-    scale(1 / w.h, state.v);
-    axpy(w.h * formula.velocity[0], w.acceleration, state.v);
-    for (int i = 1; i <= w.n_slots; ++i)  // the slot of the state still has a_{n−(k−1)} instead of a_n
-      axpy(w.h * formula.velocity[i], w.a[(w.newest + w.n_slots - i) % w.n_slots], state.v);
+    if constexpr (takes_compliance && Compliant<S>)
+      if (is_compliant(system)) {
+        typename S::Vector a;
+        if (Status status = find_acceleration(system, state, w, a); !status) return status;
+        set_velocity(a, state, w);
+        ++w.counters.n_projections;
+        return {};
+      }
+    set_velocity(w.acceleration, state, w);
     return Rattle::project_velocity(system, state, w);
   }
 
  private:
   /// Returns true if the step sizes differ only by the round-off of the sample times.
   static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
+
+  /// Sets state.v to d_n/h + h Σ_i c_i a_{n−i}, with a for a_n.
+  template <class S>
+  static void set_velocity(const typename S::Vector& a, State<S>& state, const Workspace<S>& w) {
+    state.v = w.d[w.newest];
+    scale(1 / w.h, state.v);
+    axpy(w.h * formula.velocity[0], a, state.v);
+    for (int i = 1; i <= w.n_slots; ++i)  // the slot of the state still has a_{n−(k−1)} instead of a_n
+      axpy(w.h * formula.velocity[i], w.a[(w.newest + w.n_slots - i) % w.n_slots], state.v);
+  }
 
   /// Empties the history, so that the starting method makes the next k − 1 steps of size h. The first of these steps
   /// starts from the projected state, except at the start of a run. Fails if the projection fails.
@@ -171,7 +227,34 @@ struct SymmetricMultistep {
     w.acceleration_known = false;
     w.start.begin(system, w);
     w.multipliers.fill(system.make_multiplier());
+    if constexpr (takes_compliance && Compliant<S>)
+      if (is_compliant(system)) return record_constraint(system, state, w);
     return {};
+  }
+
+  /// Adds g at the state to the history of a compliant constraint. Fails if the constraint cannot be evaluated.
+  template <Compliant S>
+  static Status record_constraint(const S& system, const State<S>& state, Workspace<S>& w) {
+    Status status = system.constraint(state.q, w.compliance.g_end);
+    w.compliance.g_known = status.ok();
+    if (status) w.constraints.record(w.compliance.g_end);
+    return status;
+  }
+
+  /// Sets `a` to a_n with the reaction of a compliant constraint. λ_n depends on the next step, which is made and then
+  /// taken back. Fails if this step fails.
+  template <Compliant S>
+  [[gnu::noinline]] static Status find_acceleration(const S& system, const State<S>& state, Workspace<S>& w,
+                                                    typename S::Vector& a) {
+    const auto kept = std::make_tuple(w.d, w.a, w.multipliers, w.constraints, w.newest, w.newest_multiplier,
+                                      w.n_multipliers, w.q_rounding);
+    State<S> trial = state;
+    const int slot = w.newest;
+    Status status = make_step(system, trial, w);
+    a = w.a[slot];
+    std::tie(w.d, w.a, w.multipliers, w.constraints, w.newest, w.newest_multiplier, w.n_multipliers, w.q_rounding) =
+        kept;
+    return status;
   }
 
   /// Makes a step by the starting method. Stores the difference d of the step and the acceleration at the start of the
@@ -183,6 +266,7 @@ struct SymmetricMultistep {
     auto& d = w.d[next];
     d = state.q;
     const typename S::Vector rounding = w.q_rounding;
+    auto& a = w.a[w.newest];
     if (Status status = w.start.step(system, w.h, state, w); !status) return status;
     scale(-1.0, d);
     axpy(1.0, state.q, d);
@@ -190,8 +274,34 @@ struct SymmetricMultistep {
       axpy(1.0, w.q_rounding, d);
       axpy(-1.0, rounding, d);
     }
+    if constexpr (takes_compliance && Compliant<S>)
+      if (is_compliant(system))
+        if (Status status = add_start_reaction(system, state, d, w, a); !status) return status;
     w.newest = next;
     ++w.n_known;
+    return {};
+  }
+
+  /// Records g at the end of a step of the start, with the difference d. Adds M⁻¹Gᵀλ at the beginning of the step to a.
+  /// λ is −b of the mean of g as in the method. At the start of the run, one value is missing, and the mean is that of
+  /// the step. Fails if the constraint cannot be evaluated.
+  template <Compliant S>
+  [[gnu::noinline]] static Status add_start_reaction(const S& system, const State<S>& state,
+                                                     const typename S::Vector& d, Workspace<S>& w,
+                                                     typename S::Vector& a) {
+    if (Status status = record_constraint(system, state, w); !status) return status;
+    const bool is_first = w.n_known == 0;
+    auto &mean = w.compliance.mean, &lambda = w.compliance.lambda;
+    mean = w.constraints.g[1];
+    axpy(0.5, w.constraints.g[0], mean);
+    axpy(is_first ? -0.5 : 0.5, w.constraints.g[is_first ? 1 : 2], mean);
+    if (!is_first) scale(0.5, mean);
+    system.constraint_force(mean, lambda);
+    scale(-1.0, lambda);
+    typename S::Vector q = state.q;
+    axpy(-1.0, d, q);
+    detail::set_reaction(system, q, lambda, w.system, w.constraint);
+    axpy(1.0, w.constraint.reaction, a);
     return {};
   }
 
@@ -248,10 +358,7 @@ struct SymmetricMultistep {
         axpy(per_shift, w.constraint.delta, w.multiplier);
         ++w.counters.n_position_iterations;
       };
-      Status status = detail::meet_position_constraint(system, w.constraint_tolerance, state.q, w.q_start, w.system,
-                                                       w.constraint, apply, foregone(system, w));
-      w.counters.n_gram_iterations += std::exchange(w.constraint.n_gram_iterations, 0);
-      if (!status) return status;
+      if (Status status = correct(system, state, per_shift, w, apply); !status) return status;
       record_multiplier<S>(w);
     }
     if constexpr (dense) {
@@ -260,6 +367,30 @@ struct SymmetricMultistep {
     }
     w.newest = next;
     return {};
+  }
+
+  /// Corrects q_{n+1} by `apply` until g(q_{n+1}) = 0 or, if the constraint is compliant, until λ_n = −b. Fails if the
+  /// constraint or a Gram solve fails, or if the iteration does not converge.
+  template <class S, class Apply>
+  static Status correct(const S& system, const State<S>& state, double per_delta, Workspace<S>& w, Apply&& apply) {
+    if constexpr (takes_compliance && Compliant<S>)
+      if (is_compliant(system)) {
+        const auto& g = w.constraints.g;
+        const auto find_mean = [&] {
+          w.compliance.mean = w.compliance.g_end;
+          axpy(2.0, g[0], w.compliance.mean);
+          axpy(1.0, g[1], w.compliance.mean);
+          scale(0.25, w.compliance.mean);
+        };
+        Status status =
+            detail::meet_compliance(system, w.h, 0.25, per_delta, state.q, w.multiplier, w, find_mean, apply);
+        if (status) w.constraints.record(w.compliance.g_end);
+        return status;
+      }
+    Status status = detail::meet_position_constraint(system, w.constraint_tolerance, state.q, w.q_start, w.system,
+                                                     w.constraint, apply, foregone(system, w));
+    w.counters.n_gram_iterations += std::exchange(w.constraint.n_gram_iterations, 0);
+    return status;
   }
 
   /// Returns the residual |g| below which the iteration ends after one more correction, without evaluating g again. For
@@ -338,7 +469,8 @@ struct SymmetricMultistep {
     constexpr int n = Workspace<S>::n_extrapolated;
     w.newest_multiplier = w.newest_multiplier + 1 < n ? w.newest_multiplier + 1 : 0;
     w.multipliers[w.newest_multiplier] = w.multiplier;
-    w.n_multipliers = std::min(w.n_multipliers + 1, n);
+    const int most = w.constraints.is_used ? 3 : n;  // a fast oscillation makes more multipliers a worse guess
+    w.n_multipliers = std::min(w.n_multipliers + 1, most);
   }
 };
 

@@ -8,7 +8,8 @@
 /// without the small rate of g_s. A uniform change of volume by the factor e has g = c = G(q)q/3. The least frequency ω
 /// of pressure waves is about 3√κ/a for a body of the size a. The root mean square of the oscillation of ln J over the
 /// body is then at most about A = √(|d|² + |ḋ|²/ω²)/|c|. Steps that do not resolve these waves change the phase of the
-/// oscillation. Two phases differ by up to 2A in ln J, and by up to 2A/3 in the entries of Q.
+/// oscillation. Two phases differ by up to 2A in ln J, and by up to 2A/3 in the entries of Q if the oscillation is
+/// uniform. In releases of the ball they differed by up to 1.4 times this number.
 
 #include <cmath>
 

@@ -87,7 +87,9 @@ Trial StepSearch::meet_tolerance(const FixedStepMethod& method, double n_forces_
     PilotRun fine = pilot(method, window_, grid.n_samples, 2 * n);
     const double h = window_ / static_cast<double>(grid.n_samples * n);
     const bool both = coarse.status.ok() && fine.status.ok();
-    const double d = both ? largest_difference(coarse, fine) : 0;
+    double d = both ? largest_difference(coarse, fine) : 0;
+    if (d <= request_.unresolved && d_before <= asymptotic_difference && halving > 0)
+      d = std::min(d, d_before * std::exp2(-method.order));
     if (both && settle(method, trial, h, d, d_before, fine.speed)) return trial;
     if ((both ? predicted_forces(method, h, d) : run_forces(method, h)) >= n_forces_to_beat) {
       trial.verdict = Trial::Verdict::dearer;

@@ -23,6 +23,9 @@
 /// the motion ends within the window, if the caller ends the search, or if the run would need more than 10¹¹ force
 /// evaluations.
 ///
+/// An oscillation that the steps do not resolve may leave a difference that does not decrease with the step. The caller
+/// gives a bound of this difference. Below the bound, a difference counts as at most 2^−p of the one before.
+///
 /// A multistep method of order p begins with p − 1 steps of another method. These steps do not show the error of the
 /// multistep method. Therefore the window contains at least 4p steps, or the whole run.
 ///
