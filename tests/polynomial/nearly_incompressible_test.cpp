@@ -209,11 +209,10 @@ TEST(NearlyIncompressibleBody, DissipatesWhatItLoses) {
 
 /// 20,000 steps at several λ: no mode of the volume grows. The error of the energy is that of an incompressible body.
 template <class Method>
-void check_stability() {
+void check_stability(double h) {
   for (const double lambda : {100.0, 300.0, 1e3, 1e4}) {
     const auto body = body_with_bulk(lambda, all_planes);
     const auto start = pulsating(body);
-    constexpr double h = 0.1;
     const double E = energy_of(body, start);
     const auto r = run<Method>(body, start, 20'000 * h, 20, 1000);
     ASSERT_TRUE(r.finished()) << lambda << ": " << r.result.reason;
@@ -222,8 +221,8 @@ void check_stability() {
 }
 
 TEST(NearlyIncompressibleBody, IsStableOverManySteps) {
-  check_stability<mechanics::Rattle>();
-  check_stability<mechanics::Symmetric4>();
+  check_stability<mechanics::Rattle>(0.1);
+  check_stability<mechanics::Symmetric4>(0.07);  // with 0.1 and λ = 100 the motion resonates (docs/theory.md)
 }
 
 /// One fast mode beside a slow one: the step is stable for every stiffness, up to 0.95 of the limit of the slow motion.

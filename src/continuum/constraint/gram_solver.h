@@ -30,7 +30,7 @@ class GramSolver {
 
   /// Computes λ with |(G(q₁)M⁻¹G(q₀)ᵀ + σ)λ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. σ = `shift` is 0
   /// for a rigid constraint. If history().stale is true, the solver first computes the preconditioner at q₀ for this σ.
-  /// For σ > 0, the dense inverse alone may give λ, with a larger residual. The caller iterates then.
+  /// For σ > 0, the dense inverse alone may give λ, with a larger residual.
   /// If the iteration does not converge, the solver renews the preconditioner at q₁ and repeats the iteration once.
   /// Fails if the second iteration does not converge either, if the preconditioner cannot be computed, or if r is not
   /// finite. Collective.

@@ -19,9 +19,10 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// Runs this iteration. `q` is q_{n+1}, `lambda` is λ and `h` the step. find_mean() sets w.compliance.mean to ḡ from
-/// w.compliance.g_end = g(q_{n+1}). apply() makes the changes for w.constraint.reaction = M⁻¹G(q_n)ᵀδ and
-/// w.constraint.delta = δ. Fails if the constraint or a Gram solve fails, or if the iteration does not converge.
+/// Runs this iteration with q = q_{n+1}, `lambda` = λ and the step h. The function `find_mean` sets w.compliance.mean
+/// to ḡ. Its input is w.compliance.g_end = g(q_{n+1}). The function `apply` makes the changes for a correction: the
+/// vector w.constraint.reaction = M⁻¹G(q_n)ᵀδ and w.constraint.delta = δ. Fails if the constraint or a Gram solve
+/// fails, or if the iteration does not converge.
 template <Compliant S, class Mean, class Apply>
 Status meet_compliance(const S& system, double h, double weight, double per_delta, const typename S::Vector& q,
                        const typename S::Multiplier& lambda, RattleWorkspace<S>& w, Mean&& find_mean, Apply&& apply) {

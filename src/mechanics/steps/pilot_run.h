@@ -29,8 +29,8 @@ struct StepRequest {
   double rattle_limit = 0;
   double step_bound = HUGE_VAL;  ///< largest length of a step with all its substeps that the user permits
   double interval = HUGE_VAL;    ///< time between samples, which bounds the step of methods with fixed steps
-  /// Largest difference of the configurations of two pilot runs that is due to an oscillation which the steps do not
-  /// resolve (compliance_oscillation.h). It does not grow with time, and the caller adds it to the error.
+  /// Bound of the difference of two pilot runs that an unresolved oscillation causes (compliance_oscillation.h). It
+  /// does not grow with time, and the caller adds it to the error.
   double unresolved = 0;
   bool stiff = false;  ///< true if the damping would make the steps of all methods except RATTLE too small
   /// True if force evaluations are costly. The search then saves pilot runs. It tries shorter pilot runs first. It
