@@ -38,7 +38,8 @@
 /// The left side is positive at c = 1, negative at c₂ and, for (hω)² < 3, positive at −1. So both roots c are between
 /// −1 and 1, and the step is stable for every stiffness κ. The mean of g causes errors of λ of order h². They belong to
 /// a change of volume, which is proportional to 1/κ. Therefore the errors of q are of order h⁴ + h²/κ. At a sample, v
-/// is not projected. The next step is made and taken back, because a_n depends on it. In large motions a
+/// is projected onto G v = ġ with differences of the last four g. They cancel a fast oscillation that the steps do not
+/// resolve, which would grow if the method started again from v. In large motions a
 /// fast mode may resonate with a parasitic root. A pulsation of a ball with λ = 100 μ grew with 0.7 of the limit of the
 /// step, but not with 0.5.
 ///
@@ -51,7 +52,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -61,81 +61,9 @@
 #include "mechanics/methods/multistep_coefficients.h"
 #include "mechanics/methods/multistep_start.h"
 #include "mechanics/methods/rattle.h"
+#include "mechanics/methods/symmetric_multistep_workspace.h"
 
 namespace pseudorigid::mechanics {
-
-/// Contains the last values of a compliant constraint. It is empty for a rigid constraint.
-template <class S>
-struct ConstraintHistory {
-  static constexpr bool is_used = false;
-
-  explicit ConstraintHistory(const S&) {}
-  template <class Visit>
-  void visit_memory(Visit&&) {}
-};
-template <Compliant S>
-struct ConstraintHistory<S> {
-  explicit ConstraintHistory(const S& system) : is_used(is_compliant(system)) {
-    if (is_used) g.fill(system.make_multiplier());
-  }
-  void record(const typename S::Multiplier& newest) {
-    std::rotate(g.begin(), g.end() - 1, g.end());
-    g[0] = newest;
-  }
-  template <class Visit>
-  void visit_memory(Visit&& visit) {
-    for (auto& x : g) visit(x);
-  }
-
-  bool is_used;
-  std::array<typename S::Multiplier, 3> g;  // the last values g_n, the latest first
-};
-
-/// Workspace of a symmetric multistep method. The members `d` and `a` are the history, a ring of k − 1 slots with d_i
-/// and a_i of the last k − 1 steps. In the slot of the newest step, `a` contains the old value a_{n−(k−1)} until a_n is
-/// computed. The base class has the members that RATTLE also uses.
-template <ConstrainedSystem S, int k, template <class> class Start>
-struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
-  static constexpr int n_slots = k - 1;
-  /// Largest number of previous multipliers from which a polynomial extrapolates the next multiplier.
-  static constexpr int n_extrapolated = S::n_constraints == dynamic_constraints ? 5 : 6;
-
-  explicit SymmetricMultistepWorkspace(const S& system)
-      : RattleWorkspace<S>(system), start(system), multiplier(system.make_multiplier()), constraints(system) {
-    d.fill(system.make_vector());
-    a.fill(system.make_vector());
-    multipliers.fill(system.make_multiplier());
-  }
-
-  Start<S> start;
-  typename S::Multiplier multiplier;  // λ_n, extrapolated and then corrected
-  std::array<typename S::Vector, n_slots> d, a;
-  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // λ of the last steps, in a ring of slots
-  [[no_unique_address]] ConstraintHistory<S> constraints;
-  double h = 0;               // size of the steps in the history; 0: there was no step
-  int newest = 0;             // slot of d_n = q_n − q_{n−1}, the difference of the last step
-  int n_known = 0;            // number of differences d in the history
-  int newest_multiplier = 0;  // slot of λ_{n−1}
-  int n_multipliers = 0;      // number of multipliers in the history
-
-  /// Passes each member that a checkpoint must contain to `visit`.
-  template <class Visit>
-  void visit_memory(Visit&& visit) {
-    RattleWorkspace<S>::visit_memory(visit);
-    start.visit_memory(visit);
-    visit(this->acceleration);
-    for (auto& x : d) visit(x);
-    for (auto& x : a) visit(x);
-    for (auto& x : multipliers) visit(x);
-    constraints.visit_memory(visit);
-    visit(h);
-    visit(newest);
-    visit(n_known);
-    visit(newest_multiplier);
-    visit(n_multipliers);
-    visit(this->acceleration_known);
-  }
-};
 
 template <class Coefficients, template <class> class Start>
 struct SymmetricMultistep {
@@ -192,31 +120,19 @@ struct SymmetricMultistep {
   static Status project_velocity(const S& system, State<S>& state, Workspace<S>& w) {
     if (w.n_known < w.n_slots) return w.start.project(system, state, w);
     if (Status status = ensure_predicted_acceleration(system, state, w); !status) return status;
+    state.v = w.d[w.newest];
+    scale(1 / w.h, state.v);
+    axpy(w.h * formula.velocity[0], w.acceleration, state.v);
+    for (int i = 1; i <= w.n_slots; ++i)  // the slot of the state still has a_{n−(k−1)} instead of a_n
+      axpy(w.h * formula.velocity[i], w.a[(w.newest + w.n_slots - i) % w.n_slots], state.v);
     if constexpr (takes_compliance && Compliant<S>)
-      if (is_compliant(system)) {
-        typename S::Vector a;
-        if (Status status = find_acceleration(system, state, w, a); !status) return status;
-        set_velocity(a, state, w);
-        ++w.counters.n_projections;
-        return {};
-      }
-    set_velocity(w.acceleration, state, w);
+      if (is_compliant(system)) return detail::project_onto_rate(system, state, w);
     return Rattle::project_velocity(system, state, w);
   }
 
  private:
   /// Returns true if the step sizes differ only by the round-off of the sample times.
   static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
-
-  /// Sets state.v to d_n/h + h Σ_i c_i a_{n−i}, with a for a_n.
-  template <class S>
-  static void set_velocity(const typename S::Vector& a, State<S>& state, const Workspace<S>& w) {
-    state.v = w.d[w.newest];
-    scale(1 / w.h, state.v);
-    axpy(w.h * formula.velocity[0], a, state.v);
-    for (int i = 1; i <= w.n_slots; ++i)  // the slot of the state still has a_{n−(k−1)} instead of a_n
-      axpy(w.h * formula.velocity[i], w.a[(w.newest + w.n_slots - i) % w.n_slots], state.v);
-  }
 
   /// Empties the history, so that the starting method makes the next k − 1 steps of size h. The first of these steps
   /// starts from the projected state, except at the start of a run. Fails if the projection fails.
@@ -230,33 +146,8 @@ struct SymmetricMultistep {
     w.start.begin(system, w);
     w.multipliers.fill(system.make_multiplier());
     if constexpr (takes_compliance && Compliant<S>)
-      if (is_compliant(system)) return record_constraint(system, state, w);
+      if (is_compliant(system)) return detail::record_constraint(system, state, w);
     return {};
-  }
-
-  /// Adds g at the state to the history of a compliant constraint. Fails if the constraint cannot be evaluated.
-  template <Compliant S>
-  static Status record_constraint(const S& system, const State<S>& state, Workspace<S>& w) {
-    Status status = system.constraint(state.q, w.compliance.g_end);
-    w.compliance.g_known = status.ok();
-    if (status) w.constraints.record(w.compliance.g_end);
-    return status;
-  }
-
-  /// Sets `a` to a_n with the reaction of a compliant constraint. λ_n depends on the next step, which is made and then
-  /// taken back. Fails if this step fails.
-  template <Compliant S>
-  [[gnu::noinline]] static Status find_acceleration(const S& system, const State<S>& state, Workspace<S>& w,
-                                                    typename S::Vector& a) {
-    const auto kept = std::make_tuple(w.d, w.a, w.multipliers, w.constraints, w.newest, w.newest_multiplier,
-                                      w.n_multipliers, w.q_rounding);
-    State<S> trial = state;
-    const int slot = w.newest;
-    Status status = make_step(system, trial, w);
-    a = w.a[slot];
-    std::tie(w.d, w.a, w.multipliers, w.constraints, w.newest, w.newest_multiplier, w.n_multipliers, w.q_rounding) =
-        kept;
-    return status;
   }
 
   /// Makes a step by the starting method. Stores the difference d of the step and the acceleration at the start of the
@@ -278,32 +169,9 @@ struct SymmetricMultistep {
     }
     if constexpr (takes_compliance && Compliant<S>)
       if (is_compliant(system))
-        if (Status status = add_start_reaction(system, state, d, w, a); !status) return status;
+        if (Status status = detail::add_start_reaction(system, state, d, w, a); !status) return status;
     w.newest = next;
     ++w.n_known;
-    return {};
-  }
-
-  /// Records g at the end of a step of the start, with the difference d. Adds M⁻¹Gᵀλ at the beginning of the step to a.
-  /// λ is −b of the mean of g as in the method. At the start of the run, one value is missing, and the mean is that of
-  /// the step. Fails if the constraint cannot be evaluated.
-  template <Compliant S>
-  [[gnu::noinline]] static Status add_start_reaction(const S& system, const State<S>& state,
-                                                     const typename S::Vector& d, Workspace<S>& w,
-                                                     typename S::Vector& a) {
-    if (Status status = record_constraint(system, state, w); !status) return status;
-    const bool is_first = w.n_known == 0;
-    auto &mean = w.compliance.mean, &lambda = w.compliance.lambda;
-    mean = w.constraints.g[1];
-    axpy(0.5, w.constraints.g[0], mean);
-    axpy(is_first ? -0.5 : 0.5, w.constraints.g[is_first ? 1 : 2], mean);
-    if (!is_first) scale(0.5, mean);
-    system.constraint_force(mean, lambda);
-    scale(-1.0, lambda);
-    typename S::Vector q = state.q;
-    axpy(-1.0, d, q);
-    detail::set_reaction(system, q, lambda, w.system, w.constraint);
-    axpy(1.0, w.constraint.reaction, a);
     return {};
   }
 
