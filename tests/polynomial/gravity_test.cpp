@@ -59,7 +59,8 @@ TEST(BodyGravity, OfEllipsoidsIsThatOfTheClosedForm) {
       }
 }
 
-/// A ball of any size, turned by any rotation: the gauge makes the energy stationary under dilations.
+/// A ball of any size, turned by any rotation: the gauge makes the energy stationary under dilations. The round-off of
+/// the sums is 3e-13 at N = 5; the bound was set after it was seen. Without the correction the force is 1e-6.
 TEST(BodyGravity, ABallIsInEquilibrium) {
   const Matrix3d R = Eigen::AngleAxisd(0.7, Vector3d(1, -2, 3).normalized()).toRotationMatrix();
   for (const int N : {1, 2, 3, 5})
@@ -67,7 +68,7 @@ TEST(BodyGravity, ABallIsInEquilibrium) {
       for (const Vector3d& semi_axes : {Vector3d(1, 1, 1), Vector3d(1.2, 0.9, 1)}) {
         const auto space = space_of(N, planes, semi_axes);
         const Matrix3d A = semi_axes.cwiseInverse().asDiagonal(), turned = 1.3 * R * A;
-        EXPECT_LT(force(BodyGravity(G, space, {}), affine(*space, planes == no_planes ? turned : A)).norm(), 1e-13)
+        EXPECT_LT(force(BodyGravity(G, space, {}), affine(*space, planes == no_planes ? turned : A)).norm(), 1e-12)
             << N;
       }
 }
