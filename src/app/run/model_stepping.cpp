@@ -148,7 +148,9 @@ mechanics::Status ModelStepping::search(const std::optional<double>& error_so_fa
   } else {
     request.rattle_limit = HUGE_VAL;  // only accuracy and the convergence of iterations bound the step
   }
-  if (auto status = unresolved_oscillation(request.unresolved); !status) request.unresolved = 0;
+  // If the oscillation exceeds the tolerance, shorter steps may resolve it.
+  if (!unresolved_oscillation(request.unresolved) || request.unresolved > context_.scene.time.tolerance)
+    request.unresolved = 0;
   SearchNotice notice(context_, any_model_.name, about_search(request), any_model_.steps_between_looks);
   request.give_up = [&] {
     notice.step();
