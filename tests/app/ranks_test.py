@@ -283,6 +283,38 @@ class Ranks(RanksTest):
                                  "Gravity/Gamma": 20, "Equilibrium/Family": "maclaurin", "Equilibrium/First": 0.84,
                                  "Equilibrium/Last": 0.88, "Equilibrium/Number": 2}, ["equilibria-continuum.csv"])
 
+    def check_large_figure(self, scene):
+        """A figure whose cells the ranks share: the same numbers to round-off, with the same V-cycles."""
+        self.scene({"Analysis": "equilibrium", "Models": "continuum", "Equilibrium/Small motions": "false",
+                    "Continuum/Error estimate": "none", **scene})
+        self.run_done("run", "scene.prm", "--output", "alone")
+        alone = self.table("alone/equilibria-continuum.csv")
+        iterations = {}
+        for n_ranks in 1, 2, 3:
+            folder = "alone" if n_ranks == 1 else f"on{n_ranks}"
+            if n_ranks > 1:
+                self.run_on(n_ranks, "run", "scene.prm", "--output", folder)
+            iterations[n_ranks] = self.json(f"{folder}/manifest.json")["models"]["continuum"]["counters"]["gmres_iterations"]
+            table = self.table(f"{folder}/equilibria-continuum.csv")
+            for column in set(table.header) - {"residual"}:  # of round-off alone
+                for value, of_one in zip(table.column(column), alone.column(column)):
+                    self.assertAlmostEqual(value, of_one, delta=SAME * max(1, abs(of_one)), msg=f"{column} on {n_ranks}")
+        self.assertLess(max(iterations.values()) - min(iterations.values()), 0.1 * iterations[1], iterations)
+
+    def test_large_figure_at_rest(self):
+        self.check_large_figure({"Continuum/Degree": 4, "Continuum/Refinements": 2, "Equilibrium/Family": "static",
+                                 "Loads/Tidal matrix": "0.6, 0, 0; 0, 0.4, 0; 0, 0, 0.1"})
+
+    def test_large_rotating_figures(self):
+        """Under gravity, whose springs couple the levels of the V-cycles, and for a body whose axes are prescribed."""
+        self.check_large_figure({"Continuum/Degree": 7, "Continuum/Refinements": 1, "Gravity/Gamma": 4,
+                                 "Equilibrium/Family": "maclaurin", "Equilibrium/First": 0.5, "Equilibrium/Last": 0.5,
+                                 "Equilibrium/Number": 1})
+        self.check_large_figure({"Continuum/Degree": 2, "Continuum/Refinements": 3, "Body/Incompressible": "false",
+                                 "Material/Law": "ciarlet-geymonat", "Material/Lame lambda": 2, "Loads/Pressure": 0.1,
+                                 "Equilibrium/Family": "maclaurin", "Equilibrium/First": 0.3, "Equilibrium/Last": 0.3,
+                                 "Equilibrium/Number": 1})
+
     def test_a_load_without_equilibrium(self):
         """The first rank writes the last figure, and all ranks end."""
         self.scene({"Analysis": "equilibrium", "Models": "continuum", "Continuum/Degree": 2,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <span>
 
 #include "continuum/parallel/gather.h"
 #include "continuum/parallel/ghost_values.h"
@@ -18,6 +19,36 @@ std::vector<double> cross(const Field& a, const Field& b, int c, const std::vect
   std::vector<double> product(w.size());
   for (std::size_t i = 0; i < w.size(); ++i) product[i] = w[i] * (a[d][i] * b[e][i] - a[e][i] * b[d][i]);
   return product;
+}
+
+/// The points with the numbers from `begin` to end − 1.
+gravity::SurfacePoints points_of(const gravity::SurfacePoints& points, std::size_t begin, std::size_t end) {
+  gravity::SurfacePoints part;
+  for (std::size_t i = begin; i < end; ++i) part.add(points.point(i), points.area(i));
+  return part;
+}
+
+/// The sums e, g and h of a point, and their derivatives.
+using SumsOfPoint = std::array<double, 14>;
+
+std::vector<SumsOfPoint> sums_of_points(const gravity::Moving<gravity::PairSums>& sums) {
+  const auto& [at, rate] = sums;
+  std::vector<SumsOfPoint> result;
+  for (std::size_t i = 0; i < at.e.size(); ++i)
+    result.push_back({at.e[i], at.g[0][i], at.g[1][i], at.g[2][i], at.h[0][i], at.h[1][i], at.h[2][i], rate.e[i],
+                      rate.g[0][i], rate.g[1][i], rate.g[2][i], rate.h[0][i], rate.h[1][i], rate.h[2][i]});
+  return result;
+}
+
+gravity::Moving<gravity::PairSums> from_sums_of_points(std::span<const SumsOfPoint> points) {
+  gravity::Moving<gravity::PairSums> sums;
+  auto& [at, rate] = sums;
+  const std::array<std::vector<double>*, 14> parts{&at.e,      &at.g[0],   &at.g[1],   &at.g[2],   &at.h[0],
+                                                   &at.h[1],   &at.h[2],   &rate.e,    &rate.g[0], &rate.g[1],
+                                                   &rate.g[2], &rate.h[0], &rate.h[1], &rate.h[2]};
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    for (const SumsOfPoint& of_point : points) parts[k]->push_back(of_point[k]);
+  return sums;
 }
 
 }  // namespace
@@ -90,6 +121,21 @@ gravity::PairSums SurfaceGravityForces::sums_at(const gravity::SurfacePoints& ow
   return gravity::add(sum_pairs(own, with_images(others, {1, 1, 1})), sums);
 }
 
+gravity::Moving<gravity::PairSums> SurfaceGravityForces::sums_at(const gravity::Moving<gravity::SurfacePoints>& own,
+                                                                 const Signs& s) const {
+  const MPI_Comm communicator = space_.communicator();
+  const gravity::Moving all{sources(own.at), sources(own.rate, s)};
+  const std::size_t n_own = own.at.size(), n = n_ranks(communicator), rank = this_rank(communicator);
+  if (n == 1) return sum_pairs(own, all);
+  // The points of all ranks are the first sources, in the order of the ranks.
+  const std::size_t n_points = all.at.size() / static_cast<std::size_t>(space_.mesh().sector().n_images());
+  const std::size_t begin = rank * n_points / n, end = (rank + 1) * n_points / n;
+  const auto part = sum_pairs(gravity::Moving{points_of(all.at, begin, end), points_of(all.rate, begin, end)}, all);
+  const std::vector<SumsOfPoint> sums = gather_on_all(communicator, sums_of_points(part));
+  const std::vector<int> offsets = counts_of_ranks(communicator, std::vector<char>(n_own)).offsets;
+  return from_sums_of_points(std::span(sums).subspan(static_cast<std::size_t>(offsets[rank]), n_own));
+}
+
 gravity::SurfaceTotals SurfaceGravityForces::over_ranks(const gravity::SurfaceTotals& own) const {
   const auto [pairs, volume] = sum_over_ranks(std::array{own.pairs, own.volume}, space_.communicator());
   return {pairs, volume};
@@ -120,7 +166,7 @@ mechanics::Status SurfaceGravityForces::add(const Vector& x, Vector& f) const {
 void SurfaceGravityForces::add_rate(const Vector& x, const Vector& u, const Signs& s, Vector& f) const {
   const Jets jets = jets_at(x), jet_rates = jets_at(u);
   const gravity::Moving own{own_points(jets), own_rates(jets, jet_rates)};
-  const auto sums = sum_pairs(own, gravity::Moving{sources(own.at), sources(own.rate, s)});
+  const auto sums = sums_at(own, s);
   const auto [at, rate] = totals(own, sums);
   gravity::Moving of_all{over_ranks(at), over_ranks(rate)};
   for (int c = 0; c < 3; ++c)  // if u is odd, the rates of a point and of its image cancel in the totals

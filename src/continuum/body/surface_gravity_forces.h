@@ -10,8 +10,9 @@
 /// φ_n. The sign is chosen such that N points outwards. The force is the exact derivative of the discrete Ê, so the
 /// total force and the total torque are zero. The sources of the gravity at a point are the Gauss points of all ranks.
 /// If only a sector is computed, the mirror images of these points are also sources. For a pair of points of this rank,
-/// the interaction is computed once and used at both points. The density must be uniform, so the ball must be
-/// incompressible.
+/// the interaction is computed once and used at both points. For the rates of forces, the ranks share the points
+/// evenly, because the cells at the surface are not distributed evenly. The density must be uniform, so the ball must
+/// be incompressible.
 
 #include <Eigen/Core>
 #include <array>
@@ -78,6 +79,8 @@ class SurfaceGravityForces {
   gravity::SurfacePoints sources(const gravity::SurfacePoints& own, const Signs& s = {1, 1, 1}) const;
   /// The pair sums of gravity/surface_gravity.h over all sources, for each point of this rank. Collective.
   gravity::PairSums sums_at(const gravity::SurfacePoints& own) const;
+  /// The same sums and their derivatives, for points with rates whose signs are s. Collective.
+  gravity::Moving<gravity::PairSums> sums_at(const gravity::Moving<gravity::SurfacePoints>& own, const Signs& s) const;
   /// Returns the sum of the totals of all ranks. Collective.
   gravity::SurfaceTotals over_ranks(const gravity::SurfaceTotals& own) const;
   /// f_n ← f_n − ∂E/∂x_n for every node n, for a function E of the points and their area vectors. `derivative` is the

@@ -73,6 +73,13 @@ void BallSpace::number_nodes() {
   }
 }
 
+std::vector<std::size_t> BallSpace::cell_numbers() const {
+  std::vector<std::size_t> numbers;
+  for (const auto& cell : mesh_.triangulation().active_cell_iterators())
+    if (cell->is_locally_owned()) numbers.push_back(mesh_.global_number(cell));
+  return numbers;
+}
+
 void BallSpace::number_multipliers() {
   const dealii::types::global_dof_index n_own = static_cast<std::size_t>(n_cells()) * n_pressure();
   const dealii::IndexSet own = n_ranks(communicator()) == 1 ? dealii::complete_index_set(n_own)

@@ -55,6 +55,8 @@ class BallSpace {
   /// node has the local entry 3·node + c in vectors.
   const std::vector<unsigned int>& cell_nodes(unsigned int cell) const { return cell_nodes_[cell]; }
   const std::vector<std::vector<unsigned int>>& cells() const { return cell_nodes_; }
+  /// The numbers of the cells of this rank among those of all ranks (BallMesh::global_number).
+  std::vector<std::size_t> cell_numbers() const;
   /// Local entry in vectors of the entry 3·(node of the cell) + component of a cell.
   unsigned int entry_of(unsigned int cell, std::ptrdiff_t of_cell) const {
     return 3 * cell_nodes_[cell][static_cast<std::size_t>(of_cell / 3)] + static_cast<unsigned int>(of_cell % 3);

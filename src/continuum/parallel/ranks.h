@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "continuum/parallel/least_place.h"
@@ -42,6 +43,12 @@ std::array<double, n> sum_over_ranks(const std::array<double, n>& values, MPI_Co
   dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(values.data(), n), communicator,
                               dealii::ArrayView<double>(sum.data(), n));
   return sum;
+}
+
+/// Replaces each value by its sum over the ranks.
+inline void add_over_ranks(std::span<double> values, MPI_Comm communicator) {
+  if (n_ranks(communicator) > 1)
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, communicator);
 }
 
 /// The least value over the ranks. If a rank has NaN, the result is −∞, so that a test for a positive value fails.

@@ -21,12 +21,13 @@ loads::Loads acting_loads(const FigureSetup& setup) {
   return {setup.loads.get<loads::SelfGravity>(), setup.loads.get<loads::Pressure>()};
 }
 
-std::shared_ptr<const BallBody> make_body(const FigureSetup& setup) {
+std::shared_ptr<const BallBody> make_body(const FigureSetup& setup, MPI_Comm communicator) {
   const Sector sector{octant};
   const loads::Loads loads = acting_loads(setup);
   if (setup.incompressible)
-    return std::make_shared<ElasticBall>(sector, setup.degree, setup.n_refinements, setup.stored, loads);
-  return std::make_shared<CompressibleBall>(sector, setup.degree, setup.n_refinements, setup.stored, loads);
+    return std::make_shared<ElasticBall>(sector, setup.degree, setup.n_refinements, setup.stored, loads, communicator);
+  return std::make_shared<CompressibleBall>(sector, setup.degree, setup.n_refinements, setup.stored, loads,
+                                            communicator);
 }
 
 loads::Forcing forcing_of(const FigureSetup& setup) {
@@ -41,6 +42,12 @@ Eigen::VectorXd entries(const Vector& v) {
   return Eigen::Map<const Eigen::VectorXd>(v.begin(), static_cast<Eigen::Index>(v.locally_owned_size()));
 }
 
+/// The vector with these entries and the shape of `shape`. If there are no entries, the result is `shape`.
+Vector vector_of(const Eigen::VectorXd& entries, Vector shape) {
+  std::ranges::copy(entries, shape.begin());
+  return shape;
+}
+
 }  // namespace
 
 BallFigures::BallFigures(const FigureSetup& setup, SectorRanks ranks)
@@ -50,8 +57,11 @@ BallFigures::BallFigures(const FigureSetup& setup, SectorRanks ranks)
       n_refinements_(setup.n_refinements),
       watch_(setup.watch),
       ranks_(ranks),
-      body_(make_body(setup)),
+      body_(make_body(setup, MPI_COMM_SELF)),
       forcing_(forcing_of(setup)) {
+  const Vector rest = body_->make_vector(), none = multiplier(Eigen::VectorXd());
+  if (ranks_.size() > 1 && !is_small(body_->space()) && uses_cycles(state(rest, none, 1)))
+    shared_ = std::make_unique<SharedOctant>(make_body(setup, ranks_.communicator), body_->space());
   if (setup.figure == mechanics::Figure::spheroid) find_exchanged_nodes();
 }
 
@@ -87,20 +97,28 @@ Vector BallFigures::exchanged(const Vector& u) const {
 
 void BallFigures::symmetrize(Eigen::VectorXd& u) const {
   if (!is_symmetric_under_exchange()) return;
-  const Vector image = exchanged(field(u));
+  const Vector image = exchanged(vector_of(u, body_->make_vector()));
   for (Eigen::Index i = 0; i < u.size(); ++i) u[i] = (u[i] + image.local_element(static_cast<unsigned int>(i))) / 2;
 }
 
-Vector BallFigures::field(const Eigen::VectorXd& x) const {
-  Vector result = body_->make_vector();
-  std::ranges::copy(x, result.begin());
-  return result;
-}
+Vector BallFigures::positions(const Figure& figure) const { return vector_of(figure.x, body_->make_vector()); }
 
 Vector BallFigures::multiplier(const Figure& figure) const {
-  Vector lambda = body_->space().make_multiplier();
-  if (incompressible_) std::ranges::copy(figure.lambda, lambda.begin());
-  return lambda;
+  return vector_of(figure.lambda, body_->space().make_multiplier());
+}
+
+Vector BallFigures::field(const Eigen::VectorXd& x) const {
+  return shared_ ? shared_->part_of_field(x) : vector_of(x, body_->make_vector());
+}
+
+Vector BallFigures::multiplier(const Eigen::VectorXd& lambda) const {
+  if (shared_ && incompressible_) return shared_->part_of_multiplier(lambda);
+  return vector_of(lambda, solved().space().make_multiplier());
+}
+
+BallFigures::Figure BallFigures::change(const Vector& u, const Vector& lambda) const {
+  if (!shared_) return {entries(u), entries(lambda)};
+  return {shared_->whole_field(u), incompressible_ ? shared_->whole_multiplier(lambda) : Eigen::VectorXd()};
 }
 
 BallFigures::Figure BallFigures::affine(const Eigen::Vector3d& a, double drive) const {
@@ -125,14 +143,14 @@ void BallFigures::share(Figure& figure) const {
 }
 
 bool BallFigures::is_admissible(const Eigen::VectorXd& x) const {
-  const bool here = ranks_.is_first() && is_admissible_here(x);
+  const bool here = solves_here() && is_admissible_here(x);
   return ranks_.size() == 1 ? here : ranks_.of_owner(ranks_.is_first(), {here ? 1.0 : 0.0})[0] == 1;
 }
 
 bool BallFigures::is_admissible_here(const Eigen::VectorXd& x) const {
   if (!x.allFinite()) return false;
   const Vector at = field(x);
-  return body_->least_jacobian(at).value > 0 && body_->least_reserve(at).value > 0;
+  return solved().least_jacobian(at).value > 0 && solved().least_reserve(at).value > 0;
 }
 
 Vector BallFigures::Terms::residual(double nu) const {
@@ -143,23 +161,23 @@ Vector BallFigures::Terms::residual(double nu) const {
 }
 
 mechanics::Status BallFigures::terms(const Figure& figure, Terms& terms) const {
-  const BallSpace& space = body_->space();
-  const Vector x = positions(figure), rest = body_->make_vector();
+  const BallSpace& space = solved().space();
+  const Vector x = field(figure.x), rest = solved().make_vector();
   terms.force = terms.drive = terms.reaction = rest;
-  if (auto status = body_->judge(body_->kernels().force(x, terms.force), x); !status) return status;
-  if (body_->gravity())
-    if (auto status = body_->gravity()->add(x, terms.force); !status) return status;
+  if (auto status = solved().judge(solved().kernels().force(x, terms.force), x); !status) return status;
+  if (solved().gravity())
+    if (auto status = solved().gravity()->add(x, terms.force); !status) return status;
   if (kind_ == Drive::loads) {
-    body_->loads().add(0, x, rest, terms.drive);
+    solved().loads().add(0, x, rest, terms.drive);
   } else {
-    body_->loads().add(0, x, rest, terms.force);
+    solved().loads().add(0, x, rest, terms.force);
     for (unsigned int i = 0; i < 3 * space.n_nodes(); ++i)
       if (i % 3 != 2) terms.drive.local_element(i) = space.mass().local_element(i) * x.local_element(i);
   }
   if (incompressible_) {
-    body_->kernels().add_reaction(x, multiplier(figure), terms.reaction);
+    solved().kernels().add_reaction(x, multiplier(figure.lambda), terms.reaction);
     terms.constraint = space.make_multiplier();
-    if (auto status = body_->judge(body_->kernels().constraint(x, terms.constraint), x); !status) return status;
+    if (auto status = solved().judge(solved().kernels().constraint(x, terms.constraint), x); !status) return status;
   }
   for (Vector* f : {&terms.force, &terms.drive, &terms.reaction}) space.clear_fixed(*f);
   return {};
@@ -167,33 +185,35 @@ mechanics::Status BallFigures::terms(const Figure& figure, Terms& terms) const {
 
 double BallFigures::scale_of(const Figure& figure, const Terms& terms) const {
   const double mu = materials::moduli_at_rest(stored_.law, incompressible_).shear;
-  const double of_elasticity = mu * std::pow(body_->space().n_nodes(), -2.0 / 3);  // stress times the area of a node
+  const double of_elasticity =
+      mu * std::pow(solved().space().n_global_nodes(), -2.0 / 3);  // stress times the area of a node
   return std::max(
       {of_elasticity, largest(terms.force), std::abs(figure.drive) * largest(terms.drive), largest(terms.reaction)});
 }
 
 HeldDirection BallFigures::axis_direction(const Condition& condition) const {
-  const BallSpace& space = body_->space();
+  const BallSpace& space = solved().space();
   const auto k = static_cast<unsigned int>(mechanics::other_axis(condition.parameter));
   const int n_images = space.mesh().sector().n_images();
-  HeldDirection held{body_->make_vector(), 0};
+  HeldDirection held{solved().make_vector(), 0};
   double squares = 0;  // w·M⁻¹w
   for (unsigned int i = 0; i < 3 * space.n_nodes(); ++i) {
     if (i % 3 != 0 && i % 3 != k) continue;
-    const double factor = n_images * (i % 3 == k ? 1 : -std::exp(condition.value)) / body_->E0()(i % 3, i % 3);
+    const double factor = n_images * (i % 3 == k ? 1 : -std::exp(condition.value)) / solved().E0()(i % 3, i % 3);
     const double X = space.reference_positions().local_element(i), mass = space.mass().local_element(i);
     held.w.local_element(i) = factor * mass * X;
     squares += factor * factor * mass * X * X;
   }
-  held.stiffness = typical_stiffness() / squares;
+  held.stiffness = typical_stiffness() / sum_over_ranks(squares, space.communicator());
   return held;
 }
 
 struct BallFigures::Factors {
   Factors(const BallFigures& figures, const Figure& figure, const HeldDirection* held)
-      : x(figures.positions(figure)),
-        lambda(figures.multiplier(figure)),
-        solver(make_tangent_solver(figures.state(x, lambda, figure.drive), held, figures.n_refinements_)) {}
+      : x(figures.field(figure.x)),
+        lambda(figures.multiplier(figure.lambda)),
+        solver(make_tangent_solver(figures.state_of(figures.solved(), x, lambda, figure.drive), held,
+                                   figures.n_refinements_)) {}
 
   Vector x, lambda;
   std::unique_ptr<TangentSolver> solver;
@@ -216,11 +236,11 @@ mechanics::Status BallFigures::solve_linear(const Figure& figure, const HeldDire
   }
   changes.clear();
   for (const auto& [f, h] : right_sides) {
-    Vector u = body_->make_vector(), of_lambda = h;
+    Vector u = solved().make_vector(), of_lambda = h;
     const auto report = factors->solver->solve(f, h, tolerance, u, of_lambda);
     if (!report.status) return report.status;
     counts_.linear_products += report.iterations;
-    changes.push_back({entries(u), entries(of_lambda)});
+    changes.push_back(change(u, of_lambda));
     symmetrize(changes.back().x);
   }
   return {};
@@ -230,7 +250,7 @@ mechanics::Status BallFigures::solve_with_condition(const Condition& condition, 
                                                     const Vector& minus_g, const Vector& drive, double c,
                                                     double tolerance, Figure& change) const {
   const HeldDirection held = axis_direction(condition);
-  const Vector no_constraint = incompressible_ ? body_->space().make_multiplier() : Vector();
+  const Vector no_constraint = incompressible_ ? solved().space().make_multiplier() : Vector();
   Vector of_held = f;
   of_held.add(held.stiffness * c, held.w);
   std::vector<Figure> found;
@@ -248,7 +268,7 @@ mechanics::Status BallFigures::step(const Condition& condition, const Figure& fi
   Vector r = now.residual(figure.drive), minus_g = now.constraint;
   if (incompressible_) minus_g *= -1;
   if (condition.parameter != mechanics::FigureParameter::drive) {
-    const double excess = axis_direction(condition).w * positions(figure);
+    const double excess = axis_direction(condition).w * field(figure.x);
     return solve_with_condition(condition, figure, r, minus_g, now.drive, -excess, tolerance, step);
   }
   const double change = condition.value - figure.drive;
@@ -285,9 +305,9 @@ mechanics::Status BallFigures::newton_here(const Condition& condition, Figure& f
     if (computed) {
       size = std::max(largest(now.residual(figure.drive)) / scale_of(figure, now), largest(now.constraint));
       size = std::max(size, can_reuse ? std::abs(figure.drive - condition.value)
-                                      : std::abs(axis_direction(condition).w * positions(figure)));
+                                      : std::abs(axis_direction(condition).w * field(figure.x)));
     }
-    if (watch_) watch_({i, figure.drive, size, counts_.linear_products - n_products});
+    if (watch_ && ranks_.is_first()) watch_({i, figure.drive, size, counts_.linear_products - n_products});
     n_products = counts_.linear_products;
     if (size >= 0.5 * best && best <= accepted) break;  // a small residual that does not halve is round-off
     if (reused && !(size < best)) {                     // the old tangent misleads
@@ -331,7 +351,7 @@ BallFigures::Figure BallFigures::tangent_here(const Condition& condition, const 
   reuses_factors_ = false;
   Terms now;
   if (!terms(figure, now)) return none;
-  const Vector no_constraint = incompressible_ ? body_->space().make_multiplier() : Vector();
+  const Vector no_constraint = incompressible_ ? solved().space().make_multiplier() : Vector();
   if (condition.parameter == mechanics::FigureParameter::drive) {
     std::vector<Figure> found;
     if (!solve_linear(figure, nullptr, tolerance, {{now.drive, no_constraint}}, found)) return none;
@@ -340,9 +360,9 @@ BallFigures::Figure BallFigures::tangent_here(const Condition& condition, const 
   }
   // The derivative of the condition a_k − exp(v) a₁ = 0 with respect to its value v is w·u = exp(v) a₁. Here u is the
   // derivative of x.
-  const double c = std::exp(condition.value) * body_->mass_moment(positions(figure))(0, 0);
+  const double c = std::exp(condition.value) * solved().mass_moment(field(figure.x))(0, 0);
   Figure along;
-  if (!solve_with_condition(condition, figure, body_->make_vector(), no_constraint, now.drive, c, tolerance, along))
+  if (!solve_with_condition(condition, figure, solved().make_vector(), no_constraint, now.drive, c, tolerance, along))
     return none;
   return along;
 }

@@ -43,6 +43,7 @@
 #include "continuum/body/compressible_ball.h"
 #include "continuum/body/elastic_ball.h"
 #include "continuum/parallel/sector_ranks.h"
+#include "continuum/statics/shared_octant.h"
 #include "continuum/statics/tangent_solver.h"
 #include "mechanics/equilibria/figures.h"
 
@@ -78,14 +79,16 @@ class BallFigures final : public mechanics::FigureEquations {
  public:
   using Figure = mechanics::EquilibriumFigure;
 
-  /// With several `ranks`, the first rank solves the equations of the figures, and the others receive the results. The
-  /// solutions and the functions of the base class are then collective.
+  /// With several `ranks`, the ranks share the cells of a large body with V-cycles (tangent_solver.h). For other
+  /// bodies, the first rank solves the equations of the figures, and the others receive the results. The solutions and
+  /// the functions of the base class are collective.
   explicit BallFigures(const FigureSetup& setup, SectorRanks ranks = {});
   ~BallFigures() override;
   BallFigures(const BallFigures&) = delete;  // because some members refer to other members
   BallFigures& operator=(const BallFigures&) = delete;
 
   Figure affine(const Eigen::Vector3d& a, double drive) const override;
+  /// The whole octant, which each rank has.
   const BallBody& body() const { return *body_; }
   /// The numbers of operations of this rank.
   const FigureCounts& counts() const { return counts_; }
@@ -109,13 +112,14 @@ class BallFigures final : public mechanics::FigureEquations {
   /// The image of a displacement under this exchange. Requires is_symmetric_under_exchange().
   Vector exchanged(const Vector& u) const;
 
-  /// The nodal positions and the multiplier of a figure. The multiplier of a compressible ball is 0.
-  Vector positions(const Figure& figure) const { return field(figure.x); }
+  /// The nodal positions and the multiplier of a figure on the whole octant. The multiplier of a compressible ball is
+  /// 0.
+  Vector positions(const Figure& figure) const;
   Vector multiplier(const Figure& figure) const;
   /// The state of a figure with the positions x, the multiplier `lambda` and the drive ν. x and `lambda` must outlive
   /// the result.
   FigureState state(const Vector& x, const Vector& lambda, double drive) const {
-    return {*body_, stored_, forcing_, incompressible_, kind_, x, lambda, drive};
+    return state_of(*body_, x, lambda, drive);
   }
 
  private:
@@ -129,17 +133,17 @@ class BallFigures final : public mechanics::FigureEquations {
   };
 
   mechanics::Status newton(const Condition& condition, Figure& figure) const override {
-    const mechanics::Status status = ranks_.is_first() ? newton_here(condition, figure) : mechanics::Status();
+    const mechanics::Status status = solves_here() ? newton_here(condition, figure) : mechanics::Status();
     share(figure);
     return ranks_.of_all(status);
   }
   Figure tangent(const Condition& condition, const Figure& figure, double tolerance) const override {
-    Figure result = ranks_.is_first() ? tangent_here(condition, figure, tolerance) : figure;
+    Figure result = solves_here() ? tangent_here(condition, figure, tolerance) : figure;
     share(result);
     return result;
   }
   mechanics::Status complete(Figure& figure) const override {
-    const mechanics::Status status = ranks_.is_first() ? complete_here(figure) : mechanics::Status();
+    const mechanics::Status status = solves_here() ? complete_here(figure) : mechanics::Status();
     share(figure);
     return ranks_.of_all(status);
   }
@@ -147,7 +151,10 @@ class BallFigures final : public mechanics::FigureEquations {
   double error_of_solver() const override { return 1e-4; }
   /// Replaces `figure` by that of the first rank on all ranks. Collective.
   void share(Figure& figure) const;
-  /// The work of the first rank for the functions of the base class. These functions must not be collective.
+  /// True if this rank solves equations.
+  bool solves_here() const { return shared_ || ranks_.is_first(); }
+  /// The work for the functions of the base class, on ranks that solve equations. If the ranks share the body, these
+  /// functions and those that they call are collective.
   mechanics::Status newton_here(const Condition& condition, Figure& figure) const;
   Figure tangent_here(const Condition& condition, const Figure& figure, double tolerance) const;
   mechanics::Status complete_here(Figure& figure) const;
@@ -177,7 +184,15 @@ class BallFigures final : public mechanics::FigureEquations {
   HeldDirection axis_direction(const Condition& condition) const;
   /// The largest entry of the terms f, ν h and Gᵀλ, or a typical elastic force on a node if this force is larger.
   double scale_of(const Figure& figure, const Terms& terms) const;
+  FigureState state_of(const BallBody& body, const Vector& x, const Vector& lambda, double drive) const {
+    return {body, stored_, forcing_, incompressible_, kind_, x, lambda, drive};
+  }
+  /// The body on which this rank solves equations, and its vectors for the entries of a figure.
+  const BallBody& solved() const { return shared_ ? shared_->body() : *body_; }
   Vector field(const Eigen::VectorXd& x) const;
+  Vector multiplier(const Eigen::VectorXd& lambda) const;
+  /// The change of a figure with these vectors of the body.
+  Figure change(const Vector& u, const Vector& lambda) const;
   /// For a spheroid, replaces the displacement u by the mean of u and its image under the exchange of the axes 1 and 2.
   /// For an ellipsoid, does nothing.
   void symmetrize(Eigen::VectorXd& u) const;
@@ -189,7 +204,8 @@ class BallFigures final : public mechanics::FigureEquations {
   int n_refinements_;
   std::function<void(const NewtonStep&)> watch_;
   SectorRanks ranks_;
-  std::shared_ptr<const BallBody> body_;  ///< shared, because BallBody has no virtual destructor
+  std::shared_ptr<const BallBody> body_;        ///< shared, because BallBody has no virtual destructor
+  std::unique_ptr<const SharedOctant> shared_;  ///< null if the ranks do not share the body
   loads::Forcing forcing_;
   std::vector<unsigned int> exchanged_;  ///< the node at (X_2, X_1, X_3) for the node at X; empty for an ellipsoid
   mutable FigureCounts counts_;

@@ -37,16 +37,18 @@ Multigrid::Multigrid(const FigureState& state, const HeldDirection* held, int n_
             state.stored.volumetric_stiffness) {
   const BallSpace& space = state.body.space();
   levels_.push_back(std::make_unique<MultigridLevel>(state.body));
-  std::size_t n_cells = space.n_cells();
+  std::size_t n_cells = space.n_global_cells();
+  MPI_Comm communicator = space.communicator();
   for (int degree = space.degree(); degree > 1 || n_refinements > 0;) {
     if (degree > 1)
       degree = (degree + 1) / 2;
     else
-      --n_refinements, n_cells /= 8;
+      --n_refinements, n_cells /= 8, communicator = MPI_COMM_SELF;
     const std::size_t n_unknowns = n_cells * static_cast<std::size_t>(3 * degree * degree * degree);
     const bool is_last = n_unknowns <= n_direct || (degree == 1 && n_refinements == 0);
-    levels_.push_back(
-        std::make_unique<MultigridLevel>(space.mesh().sector(), state.stored, n_refinements, degree, !is_last));
+    if (is_last) communicator = MPI_COMM_SELF;
+    levels_.push_back(std::make_unique<MultigridLevel>(space.mesh().sector(), state.stored, n_refinements, degree,
+                                                       !is_last, communicator));
     transfers_.emplace_back(levels_.end()[-2]->space(), levels_.back()->space());
     if (is_last) break;
   }
@@ -145,8 +147,8 @@ mechanics::SolveReport Multigrid::solve(const Vector& f, const Vector& h, double
   };
   std::vector<double> right(n_all), solution;
   precondition(f, h, right);
-  const mechanics::SolveReport report =
-      solve_by_gmres(preconditioned, right, tolerance, 0, n_iterations_of_cycles, solution);
+  const mechanics::SolveReport report = solve_by_gmres(preconditioned, right, tolerance, 0, n_iterations_of_cycles,
+                                                       solution, state_.body.space().communicator());
   if (!report.status) return report;
   std::copy_n(solution.begin(), n, u.begin());
   for (std::size_t i = n; i < n_all; ++i) lambda.begin()[i - n] = bulk_ * solution[i];

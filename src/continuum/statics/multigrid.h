@@ -17,6 +17,9 @@
 /// levels have the stiffness of the cells and of the springs that tangent_problem.h describes. The functions ψ of the
 /// multiplier are orthonormal, so their mass matrix is the identity. In an infinite body at rest, G K⁻¹Gᵀ is this
 /// matrix over 2μ + κ.
+///
+/// The cells of the body may be distributed over ranks. The levels on the mesh of the body are then distributed in the
+/// same way, except the last level. Each rank has all cells of the other levels.
 
 #include <memory>
 #include <vector>
@@ -30,7 +33,7 @@ namespace pseudorigid::continuum {
 class Multigrid final : public TangentSolver {
  public:
   /// The mesh of the octant has `n_refinements` refinements. `held` has the meaning of TangentProblem. The objects to
-  /// which `state` refers, and `*held`, must outlive this object.
+  /// which `state` refers, and `*held`, must outlive this object. Collective, as are all functions.
   Multigrid(const FigureState& state, const HeldDirection* held, int n_refinements);
   ~Multigrid() override;
 

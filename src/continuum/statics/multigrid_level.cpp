@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "continuum/modes/krylov.h"
+#include "continuum/parallel/ghost_values.h"
 #include "continuum/statics/tangent_problem.h"
 
 namespace pseudorigid::continuum {
@@ -28,15 +29,17 @@ MultigridLevel::MultigridLevel(const BallBody& body)
     : space_(&body.space()), kernels_(&body.kernels()), cells_(*space_) {}
 
 MultigridLevel::MultigridLevel(const Sector& sector, const StoredEnergy& stored, int n_refinements, int degree,
-                               bool smooths)
-    : own_space_(std::make_unique<BallSpace>(BallMesh(sector, n_refinements), degree)),
+                               bool smooths, MPI_Comm communicator)
+    : own_space_(std::make_unique<BallSpace>(BallMesh(sector, n_refinements, communicator), degree)),
       own_kernels_(smooths ? make_cell_kernels(*own_space_, stored) : nullptr),
       space_(own_space_.get()),
       kernels_(own_kernels_.get()),
       cells_(*space_) {}
 
 mechanics::Status MultigridLevel::set(const StiffnessCoefficients& c, std::vector<FaceSprings> springs) {
+  const MPI_Comm communicator = space_->communicator();
   springs_ = std::move(springs);
+  has_springs_ = sum_over_ranks(static_cast<double>(springs_.size()), communicator) > 0;
   if (!kernels_) return {};
   inverse_diagonal_ = make_vector();
   for (unsigned int cell = 0; cell < space_->n_cells(); ++cell) {
@@ -48,11 +51,15 @@ mechanics::Status MultigridLevel::set(const StiffnessCoefficients& c, std::vecto
     for (Eigen::Index i = 0; i < face.rows.cols(); ++i)
       inverse_diagonal_.local_element(space_->entry_of(face.cell, face.places[static_cast<std::size_t>(i)])) +=
           face.rows.col(i).squaredNorm();
+  add_to_owners(inverse_diagonal_);
+  bool is_positive = true;
   for (unsigned int i = 0; i < 3 * space_->n_nodes(); ++i) {
     double& d = inverse_diagonal_.local_element(i);
-    if (!(d > 0)) return mechanics::Status::failure("the stiffness has a diagonal entry that is not positive");
+    is_positive = is_positive && d > 0;
     d = 1 / d;
   }
+  if (least_over_ranks(is_positive ? 1 : 0, communicator) == 0)
+    return mechanics::Status::failure("the stiffness has a diagonal entry that is not positive");
   space_->clear_fixed(inverse_diagonal_);
   stiffness_ = make_stiffness(*kernels_, c);
   return find_largest_eigenvalue();
@@ -69,14 +76,14 @@ mechanics::Status MultigridLevel::find_largest_eigenvalue() {
   std::vector<double> start(u.locally_owned_size());  // irregular, so that it has a part of every eigenvector
   for (std::size_t i = 0; i < start.size(); ++i)
     start[i] = inverse_diagonal_.begin()[i] > 0 ? std::sin(static_cast<double>(i * i)) : 0;
-  const auto status = estimate_largest_eigenvalue(scaled, start, n_lanczos_steps, largest_);
+  const auto status = estimate_largest_eigenvalue(scaled, start, n_lanczos_steps, largest_, space_->communicator());
   largest_ *= safety;
   return status;
 }
 
 void MultigridLevel::product(const Vector& u, Vector& f) const {
   kernels_->stiffness_product(*stiffness_, u, f);
-  add_rate_of_springs(*space_, springs_, 1, u, f);
+  if (has_springs_) add_rate_of_springs(*space_, springs_, 1, u, f);
   space_->clear_fixed(f);
 }
 

@@ -25,14 +25,15 @@ class MultigridLevel {
  public:
   /// The finest level, with the elements of the body.
   explicit MultigridLevel(const BallBody& body);
-  /// A coarser level: elements of `degree` on the sector with `n_refinements`. `smooths` is false for the coarsest
-  /// level, which needs no kernels.
-  MultigridLevel(const Sector& sector, const StoredEnergy& stored, int n_refinements, int degree, bool smooths);
+  /// A coarser level: elements of `degree` on the sector with `n_refinements`. The ranks of the communicator share the
+  /// cells. `smooths` is false for the coarsest level, which needs no kernels.
+  MultigridLevel(const Sector& sector, const StoredEnergy& stored, int n_refinements, int degree, bool smooths,
+                 MPI_Comm communicator);
 
   const BallSpace& space() const { return *space_; }
   const CellStiffness& cells() const { return cells_; }
   /// Sets K, the stiffness of the cells and of springs on the surface. Prepares the smoother if this level has one.
-  /// Fails if the largest eigenvalue is not found.
+  /// Fails if the largest eigenvalue is not found. Collective, as are all functions below.
   mechanics::Status set(const StiffnessCoefficients& c, std::vector<FaceSprings> springs);
   const std::vector<FaceSprings>& springs() const { return springs_; }
 
@@ -53,9 +54,10 @@ class MultigridLevel {
   const CellKernels* kernels_;
   CellStiffness cells_;
   std::unique_ptr<StiffnessTangent> stiffness_;
-  std::vector<FaceSprings> springs_;
-  Vector inverse_diagonal_;  ///< D⁻¹; 0 for fixed components
-  double largest_ = 0;       ///< b
+  std::vector<FaceSprings> springs_;  ///< of the faces of this rank
+  bool has_springs_ = false;          ///< true if a rank has springs
+  Vector inverse_diagonal_;           ///< D⁻¹; 0 for fixed components
+  double largest_ = 0;                ///< b
 };
 
 }  // namespace pseudorigid::continuum

@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 #include "continuum/mesh/tensor_product.h"
+#include "continuum/parallel/ghost_values.h"
 
 namespace pseudorigid::continuum {
 namespace {
@@ -23,26 +24,26 @@ Eigen::VectorXd unit_weights(const ReferenceCell& ref) {
   return w;
 }
 
-/// The numbers of the active cells in the order of BallSpace::cells.
-std::vector<std::size_t> numbers_of_cells(const BallSpace& space) {
-  std::vector<std::size_t> numbers;
-  for (const auto& cell : space.mesh().triangulation().active_cell_iterators())
-    if (cell->is_locally_owned()) numbers.push_back(space.mesh().global_number(cell));
-  return numbers;
-}
-
 }  // namespace
 
 MultigridTransfer::MultigridTransfer(const BallSpace& finer, const BallSpace& coarser)
-    : finer_(finer), coarser_(coarser), halves_(finer.n_cells() > coarser.n_cells()), share_(finer.n_nodes(), 0) {
+    : finer_(finer),
+      coarser_(coarser),
+      halves_(finer.n_global_cells() > coarser.n_global_cells()),
+      gathers_(n_ranks(finer.communicator()) > n_ranks(coarser.communicator())) {
+  Vector n_cells_of_node = finer.make_vector();
   for (const auto& nodes : finer.cells())
-    for (const unsigned int node : nodes) ++share_[node];
-  for (double& s : share_) s = 1 / s;
+    for (const unsigned int node : nodes) ++n_cells_of_node.local_element(3 * node);
+  add_to_owners(n_cells_of_node);
+  const GhostValues of_all(n_cells_of_node);
+  const auto partitioner = n_cells_of_node.get_partitioner();
+  for (unsigned int i = 0; i < partitioner->locally_owned_size() + partitioner->n_ghost_indices(); i += 3)
+    share_.push_back(1 / n_cells_of_node.local_element(i));
 
   std::unordered_map<std::size_t, unsigned int> cell_of_number;
-  for (const std::size_t number : numbers_of_cells(coarser))
+  for (const std::size_t number : coarser.cell_numbers())
     cell_of_number.emplace(number, static_cast<unsigned int>(cell_of_number.size()));
-  for (const std::size_t number : numbers_of_cells(finer)) {
+  for (const std::size_t number : finer.cell_numbers()) {
     const std::size_t child = halves_ ? number % 8 : 0;
     parts_.push_back({cell_of_number.at(halves_ ? number / 8 : number), {child % 2, child / 2 % 2, child / 4}});
   }
@@ -55,9 +56,17 @@ MultigridTransfer::MultigridTransfer(const BallSpace& finer, const BallSpace& co
   }
 }
 
+void MultigridTransfer::complete_sums(Vector& f) const {
+  if (gathers_)
+    add_over_ranks({f.begin(), f.locally_owned_size()}, finer_.communicator());
+  else
+    add_to_owners(f);
+}
+
 void MultigridTransfer::restrict_to_coarser(const Vector& r, Vector& f) const {
   const std::array<Eigen::MatrixXd, 2> table{interpolation_[0].transpose(), interpolation_[1].transpose()};
   Eigen::VectorXd fine(finer_.nodes_per_cell());
+  const GhostValues of_r(r);
   f = 0.0;
   for (unsigned int cell = 0; cell < finer_.n_cells(); ++cell) {
     const auto& [parent, b] = parts_[cell];
@@ -70,11 +79,13 @@ void MultigridTransfer::restrict_to_coarser(const Vector& r, Vector& f) const {
         f.local_element(3 * to[a] + k) += coarse[static_cast<Eigen::Index>(a)];
     }
   }
+  complete_sums(f);
   coarser_.clear_fixed(f);
 }
 
 void MultigridTransfer::add_interpolated(const Vector& u, Vector& result) const {
   Eigen::VectorXd coarse(coarser_.nodes_per_cell());
+  const GhostValues of_u(u);
   for (unsigned int cell = 0; cell < finer_.n_cells(); ++cell) {
     const auto& [parent, b] = parts_[cell];
     const auto &nodes = finer_.cell_nodes(cell), &from = coarser_.cell_nodes(parent);
@@ -87,6 +98,7 @@ void MultigridTransfer::add_interpolated(const Vector& u, Vector& result) const 
         result.local_element(3 * nodes[a] + k) += share_[nodes[a]] * fine[static_cast<Eigen::Index>(a)];
     }
   }
+  add_to_owners(result);
 }
 
 MultigridTransfer::Evaluation MultigridTransfer::evaluation(const std::vector<double>& nodes,
@@ -115,17 +127,23 @@ void MultigridTransfer::evaluate(const Evaluation& at, const Part& part, const E
 
 Vector MultigridTransfer::at_coarser_nodes(const Vector& x) const {
   const Evaluation at = evaluation(finer_.reference_cell().nodes, coarser_.reference_cell().nodes);
-  Vector result = coarser_.make_vector();
+  Vector result = coarser_.make_vector(), n_values = result;
   Eigen::VectorXd fine(finer_.nodes_per_cell());
+  const GhostValues of_x(x);
   for (unsigned int cell = 0; cell < finer_.n_cells(); ++cell) {
     const auto &nodes = finer_.cell_nodes(cell), &to = coarser_.cell_nodes(parts_[cell].cell);
     for (unsigned int k = 0; k < 3; ++k) {
       for (std::size_t a = 0; a < nodes.size(); ++a)
         fine[static_cast<Eigen::Index>(a)] = x.local_element(3 * nodes[a] + k);
-      evaluate(at, parts_[cell], fine,
-               [&](std::size_t node, double value) { result.local_element(3 * to[node] + k) = value; });
+      evaluate(at, parts_[cell], fine, [&](std::size_t node, double value) {
+        result.local_element(3 * to[node] + k) = value;
+        n_values.local_element(3 * to[node] + k) = 1;
+      });
     }
   }
+  complete_sums(result);
+  complete_sums(n_values);
+  for (std::size_t i = 0; i < result.locally_owned_size(); ++i) result.begin()[i] /= n_values.begin()[i];
   return result;
 }
 
@@ -135,7 +153,8 @@ StiffnessCoefficients MultigridTransfer::at_coarser_points(const StiffnessCoeffi
   // In cells that are twice as large, det(∂X/∂ξ) is eight times as large, and ∂ξ/∂X half as large.
   const Eigen::VectorXd weights = (halves_ ? 2.0 : 1.0) * unit_weights(to),
                         inverse_weights = unit_weights(from).cwiseInverse();
-  StiffnessCoefficients result(coarser_.n_cells(), PointCoefficients(weights.size(), StiffnessTangent::n_entries));
+  StiffnessCoefficients result(coarser_.n_cells(),
+                               PointCoefficients::Zero(weights.size(), StiffnessTangent::n_entries));
   for (std::size_t cell = 0; cell < c.size(); ++cell) {
     PointCoefficients& of_coarser = result[parts_[cell].cell];
     for (Eigen::Index k = 0; k < of_coarser.cols(); ++k)
@@ -144,6 +163,9 @@ StiffnessCoefficients MultigridTransfer::at_coarser_points(const StiffnessCoeffi
         of_coarser(q, k) = weights[q] * value;
       });
   }
+  if (gathers_)
+    for (PointCoefficients& of_cell : result)
+      add_over_ranks({of_cell.data(), static_cast<std::size_t>(of_cell.size())}, finer_.communicator());
   return result;
 }
 

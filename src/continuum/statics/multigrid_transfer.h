@@ -3,6 +3,9 @@
 /// and different degrees, or each cell of the coarser level consists of eight cells of the finer one. A cell of the
 /// finer level with the coordinates ξ is then the part (b + ξ)/2 of its coarser cell, with b_d = 0 or 1 in each
 /// direction.
+///
+/// The ranks of the finer level share its cells. Either they share the cells of the coarser level in the same way, or
+/// each of them has all cells of the coarser level. All functions are collective.
 
 #include <Eigen/Core>
 #include <array>
@@ -49,11 +52,15 @@ class MultigridTransfer {
   template <class Use>
   static void evaluate(const Evaluation& at, const Part& part, const Eigen::VectorXd& of_finer, const Use& use);
 
+  /// Completes sums at the nodes of the coarser level, to which the cells of each rank have contributed.
+  void complete_sums(Vector& f) const;
+
   const BallSpace &finer_, &coarser_;
-  bool halves_;  ///< true if the cells of the finer level are parts of those of the coarser level
+  bool halves_;   ///< true if the cells of the finer level are parts of those of the coarser level
+  bool gathers_;  ///< true if the ranks share the finer level, and each has the whole coarser level
   std::vector<Part> parts_;
   std::array<Eigen::MatrixXd, 2> interpolation_;  ///< Lagrange polynomials of the coarser cell: [b](finer node, node)
-  std::vector<double> share_;                     ///< of each finer node, 1 over the number of its cells
+  std::vector<double> share_;  ///< of each finer node, with the ghost nodes, 1 over the number of its cells
 };
 
 }  // namespace pseudorigid::continuum

@@ -5,6 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "continuum/parallel/ghost_values.h"
+
 namespace pseudorigid::continuum {
 namespace {
 
@@ -53,6 +55,7 @@ double weight_of_surface(const FigureState& state) {
 }
 
 std::vector<FaceSprings> springs_of_weight(const BallSpace& space, const Vector& x, double weight) {
+  const GhostValues of_x(x);
   return springs_at_surface(space, [&](const FacePoint& point) -> Eigen::Vector3d {
     const FacePoint::Jet at = point.jet(x);
     const Eigen::Vector3d area = at.by_p.cross(at.by_q);
@@ -69,6 +72,7 @@ Vector rate_of_gravity(const FigureState& state, const Vector& u, const Parity& 
 
 void add_rate_of_springs(const BallSpace& space, const std::vector<FaceSprings>& springs, double factor,
                          const Vector& u, Vector& force) {
+  const GhostValues of_u(u);
   for (const FaceSprings& of_face : springs) {
     const auto entry = [&](Eigen::Index i) {
       return space.entry_of(of_face.cell, of_face.places[static_cast<std::size_t>(i)]);
@@ -78,6 +82,7 @@ void add_rate_of_springs(const BallSpace& space, const std::vector<FaceSprings>&
     const Eigen::VectorXd of_springs = factor * (of_face.rows.transpose() * (of_face.rows * at_face));
     for (Eigen::Index i = 0; i < at_face.size(); ++i) force.local_element(entry(i)) += of_springs[i];
   }
+  add_to_owners(force);
 }
 
 void add_rate_beyond_cells(const FigureState& state, const HeldDirection* held, const Vector& u, Vector& force) {

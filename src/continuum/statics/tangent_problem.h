@@ -34,7 +34,7 @@ struct FigureState {
   const loads::Forcing& forcing;  ///< sum of the loads of the body
   bool incompressible;
   Drive kind;
-  const Vector& x;       ///< nodal positions of the figure
+  const Vector& x;       ///< nodal positions of the figure, with up-to-date ghost nodes
   const Vector& lambda;  ///< multiplier of the figure; not used for a compressible body
   double drive;          ///< drive ν
 };
@@ -58,11 +58,11 @@ PointCoefficients tangent_coefficients(const CellStiffness& cells, const FigureS
 /// The force per displacement and area with which gravity and an attractive quadratic potential hold the surface of an
 /// incompressible ball. It is ρg, plus ν times the least eigenvalue of the matrix T of the potential.
 double weight_of_surface(const FigureState& state);
-/// The springs that take the place of these forces in the preconditioner, for nodal positions x of a space.
+/// The springs that take the place of these forces in the preconditioner, for nodal positions x of a space. Collective.
 std::vector<FaceSprings> springs_of_weight(const BallSpace& space, const Vector& x, double weight);
 /// The derivative of the force of gravity along u, with the opposite sign.
 Vector rate_of_gravity(const FigureState& state, const Vector& u, const Parity& parity);
-/// Adds the forces of springs that act on u, times −`factor`.
+/// Adds the forces of springs that act on u, times −`factor`. Collective.
 void add_rate_of_springs(const BallSpace& space, const std::vector<FaceSprings>& springs, double factor,
                          const Vector& u, Vector& force);
 /// Adds the product of u with the terms of E that are neither of the cells nor of gravity: those of the drive, and

@@ -2,18 +2,22 @@
 
 #include <algorithm>
 
+#include "continuum/parallel/ranks.h"
 #include "continuum/statics/multigrid.h"
 #include "materials/rest_moduli.h"
 #include "mechanics/equilibria/figure_solver_limits.h"
 
 namespace pseudorigid::continuum {
-namespace {
 
 bool uses_cycles(const FigureState& state) {
   const auto [shear, lame] = materials::moduli_at_rest(state.stored.law, state.incompressible);
   const double most = mechanics::largest_ratio_of_cycles * shear;
   return weight_of_surface(state) <= most && (state.incompressible || lame + state.stored.volumetric_stiffness <= most);
 }
+
+bool is_small(const BallSpace& space) { return 3 * space.n_global_nodes() <= mechanics::most_factorized_unknowns; }
+
+namespace {
 
 class Factorization final : public TangentSolver {
  public:
@@ -59,9 +63,7 @@ class CyclesFirst final : public TangentSolver {
   }
 
  private:
-  bool may_factorize() const {
-    return factors_are_cheap() && 3 * state_.body.space().n_nodes() <= mechanics::most_factorized_unknowns;
-  }
+  bool may_factorize() const { return factors_are_cheap() && is_small(state_.body.space()); }
   mechanics::Status use_factorization() {
     solver_ = std::make_unique<Factorization>(state_, held_);
     return solver_->factorize();
@@ -76,7 +78,8 @@ class CyclesFirst final : public TangentSolver {
 
 std::unique_ptr<TangentSolver> make_tangent_solver(const FigureState& state, const HeldDirection* held,
                                                    int n_refinements) {
-  if (uses_cycles(state)) return std::make_unique<CyclesFirst>(state, held, n_refinements);
+  if (uses_cycles(state) || n_ranks(state.body.space().communicator()) > 1)
+    return std::make_unique<CyclesFirst>(state, held, n_refinements);
   return std::make_unique<Factorization>(state, held);
 }
 

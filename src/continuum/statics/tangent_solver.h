@@ -24,10 +24,16 @@ class TangentSolver {
                                        Vector& lambda) = 0;
 };
 
-/// The solver for a state of an octant whose mesh has `n_refinements` refinements. It uses V-cycles (multigrid.h) if
-/// the Lamé modulus and ρgr are at most 100 times the shear modulus. It uses a factorisation (modes/parity_sector.h)
-/// for other bodies, and if V-cycles fail for a body of at most 25,000 unknowns. `held` has the meaning of
-/// TangentProblem. The objects to which `state` refers, and `*held`, must outlive the result.
+/// True if the solver of a state uses V-cycles (multigrid.h): if the Lamé modulus and ρgr are at most 100 times the
+/// shear modulus.
+bool uses_cycles(const FigureState& state);
+/// True if a body of this size is factorised after V-cycles have failed.
+bool is_small(const BallSpace& space);
+
+/// The solver for a state of an octant whose mesh has `n_refinements` refinements. It uses V-cycles if `uses_cycles`,
+/// or if several ranks share the body, which must not be small. Otherwise, and if V-cycles fail for a small body, it
+/// uses a factorisation (modes/parity_sector.h). `held` has the meaning of TangentProblem. The objects to which `state`
+/// refers, and `*held`, must outlive the result. If several ranks share the body, all functions are collective.
 std::unique_ptr<TangentSolver> make_tangent_solver(const FigureState& state, const HeldDirection* held,
                                                    int n_refinements);
 
