@@ -1,8 +1,8 @@
 #pragma once
 /// The error of the quadrature of self-gravity in the force on the ball. By symmetry the energy Ê of gravity, which
-/// does not change under dilations, is stationary at the ball: ∂Ê/∂q = 0. The quadrature gives a derivative of about
-/// 1e-6 of the forces. Let ε_a be this derivative with respect to the coefficient q_a of a function φ_a that is not
-/// affine. The energy
+/// does not change under dilations, is stationary at the ball: ∂Ê/∂q = 0. The position is x = Σ_a q_a φ_a(X) with
+/// coefficients q_a. The quadrature gives a derivative of 1e-6 to 1e-5 of the forces. Let ε_a be this derivative with
+/// respect to q_a for a function φ_a that is not affine. The energy
 ///
 ///   E_ε(q) = Σ_a ε_a · B⁻¹ q_a = tr(B⁻¹ M),   B = A S,   M = Σ_a q_a ε_aᵀ,
 ///

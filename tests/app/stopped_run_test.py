@@ -134,10 +134,10 @@ class StoppedRun(StoppedRunTest):
         self.check_control_c({**LONG_CONTINUUM, "Body/Incompressible": "false"}, "continuum", 1e-11)
 
     def test_control_c_while_the_finite_element_library_is_opened(self):
-        self.scene({"Models": "continuum", "Continuum/Degree": 3, "Time/End": 1, "Output/Samples": 10})
+        self.scene({"Models": "continuum", "Continuum/Degree": 3, "Time/End": 50, "Output/Samples": 500})
         process = self.start_program("run", "scene.prm")
         maps = pathlib.Path(f"/proc/{process.pid}/maps")
-        self.wait_until(lambda: "libpseudorigid-continuum" in maps.read_text(), "the library is mapped")
+        self.wait_until(lambda: process.poll() is not None or "libpseudorigid-continuum" in maps.read_text(), "the library is mapped")
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(), STOPPED)
         self.assertEqual(self.json("output/scene/manifest.json")["state"], "interrupted")

@@ -33,8 +33,11 @@ void warn_of_quadrature(const polynomial::BodySetup& setup, const mechanics::Fig
   const double centrifugal = slowest->figure.drive * std::sqrt(space->inertia()[0]);
   if (gravity.error_of_ball() > large * centrifugal)
     context.log->warn(
-        "degree {}: at {} = {:.6g} the error of the quadrature of gravity is {:.1g} of the centrifugal force. Special "
-        "points of slow motions may be wrong there; raise Polynomial/Gravity points",
+        "degree {}: at {} = {:.6g} the quadrature of gravity gives the ball a force of {:.1g} of the centrifugal "
+        "force. "
+        "The forces are corrected for it, but not their derivatives. Special points of slow motions may be wrong "
+        "there; "
+        "raise Polynomial/Gravity points",
         setup.degree, parameter_name(context.scene.equilibria.family), slowest->parameter,
         gravity.error_of_ball() / centrifugal);
 }

@@ -45,7 +45,7 @@ class GramSolver::Impl {
       mechanics::SolveReport second = iterate(q1, q0, r, enough, lambda);
       second.iterations += report.iterations;
       report = std::move(second);
-    } else {
+    } else if (shift > 0 || history_.renewed_for == 0) {  // the other preconditioner is not for these solves
       if (history_.n_iterations_fresh < 0) history_.n_iterations_fresh = report.iterations;
       history_.n_iterations_lost += std::max(0, report.iterations - history_.n_iterations_fresh);
       history_.stale = history_.n_iterations_lost > preconditioner_->renewal_cost();
@@ -76,15 +76,17 @@ class GramSolver::Impl {
 
  private:
   /// True if the dense inverse alone gives a step of Newton's iteration for a compliant constraint. Its shift must be
-  /// nearly σ. This is then so for the first solve from q₀, and if the step before has reduced the residual enough.
+  /// nearly σ, and the last step with it must have reduced the residual enough.
   bool inverse_suffices(const Vector& q0, const Vector& r) {
     constexpr double enough = 0.2, nearly = 0.05;
     if (std::abs(shift_ - history_.renewed_for) > nearly * shift_) return false;
     const double norm = r.l2_norm(), before = std::exchange(inverse_.norm, norm);
     const std::span<const double> values(q0.begin(), q0.locally_owned_size());
-    if (std::ranges::equal(values, inverse_.q0)) return norm <= enough * before;
-    inverse_.q0.assign(values.begin(), values.end());
-    return std::isfinite(norm);
+    if (std::ranges::equal(values, inverse_.q0))
+      history_.contracts = norm <= enough * before;
+    else
+      inverse_.q0.assign(values.begin(), values.end());
+    return history_.contracts && std::isfinite(norm);
   }
 
   mechanics::Status renew(const Vector& x) {
@@ -96,6 +98,7 @@ class GramSolver::Impl {
     history_.n_iterations_fresh = -1;
     history_.n_iterations_lost = 0;
     history_.stale = !status;
+    history_.contracts = true;
     return status;
   }
   /// If this process has not yet computed a preconditioner, computes it at the positions history_.renewed_at. This is

@@ -55,17 +55,19 @@ class GramSolver {
     /// `n_iterations_lost` is the sum, over all later solves, of the iterations beyond this number. Solves that renew
     /// the preconditioner at q₁ do not count.
     int n_iterations_fresh = -1, n_iterations_lost = 0;
-    bool stale = true;  ///< true if the next solve must compute or renew the preconditioner
+    bool stale = true;      ///< true if the next solve must compute or renew the preconditioner
+    bool contracts = true;  ///< true if the inverse alone reduced the last residual after a first step enough
   };
   History& history();
   template <class Visit>
   void visit_memory(Visit&& visit) {
-    auto& [renewed_at, renewed_for, n_fresh, n_lost, stale] = history();
+    auto& [renewed_at, renewed_for, n_fresh, n_lost, stale, contracts] = history();
     visit(renewed_at);
     visit(renewed_for);
     visit(n_fresh);
     visit(n_lost);
     visit(stale);
+    visit(contracts);
   }
 
   /// Counts since the construction of the solver. n_iterations_at_most is the largest number of iterations of one

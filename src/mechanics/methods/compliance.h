@@ -19,6 +19,17 @@
 
 namespace pseudorigid::mechanics::detail {
 
+/// The tolerance of |g|_∞ in a step of size h. An error δ of g remains as an oscillation of g. Its energy is about
+/// κδ²/2, and it changes v by δ/h.
+template <Compliant S>
+double compliance_tolerance(const S& system, double h, const RattleWorkspace<S>& w) {
+  constexpr double part = 1e-5;
+  const double least = system.constraint_tolerance();
+  return w.constraint_tolerance > least
+             ? std::min(w.constraint_tolerance, part / std::sqrt(system.constraint_stiffness()))
+             : std::min(1.0, std::abs(h)) * least;
+}
+
 /// Runs this iteration with q = q_{n+1}, `lambda` = λ and the step h. The function `find_mean` sets w.compliance.mean
 /// to ḡ. Its input is w.compliance.g_end = g(q_{n+1}). The function `apply` makes the changes for a correction: the
 /// vector w.constraint.reaction = M⁻¹G(q_n)ᵀδ and w.constraint.delta = δ. Fails if the constraint or a Gram solve
@@ -28,11 +39,6 @@ Status meet_compliance(const S& system, double h, double weight, double per_delt
                        const typename S::Multiplier& lambda, RattleWorkspace<S>& w, Mean&& find_mean, Apply&& apply) {
   static_assert(!single_constraint<S>, "the Gram system of a single constraint has no shift");
   const double kappa = system.constraint_stiffness();
-  // An error δ of g remains as an oscillation of g. Its energy is about κδ²/2, and it changes v by δ/h.
-  constexpr double part = 1e-5;
-  const double least = system.constraint_tolerance();
-  const double tolerance = w.constraint_tolerance > least ? std::min(w.constraint_tolerance, part / std::sqrt(kappa))
-                                                          : std::min(1.0, std::abs(h)) * least;
   const auto evaluate = [&] {
     Status status = system.constraint(q, w.compliance.g_end);
     if (!status) return status;
@@ -43,10 +49,45 @@ Status meet_compliance(const S& system, double h, double weight, double per_delt
     return status;
   };
   w.system.gram_shift = per_delta / (weight * kappa);
-  Status status = meet_constraint(system, "position", tolerance, q, w.q_start, w.system, w.constraint, evaluate, apply,
-                                  [&] { return noise_of_constraint(system, q); });
+  Status status = meet_constraint(system, "position", compliance_tolerance(system, h, w), q, w.q_start, w.system,
+                                  w.constraint, evaluate, apply, [&] { return noise_of_constraint(system, q); });
   w.system.gram_shift = 0;
   w.counters.n_gram_iterations += std::exchange(w.constraint.n_gram_iterations, 0);
+  return status;
+}
+
+/// Moves state.q along M⁻¹G(q₀)ᵀ until g = `value`. h is the size of the steps. Fails if the constraint or a Gram solve
+/// fails, or if the iteration does not converge.
+template <Compliant S>
+Status meet_value(const S& system, double h, const typename S::Multiplier& value, const typename S::Vector& q0,
+                  State<S>& state, RattleWorkspace<S>& w) {
+  const auto evaluate = [&] {
+    Status status = system.constraint(state.q, w.constraint.residual);
+    axpy(-1.0, value, w.constraint.residual);
+    return status;
+  };
+  const auto apply = [&] { add(1.0, w.constraint.reaction, state.q, w.q_rounding); };
+  w.constraint.direction_known = false;
+  Status status = meet_constraint(system, "position", compliance_tolerance(system, h, w), state.q, q0, w.system,
+                                  w.constraint, evaluate, apply, [&] { return noise_of_constraint(system, state.q); });
+  w.counters.n_gram_iterations += std::exchange(w.constraint.n_gram_iterations, 0);
+  return status;
+}
+
+/// Moves state.v along M⁻¹Gᵀ until G v = `rate`. Fails if a Gram solve fails or the iteration does not converge.
+template <Compliant S>
+Status meet_rate(const S& system, const typename S::Multiplier& rate, State<S>& state, RattleWorkspace<S>& w) {
+  const auto evaluate = [&] {
+    system.constraint_rate(state.q, state.v, w.constraint.residual);
+    axpy(-1.0, rate, w.constraint.residual);
+    return Status();
+  };
+  const auto apply = [&] { add(1.0, w.constraint.reaction, state.v, w.v_rounding); };
+  w.constraint.direction_known = false;
+  Status status = meet_constraint(system, "velocity", w.constraint_tolerance, state.q, state.q, w.system, w.constraint,
+                                  evaluate, apply, [&] { return noise_of_rate(system, state.q, state.v); });
+  w.counters.n_gram_iterations += std::exchange(w.constraint.n_gram_iterations, 0);
+  ++w.counters.n_projections;
   return status;
 }
 

@@ -3,6 +3,18 @@
 /// makes its first k − 1 steps. For orders 8 and 12 the starting method is the explicit method of order 8 with a
 /// tolerance at round-off. For order 4 it is a composition of RATTLE of order 4.
 ///
+/// The composition has steps of negative size. If a constraint is compliant, they amplify fast oscillations of g that
+/// the steps do not resolve. In place of the composition, a step then extrapolates RATTLE. From one step of size h to
+/// (q₁, v₁) and three steps of size h/3 to (q₃, v₃), it computes
+///
+///   q = q₁ + (9/8)(q₃ − q₁) + M⁻¹G(q₁)ᵀδ,   g(q) = g(q₁),
+///   v = v₁ + (9/8)(v₃ − v₁) + M⁻¹G(q)ᵀη,     G(q) v = G(q₁) v₁.
+///
+/// The error of RATTLE has even powers of h, so the order of q and v is 4. Their values of g and its rate are those of
+/// the step of size h. A fast oscillation of g then changes its sign in each step, as in the multistep method. Another
+/// sequence of g would be amplified. The error of g is of order 2, but it belongs to a change of volume, which is
+/// proportional to the reciprocal of the stiffness.
+///
 /// A starting method for a system of type S is a type Start<S>. The workspace of the multistep method contains an
 /// object of this type, which has the following functions. The argument w is the workspace of the multistep method. The
 /// functions `acceleration`, `step` and `project` return a Status.
@@ -15,6 +27,7 @@
 ///   visit_memory(visit)                    passes the members that a checkpoint must contain to `visit`
 
 #include <limits>
+#include <utility>
 
 #include "mechanics/core/explicit_multiplier.h"
 #include "mechanics/methods/composition.h"
@@ -85,6 +98,8 @@ struct CompositionStart {
     }
     Status step(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
       const double t_end = state.t + h;
+      if constexpr (Compliant<S>)
+        if (is_compliant(system)) return extrapolate(system, t_end, state, w);
       if (Status status = Composed::advance(system, h, state, w); !status) return status;
       state.t = t_end;
       return {};
@@ -95,6 +110,42 @@ struct CompositionStart {
     template <class Visit>
     void visit_memory(Visit&&) {}
 
+   private:
+    /// Makes the step from `state`, whose velocity must be projected, to the time t_end for a compliant constraint.
+    /// Fails if RATTLE or a projection fails.
+    static Status extrapolate(const S& system, double t_end, State<S>& state, RattleWorkspace<S>& w) {
+      const double h = t_end - state.t;
+      if (Status status = Rattle::ensure_acceleration(system, state, w); !status) return status;
+      State<S> finer = state;
+      const typename S::Vector acceleration = w.acceleration, q_rounding = w.q_rounding, v_rounding = w.v_rounding;
+      if (Status status = substeps(system, h / 3, 3, finer, w); !status) return status;
+      w.acceleration = acceleration;
+      w.q_rounding = q_rounding;
+      w.v_rounding = v_rounding;
+      w.acceleration_known = true;
+      w.acceleration_time = state.t;
+      if (Status status = substeps(system, h, 1, state, w); !status) return status;
+      const typename S::Vector q1 = state.q;
+      auto& rate = w.compliance.mean;
+      system.constraint_rate(q1, state.v, rate);
+      for (const auto& [from, to] : {std::pair(&finer.q, &state.q), std::pair(&finer.v, &state.v)}) {
+        axpy(-1.0, *to, *from);
+        axpy(9.0 / 8, *from, *to);
+      }
+      if (Status status = detail::meet_value(system, h, w.compliance.g_end, q1, state, w); !status) return status;
+      if (Status status = detail::meet_rate(system, rate, state, w); !status) return status;
+      w.acceleration_known = w.compliance.g_known = false;
+      state.t = t_end;
+      return {};
+    }
+    /// Makes n steps of RATTLE with the size h, and completes the velocity.
+    static Status substeps(const S& system, double h, int n, State<S>& state, RattleWorkspace<S>& w) {
+      w.history.n_known = 0;
+      w.compliance.g_known = false;
+      for (int i = 0; i < n; ++i)
+        if (Status status = Rattle::advance(system, h, state, w); !status) return status;
+      return Rattle::project_velocity(system, state, w);
+    }
     typename S::Multiplier curvature;
   };
 };

@@ -38,10 +38,10 @@
 /// The left side is positive at c = 1, negative at c₂ and, for (hω)² < 3, positive at −1. So both roots c are between
 /// −1 and 1, and the step is stable for every stiffness κ. The mean of g causes errors of λ of order h². They belong to
 /// a change of volume, which is proportional to 1/κ. Therefore the errors of q are of order h⁴ + h²/κ. At a sample, v
-/// is projected onto G v = ġ with differences of the last four g. They cancel a fast oscillation that the steps do not
-/// resolve, which would grow if the method started again from v. In large motions a
-/// fast mode may resonate with a parasitic root. A pulsation of a ball with λ = 100 μ grew with 0.7 of the limit of the
-/// step, but not with 0.5.
+/// is projected onto G v = ġ with differences of the last four g. For a stiff constraint, the roots are near −1 and c₂.
+/// The differences cancel the first of them, which is that of an oscillation after a start (multistep_start.h). In
+/// large motions a fast mode may resonate with a parasitic root. A pulsation of a ball with λ = 100 μ grew with 0.7 of
+/// the limit of the step, but not with 0.5.
 ///
 /// A round-off error ε of the constraint causes an error ε/h² of the multipliers. The step multiplies this error by the
 /// coefficients β̂, whose largest absolute value is 5 for order 8 and 62 for order 12. The resulting error of the

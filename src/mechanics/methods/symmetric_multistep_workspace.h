@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 
+#include "mechanics/methods/compliance.h"
 #include "mechanics/methods/rattle.h"
 
 namespace pseudorigid::mechanics {
@@ -127,17 +127,7 @@ template <Compliant S, class Workspace>
   constexpr std::array<double, 4> weights{1, -0.5, -1, 0.5};  // (2(g_n − g_{n−2}) − (g_{n−1} − g_{n−3}))/2h
   for (std::size_t i = 1; i < weights.size(); ++i) axpy(weights[i], w.constraints.g[i], rate);
   scale(1 / w.h, rate);
-  const auto evaluate = [&] {
-    system.constraint_rate(state.q, state.v, w.constraint.residual);
-    axpy(-1.0, rate, w.constraint.residual);
-    return Status();
-  };
-  const auto apply = [&] { add(1.0, w.constraint.reaction, state.v, w.v_rounding); };
-  Status status = meet_constraint(system, "velocity", w.constraint_tolerance, state.q, state.q, w.system, w.constraint,
-                                  evaluate, apply, [&] { return noise_of_rate(system, state.q, state.v); });
-  w.counters.n_gram_iterations += std::exchange(w.constraint.n_gram_iterations, 0);
-  ++w.counters.n_projections;
-  return status;
+  return meet_rate(system, rate, state, w);
 }
 
 }  // namespace detail
