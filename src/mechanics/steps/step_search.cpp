@@ -65,17 +65,6 @@ bool motion_ends(const PilotRun& coarse, const PilotRun& fine, double h) {
   return !coarse.status && !fine.status && coarse.t > 8 * h && std::abs(coarse.t - fine.t) <= 0.2 * coarse.t;
 }
 
-/// Returns the largest differences of two pilot runs in the first and in the second half of their samples.
-std::pair<double, double> differences_of_halves(const PilotRun& a, const PilotRun& b) {
-  double early = 0, late = 0;
-  const std::size_t n = std::min(a.q.size(), b.q.size());
-  for (std::size_t k = 0; k < n; ++k) {
-    double& of_half = k < n / 2 ? early : late;
-    of_half = std::max(of_half, max_norm<Eigen::VectorXd>(a.q[k] - b.q[k]));
-  }
-  return {early, late};
-}
-
 }  // namespace
 
 /// Finds the step for which the error of the configuration meets the tolerance (step_search.h), without regard to the
@@ -93,6 +82,7 @@ Trial StepSearch::meet_tolerance(const FixedStepMethod& method, double n_forces_
   const long n_force_at_start = n_force_;
   long n = grid.n_steps;
   double d_before = 0;
+  double others = HUGE_VAL;  // bound of all errors of order 2 or more with the step h
   PilotRun coarse = pilot(method, window_, grid.n_samples, n);
   for (int halving = 0; halving <= max_step_halvings; ++halving, n *= 2) {
     PilotRun fine = pilot(method, window_, grid.n_samples, 2 * n);
@@ -100,7 +90,13 @@ Trial StepSearch::meet_tolerance(const FixedStepMethod& method, double n_forces_
     const bool both = coarse.status.ok() && fine.status.ok();
     const double d = both ? largest_difference(coarse, fine) : 0;
     if (both && settle(method, trial, h, d, d_before, fine.speed)) return trial;
-    if (both && leave_oscillation(method, trial, h, d_before, coarse, fine)) return trial;
+    if (both) {
+      const double of_pair = 4 * d / 3, of_pair_before = others / 4;
+      others = std::min(of_pair, of_pair_before);
+      if (of_pair_before < of_pair && d_before <= asymptotic_difference &&
+          leave_oscillation(method, trial, h, d, others, fine.speed))
+        return trial;
+    }
     if ((both ? predicted_forces(method, h, d) : run_forces(method, h)) >= n_forces_to_beat) {
       trial.verdict = Trial::Verdict::dearer;
       return trial;
@@ -213,24 +209,16 @@ bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, d
   return accept(method, trial, step, e * std::pow(step / h, p), round_off(method, speed, step));
 }
 
-/// Accepts a step for `trial` and returns true if the difference of the pilot runs with h and h/2 has stopped to fall
-/// and is within the bound of an unresolved oscillation. The difference of the runs with 2h and h then gives the
-/// estimate of the error. A difference that is larger in the second half of the window than in the first is assumed to
-/// grow linearly. What it grows after the window is added to the error. Returns false if this growth is more than the
-/// target.
-bool StepSearch::leave_oscillation(const FixedStepMethod& method, Trial& trial, double h, double d_before,
-                                   const PilotRun& coarse, const PilotRun& fine) const {
-  constexpr double stopped = 0.5;  // order 2 falls to 0.25
-  const auto [early, late] = differences_of_halves(coarse, fine);
-  const double d = std::max(early, late);
-  if (d > request_.unresolved || d_before > asymptotic_difference || !(d > stopped * d_before && d_before > 0))
-    return false;
-  const double p = method.order, length = std::max(1.0, request_.end / window_), target = allowed_error();
-  const double growth = std::max(0.0, late - early) * 2 * (length - 1);
-  if (growth > target) return false;
-  const double e = d_before / (std::exp2(p) - 1) * length;
-  const double step = e > target ? h * std::exp2(-0.25) * std::pow(target / e, 1 / p) : h;
-  return accept(method, trial, step, e * std::pow(step / h, p) + growth, round_off(method, fine.speed, step));
+/// Accepts a step for `trial` and returns true if the difference d of the pilot runs with h and h/2 is within the bound
+/// of an unresolved oscillation, and if the other errors meet the target. `others` is the bound of the other errors
+/// with the step h in the window. The step is between h and 2h, whose pilot runs were successful.
+bool StepSearch::leave_oscillation(const FixedStepMethod& method, Trial& trial, double h, double d, double others,
+                                   double speed) const {
+  const double e = others * std::max(1.0, request_.end / window_), target = allowed_error();
+  if (d > request_.unresolved || e > target) return false;
+  const double longer = std::min(2.0, std::sqrt(target / std::max(e, target / 4)));
+  const double step = std::min(h * longer, trial.limit);
+  return accept(method, trial, step, e * std::pow(step / h, 2), round_off(method, speed, step));
 }
 
 /// Sets `trial` to `accepted` with this step, and returns true. The estimated error is the sum of `truncation`, the

@@ -24,13 +24,12 @@
 /// evaluations.
 ///
 /// An oscillation that the steps do not resolve may leave a difference that does not decrease with the step. The caller
-/// gives a bound of this difference. The search ends at the step h if the difference d is within the bound and more
-/// than half of the one before, d'. The estimate of the error is then
+/// gives a bound of this difference, and adds it to the estimate. All other errors are of order 2 or more. If d_j is
+/// the difference of the runs with the steps h_j = h_0/2^j and h_j/2, the other errors with h_j are therefore at most
 ///
-///   d'/(2^p − 1) · T/w + 2 max(0, d₂ − d₁)(T/w − 1),
+///   min_i (4/3) d_i 4^(i−j),   i ≤ j.
 ///
-/// with the largest differences d₁ and d₂ in the first and in the second half of the window. The second term contains
-/// errors that grow with time. It must be at most the target. The caller adds the bound to the estimate.
+/// The search ends if d_j is within the bound, and this minimum times T/w is at most the target.
 ///
 /// A multistep method of order p begins with p − 1 steps of another method. These steps do not show the error of the
 /// multistep method. Therefore the window contains at least 4p steps, or the whole run.
@@ -129,8 +128,8 @@ class StepSearch {
   bool glance(const FixedStepMethod& method, Trial& trial);
   PilotRun pilot(const FixedStepMethod& method, double window, long n_samples, long n_steps);
   bool settle(const FixedStepMethod& method, Trial& trial, double h, double d, double d_before, double speed) const;
-  bool leave_oscillation(const FixedStepMethod& method, Trial& trial, double h, double d_before, const PilotRun& coarse,
-                         const PilotRun& fine) const;
+  bool leave_oscillation(const FixedStepMethod& method, Trial& trial, double h, double d, double others,
+                         double speed) const;
   bool accept(const FixedStepMethod& method, Trial& trial, double step, double truncation, double walk) const;
   double round_off(const FixedStepMethod& method, double speed, double h) const;
 
