@@ -14,7 +14,7 @@
 #   auto        degree and refinements from a tolerance, beside the cheapest found by hand
 #   kernels     cell kernels against dealii::FEEvaluation and the limits of the machine
 #   steps       what a step costs, with the number of unknowns, the degree and two ranks; iterations of Gram solves
-#   scaling     messages and reductions of a step on 1, 2 and 4 ranks, for a model of runs on many cores
+#   scaling     messages and reductions of a step on 1, 2 and 4 ranks, for a model of runs on many cores; figures on 2 ranks
 #   skipping    what the scenes of params/ skip, and what it would have cost
 #   midpoint    the release by the implicit midpoint rule inside the program
 #   bulk        both forms of the bulk term of a nearly incompressible ball
@@ -143,6 +143,7 @@ measure_steps() {
 measure_scaling() {
   if command -v mpirun >/dev/null; then
     into scaling.csv "$root/benchmarks/scaling.py" "$program" "${quick[@]}"
+    into figure_ranks.csv "$root/benchmarks/figure_ranks.py" "$program" "${quick[@]}"
   else
     not_measured=1
   fi

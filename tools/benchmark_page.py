@@ -63,6 +63,7 @@ TABLES = {
     "steps": tables.steps,
     "ranks": tables.ranks,
     "scaling": tables.scaling,
+    "figure_ranks": tables.figure_ranks,
     "gram_iterations": tables.gram_iterations,
     "skipping": tables.skipping,
     "skipped_parts": tables.skipped_parts,

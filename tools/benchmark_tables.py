@@ -195,6 +195,14 @@ def scaling(data):
               number(float(row["reductions"])), number(float(row["gram_iterations"]))] for row in rows]) if rows else None
 
 
+def figure_ranks(data):
+    """Times of figures on one and on two ranks."""
+    rows = read_rows(data, "figure_ranks.csv")
+    return (["figure", "k, refined", "unknowns", "s, 1 rank", "2 ranks", "1 rank / 2 ranks"],
+            [[r["figure"], f"{r['degree']}, {r['refinements']}", r["unknowns"], number(float(r["seconds_1"])), number(float(r["seconds_2"])),
+              two_digits(float(r["ratio"]))] for r in rows]) if rows else None
+
+
 def gram_iterations(data):
     """A line for each degree, a column for each refinement and deformation."""
     rows = read_rows(data, "gram_iterations.csv")
