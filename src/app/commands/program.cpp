@@ -146,7 +146,7 @@ void open_continuum_for(const scene::ReadScene& read, int argc, char** argv, Pro
 /// cannot run the kernels. If there are several ranks, such an exception on one rank makes all ranks throw
 /// FailureOnAllRanks. All ranks also throw it if their inputs differ.
 int run(const Options& options, int argc, char** argv, Process& process, const scene::Catalogue& catalogue) {
-  io::install_signal_handlers();  // before one process opens the finite-element library, which takes up to half a second
+  io::install_signal_handlers();  // before the finite-element library is opened, which takes up to 0.5 s
   Input input;
   on_all_ranks(*process.executable.ranks, [&] {
     process.executable.instructions();
