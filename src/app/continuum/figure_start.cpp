@@ -42,7 +42,8 @@ mechanics::Status add_motion(const scene::Scene& scene, const continuum::BallFig
 mechanics::Status start_from_figure(const scene::Scene& scene, int n_refinements, const continuum::BallSpace& space,
                                     continuum::Vector& x, continuum::Vector& v) {
   const mechanics::Figure figure = family_of_figures(scene, scene.initial_state.origin->family).figure;
-  const continuum::BallFigures figures(figure_setup(scene, space.degree(), n_refinements, figure), {space.communicator()});
+  const continuum::BallFigures figures(figure_setup(scene, space.degree(), n_refinements, figure),
+                                       {space.communicator()});
   OwnFigure own;
   const auto analyse = [&](const auto& of, auto only, auto& classes) {
     return continuum::stability_of(figures, of, n_eigenvectors_of_figure, only, classes);
