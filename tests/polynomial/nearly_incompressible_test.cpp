@@ -5,6 +5,7 @@
 
 #include "mechanics/core/memory.h"
 #include "mechanics/steps/largest_frequency.h"
+#include "mechanics/steps/slow_motion.h"
 #include "mechanics/steps/step_size.h"
 #include "polynomial/motions.h"
 #include "support/conserved.h"
@@ -83,6 +84,38 @@ TEST(NearlyIncompressibleBody, OfDegree1IsTheBodyOfThePointwiseLaw) {
   ASSERT_TRUE(projected.finished() && reference.finished()) << projected.result.reason;
   for (std::size_t k = 0; k < reference.states.size(); ++k)
     EXPECT_LT(distance(projected.states[k], reference.states[k]), 1e-6) << k;
+}
+
+/// After the move, the amplitude of the oscillation of g about −λ/κ is a part of |g| of the order 1/λ. This is the
+/// square of the ratio of the slow to the fast frequencies.
+TEST(NearlyIncompressibleBody, MovesToTheSlowMotion) {
+  std::vector<ErrorPoint> points;
+  for (const double lambda : {1e3, 1e4, 1e5}) {
+    const auto body = body_with_bulk(lambda, all_planes);
+    const auto start = breathing(body);
+    auto slow = start;
+    const double h = stable_step(body, start, 0.4);
+    ASSERT_TRUE(mechanics::move_to_slow_motion(body, h, slow));
+    EXPECT_LT(distance(slow, start), 0.3);
+
+    // The time contains several oscillations, and the steps resolve them.
+    const double swing_time = 20 / std::sqrt(lambda);
+    const auto r = run<mechanics::Rattle>(body, slow, swing_time, 40, 20);
+    ASSERT_TRUE(r.finished()) << r.result.reason;
+    VectorXd first = body.make_multiplier(), g = first;
+    ASSERT_TRUE(body.constraint(r.states.front().q, first));
+    double swing = 0;
+    for (const auto& state : r.states) {
+      auto workspace = body.make_workspace();
+      VectorXd of_motion = body.make_multiplier();
+      ASSERT_TRUE(body.constraint(state.q, g));
+      ASSERT_TRUE(mechanics::multiplier_of_motion(body, state, workspace, of_motion));
+      swing = std::max(swing, (g + of_motion / body.constraint_stiffness()).norm() / first.norm());
+    }
+    points.push_back({1 / lambda, swing});
+  }
+  EXPECT_LT(points.front().error, 0.1);
+  EXPECT_NEAR(fit_order(points).order, 1, 0.25);
 }
 
 /// The difference from the incompressible body is proportional to 1/λ.

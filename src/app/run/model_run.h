@@ -278,6 +278,7 @@ class ModelRun final : public ModelRunBase, private mechanics::AnyHooks<mechanic
   mechanics::StepChoice choose_step(const mechanics::StepRequest& request) const override {
     State from_zero = model_.start_of_pilot(state_);
     if (!mechanics::time_dependent(model_.system())) from_zero.t = 0;
+    if (request.unresolved > 0) leave_oscillation(model_, request.rattle_limit, from_zero);
     const auto Q_of = [this](const State& s) { return model_.configuration(s); };
     if constexpr (traits.has_costly_force)
       return mechanics::choose_step(model_.system(), from_zero, request, Q_of,

@@ -63,7 +63,8 @@ class ModelStepping {
   /// unless the constraint is compliant (mechanics/steps/compliance_oscillation.h). Fails if the bound cannot be
   /// computed.
   virtual Status unresolved_oscillation(double& error) const = 0;
-  /// Searches for the method and the step by pilot runs, which begin with start_of_pilot(present state).
+  /// Searches for the method and the step by pilot runs, which begin with start_of_pilot(present state). If steps need
+  /// not resolve an oscillation, the pilot runs begin without it (mechanics/steps/slow_motion.h).
   virtual mechanics::StepChoice choose_step(const mechanics::StepRequest& request) const = 0;
 
   /// Sets the method, the step and the local tolerance for the rest of the run. If the program searches for them, it

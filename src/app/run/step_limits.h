@@ -4,9 +4,11 @@
 /// (runnable_model.h).
 
 #include <algorithm>
+#include <utility>
 
 #include "mechanics/steps/compliance_oscillation.h"
 #include "mechanics/steps/largest_frequency.h"
+#include "mechanics/steps/slow_motion.h"
 #include "mechanics/steps/step_size.h"
 
 namespace pseudorigid::app {
@@ -79,6 +81,17 @@ mechanics::Status unresolved_oscillation([[maybe_unused]] const Model& model,
       return status;
     }
   return {};
+}
+
+/// Moves `state` to the slow motion, without the oscillation of a compliant constraint (mechanics/steps/slow_motion.h).
+/// `h` is a time in which the slow motion changes little. If the motion cannot be found, does nothing.
+template <class Model>
+void leave_oscillation([[maybe_unused]] const Model& model, [[maybe_unused]] double h,
+                       [[maybe_unused]] typename Model::State& state) {
+  if constexpr (mechanics::Compliant<typename Model::System>) {
+    typename Model::State slow = state;
+    if (mechanics::move_to_slow_motion(model.system(), h, slow)) state = std::move(slow);
+  }
 }
 
 }  // namespace pseudorigid::app
