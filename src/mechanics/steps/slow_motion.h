@@ -7,8 +7,6 @@
 ///
 /// up to terms of the relative order (ω/Ω)². Here ω is a frequency of the slow motion, and Ω one of the oscillation.
 
-#include <cmath>
-
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/methods/compliance.h"
 

@@ -24,9 +24,9 @@
 /// evaluations.
 ///
 /// An oscillation that the steps do not resolve may leave a difference that does not decrease with the step. The caller
-/// gives a bound of this difference, and adds it to the estimate. It should also begin the pilot runs without the
-/// oscillation (slow_motion.h), but a part may remain. All other errors are of order 2 or more. If d_j is
-/// the difference of the runs with the steps h_j = h_0/2^j and h_j/2, the other errors with h_j are therefore at most
+/// gives a bound of this difference, and adds it to the estimate. The caller also begins the pilot runs without the
+/// oscillation (slow_motion.h), but a part of it may remain. All other errors are of order 2 or more. If d_j is the
+/// difference of the runs with the steps h_j = h_0/2^j and h_j/2, the other errors with h_j are therefore at most
 ///
 ///   min_i (4/3) d_i 4^(i−j),   i ≤ j.
 ///
